@@ -1,0 +1,33 @@
+# A room is src/<name>, include/markerless_mocap/<name> and test/<name>.
+# mocap_room(<name> [DEPENDS <room>...] [LIBRARIES <library>...])
+function(mocap_room name)
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_library(mocap_${name} STATIC ${sources})
+  target_include_directories(mocap_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  foreach(room ${ROOM_DEPENDS})
+    target_link_libraries(mocap_${name} PUBLIC mocap_${room})
+  endforeach()
+  target_link_libraries(mocap_${name} PUBLIC ${ROOM_LIBRARIES})
+  if(MARKERLESS_MOCAP_TESTS)
+    mocap_room_tests(${name})
+  endif()
+endfunction()
+
+# One executable per room from test/<name>/*_test.cpp; its cases are ctest's cases.
+function(mocap_room_tests name)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/${name}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_test ${sources})
+  target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
+  target_compile_definitions(${name}_test PRIVATE MOCAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name}_test mocap_${name} GTest::gtest_main ${ARGN})
+  add_test(NAME ${name} COMMAND ${name}_test)
+endfunction()

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// A revolute or fixed joint of the tree. Its child link's frame sits at the joint.
+struct BodyJoint {
+  std::string name;
+  int parent_link = -1;
+  int child_link = -1;
+  int angle_index = -1;  ///< position in the angle vector; -1 for a fixed joint
+  Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();  ///< at angle 0
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                   ///< in the joint's frame
+  double lower = 0.0, upper = 0.0;                                   ///< radians
+};
+
+/// A truncated cone with rounded ends, rigid with a link: the body's shape.
+struct RoundCone {
+  int link = 0;
+  Eigen::Vector3d a, b;          ///< ends in the link's frame, metres
+  double radius_a, radius_b;     ///< metres
+};
+
+/// Scratch result of forward kinematics: one frame per link.
+using LinkPoses = std::vector<Eigen::Isometry3d>;
+
+/// The URDF body: tree, limits, shape. Immutable; one is shared by all threads.
+class BodyModel {
+ public:
+  /// Parses a URDF whose links and joints end in "_<id>". Cylinders are read as round cones of one
+  /// radius, spheres as round cones of no length; other visuals are ignored. Throws
+  /// std::invalid_argument when the text is no URDF, or a link or joint that the package needs is
+  /// missing (named in the sentence).
+  static BodyModel fromUrdf(const std::string& urdf_xml, const std::string& id);
+
+  const std::string& id() const { return id_; }
+  const std::vector<std::string>& links() const { return links_; }    ///< root first, parents before children
+  const std::vector<BodyJoint>& joints() const { return joints_; }    ///< in order of child link
+  const std::vector<RoundCone>& shape() const { return shape_; }
+  int angleCount() const { return angle_count_; }
+  /// Index by base name ("l_elbow", without the id); throws std::invalid_argument if absent.
+  int linkIndex(const std::string& base_name) const;
+  int angleIndex(const std::string& joint_base_name) const;
+  const BodyJoint& joint(const std::string& base_name) const;
+
+  /// Joint names in the order of the angle vector.
+  std::vector<std::string> angleNames() const;
+
+  /// Frames of all links in the world by products of exponentials down the tree (Hsiao 2008,
+  /// Eq. 3-17 to 3-26). \param angles radians, angleCount() values
+  void forwardKinematics(const Eigen::Isometry3d& T_world_root, const Eigen::VectorXd& angles,
+                         LinkPoses& T_world_link) const;
+
+ private:
+  std::string id_;
+  std::vector<std::string> links_;
+  std::vector<BodyJoint> joints_;
+  std::vector<RoundCone> shape_;
+  int angle_count_ = 0;
+};
+
+/// Fifteen joint centres of the error measure (Fleischmann 2012, Eq. 4.4) in a fixed order.
+const std::vector<std::string>& markerNames();
+/// World positions of markerNames(), metres.
+std::vector<Eigen::Vector3d> markerPositions(const BodyModel& model, const LinkPoses& T_world_link);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// A calibrated camera as users give it: pinhole with lens distortion, pose in the world.
+struct CameraCalibration {
+  std::string name;
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+  Eigen::Matrix3d K = Eigen::Matrix3d::Zero();  ///< pixels; integer coordinates are pixel centres
+  /// Distortion, OpenCV order k1 k2 p1 p2 [k3 [k4 k5 k6]]; empty, 4, 5 or 8 values
+  /// (sensor_msgs plumb_bob and rational_polynomial).
+  std::vector<double> D;
+  /// Optical frame (x right, y down, z forward; REP-103) to world, metres.
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+
+  /// Throws std::invalid_argument: empty size, zero or non-finite K, D of a wrong length, a pose
+  /// that is not a rigid transform. The sentence names the camera.
+  void validate() const;
+};
+
+/// Projects with the full lens model. Immutable; safe to share between threads.
+class Camera {
+ public:
+  /// Validates the calibration.
+  explicit Camera(CameraCalibration calibration);
+
+  const CameraCalibration& calibration() const { return calibration_; }
+  const std::string& name() const { return calibration_.name; }
+  int width() const { return calibration_.width; }
+  int height() const { return calibration_.height; }
+  Eigen::Vector3d position() const { return calibration_.T_world_camera.translation(); }
+
+  /// World point (m) to pixel. Empty when the point is behind the camera or so far off-axis that
+  /// the distortion polynomial has folded back. The pixel may lie outside the image.
+  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_world) const;
+
+  /// As project(), but empty outside the image too (nearest pixel must exist).
+  std::optional<Eigen::Vector2d> projectInside(const Eigen::Vector3d& point_world) const;
+
+  /// Unit direction (world) of the viewing ray through a pixel, distortion removed.
+  Eigen::Vector3d rayDirection(const Eigen::Vector2d& pixel) const;
+
+ private:
+  CameraCalibration calibration_;
+  Eigen::Isometry3d T_camera_world_;
+  double k_[8] = {};             ///< OpenCV order, missing coefficients zero
+  double max_radius_squared_;    ///< of undistorted image-plane points, before the model folds back
+};
+
+using CameraRig = std::vector<Camera>;
+
+/// Splits a 3x4 projection matrix P = K [R | t] by RQ decomposition into K (positive diagonal,
+/// K(2,2) = 1) and the camera's pose. Source: Hartley and Zisserman, Multiple View Geometry, 6.2.4.
+/// Throws std::invalid_argument if the left 3x3 block is singular or not finite.
+CameraCalibration decomposeProjection(const Eigen::Matrix<double, 3, 4>& P);
+
+}  // namespace markerless_mocap

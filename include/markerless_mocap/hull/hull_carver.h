@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "markerless_mocap/camera/camera.h"
+#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// Settings of the visual hull stage.
+struct HullOptions {
+  static constexpr const char* kStage = "visual_hull";
+  Eigen::Vector3d volume_min{-1.5, -1.5, 0.0};
+  Eigen::Vector3d volume_max{1.5, 1.5, 2.2};
+  double pitch = 0.03;
+  int min_views = 2;
+  int missing_votes_allowed = 0;
+  double min_component_litres = 1.0;
+  double color_vote_distance = 40.0;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+/// One camera's share of an instant. Empty mats: the camera is missing at this instant.
+struct HullView {
+  cv::Mat mask;   ///< CV_8UC1, 0 | 255, size of the camera
+  cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
+};
+
+/// Carves the visual hull of one rig in one volume (Hsiao 2008, 3.1.3; Bakken & Hilton 2012, 3.2).
+/// A voxel is foreground when at least `min_views` cameras see it and all but
+/// `missing_votes_allowed` of those have it in their silhouette. A camera that does not see a voxel
+/// (behind it, or outside its image) has no vote.
+class HullCarver {
+ public:
+  /// Builds the projection table. Throws std::invalid_argument: fewer than 2 or more than 32
+  /// cameras, two cameras of one name, or a volume of which no voxel is seen by `min_views`.
+  HullCarver(CameraRig rig, const HullOptions& options);
+
+  /// \param views one per camera of the rig, in its order; throws std::invalid_argument on a wrong
+  ///   count, size or type
+  VisualHull carve(const std::vector<HullView>& views) const;
+
+  const CameraRig& rig() const { return rig_; }
+  const VoxelLattice& lattice() const { return lattice_; }
+
+ private:
+  std::vector<uint32_t> foreground(const std::vector<HullView>& views) const;
+
+  CameraRig rig_;
+  HullOptions options_;
+  VoxelLattice lattice_;
+  /// [camera][voxel] pixel offset y * width + x, or -1 where the camera does not see the voxel.
+  std::vector<std::vector<int32_t>> pixel_of_voxel_;
+};
+
+}  // namespace markerless_mocap

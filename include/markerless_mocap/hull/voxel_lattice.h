@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace markerless_mocap {
+
+/// Regular lattice of cubic voxels, axes along the world's. Voxel (i, j, k) has its centre at
+/// origin + pitch * (i + 1/2, j + 1/2, k + 1/2); x runs fastest in the linear index.
+struct VoxelLattice {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< lowest corner, metres
+  double pitch = 0.03;                               ///< metres
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< voxels along x, y, z
+
+  uint32_t count() const { return uint32_t(size.x()) * size.y() * size.z(); }
+  uint32_t index(int i, int j, int k) const {
+    return (uint32_t(k) * size.y() + j) * size.x() + i;
+  }
+  Eigen::Vector3i coordinates(uint32_t index) const {
+    return {int(index % size.x()), int(index / size.x() % size.y()),
+            int(index / (uint32_t(size.x()) * size.y()))};
+  }
+  Eigen::Vector3d center(uint32_t index) const {
+    return origin + pitch * (coordinates(index).cast<double>().array() + 0.5).matrix();
+  }
+  bool operator==(const VoxelLattice& o) const {
+    return origin == o.origin && pitch == o.pitch && size == o.size;
+  }
+};
+
+}  // namespace markerless_mocap

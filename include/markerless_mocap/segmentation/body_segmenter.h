@@ -1,0 +1,33 @@
+#pragma once
+
+#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/options/options.h"
+#include "markerless_mocap/segmentation/body_parts.h"
+
+namespace markerless_mocap {
+
+/// Settings of the segmentation stage.
+struct SegmentationOptions {
+  static constexpr const char* kStage = "body_segmentation";
+  std::string branch_method = "merge_tree";
+  int modes = 10;
+  bool use_color_votes = false;
+  double shrink_weight = 0.0;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+/// Segments a hull into six parts by its Laplacian eigenmap (Hsiao 2008, 3.1.4) and extracts each
+/// part's curve (3.1.5.2). Holds no state between frames.
+class BodySegmenter {
+ public:
+  explicit BodySegmenter(const SegmentationOptions& options);
+  /// Never throws on a bad hull: the status says what is wrong.
+  BodyParts segment(const VisualHull& hull) const;
+
+ private:
+  SegmentationOptions options_;
+};
+
+}  // namespace markerless_mocap
