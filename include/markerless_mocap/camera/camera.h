@@ -10,8 +10,8 @@ namespace markerless_mocap {
 /// A calibrated camera as users give it: pinhole with lens distortion, pose in the world.
 struct CameraCalibration {
   std::string name;
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
+  int width = 0;                                ///< pixels
+  int height = 0;                               ///< pixels
   Eigen::Matrix3d K = Eigen::Matrix3d::Zero();  ///< pixels; integer coordinates are pixel centres
   /// Distortion, OpenCV order k1 k2 p1 p2 [k3 [k4 k5 k6]]; empty, 4, 5 or 8 values
   /// (sensor_msgs plumb_bob and rational_polynomial).
@@ -49,8 +49,8 @@ class Camera {
  private:
   CameraCalibration calibration_;
   Eigen::Isometry3d T_camera_world_;
-  double k_[8] = {};             ///< OpenCV order, missing coefficients zero
-  double max_radius_squared_;    ///< of undistorted image-plane points, before the model folds back
+  double k_[8] = {};           ///< OpenCV order, missing coefficients zero
+  double max_radius_squared_;  ///< of undistorted image-plane points, before the model folds back
 };
 
 using CameraRig = std::vector<Camera>;
