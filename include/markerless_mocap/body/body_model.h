@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "markerless_mocap/body/twist.h"
+
 namespace markerless_mocap {
 
 /// A revolute or fixed joint of the tree. Its child link's frame sits at the joint.
@@ -15,13 +17,15 @@ struct BodyJoint {
   Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();  ///< at angle 0
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                   ///< in the joint's frame
   double lower = 0.0, upper = 0.0;                                   ///< radians
+  Twist twist;  ///< of the joint in the root's frame, all angles zero; zero for a fixed joint
 };
 
 /// A truncated cone with rounded ends, rigid with a link: the body's shape.
 struct RoundCone {
   int link = 0;
-  Eigen::Vector3d a, b;          ///< ends in the link's frame, metres
-  double radius_a, radius_b;     ///< metres
+  Eigen::Vector3d a, b;                                   ///< ends in the link's frame, metres
+  double radius_a, radius_b;                              ///< metres
+  Eigen::Vector3f rgb = Eigen::Vector3f::Constant(0.7f);  ///< material colour, each 0 to 1
 };
 
 /// Scratch result of forward kinematics: one frame per link.
@@ -31,14 +35,17 @@ using LinkPoses = std::vector<Eigen::Isometry3d>;
 class BodyModel {
  public:
   /// Parses a URDF whose links and joints end in "_<id>". Cylinders are read as round cones of one
-  /// radius, spheres as round cones of no length; other visuals are ignored. Throws
-  /// std::invalid_argument when the text is no URDF, or a link or joint that the package needs is
-  /// missing (named in the sentence).
+  /// radius, spheres as round cones of no length (spheres inside a cylinder's rounded end add
+  /// nothing and are left out); other visuals are ignored. Throws std::invalid_argument when the
+  /// text is no URDF, when a link or joint of REP-155 is missing or of a wrong kind, or when a
+  /// limit is empty (each named in the sentence).
   static BodyModel fromUrdf(const std::string& urdf_xml, const std::string& id);
 
   const std::string& id() const { return id_; }
-  const std::vector<std::string>& links() const { return links_; }    ///< root first, parents before children
-  const std::vector<BodyJoint>& joints() const { return joints_; }    ///< in order of child link
+  /// Full names, root first, parents before children.
+  const std::vector<std::string>& links() const { return links_; }
+  /// Joint i leads to link i + 1.
+  const std::vector<BodyJoint>& joints() const { return joints_; }
   const std::vector<RoundCone>& shape() const { return shape_; }
   int angleCount() const { return angle_count_; }
   /// Index by base name ("l_elbow", without the id); throws std::invalid_argument if absent.
@@ -50,7 +57,9 @@ class BodyModel {
   std::vector<std::string> angleNames() const;
 
   /// Frames of all links in the world by products of exponentials down the tree (Hsiao 2008,
-  /// Eq. 3-17 to 3-26). \param angles radians, angleCount() values
+  /// Eq. 3-17 to 3-26). Allocates nothing when `T_world_link` has its size already.
+  /// \param angles radians, in the order of angleNames(); throws std::invalid_argument unless
+  ///   angleCount() values are given
   void forwardKinematics(const Eigen::Isometry3d& T_world_root, const Eigen::VectorXd& angles,
                          LinkPoses& T_world_link) const;
 
@@ -59,6 +68,7 @@ class BodyModel {
   std::vector<std::string> links_;
   std::vector<BodyJoint> joints_;
   std::vector<RoundCone> shape_;
+  std::vector<Eigen::Isometry3d> T_root_link_zero_;  ///< g(0) of each link: all angles zero
   int angle_count_ = 0;
 };
 

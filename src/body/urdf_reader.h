@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/body/body_model.h"
+
+namespace markerless_mocap {
+
+/// Tree and shape as they stand in a URDF; twists are not yet set.
+struct BodyTree {
+  std::vector<std::string> links;
+  std::vector<BodyJoint> joints;
+  std::vector<RoundCone> shape;
+};
+
+/// Reads and checks; see BodyModel::fromUrdf.
+BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "body/body_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+std::string refusal(const std::string& urdf) {
+  return sentenceOf([&] { BodyModel::fromUrdf(urdf, "person1"); });
+}
+
+TEST(UrdfReaderTest, garbageIsRefused) {
+  const std::string sentence = "URDF of the body: the text cannot be read as a URDF";
+  EXPECT_EQ(refusal(""), sentence);
+  EXPECT_EQ(refusal("no xml at all"), sentence);
+  EXPECT_EQ(refusal(humanUrdf().substr(0, 4000)), sentence);
+}
+
+TEST(UrdfReaderTest, bodyOfAnotherIdIsRefused) {
+  EXPECT_EQ(sentenceOf([] { BodyModel::fromUrdf(humanUrdf(), "person2"); }),
+            "URDF of the body: link body_person2 is missing");
+}
+
+TEST(UrdfReaderTest, missingJointIsNamed) {
+  EXPECT_EQ(refusal(replaced(humanUrdf(), "\"l_knee_person1\" type", "\"knee_person1\" type")),
+            "URDF of the body: joint l_knee_person1 is missing");
+}
+
+TEST(UrdfReaderTest, missingLinkIsNamed) {
+  std::string urdf = replaced(humanUrdf(), "link name=\"r_wrist_person1\"", "link name=\"hand\"");
+  urdf = replaced(urdf, "child link=\"r_wrist_person1\"", "child link=\"hand\"");
+  EXPECT_EQ(refusal(urdf), "URDF of the body: link r_wrist_person1 is missing");
+}
+
+TEST(UrdfReaderTest, fixedKneeIsRefused) {
+  EXPECT_EQ(refusal(replaced(humanUrdf(), "\"r_knee_person1\" type=\"revolute\"",
+                             "\"r_knee_person1\" type=\"fixed\"")),
+            "URDF of the body: joint r_knee_person1 must be revolute");
+}
+
+TEST(UrdfReaderTest, emptyLimitIsRefused) {
+  EXPECT_EQ(refusal(replaced(humanUrdf(), "upper=\"1.4\"", "upper=\"-0.6\"")),
+            "URDF of the body: joint waist_person1 must have a lower limit below its upper limit");
+}
+
+TEST(UrdfReaderTest, shapeIsReadAsRoundCones) {
+  const std::string chest = "<link name=\"waist_person1\"/>";
+  const std::string with_capsule =
+      "<link name=\"waist_person1\">"
+      "<visual><origin xyz=\"0 0 0.5\"/><geometry><cylinder radius=\"0.1\" length=\"0.4\"/>"
+      "</geometry><material name=\"skin\"/></visual>"
+      "<visual><origin xyz=\"0 0 0.7\"/><geometry><sphere radius=\"0.1\"/></geometry></visual>"
+      "<visual><origin xyz=\"0 0 0.9\"/><geometry><sphere radius=\"0.2\"/></geometry></visual>"
+      "<visual><geometry><box size=\"1 1 1\"/></geometry></visual></link>";
+  const BodyModel model =
+      BodyModel::fromUrdf(replaced(humanUrdf(), chest, with_capsule), "person1");
+  std::vector<RoundCone> cones;
+  for (const RoundCone& cone : model.shape())
+    if (cone.link == model.linkIndex("waist")) cones.push_back(cone);
+  ASSERT_EQ(cones.size(), 2u);  // the sphere in the cylinder's rounded end and the box are left out
+  EXPECT_TRUE(cones[0].a.isApprox(Eigen::Vector3d(0, 0, 0.7)));
+  EXPECT_TRUE(cones[0].b.isApprox(Eigen::Vector3d(0, 0, 0.3)));
+  EXPECT_FLOAT_EQ(cones[0].rgb.x(), 0.86f);
+  EXPECT_EQ(cones[1].a, cones[1].b);
+  EXPECT_DOUBLE_EQ(cones[1].radius_a, 0.2);
+}
+
+TEST(UrdfReaderTest, theJointsThatTheRepLacksAreOptional) {
+  std::string urdf = humanUrdf();
+  for (const char* name : {"r_waist", "l_y_clavicle", "r_y_clavicle"}) {
+    const std::string joint = std::string(name) + "_person1\" type=\"";
+    urdf = replaced(urdf, joint + "revolute", "fixed_" + joint + "fixed");
+  }
+  EXPECT_EQ(BodyModel::fromUrdf(urdf, "person1").angleCount(), 22);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
