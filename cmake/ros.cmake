@@ -1,0 +1,75 @@
+# Messages, conversions, nodelets with their executables, tools.
+find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
+  rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs tf2_msgs tf2_ros tf2_eigen
+  cv_bridge diagnostic_updater)
+find_package(hri_msgs QUIET)
+
+file(GLOB messages RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
+add_message_files(FILES ${messages})
+generate_messages(DEPENDENCIES std_msgs geometry_msgs)
+catkin_package(CATKIN_DEPENDS message_runtime std_msgs geometry_msgs sensor_msgs)
+
+# Everything that includes a ROS header: ROS's own headers are not held to our warnings.
+function(mocap_use_ros target)
+  target_include_directories(${target} SYSTEM PUBLIC
+    ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS})
+  target_link_libraries(${target} PUBLIC ${catkin_LIBRARIES})
+  add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
+endfunction()
+
+mocap_room(ros DEPENDS camera hull segmentation fitting options LIBRARIES opencv_imgcodecs)
+mocap_use_ros(mocap_ros)
+
+# One executable per stage, named as the node, hosts the stage's nodelet.
+set(stages silhouette visual_hull body_segmentation pose_fitting virtual_studio)
+file(GLOB node_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/nodes/*.cpp)
+list(FILTER node_sources EXCLUDE REGEX "/host_main\\.cpp$")
+add_library(markerless_mocap_nodelets SHARED ${node_sources})
+target_include_directories(markerless_mocap_nodelets PRIVATE ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(markerless_mocap_nodelets PUBLIC mocap_ros mocap_pipeline mocap_capture)
+mocap_use_ros(markerless_mocap_nodelets)
+if(hri_msgs_FOUND)
+  target_compile_definitions(markerless_mocap_nodelets PRIVATE MOCAP_WITH_HRI_MSGS)
+  target_include_directories(markerless_mocap_nodelets SYSTEM PRIVATE ${hri_msgs_INCLUDE_DIRS})
+endif()
+foreach(stage ${stages})
+  add_executable(${stage}_host src/nodes/host_main.cpp)
+  set_target_properties(${stage}_host PROPERTIES OUTPUT_NAME ${stage})
+  target_compile_definitions(${stage}_host PRIVATE MOCAP_NODELET="${PROJECT_NAME}/${stage}"
+    MOCAP_NODE="${stage}")
+  mocap_use_ros(${stage}_host)
+  list(APPEND programs ${stage}_host)
+endforeach()
+
+# One command-line tool per src/tools/<name>_main.cpp.
+file(GLOB tool_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/tools/*.cpp)
+set(tool_mains ${tool_sources})
+list(FILTER tool_mains INCLUDE REGEX "_main\\.cpp$")
+list(FILTER tool_sources EXCLUDE REGEX "_main\\.cpp$")
+if(tool_sources)
+  mocap_room(tools DEPENDS ros pipeline capture LIBRARIES CLI11::CLI11)
+endif()
+foreach(main ${tool_mains})
+  get_filename_component(tool ${main} NAME_WE)
+  string(REGEX REPLACE "_main$" "" tool ${tool})
+  add_executable(${tool} ${main})
+  target_include_directories(${tool} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${tool} PRIVATE mocap_ros mocap_pipeline CLI11::CLI11)
+  if(TARGET mocap_tools)
+    target_link_libraries(${tool} PRIVATE mocap_tools)
+  endif()
+  list(APPEND programs ${tool})
+endforeach()
+
+install(TARGETS ${programs} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS markerless_mocap_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(FILES nodelets.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(DIRECTORY config launch rviz urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+
+if(MARKERLESS_MOCAP_TESTS AND CATKIN_ENABLE_TESTING)
+  find_package(rostest REQUIRED)
+  file(GLOB node_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/nodes/*.test)
+  foreach(test ${node_tests})
+    add_rostest(${test})
+  endforeach()
+endif()

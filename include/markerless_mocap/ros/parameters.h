@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// A value of the parameter server as YAML. Throws std::invalid_argument on dates and binaries,
+/// which no option has.
+YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value);
+
+/// All parameters in a node handle's namespace as one YAML map; empty map if there are none.
+YAML::Node parametersOf(const ros::NodeHandle& handle);
+
+/// Fills several options structs from one map, such as a stage's options and its node's own.
+/// Throws std::invalid_argument on a key that belongs to none of them, and as `loadOptions`.
+/// \param where name of the node, used in error sentences
+template <class... OptionsT>
+void loadOptionsTogether(const YAML::Node& node, const std::string& where, OptionsT&... options) {
+  OptionReader reader(node, where);
+  (options.visit(reader), ...);
+  reader.finish();
+  (options.validate(), ...);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,67 @@
+#include "markerless_mocap/ros/camera_markers.h"
+
+#include <array>
+
+namespace markerless_mocap {
+namespace {
+
+geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
+  geometry_msgs::Point message;
+  message.x = p.x();
+  message.y = p.y();
+  message.z = p.z();
+  return message;
+}
+
+visualization_msgs::Marker marker(const std_msgs::Header& header, const char* ns, int id) {
+  visualization_msgs::Marker m;
+  m.header = header;
+  m.ns = ns;
+  m.id = id;
+  m.pose.orientation.w = 1.0;
+  m.color.r = m.color.g = m.color.b = 0.8f;
+  m.color.a = 1.0f;
+  return m;
+}
+
+std::array<Eigen::Vector3d, 4> corners(const Camera& camera, double depth) {
+  const double right = camera.width() - 1.0, bottom = camera.height() - 1.0;
+  const std::array<Eigen::Vector2d, 4> pixels{
+      {{0.0, 0.0}, {right, 0.0}, {right, bottom}, {0.0, bottom}}};
+  const Eigen::Vector3d axis = camera.calibration().T_world_camera.linear().col(2);
+  std::array<Eigen::Vector3d, 4> points;
+  for (size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d ray = camera.rayDirection(pixels[i]);
+    points[i] = camera.position() + ray * (depth / ray.dot(axis));
+  }
+  return points;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray cameraMarkers(const CameraRig& rig, const std_msgs::Header& header,
+                                              double depth) {
+  visualization_msgs::MarkerArray markers;
+  for (size_t i = 0; i < rig.size(); ++i) {
+    visualization_msgs::Marker lines = marker(header, "frustums", static_cast<int>(i));
+    lines.type = lines.LINE_LIST;
+    lines.scale.x = 0.01;
+    const auto far = corners(rig[i], depth);
+    for (size_t c = 0; c < 4; ++c) {
+      lines.points.push_back(pointMessage(rig[i].position()));
+      lines.points.push_back(pointMessage(far[c]));
+      lines.points.push_back(pointMessage(far[c]));
+      lines.points.push_back(pointMessage(far[(c + 1) % 4]));
+    }
+    markers.markers.push_back(lines);
+    visualization_msgs::Marker name = marker(header, "names", static_cast<int>(i));
+    name.type = name.TEXT_VIEW_FACING;
+    name.text = rig[i].name();
+    name.scale.z = 0.15;
+    name.pose.position = pointMessage(rig[i].position() + 0.15 * Eigen::Vector3d::UnitZ());
+    markers.markers.push_back(name);
+  }
+  return markers;
+}
+
+}  // namespace markerless_mocap

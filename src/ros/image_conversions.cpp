@@ -1,0 +1,56 @@
+#include "markerless_mocap/ros/image_conversions.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+
+namespace markerless_mocap {
+
+namespace encodings = sensor_msgs::image_encodings;
+
+cv::Mat matFromMessage(const sensor_msgs::Image& message) {
+  const bool known = encodings::isMono(message.encoding) || encodings::isColor(message.encoding) ||
+                     encodings::isBayer(message.encoding);
+  if (!known)
+    throw std::invalid_argument("image of frame \"" + message.header.frame_id +
+                                "\" has the encoding \"" + message.encoding +
+                                "\", allowed are mono8, bgr8, rgb8 and what converts to them");
+  const bool grey = encodings::isMono(message.encoding);
+  try {
+    return cv_bridge::toCvCopy(message, grey ? encodings::MONO8 : encodings::BGR8)->image;
+  } catch (const std::exception& error) {  // cv_bridge's and OpenCV's own
+    throw std::invalid_argument("image of frame \"" + message.header.frame_id +
+                                "\" is unreadable: " + error.what());
+  }
+}
+
+cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
+  cv::Mat image;
+  if (!message.data.empty()) image = cv::imdecode(message.data, cv::IMREAD_ANYCOLOR);
+  if (image.empty())
+    throw std::invalid_argument("compressed image of frame \"" + message.header.frame_id +
+                                "\" with format \"" + message.format + "\" cannot be decoded");
+  return image;
+}
+
+cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
+  if (message.encoding != encodings::MONO8 && message.encoding != encodings::TYPE_8UC1)
+    throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
+                                "\" has the encoding \"" + message.encoding +
+                                "\", allowed is mono8");
+  sensor_msgs::Image grey = message;
+  grey.encoding = encodings::MONO8;
+  return matFromMessage(grey) > 0;
+}
+
+sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& header) {
+  if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
+    throw std::invalid_argument("an image of OpenCV type " + std::to_string(image.type()) +
+                                " cannot be published, allowed are CV_8UC1 and CV_8UC3");
+  const std::string& encoding = image.type() == CV_8UC1 ? encodings::MONO8 : encodings::BGR8;
+  return *cv_bridge::CvImage(header, encoding, image).toImageMsg();
+}
+
+}  // namespace markerless_mocap

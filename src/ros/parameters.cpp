@@ -1,0 +1,44 @@
+#include "markerless_mocap/ros/parameters.h"
+
+#include <ros/param.h>
+
+#include <stdexcept>
+
+namespace markerless_mocap {
+
+YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value) {
+  // XmlRpcValue's const accessors are missing for some types: read a copy.
+  XmlRpc::XmlRpcValue v(value);
+  switch (v.getType()) {
+    case XmlRpc::XmlRpcValue::TypeInvalid:
+      return YAML::Node(YAML::NodeType::Null);
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return YAML::Node(static_cast<bool>(v));
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return YAML::Node(static_cast<int>(v));
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return YAML::Node(static_cast<double>(v));
+    case XmlRpc::XmlRpcValue::TypeString:
+      return YAML::Node(static_cast<std::string>(v));
+    case XmlRpc::XmlRpcValue::TypeArray: {
+      YAML::Node list(YAML::NodeType::Sequence);
+      for (int i = 0; i < v.size(); ++i) list.push_back(yamlFromXmlRpc(v[i]));
+      return list;
+    }
+    case XmlRpc::XmlRpcValue::TypeStruct: {
+      YAML::Node map(YAML::NodeType::Map);
+      for (const auto& entry : v) map[entry.first] = yamlFromXmlRpc(entry.second);
+      return map;
+    }
+    default:
+      throw std::invalid_argument("a parameter is a date or binary, allowed are text and numbers");
+  }
+}
+
+YAML::Node parametersOf(const ros::NodeHandle& handle) {
+  XmlRpc::XmlRpcValue value;
+  if (!ros::param::get(handle.getNamespace(), value)) return YAML::Node(YAML::NodeType::Map);
+  return yamlFromXmlRpc(value);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,126 @@
+#include "markerless_mocap/ros/pose_conversions.h"
+
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+bool contains(const std::string& text, const char* word) {
+  return text.find(word) != std::string::npos;
+}
+
+std::string baseName(const BodyModel& model, const std::string& name) {
+  const size_t suffix = model.id().size() + 1;
+  return name.size() > suffix ? name.substr(0, name.size() - suffix) : name;
+}
+
+bool isSeen(const BodyModel& model, const BodyPose& pose, const BodyJoint& joint) {
+  return pose.part_seen[static_cast<size_t>(partOfJoint(baseName(model, joint.name)))];
+}
+
+uint8_t statusToMessage(PoseStatus status) {
+  switch (status) {
+    case PoseStatus::kLost:
+      return BodyPoseMsg::LOST;
+    case PoseStatus::kTracked:
+      return BodyPoseMsg::TRACKED;
+    case PoseStatus::kReinitialized:
+      return BodyPoseMsg::REINITIALIZED;
+  }
+  throw std::invalid_argument("unknown pose status");
+}
+
+void checkUsable(const BodyModel& model, const BodyPose& pose) {
+  const bool usable = pose.status != PoseStatus::kLost && pose.T_world_body.matrix().allFinite() &&
+                      pose.angles.size() == model.angleCount() && pose.angles.allFinite();
+  if (!usable) throw std::invalid_argument("the pose of " + model.id() + " is lost or not finite");
+}
+
+geometry_msgs::TransformStamped stamped(const Eigen::Isometry3d& T_parent_child,
+                                        const std_msgs::Header& header, const std::string& parent,
+                                        const std::string& child) {
+  geometry_msgs::TransformStamped transform = tf2::eigenToTransform(T_parent_child);
+  transform.header.stamp = header.stamp;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  return transform;
+}
+
+}  // namespace
+
+PartLabel partOfJoint(const std::string& base_name) {
+  if (contains(base_name, "head")) return PartLabel::kHead;
+  const bool left = base_name.rfind("l_", 0) == 0;
+  for (const char* word : {"clavicle", "shoulder", "elbow", "wrist", "hand"})
+    if (contains(base_name, word)) return left ? PartLabel::kArm1 : PartLabel::kArm2;
+  for (const char* word : {"hip", "knee", "ankle", "foot"})
+    if (contains(base_name, word)) return left ? PartLabel::kLeg1 : PartLabel::kLeg2;
+  return PartLabel::kTorso;
+}
+
+const char* sidedPartName(PartLabel label) {
+  constexpr const char* kNames[kPartCount] = {"torso", "head", "l_arm", "r_arm", "l_leg", "r_leg"};
+  return kNames[static_cast<size_t>(label)];
+}
+
+sensor_msgs::JointState jointStateFromPose(const BodyModel& model, const BodyPose& pose,
+                                           const std_msgs::Header& header) {
+  sensor_msgs::JointState state;
+  state.header = header;
+  if (pose.status == PoseStatus::kLost) return state;
+  checkUsable(model, pose);
+  for (const BodyJoint& joint : model.joints()) {
+    if (joint.angle_index < 0 || !isSeen(model, pose, joint)) continue;
+    state.name.push_back(joint.name);
+    state.position.push_back(pose.angles[joint.angle_index]);
+  }
+  return state;
+}
+
+BodyPoseMsg messageFromPose(const BodyModel& model, const BodyPose& pose,
+                            const std_msgs::Header& header) {
+  BodyPoseMsg message;
+  message.header = header;
+  message.body_id = model.id();
+  message.status = statusToMessage(pose.status);
+  message.reason = pose.reason;
+  message.skeleton_error = pose.skeleton_error_m;
+  message.hull_explained = pose.hull_explained;
+  message.body_in_hull = pose.body_in_hull;
+  message.pose.orientation.w = 1.0;
+  if (pose.status == PoseStatus::kLost) return message;
+  const sensor_msgs::JointState joints = jointStateFromPose(model, pose, header);
+  message.pose = tf2::toMsg(pose.T_world_body);
+  message.joint_names = joints.name;
+  message.joint_angles = joints.position;
+  for (int label = 0; label < kPartCount; ++label)
+    if (!pose.part_seen[label])
+      message.parts_not_seen.emplace_back(sidedPartName(static_cast<PartLabel>(label)));
+  return message;
+}
+
+geometry_msgs::TransformStamped rootTransform(const BodyModel& model, const BodyPose& pose,
+                                              const std_msgs::Header& header) {
+  checkUsable(model, pose);
+  return stamped(pose.T_world_body, header, header.frame_id, model.links().front());
+}
+
+std::vector<geometry_msgs::TransformStamped> linkTransforms(const BodyModel& model,
+                                                            const BodyPose& pose,
+                                                            const std_msgs::Header& header) {
+  std::vector<geometry_msgs::TransformStamped> transforms{rootTransform(model, pose, header)};
+  LinkPoses T_world_link;
+  model.forwardKinematics(pose.T_world_body, pose.angles, T_world_link);
+  for (const BodyJoint& joint : model.joints()) {
+    if (!isSeen(model, pose, joint)) continue;
+    const Eigen::Isometry3d T_parent_child =
+        T_world_link[joint.parent_link].inverse() * T_world_link[joint.child_link];
+    transforms.push_back(stamped(T_parent_child, header, model.links()[joint.parent_link],
+                                 model.links()[joint.child_link]));
+  }
+  return transforms;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,183 @@
+#include "markerless_mocap/ros/segmentation_conversions.h"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kCurveWidth = 0.02;  // metres on the screen
+
+uint8_t statusToMessage(SegmentationStatus status) {
+  switch (status) {
+    case SegmentationStatus::kOk:
+      return BodyPartsMsg::OK;
+    case SegmentationStatus::kPartial:
+      return BodyPartsMsg::PARTIAL;
+    case SegmentationStatus::kInvalid:
+      return BodyPartsMsg::INVALID;
+  }
+  throw std::invalid_argument("unknown segmentation status");
+}
+
+SegmentationStatus statusFromMessage(uint8_t status) {
+  switch (status) {
+    case BodyPartsMsg::OK:
+      return SegmentationStatus::kOk;
+    case BodyPartsMsg::PARTIAL:
+      return SegmentationStatus::kPartial;
+    case BodyPartsMsg::INVALID:
+      return SegmentationStatus::kInvalid;
+    default:
+      throw std::invalid_argument("BodyParts has the status " + std::to_string(status) +
+                                  ", allowed are 0 to 2");
+  }
+}
+
+geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
+  geometry_msgs::Point message;
+  message.x = p.x();
+  message.y = p.y();
+  message.z = p.z();
+  return message;
+}
+
+PartCurve curveFromMessage(const BodyPart& message) {
+  PartCurve curve;
+  curve.seen = message.seen;
+  if (!curve.seen) return curve;
+  curve.voxel_count = message.voxel_count;
+  curve.site_values = message.site_values;
+  for (const auto& p : message.points) curve.points.emplace_back(p.x, p.y, p.z);
+  bool finite = true;
+  for (const Eigen::Vector3d& p : curve.points) finite = finite && p.allFinite();
+  for (double s : curve.site_values) finite = finite && std::isfinite(s);
+  if (!finite || curve.points.size() != curve.site_values.size())
+    throw std::invalid_argument("BodyParts has an unusable curve of the part " +
+                                std::to_string(message.label) +
+                                ", allowed are finite points with one site value each");
+  return curve;
+}
+
+}  // namespace
+
+std::array<uint8_t, 3> partColor(PartLabel label) {
+  // Okabe and Ito's colours, told apart with any colour vision.
+  constexpr std::array<std::array<uint8_t, 3>, kPartCount> kColors{{{153, 153, 153},
+                                                                    {240, 228, 66},
+                                                                    {230, 159, 0},
+                                                                    {86, 180, 233},
+                                                                    {0, 158, 115},
+                                                                    {204, 121, 167}}};
+  return kColors.at(static_cast<size_t>(label));
+}
+
+BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& header) {
+  BodyPartsMsg message;
+  message.header = header;
+  message.status = statusToMessage(parts.status);
+  message.reason = parts.reason;
+  for (int label = 0; label < kPartCount; ++label) {
+    const PartCurve& curve = parts.parts[label];
+    BodyPart part;
+    part.label = static_cast<uint8_t>(label);
+    part.seen = curve.seen;
+    if (curve.seen) {
+      part.voxel_count = curve.voxel_count;
+      for (const Eigen::Vector3d& p : curve.points) part.points.push_back(pointMessage(p));
+      part.site_values = curve.site_values;
+    }
+    message.parts.push_back(part);
+  }
+  return message;
+}
+
+BodyParts partsFromMessage(const BodyPartsMsg& message) {
+  BodyParts parts;
+  parts.status = statusFromMessage(message.status);
+  parts.reason = message.reason;
+  for (const BodyPart& part : message.parts) {
+    if (part.label >= kPartCount)
+      throw std::invalid_argument("BodyParts has the label " + std::to_string(part.label) +
+                                  ", allowed are 0 to 5");
+    parts.parts[part.label] = curveFromMessage(part);
+  }
+  return parts;
+}
+
+sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& parts,
+                                       const std_msgs::Header& header) {
+  if (!parts.labels.empty() && parts.labels.size() != hull.voxels.size())
+    throw std::invalid_argument("the hull has " + std::to_string(hull.voxels.size()) +
+                                " voxels but there are " + std::to_string(parts.labels.size()) +
+                                " labels");
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header = header;
+  cloud.height = 1;
+  cloud.is_dense = true;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  const auto f32 = sensor_msgs::PointField::FLOAT32;
+  modifier.setPointCloud2Fields(5, "x", 1, f32, "y", 1, f32, "z", 1, f32, "rgb", 1, f32, "label", 1,
+                                sensor_msgs::PointField::UINT8);
+  modifier.resize(parts.labels.size());
+  sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
+  sensor_msgs::PointCloud2Iterator<uint8_t> r(cloud, "r"), g(cloud, "g"), b(cloud, "b");
+  sensor_msgs::PointCloud2Iterator<uint8_t> label(cloud, "label");
+  for (size_t i = 0; i < parts.labels.size(); ++i) {
+    const Eigen::Vector3f center = hull.lattice.center(hull.voxels[i].index).cast<float>();
+    std::copy_n(center.data(), 3, &xyz[0]);
+    const auto color = partColor(static_cast<PartLabel>(parts.labels[i]));
+    *r = color[0], *g = color[1], *b = color[2];
+    *label = parts.labels[i];
+    ++xyz, ++r, ++g, ++b, ++label;
+  }
+  return cloud;
+}
+
+std::vector<uint8_t> labelsFromMessage(const sensor_msgs::PointCloud2& cloud) {
+  std::vector<uint8_t> labels;
+  const size_t points = size_t(cloud.width) * cloud.height;
+  for (const sensor_msgs::PointField& field : cloud.fields) {
+    const bool usable = field.name == "label" && field.datatype == field.UINT8 &&
+                        field.offset < cloud.point_step &&
+                        cloud.data.size() == points * cloud.point_step;
+    if (!usable) continue;
+    for (size_t i = 0; i < points; ++i)
+      labels.push_back(cloud.data[i * cloud.point_step + field.offset]);
+    for (uint8_t label : labels)
+      if (label >= kPartCount)
+        throw std::invalid_argument("labelled cloud has the label " + std::to_string(label) +
+                                    ", allowed are 0 to 5");
+    return labels;
+  }
+  throw std::invalid_argument("labelled cloud has no usable field \"label\"");
+}
+
+visualization_msgs::MarkerArray curveMarkers(const BodyParts& parts,
+                                             const std_msgs::Header& header) {
+  visualization_msgs::MarkerArray markers;
+  for (int label = 0; label < kPartCount; ++label) {
+    const PartCurve& curve = parts.parts[label];
+    visualization_msgs::Marker marker;
+    marker.header = header;
+    marker.ns = "part_curves";
+    marker.id = label;
+    marker.type = marker.LINE_STRIP;
+    marker.action = curve.seen && curve.points.size() > 1 ? marker.ADD : marker.DELETE;
+    marker.pose.orientation.w = 1.0;
+    marker.scale.x = kCurveWidth;
+    const auto color = partColor(static_cast<PartLabel>(label));
+    marker.color.r = color[0] / 255.0f;
+    marker.color.g = color[1] / 255.0f;
+    marker.color.b = color[2] / 255.0f;
+    marker.color.a = 1.0f;
+    if (marker.action == marker.ADD)
+      for (const Eigen::Vector3d& p : curve.points) marker.points.push_back(pointMessage(p));
+    markers.markers.push_back(marker);
+  }
+  return markers;
+}
+
+}  // namespace markerless_mocap
