@@ -30,7 +30,7 @@ const char* toString(SegmentationStatus status);
 /// What `body_segmentation` makes of one hull.
 struct BodyParts {
   SegmentationStatus status = SegmentationStatus::kInvalid;
-  std::string reason;  ///< one sentence unless kOk
+  std::string reason;                       ///< one sentence unless kOk
   std::array<PartCurve, kPartCount> parts;  ///< by PartLabel
   std::vector<uint8_t> labels;              ///< PartLabel of each hull voxel, in the hull's order
 

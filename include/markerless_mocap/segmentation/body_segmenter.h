@@ -13,6 +13,9 @@ struct SegmentationOptions {
   int modes = 10;
   bool use_color_votes = false;
   double shrink_weight = 0.0;
+  double highest_cost = 2.0;
+  double least_litres = 15.0;
+  double most_litres = 150.0;
 
   void visit(OptionVisitor& v);
   void validate() const;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "markerless_mocap/segmentation/branch.h"
+#include "markerless_mocap/segmentation/eigenmap.h"
+#include "markerless_mocap/segmentation/weighted_graph.h"
+
+namespace markerless_mocap {
+
+/// Distance of each node from the mean position of the `core` nodes in the embedding, mode k scaled
+/// by sqrt(lambda_1 / lambda_k): up to a factor, the square root of the commute time of a random
+/// walk. Tips of limbs are its maxima.
+std::vector<double> distanceFromCore(const Eigenmap& map, const std::vector<uint32_t>& core);
+
+/// Branches of a graph at the maxima of a function on its nodes. Lowering a level from the top,
+/// components appear at maxima and merge at saddles, the lower maximum ending there; the `count`
+/// maxima that persist longest are the tips, most persistent first. A branch is its tip's component
+/// above the saddle with the next tip and above `lowest_share` of the tip's value.
+std::vector<Branch> mergeTreeBranches(const WeightedGraph& graph, const std::vector<double>& height,
+                                      int count, double lowest_share);
+
+/// Lets the branches numbered in `growing` flood downhill to `lowest_share` of their tips' heights
+/// over nodes of no branch, each keeping to its own basin.
+void growBranches(const WeightedGraph& graph, const std::vector<double>& height,
+                  const std::vector<int>& growing, double lowest_share,
+                  std::vector<Branch>* branches);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,67 @@
+#include "markerless_mocap/segmentation/weighted_graph.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+}  // namespace
+
+std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
+  std::vector<uint32_t> component(graph.nodeCount(), kNone);
+  std::vector<uint32_t> open;
+  uint32_t count = 0;
+  for (uint32_t seed = 0; seed < component.size(); ++seed) {
+    if (component[seed] != kNone) continue;
+    component[seed] = count;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const uint32_t node = open.back();
+      open.pop_back();
+      for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
+        if (component[graph.neighbor[e]] != kNone) continue;
+        component[graph.neighbor[e]] = count;
+        open.push_back(graph.neighbor[e]);
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+std::vector<uint32_t> largestComponent(const WeightedGraph& graph) {
+  const std::vector<uint32_t> component = connectedComponents(graph);
+  std::vector<uint32_t> sizes;
+  for (const uint32_t c : component) {
+    if (c >= sizes.size()) sizes.resize(c + 1, 0);
+    ++sizes[c];
+  }
+  std::vector<uint32_t> nodes;
+  if (sizes.empty()) return nodes;
+  const auto largest = uint32_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  for (uint32_t node = 0; node < component.size(); ++node) {
+    if (component[node] == largest) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+WeightedGraph subgraph(const WeightedGraph& graph, const std::vector<uint32_t>& nodes) {
+  std::vector<uint32_t> place(graph.nodeCount(), kNone);
+  for (uint32_t i = 0; i < nodes.size(); ++i) place[nodes[i]] = i;
+  WeightedGraph part;
+  part.row_start.reserve(nodes.size() + 1);
+  for (const uint32_t node : nodes) {
+    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
+      if (place[graph.neighbor[e]] == kNone) continue;
+      part.neighbor.push_back(place[graph.neighbor[e]]);
+      part.weight.push_back(graph.weight[e]);
+    }
+    part.row_start.push_back(uint32_t(part.neighbor.size()));
+  }
+  return part;
+}
+
+}  // namespace markerless_mocap
