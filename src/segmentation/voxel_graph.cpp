@@ -1,9 +1,10 @@
 #include "markerless_mocap/segmentation/voxel_graph.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <numeric>
+
+#include "markerless_mocap/segmentation/bridges.h"
 
 namespace markerless_mocap {
 namespace {
@@ -36,33 +37,31 @@ double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, bool use_col
   return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis]);
 }
 
-WeightedGraph faceGraph(const VisualHull& hull, const std::vector<uint32_t>& voxels,
-                        const NodeGrid& grid, bool use_color_votes) {
-  WeightedGraph graph;
-  graph.row_start.reserve(voxels.size() + 1);
-  graph.neighbor.reserve(voxels.size() * 6);
-  graph.weight.reserve(voxels.size() * 6);
+std::vector<Edge> faceEdges(const VisualHull& hull, const std::vector<uint32_t>& voxels,
+                            const NodeGrid& grid, bool use_color_votes) {
+  std::vector<Edge> edges;
+  edges.reserve(voxels.size() * 3);
   for (uint32_t node = 0; node < voxels.size(); ++node) {
-    for (int side = 0; side < 6; ++side) {
-      const int axis = side / 2;
-      const int step = side % 2 == 0 ? -1 : 1;
-      const int32_t next =
-          grid.neighbor(node, axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t next = grid.neighbor(node, axis == 0, axis == 1, axis == 2);
       if (next < 0) continue;
-      graph.neighbor.push_back(uint32_t(next));
-      graph.weight.push_back(
-          edgeWeight(hull, voxels[step > 0 ? node : uint32_t(next)], axis, use_color_votes));
+      edges.push_back(
+          {node, uint32_t(next), edgeWeight(hull, voxels[node], axis, use_color_votes)});
     }
-    graph.row_start.push_back(uint32_t(graph.neighbor.size()));
   }
-  return graph;
+  return edges;
+}
+
+bool isSurface(const NodeGrid& grid, uint32_t node) {
+  return grid.neighbor(node, -1, 0, 0) < 0 || grid.neighbor(node, 1, 0, 0) < 0 ||
+         grid.neighbor(node, 0, -1, 0) < 0 || grid.neighbor(node, 0, 1, 0) < 0 ||
+         grid.neighbor(node, 0, 0, -1) < 0 || grid.neighbor(node, 0, 0, 1) < 0;
 }
 
 std::vector<double> depthUnderSurface(const VoxelGraph& voxels) {
   std::vector<uint32_t> surface;
   for (uint32_t node = 0; node < voxels.graph.nodeCount(); ++node) {
-    if (voxels.graph.row_start[node + 1] - voxels.graph.row_start[node] < 6)
-      surface.push_back(node);
+    if (isSurface(voxels.grid, node)) surface.push_back(node);
   }
   std::vector<double> depth = voxels.grid.geodesics(surface);
   for (double& d : depth) d = (d + 0.5) * voxels.pitch;
@@ -92,7 +91,14 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   VoxelGraph voxels;
   voxels.pitch = hull.lattice.pitch;
   const std::vector<uint32_t> all = voxelsByIndex(hull);
-  const WeightedGraph whole = faceGraph(hull, all, NodeGrid(cellsOf(hull, all)), use_color_votes);
+  const NodeGrid grid(cellsOf(hull, all));
+  std::vector<Edge> edges = faceEdges(hull, all, grid, use_color_votes);
+  WeightedGraph whole = graphOfEdges(all.size(), edges);
+  const std::vector<Edge> bridges = bridgeEdges(grid, connectedComponents(whole));
+  if (!bridges.empty()) {
+    edges.insert(edges.end(), bridges.begin(), bridges.end());
+    whole = graphOfEdges(all.size(), edges);
+  }
   const std::vector<uint32_t> kept = largestComponent(whole);
   for (uint32_t i = 0, next = 0; i < all.size(); ++i) {
     const bool keep = next < kept.size() && kept[next] == i;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace markerless_mocap {
 namespace {
@@ -9,6 +10,28 @@ namespace {
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
 }  // namespace
+
+WeightedGraph graphOfEdges(size_t nodes, const std::vector<Edge>& edges) {
+  WeightedGraph graph;
+  graph.row_start.assign(nodes + 1, 0);
+  for (const Edge& edge : edges) {
+    ++graph.row_start[edge.from + 1];
+    ++graph.row_start[edge.to + 1];
+  }
+  std::partial_sum(graph.row_start.begin(), graph.row_start.end(), graph.row_start.begin());
+  graph.neighbor.resize(edges.size() * 2);
+  graph.weight.resize(edges.size() * 2);
+  std::vector<uint32_t> next(graph.row_start.begin(), graph.row_start.end() - 1);
+  const auto put = [&](uint32_t from, uint32_t to, double weight) {
+    graph.neighbor[next[from]] = to;
+    graph.weight[next[from]++] = weight;
+  };
+  for (const Edge& edge : edges) {
+    put(edge.from, edge.to, edge.weight);
+    put(edge.to, edge.from, edge.weight);
+  }
+  return graph;
+}
 
 std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
   std::vector<uint32_t> component(graph.nodeCount(), kNone);

@@ -15,8 +15,9 @@ namespace markerless_mocap {
 /// fewer; 0 when nobody could vote.
 double colorBonus(int votes, int possible);
 
-/// The graph of a hull: a node per voxel of the largest 6-connected component, an edge per pair of
-/// 6-neighbours (Hsiao 2008, 3.1.4.2 A-1).
+/// The graph of a hull: a node per voxel, an edge per pair of 6-neighbours (Hsiao 2008, 3.1.4.2
+/// A-1), bridges between 6-connected pieces that touch by an edge or corner, as hands and shanks
+/// one voxel thick do; of all that, the largest component.
 struct VoxelGraph {
   WeightedGraph graph;
   NodeGrid grid{{}};

@@ -16,6 +16,15 @@ struct WeightedGraph {
   size_t nodeCount() const { return row_start.size() - 1; }
 };
 
+struct Edge {
+  uint32_t from;
+  uint32_t to;
+  double weight;
+};
+
+/// \param edges each pair of nodes at most once, in either direction
+WeightedGraph graphOfEdges(size_t nodes, const std::vector<Edge>& edges);
+
 /// Connected component of each node, numbered from 0 in the order of their lowest node.
 std::vector<uint32_t> connectedComponents(const WeightedGraph& graph);
 
