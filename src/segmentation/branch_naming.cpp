@@ -19,13 +19,13 @@ struct Normal {
 // Logarithms as in BranchMeasures, of clothed adults walking and moving their arms. Deviations are
 // at least 10 % of a length, 12 % of a thickness and 25 % of a volume, to leave room for other
 // bodies and clothes.
-constexpr Normal kVolumeShare[kKinds] = {{-2.58, 0.25}, {-3.05, 0.28}, {-1.80, 0.30}};
-constexpr Normal kLength[kKinds] = {{-0.05, 0.16}, {0.51, 0.15}, {0.82, 0.13}};
-constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.02, 0.12}, {-2.73, 0.12}};
+constexpr Normal kVolumeShare[kKinds] = {{-2.57, 0.25}, {-3.10, 0.35}, {-1.95, 0.40}};
+constexpr Normal kLength[kKinds] = {{-0.04, 0.16}, {0.54, 0.15}, {0.72, 0.20}};
+constexpr Normal kThickness[kKinds] = {{-2.71, 0.12}, {-3.03, 0.12}, {-2.76, 0.14}};
 constexpr Normal kTipDistance[kKinds][kKinds] = {
-    {{0.0, 1.0}, {0.88, 0.10}, {1.43, 0.10}},
-    {{0.88, 0.10}, {1.24, 0.12}, {1.53, 0.10}},
-    {{1.43, 0.10}, {1.53, 0.10}, {1.40, 0.17}},
+    {{0.0, 1.0}, {0.87, 0.09}, {1.41, 0.09}},
+    {{0.87, 0.09}, {1.26, 0.10}, {1.53, 0.10}},
+    {{1.41, 0.09}, {1.53, 0.10}, {1.30, 0.25}},
 };
 
 constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
