@@ -22,7 +22,11 @@ struct HullOptions {
   double color_vote_distance = 40.0;
 
   void visit(OptionVisitor& v);
+  /// Throws std::invalid_argument naming key, value and allowed range; also for an empty volume or
+  /// one of more than 64 million voxels.
   void validate() const;
+  /// The lattice that covers the volume; reaches beyond volume_max by less than a voxel.
+  VoxelLattice lattice() const;
 };
 
 /// One camera's share of an instant. Empty mats: the camera is missing at this instant.
@@ -38,7 +42,8 @@ struct HullView {
 class HullCarver {
  public:
   /// Builds the projection table. Throws std::invalid_argument: fewer than 2 or more than 32
-  /// cameras, two cameras of one name, or a volume of which no voxel is seen by `min_views`.
+  /// cameras, two cameras of one name, `min_views` above the number of cameras, a projection table
+  /// of more than 512 million entries, or a volume of which no voxel is seen by `min_views`.
   HullCarver(CameraRig rig, const HullOptions& options);
 
   /// \param views one per camera of the rig, in its order; throws std::invalid_argument on a wrong
@@ -49,7 +54,12 @@ class HullCarver {
   const VoxelLattice& lattice() const { return lattice_; }
 
  private:
-  std::vector<uint32_t> foreground(const std::vector<HullView>& views) const;
+  void checkRig() const;
+  void buildProjectionTable();
+  void checkViews(const std::vector<HullView>& views) const;
+  /// Fills the hull's voxels: indices, views, colours and colour votes.
+  void describeVoxels(const std::vector<HullView>& views, const std::vector<uint32_t>& person,
+                      VisualHull* hull) const;
 
   CameraRig rig_;
   HullOptions options_;

@@ -19,21 +19,29 @@ struct ColorVotes {
 
 /// One voxel of the hull.
 struct HullVoxel {
-  uint32_t index = 0;              ///< linear index in the lattice
-  uint8_t views = 0;               ///< cameras that see the voxel
-  std::array<uint8_t, 3> rgb{};    ///< mean colour over the cameras; grey where none is known
+  uint32_t index = 0;            ///< linear index in the lattice
+  uint8_t views = 0;             ///< cameras that see the voxel
+  std::array<uint8_t, 3> rgb{};  ///< mean colour over the cameras; grey where none is known
   ColorVotes color_votes;
 };
 
-enum class HullStatus { kOk, kNoCameras, kEmptyMasks, kFullMask, kNobody, kSeveralBodies };
+enum class HullStatus {
+  kOk,
+  kNoCameras,     ///< fewer cameras present than min_views
+  kEmptyMasks,    ///< no camera sees anybody
+  kFullMask,      ///< a mask is (nearly) all foreground
+  kNobody,        ///< the silhouettes meet in no component that is large enough
+  kSeveralBodies  ///< a second component is as large as a body
+};
 
 /// What `visual_hull` makes of one instant. Voxels are sorted by index.
 struct VisualHull {
   VoxelLattice lattice;
   std::vector<HullVoxel> voxels;  ///< the person's component(s); empty unless usable
   HullStatus status = HullStatus::kNobody;
-  std::string reason;             ///< one sentence; empty when kOk
-  std::vector<double> component_litres;  ///< 26-connected components before selection, largest first
+  std::string reason;  ///< one sentence; empty when kOk
+  std::vector<double>
+      component_litres;  ///< 26-connected components before selection, largest first
 
   double litres() const {
     const double side_dm = lattice.pitch * 10.0;

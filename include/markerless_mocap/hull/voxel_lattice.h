@@ -13,9 +13,7 @@ struct VoxelLattice {
   Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< voxels along x, y, z
 
   uint32_t count() const { return uint32_t(size.x()) * size.y() * size.z(); }
-  uint32_t index(int i, int j, int k) const {
-    return (uint32_t(k) * size.y() + j) * size.x() + i;
-  }
+  uint32_t index(int i, int j, int k) const { return (uint32_t(k) * size.y() + j) * size.x() + i; }
   Eigen::Vector3i coordinates(uint32_t index) const {
     return {int(index % size.x()), int(index / size.x() % size.y()),
             int(index / (uint32_t(size.x()) * size.y()))};

@@ -13,6 +13,7 @@ struct SilhouetteOptions {
   int background_frames = 30;
   double threshold_sigmas = 4.0;
   double min_sigma = 4.0;
+  bool compensate_flicker = true;
   bool remove_shadows = true;
   double shadow_darkest = 0.5;
   double shadow_chroma_tolerance = 0.06;
@@ -47,12 +48,15 @@ class SilhouetteExtractor {
   int framesLearned() const { return frames_learned_; }
 
  private:
+  void checkImage(const cv::Mat& image) const;
   void learn(const cv::Mat& image);
   void finishLearning();
   cv::Mat classify(const cv::Mat& image) const;
 
   SilhouetteOptions options_;
   int frames_learned_ = 0;
+  cv::Size size_;
+  int type_ = -1;                 ///< of the images; -1 before the first
   cv::Mat sum_, sum_of_squares_;  ///< CV_32FC(n) while learning
   cv::Mat mean_, inverse_sigma_;  ///< CV_32FC(n) when ready
 };

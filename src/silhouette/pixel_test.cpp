@@ -1,0 +1,83 @@
+#include "silhouette/pixel_test.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace markerless_mocap {
+namespace {
+
+/// Whether the BGR colour `now` is a darker shade of `usual`.
+bool isShade(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {
+  const float cross = now[0] * usual[0] + now[1] * usual[1] + now[2] * usual[2];
+  const float square = usual[0] * usual[0] + usual[1] * usual[1] + usual[2] * usual[2];
+  const float ratio = cross / (square + 1e-6f);
+  if (ratio < float(o.shadow_darkest) || ratio >= 1) return false;
+  float off = 0;
+  for (int c = 0; c < 3; ++c) {
+    const float d = now[c] - ratio * usual[c];
+    off += d * d;
+  }
+  const float tolerance = float(o.shadow_chroma_tolerance) * ratio;
+  return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma);
+}
+
+/// Where the image's ratio to the background varies little over a small window.
+cv::Mat evenRatio(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean) {
+  const cv::Size window(5, 5);
+  cv::Mat ratio, average, average_of_squares;
+  image.convertTo(ratio, CV_32F, test.inverse_gain, 1);
+  ratio /= mean + 1;  // the one keeps black from dividing by zero
+  cv::blur(ratio, average, window);
+  cv::sqrBoxFilter(ratio, average_of_squares, CV_32F, window);
+  const double tolerance = test.options->shadow_chroma_tolerance;
+  return average_of_squares - average.mul(average) < tolerance * tolerance;
+}
+
+}  // namespace
+
+cv::Mat classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                      const cv::Mat& inverse_sigma) {
+  const SilhouetteOptions& o = *test.options;
+  const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
+  cv::Mat mask(image.size(), CV_8UC1);
+  for (int y = 0; y < image.rows; ++y) {
+    const uint8_t* pixel = image.ptr<uint8_t>(y);
+    const float* usual = mean.ptr<float>(y);
+    const float* weight = inverse_sigma.ptr<float>(y);
+    uint8_t* out = mask.ptr<uint8_t>(y);
+    for (int x = 0; x < image.cols; ++x, pixel += 3, usual += 3, weight += 3) {
+      float now[3], distance = 0;
+      for (int c = 0; c < 3; ++c) {
+        now[c] = pixel[c] * test.inverse_gain;
+        const float d = (now[c] - usual[c]) * weight[c];
+        distance += d * d;
+      }
+      out[x] = distance > limit && !(o.remove_shadows && isShade(o, now, usual)) ? 255 : 0;
+    }
+  }
+  return mask;
+}
+
+cv::Mat classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                     const cv::Mat& inverse_sigma) {
+  const SilhouetteOptions& o = *test.options;
+  cv::Mat even =
+      o.remove_shadows ? evenRatio(test, image, mean) : cv::Mat::zeros(image.size(), CV_8UC1);
+  cv::Mat mask(image.size(), CV_8UC1);
+  for (int y = 0; y < image.rows; ++y) {
+    const uint8_t* pixel = image.ptr<uint8_t>(y);
+    const float* usual = mean.ptr<float>(y);
+    const float* weight = inverse_sigma.ptr<float>(y);
+    const uint8_t* is_even = even.ptr<uint8_t>(y);
+    uint8_t* out = mask.ptr<uint8_t>(y);
+    for (int x = 0; x < image.cols; ++x) {
+      const float now = pixel[x] * test.inverse_gain;
+      const float distance = (now - usual[x]) * weight[x];
+      const bool shadow = is_even[x] && now < usual[x] && now >= o.shadow_darkest * usual[x];
+      out[x] =
+          distance * distance > float(o.threshold_sigmas * o.threshold_sigmas) && !shadow ? 255 : 0;
+    }
+  }
+  return mask;
+}
+
+}  // namespace markerless_mocap
