@@ -1,0 +1,46 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "markerless_mocap/body/body_model.h"
+#include "markerless_mocap/body/body_urdf.h"
+#include "markerless_mocap/capture/studio_options.h"
+
+namespace markerless_mocap {
+
+inline std::string humanTemplate() {
+  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+inline std::shared_ptr<const BodyModel> human() {
+  const BodyProportions proportions = BodyProportions::fromStature(1.75);
+  return std::make_shared<BodyModel>(
+      BodyModel::fromUrdf(fillUrdfTemplate(humanTemplate(), "person1", proportions), "person1"));
+}
+
+inline StudioOptions smallStudio() {
+  StudioOptions options;
+  options.cameras = 4;
+  options.width = 160;
+  options.height = 120;
+  options.background_frames = 3;
+  options.duration = 2.0;
+  return options;
+}
+
+template <class Call>
+std::string sentenceOf(Call call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace markerless_mocap
