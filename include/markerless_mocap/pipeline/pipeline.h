@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 #include "markerless_mocap/body/body_model.h"
@@ -21,9 +23,12 @@ struct PipelineOptions {
   FittingOptions fitting;
 };
 
-/// Reads a configuration file's map: one section per stage (its kStage). Throws
-/// std::invalid_argument on an unknown section or key.
+/// Reads a configuration file's map: one section per stage (its kStage), each optional. Throws
+/// std::invalid_argument on an unknown section or key, naming the nearest known one.
 PipelineOptions loadPipelineOptions(const YAML::Node& root);
+
+/// The options of all stages with their defaults as a Markdown page, one table per stage.
+std::string describePipelineOptions();
 
 /// One camera's share of an instant; empty mats where missing.
 struct CameraFrame {
@@ -33,24 +38,43 @@ struct CameraFrame {
 
 /// Everything the stages make of one instant.
 struct PipelineResult {
-  bool learning = false;  ///< the background is being learned; nothing else is filled
-  std::vector<cv::Mat> masks;
+  bool learning = false;       ///< backgrounds are being learned, too few cameras have a mask yet;
+                               ///< nothing else is filled
+  std::vector<cv::Mat> masks;  ///< one per camera, CV_8UC1 0 | 255; empty where missing
   VisualHull hull;
   BodyParts parts;
   BodyPose pose;
 };
 
-/// The stages chained in one process; same code as the nodes.
+/// The stages chained in one process; same code as the nodes. Silhouettes are made in parallel;
+/// the result does not depend on the number of threads.
 class Pipeline {
  public:
+  /// Called with a stage's name (its kStage) when the stage is done with an instant.
+  using StageListener = std::function<void(const char* stage)>;
+
+  /// Throws std::invalid_argument on options or a rig that a stage refuses.
   Pipeline(CameraRig rig, std::shared_ptr<const BodyModel> model, const PipelineOptions& options);
+
+  /// \param stamp_ns capture time, nanoseconds
+  /// \param frames one per camera of the rig, in its order; throws std::invalid_argument on a wrong
+  ///   count, or an image or mask whose size is not its camera's (the sentence names it)
   PipelineResult process(int64_t stamp_ns, const std::vector<CameraFrame>& frames);
 
+  const CameraRig& rig() const { return carver_.rig(); }
+  void setStageListener(StageListener listener) { stage_done_ = std::move(listener); }
+
  private:
+  void checkFrames(const std::vector<CameraFrame>& frames) const;
+  /// False while too few cameras have learned their background.
+  bool extractSilhouettes(const std::vector<CameraFrame>& frames, std::vector<cv::Mat>* masks);
+
+  int min_views_;
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;
   PoseTracker tracker_;
+  StageListener stage_done_ = [](const char*) {};
 };
 
 }  // namespace markerless_mocap

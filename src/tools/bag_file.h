@@ -1,0 +1,51 @@
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <memory>
+#include <string>
+
+namespace markerless_mocap {
+
+/// Opens a bag for reading. Throws std::runtime_error with one sentence: the file is missing, is
+/// no bag, or was cut off and has no index.
+void openForReading(const std::string& path, rosbag::Bag& bag);
+
+/// A bag that gets its name only when it is whole: written to <path>.active, renamed by commit().
+/// Without commit() nothing is left behind. Chunks are compressed by LZ4.
+class NewBag {
+ public:
+  /// Throws std::runtime_error if the file cannot be written.
+  explicit NewBag(std::string path);
+  ~NewBag();
+  NewBag(const NewBag&) = delete;
+  NewBag& operator=(const NewBag&) = delete;
+
+  template <class Message>
+  void write(const std::string& topic, const ros::Time& stamp, const Message& message) {
+    bag_.write(topic, stamp, message);
+  }
+
+  /// For topics whose last message is given to whoever comes late, such as /tf_static.
+  template <class Message>
+  void writeLatched(const std::string& topic, const ros::Time& stamp, const Message& message) {
+    bag_.write(topic, stamp, message,
+               latchedHeader(topic, ros::message_traits::datatype(message),
+                             ros::message_traits::md5sum(message),
+                             ros::message_traits::definition(message)));
+  }
+
+  void commit();
+
+ private:
+  static boost::shared_ptr<ros::M_string> latchedHeader(const std::string& topic,
+                                                        const std::string& type,
+                                                        const std::string& md5sum,
+                                                        const std::string& definition);
+
+  std::string path_, active_path_;
+  bool committed_ = false;
+  rosbag::Bag bag_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,64 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <optional>
+
+#include "tools/offline_run.h"
+#include "tools/progress.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  OfflineOptions run;
+  std::string config;
+  std::optional<double> stature;
+  bool quiet = false;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  OfflineOptions& run = arguments->run;
+  app.add_option("input", run.input, "bag with images, camera_info and tf_static")->required();
+  app.add_option("output", run.output, "bag to write; replaced if it exists")->required();
+  app.add_option("--config", arguments->config, "YAML file, one section per stage");
+  app.add_option("--cameras", run.recording.cameras, "use these cameras only");
+  app.add_flag("--use-masks", run.recording.use_masks,
+               "take the recorded <camera>/silhouette; without it they are used only for cameras "
+               "that have no images");
+  app.add_option("--world", run.recording.world_frame, "frame of the results")
+      ->capture_default_str();
+  app.add_option("--stature", arguments->stature, "body height, m; before the configuration's");
+  app.add_option("--id", run.body_id, "id of the body")->capture_default_str();
+  app.add_option("--urdf-template", run.urdf_template, "in place of the package's own body");
+  app.add_option("--start", run.recording.start, "begin this many seconds after the first image")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--duration", run.recording.duration, "seconds to process")->check(CLI::PositiveNumber);
+  app.add_flag("--masks-out", run.masks_out, "write the silhouettes too");
+  app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
+}
+
+void run(Arguments* arguments) {
+  OfflineOptions& options = arguments->run;
+  if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
+  if (arguments->stature) options.pipeline.fitting.stature = *arguments->stature;
+  std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
+  const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
+  if (notes) summary.print(*notes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Runs all stages over a recorded bag; no frame is dropped.", "mocap_offline");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(&arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "mocap_offline: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}

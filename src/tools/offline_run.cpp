@@ -1,0 +1,84 @@
+#include "tools/offline_run.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "tools/body_file.h"
+#include "tools/progress.h"
+#include "tools/result_writer.h"
+
+namespace markerless_mocap {
+namespace {
+
+void checkFiles(const OfflineOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.input, options.output, ignored))
+    throw std::runtime_error("input and output are the same file " + options.input);
+}
+
+void checkOutcome(const RunSummary& summary) {
+  if (summary.instants() == 0)
+    throw std::runtime_error("no instant has images of two cameras or more");
+  if (summary.processed() == 0)
+    throw std::runtime_error("the recording ends while the background is being learned, after " +
+                             std::to_string(summary.instants()) + " instants");
+}
+
+void remarkOn(const Recording& recording, std::ostream& notes) {
+  const AssemblerCounts& counts = recording.counts();
+  if (counts.incomplete > 0) notes << counts.incomplete << " instants lack the image of a camera\n";
+  if (const uint64_t dropped = counts.abandoned + counts.late + counts.duplicate)
+    notes << dropped << " images are of no use: alone at their instant, too late or doubled\n";
+  if (recording.unreadable() > 0)
+    notes << recording.unreadable()
+          << " images cannot be read, the first: " << recording.firstUnreadable() << '\n';
+}
+
+}  // namespace
+
+PipelineOptions readConfiguration(const std::string& path) {
+  YAML::Node root;
+  try {
+    root = YAML::LoadFile(path);
+  } catch (const YAML::BadFile&) {
+    throw std::runtime_error("cannot read the configuration " + path);
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(path + " is no YAML: " + error.what());
+  }
+  try {
+    return loadPipelineOptions(root);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+}
+
+RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
+  checkFiles(options);
+  Recording recording(options.input, options.recording);
+  const auto model =
+      loadBody(options.urdf_template, options.body_id, options.pipeline.fitting.stature);
+  Pipeline pipeline(recording.rig(), model, options.pipeline);
+  RunSummary summary;
+  pipeline.setStageListener([&](const char* stage) { summary.stageDone(stage); });
+
+  NewBag bag(options.output);
+  ResultWriter writer(&bag, *model, options.recording.world_frame);
+  Progress progress("mocap_offline", notes, terminal);
+  const auto process = [&](const RecordedInstant& instant) {
+    if (summary.instants() == 0)
+      writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
+    summary.startInstant();
+    const PipelineResult result = pipeline.process(instant.stamp_ns, instant.frames);
+    summary.add(result);
+    if (options.masks_out) writer.writeMasks(instant.stamp_ns, recording.cameras(), result.masks);
+    if (!result.learning) writer.write(instant.stamp_ns, result);
+  };
+  recording.forEachInstant(process, [&](double share) { progress.update(share); });
+  progress.finish();
+  checkOutcome(summary);
+  bag.commit();
+  if (notes) remarkOn(recording, *notes);
+  return summary;
+}
+
+}  // namespace markerless_mocap

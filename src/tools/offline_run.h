@@ -1,0 +1,33 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "tools/recording.h"
+#include "tools/run_summary.h"
+
+namespace markerless_mocap {
+
+/// What to do with a recording.
+struct OfflineOptions {
+  std::string input, output;  ///< bags
+  RecordingOptions recording;
+  PipelineOptions pipeline;
+  std::string body_id = "person1";
+  std::string urdf_template;  ///< empty: the package's own
+  std::string report_folder;  ///< empty: no report
+  bool masks_out = false;     ///< write the silhouettes too
+};
+
+/// Reads a configuration file. Throws std::runtime_error if it cannot be read or is no YAML,
+/// std::invalid_argument as loadPipelineOptions(); the sentence names the file.
+PipelineOptions readConfiguration(const std::string& path);
+
+/// Runs all stages over a bag and writes what they make to another; the same input gives the same
+/// bytes. The output appears only if the run succeeds. Throws std::runtime_error or
+/// std::invalid_argument with one sentence, also when there was no instant to process.
+/// \param notes where progress and remarks go; nullptr: nowhere
+/// \param terminal whether notes is a terminal
+RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal);
+
+}  // namespace markerless_mocap

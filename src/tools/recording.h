@@ -1,0 +1,87 @@
+#pragma once
+
+#include <rosbag/bag.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/camera/instant_assembler.h"
+#include "markerless_mocap/pipeline/pipeline.h"
+#include "tools/recorded_cameras.h"
+
+namespace markerless_mocap {
+
+/// What to read from a recording.
+struct RecordingOptions {
+  std::vector<std::string> cameras;  ///< empty: all
+  /// Take the recorded silhouettes as masks. Without it they are used only for cameras that have
+  /// no images.
+  bool use_masks = false;
+  std::string world_frame = "world";
+  double start = 0.0;                                         ///< seconds after the first image
+  double duration = std::numeric_limits<double>::infinity();  ///< seconds
+};
+
+/// What the cameras of a recording saw at one instant.
+struct RecordedInstant {
+  int64_t stamp_ns = 0;
+  std::vector<CameraFrame> frames;  ///< in the order of the rig; empty mats where missing
+};
+
+/// One image or silhouette message, not yet decoded; one of the two is set.
+struct RecordedImage {
+  sensor_msgs::Image::ConstPtr raw;
+  sensor_msgs::CompressedImage::ConstPtr compressed;
+};
+
+/// A bag of several cameras, read instant by instant; no frame is left out.
+class Recording {
+ public:
+  /// Reads cameras, calibrations and transforms. Throws std::runtime_error or
+  /// std::invalid_argument with one sentence that says what the bag lacks.
+  Recording(const std::string& path, const RecordingOptions& options);
+
+  const CameraRig& rig() const { return rig_; }
+  const std::vector<RecordedCamera>& cameras() const { return cameras_; }  ///< as in the rig
+  /// Static transforms as they stand in the bag, all in one message.
+  const tf2_msgs::TFMessage& staticTransforms() const { return static_transforms_; }
+
+  /// Calls `visit` for each instant in the order of time and `progress` after each message with the
+  /// share done, 0..1. Throws std::runtime_error if the bag turns out to be damaged.
+  void forEachInstant(const std::function<void(const RecordedInstant&)>& visit,
+                      const std::function<void(double)>& progress);
+
+  const AssemblerCounts& counts() const { return counts_; }
+  /// Images that could not be decoded; their cameras were missing at these instants.
+  int unreadable() const { return unreadable_; }
+  const std::string& firstUnreadable() const { return first_unreadable_; }
+
+ private:
+  struct Stream {
+    std::string topic;
+    size_t camera;
+    bool is_mask;
+  };
+
+  void readRig();
+  void listStreams();
+  RecordedInstant instantOf(const InstantAssembler<RecordedImage>::Instant& instant);
+
+  RecordingOptions options_;
+  rosbag::Bag bag_;
+  std::vector<RecordedCamera> cameras_;
+  std::vector<Stream> streams_;
+  CameraRig rig_;
+  tf2_msgs::TFMessage static_transforms_;
+  AssemblerCounts counts_;
+  int unreadable_ = 0;
+  std::string first_unreadable_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,98 @@
+#include "tools/run_summary.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iomanip>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kReasonsShown = 3;
+
+/// Sentences that differ in their figures only are one reason.
+std::string withoutNumbers(const std::string& sentence) {
+  std::string out;
+  for (const char c : sentence)
+    if (!std::isdigit(static_cast<unsigned char>(c))) out += c;
+  return out;
+}
+
+double secondsBetween(std::chrono::steady_clock::time_point a,
+                      std::chrono::steady_clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+}  // namespace
+
+RunSummary::RunSummary() : started_(Clock::now()), lap_(started_) {}
+
+void RunSummary::startInstant() {
+  lap_ = Clock::now();
+}
+
+void RunSummary::stageDone(const std::string& stage) {
+  const Clock::time_point now = Clock::now();
+  const auto found = std::find_if(stage_seconds_.begin(), stage_seconds_.end(),
+                                  [&](const auto& entry) { return entry.first == stage; });
+  if (found == stage_seconds_.end())
+    stage_seconds_.emplace_back(stage, secondsBetween(lap_, now));
+  else
+    found->second += secondsBetween(lap_, now);
+  lap_ = now;
+}
+
+void RunSummary::add(const PipelineResult& result) {
+  ++instants_;
+  if (result.learning) {
+    ++learning_;
+    return;
+  }
+  switch (result.pose.status) {
+    case PoseStatus::kTracked:
+      ++tracked_;
+      break;
+    case PoseStatus::kReinitialized:
+      ++reinitialized_;
+      break;
+    case PoseStatus::kLost: {
+      ++lost_;
+      Reason& reason = reasons_[withoutNumbers(result.pose.reason)];
+      if (reason.count++ == 0) reason.example = result.pose.reason;
+    }
+  }
+}
+
+void RunSummary::print(std::ostream& out) const {
+  out << "instants       " << instants_ << ", " << learning_ << " of them to learn the background\n"
+      << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
+      << lost_ << " lost\n";
+  printReasons(out);
+  printTimes(out);
+  if (processed() > 0 && poses() == 0)
+    out << "No instant has a pose: hull and segmentation are written, pose says LOST throughout.\n";
+}
+
+void RunSummary::printReasons(std::ostream& out) const {
+  std::vector<Reason> reasons;
+  for (const auto& entry : reasons_) reasons.push_back(entry.second);
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const Reason& a, const Reason& b) { return a.count > b.count; });
+  for (size_t i = 0; i < std::min(reasons.size(), kReasonsShown); ++i)
+    out << "  lost " << std::setw(6) << reasons[i].count << " times: " << reasons[i].example
+        << '\n';
+}
+
+void RunSummary::printTimes(std::ostream& out) const {
+  const double seconds = secondsBetween(started_, Clock::now());
+  out << std::fixed << std::setprecision(1);
+  for (const auto& entry : stage_seconds_) {
+    const int runs = entry.first == SilhouetteOptions::kStage ? instants_ : processed();
+    out << "  " << std::left << std::setw(18) << entry.first << std::right << std::setw(8)
+        << 1e3 * entry.second / std::max(runs, 1) << " ms per instant\n";
+  }
+  out << "speed          " << instants_ / std::max(seconds, 1e-9) << " instants per second, "
+      << seconds << " s in all\n"
+      << std::defaultfloat << std::setprecision(6);
+}
+
+}  // namespace markerless_mocap
