@@ -13,7 +13,9 @@ StageStatus::StageStatus(const ros::NodeHandle& handle, const ros::NodeHandle& p
       level_(DiagnosticStatus::WARN) {
   updater_.setHardwareID("none");
   updater_.add(stage, this, &StageStatus::report);
-  timer_ = handle.createTimer(ros::Duration(0.2), [this](const auto&) { updater_.update(); });
+  // By the wall clock, and forced: a paused or looping bag must not silence the diagnostics.
+  timer_ = handle.createWallTimer(ros::WallDuration(1.0),
+                                  [this](const auto&) { updater_.force_update(); });
 }
 
 void StageStatus::good(const std::string& sentence) {

@@ -2,7 +2,7 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <ros/timer.h>
+#include <ros/wall_timer.h>
 
 #include <cstdint>
 #include <map>
@@ -34,7 +34,7 @@ class StageStatus {
 
   std::string stage_;
   diagnostic_updater::Updater updater_;
-  ros::Timer timer_;
+  ros::WallTimer timer_;
   std::mutex mutex_;
   uint8_t level_;
   std::string sentence_ = "starting";

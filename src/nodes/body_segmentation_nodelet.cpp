@@ -1,0 +1,73 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <optional>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "markerless_mocap/ros/hull_conversions.h"
+#include "markerless_mocap/ros/parameters.h"
+#include "markerless_mocap/ros/segmentation_conversions.h"
+#include "markerless_mocap/segmentation/body_segmenter.h"
+#include "nodes/guarded_start.h"
+#include "nodes/publish_shared.h"
+#include "nodes/stage_status.h"
+
+namespace markerless_mocap {
+
+/// `hull/points` -> `segmentation/parts`, `segmentation/points`, `segmentation/curves`.
+class BodySegmentationNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    SegmentationOptions options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options);
+    segmenter_.emplace(options);
+    ros::NodeHandle& handle = getNodeHandle();
+    status_ = std::make_unique<StageStatus>(handle, getPrivateNodeHandle(), "body segmentation");
+    parts_ = handle.advertise<BodyPartsMsg>("segmentation/parts", 4);
+    points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", 4);
+    curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
+    grid_subscriber_ = handle.subscribe<VoxelGrid>(
+        "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+    hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
+        "hull/points", 2, [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
+  }
+
+  void receive(const sensor_msgs::PointCloud2& cloud) {
+    VisualHull hull;
+    BodyParts parts;
+    try {
+      if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
+      hull = hullFromMessage(cloud, *grid_);
+      parts = segmenter_->segment(hull);
+    } catch (const std::exception& error) {
+      parts = BodyParts();
+      parts.reason = error.what();
+    }
+    report(parts);
+    publishShared(parts_, messageFromParts(parts, cloud.header));
+    publishShared(points_, labelledCloud(hull, parts, cloud.header));
+    curves_.publish(curveMarkers(parts, cloud.header));
+  }
+
+  void report(const BodyParts& parts) {
+    status_->count(toString(parts.status));
+    if (parts.status == SegmentationStatus::kOk)
+      status_->good("all six parts are seen");
+    else
+      status_->problem(parts.reason);
+  }
+
+  std::optional<BodySegmenter> segmenter_;
+  VoxelGridConstPtr grid_;
+  std::unique_ptr<StageStatus> status_;
+  ros::Publisher parts_, points_, curves_;
+  ros::Subscriber grid_subscriber_, hull_subscriber_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::BodySegmentationNodelet, nodelet::Nodelet)

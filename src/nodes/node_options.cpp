@@ -1,0 +1,97 @@
+#include "nodes/node_options.h"
+
+#include <cctype>
+#include <set>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr const char* kCamerasMeaning =
+    "Names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette.";
+constexpr const char* kTransportMeaning =
+    "raw reads c/image_raw, compressed reads c/image_raw/compressed.";
+constexpr const char* kBodyMeaning = "Suffix of the body's frames, joints and topics.";
+constexpr const char* kTemplateMeaning =
+    "File of the URDF template; empty: the package's own urdf/human.urdf.in.";
+
+void checkCameras(const char* stage, const std::vector<std::string>& cameras, size_t fewest) {
+  const std::string key = std::string(stage) + "/cameras";
+  if (cameras.size() < fewest || cameras.size() > 32)
+    throw std::invalid_argument(key + " lists " + std::to_string(cameras.size()) +
+                                " cameras, allowed is " + std::to_string(fewest) + " to 32");
+  std::set<std::string> names;
+  for (const std::string& name : cameras)
+    if (name.empty() || !names.insert(name).second)
+      throw std::invalid_argument(key + " holds \"" + name +
+                                  "\", allowed are names that are not empty and all different");
+}
+
+void checkBodyId(const char* stage, const std::string& id) {
+  bool usable = !id.empty() && std::isalpha(static_cast<unsigned char>(id[0]));
+  for (const char c : id) usable = usable && std::isalnum(static_cast<unsigned char>(c));
+  if (!usable)
+    throw std::invalid_argument(std::string(stage) + "/body_id is \"" + id +
+                                "\", allowed are letters and digits, a letter first");
+}
+
+}  // namespace
+
+void SilhouetteNodeOptions::visit(OptionVisitor& v) {
+  v.field("cameras", cameras, kCamerasMeaning);
+  v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("input", input, {"image", "mask"},
+          "mask: the images are masks already (non-zero = person) and pass through.");
+}
+
+void SilhouetteNodeOptions::validate() const {
+  checkFields(*this);
+  checkCameras(kStage, cameras, 1);
+}
+
+void HullNodeOptions::visit(OptionVisitor& v) {
+  v.field("cameras", cameras, kCamerasMeaning);
+  v.field("world_frame", world_frame, {}, "Frame of the hull; tf connects the cameras to it.");
+  v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("color", color, "Whether the voxels are coloured from the images.");
+  v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
+          "Stamps closer than this belong to one instant, s.");
+  v.field("deadline", deadline, 0.0, 60.0,
+          "An instant older than the newest stamp by this goes on without the missing cameras, s.");
+}
+
+void HullNodeOptions::validate() const {
+  checkFields(*this);
+  checkCameras(kStage, cameras, 2);
+  if (world_frame.empty())
+    throw std::invalid_argument("visual_hull/world_frame is empty, allowed is a frame's name");
+  if (deadline < stamp_tolerance)
+    throw std::invalid_argument("visual_hull/deadline is " + std::to_string(deadline) +
+                                ", allowed is stamp_tolerance or more");
+}
+
+void FittingNodeOptions::visit(OptionVisitor& v) {
+  v.field("body_id", body_id, {}, kBodyMeaning);
+  v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
+}
+
+void FittingNodeOptions::validate() const {
+  checkFields(*this);
+  checkBodyId(kStage, body_id);
+}
+
+void StudioNodeOptions::visit(OptionVisitor& v) {
+  v.field("body_id", body_id, {}, kBodyMeaning);
+  v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
+  v.field("world_frame", world_frame, {}, "Frame that cameras and person stand in.");
+  v.field("clock", clock, "Whether stamps start at 1000 s and /clock is published.");
+  v.field("wait_for_subscribers", wait_for_subscribers, 0, 100,
+          "The film starts when each image topic has this many subscribers.");
+}
+
+void StudioNodeOptions::validate() const {
+  checkFields(*this);
+  checkBodyId(kStage, body_id);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+// What a node asks for beside its stage's options, in the same private namespace.
+
+struct SilhouetteNodeOptions {
+  static constexpr const char* kStage = "silhouette";
+  std::vector<std::string> cameras;
+  std::string image_transport = "raw";
+  std::string input = "image";
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+struct HullNodeOptions {
+  static constexpr const char* kStage = "visual_hull";
+  std::vector<std::string> cameras;
+  std::string world_frame = "world";
+  std::string image_transport = "raw";
+  bool color = true;
+  double stamp_tolerance = 0.005;
+  double deadline = 0.1;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+struct FittingNodeOptions {
+  static constexpr const char* kStage = "pose_fitting";
+  std::string body_id = "person1";
+  std::string urdf_template;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+struct StudioNodeOptions {
+  static constexpr const char* kStage = "virtual_studio";
+  std::string body_id = "truth";
+  std::string urdf_template;
+  std::string world_frame = "world";
+  bool clock = false;
+  int wait_for_subscribers = 0;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+}  // namespace markerless_mocap

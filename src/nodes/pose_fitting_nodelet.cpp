@@ -1,0 +1,32 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "markerless_mocap/ros/parameters.h"
+#include "nodes/fitting_stage.h"
+#include "nodes/guarded_start.h"
+
+namespace markerless_mocap {
+
+/// `segmentation/parts` and `hull/points` of one stamp -> joint states, tf, `pose`.
+class PoseFittingNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    FittingOptions options;
+    FittingNodeOptions node_options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
+    stage_ = std::make_unique<FittingStage>(getNodeHandle(), getPrivateNodeHandle(), options,
+                                            node_options);
+  }
+
+  std::unique_ptr<FittingStage> stage_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::PoseFittingNodelet, nodelet::Nodelet)

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <vector>
+
+#include "markerless_mocap/capture/virtual_studio.h"
+#include "nodes/node_options.h"
+#include "nodes/stage_status.h"
+
+namespace markerless_mocap {
+
+/// Publishes the studio's film, an instant per tick, and the truth beside it. A machine too slow
+/// for the frame rate sees the film in slow motion.
+class StudioStage {
+ public:
+  StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+              const StudioOptions& options, const StudioNodeOptions& node_options);
+
+ private:
+  void advertise(ros::NodeHandle& handle);
+  void publishRig();
+  bool hasSubscribers() const;
+  void tick();
+  void publish(const StudioInstant& instant, const ros::Time& stamp);
+  void publishTruth(const StudioInstant& instant, const std_msgs::Header& header);
+
+  StudioNodeOptions node_options_;
+  VirtualStudio studio_;
+  StageStatus status_;
+  int next_ = 0;
+  std::vector<ros::Publisher> images_, infos_;  ///< by camera
+  ros::Publisher clock_, truth_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace markerless_mocap
