@@ -6,59 +6,18 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "markerless_mocap/segmentation/branch_naming.h"
-#include "markerless_mocap/segmentation/merge_tree.h"
+#include "markerless_mocap/segmentation/limbs.h"
 #include "markerless_mocap/segmentation/part_curve.h"
-#include "markerless_mocap/segmentation/spline_walk.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr int kBranches = 5;
-constexpr double kCoreShare = 0.85;    // of the greatest depth under the surface
-constexpr double kBranchShare = 0.12;  // of a tip's height: where a branch ends at the latest
-constexpr double kLegShare = 0.15;     // legs that touch are parted down to here
-constexpr int kTorsoModes = 3;         // a torso's lowest mode may run from side to side
+constexpr int kTorsoModes = 3;  // a torso's lowest mode may run from side to side
 
-struct Segments {
-  std::vector<Branch> branches;
-  BranchMeasures measures;
-  BranchNames names;
-};
-
-int branchOf(const Segments& segments, PartLabel label) {
-  return segments.names.branch[size_t(label)];
-}
-
-Segments findSegments(const VoxelGraph& voxels, const SegmentationOptions& options) {
-  const Eigenmap map = laplacianEigenmap(voxels.graph, options.modes);
-  const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
-  Segments segments;
-  std::vector<double> height;
-  const bool merge_tree = options.branch_method == "merge_tree";
-  if (merge_tree) {
-    height = distanceFromCore(map, core);
-    segments.branches = mergeTreeBranches(voxels.graph, height, kBranches, kBranchShare);
-  } else {
-    segments.branches = splineWalkBranches(map, kBranches);
-  }
-  segments.measures = measureBranches(voxels, segments.branches, core);
-  segments.names = nameBranches(segments.measures);
-  if (!merge_tree) return segments;
-  std::vector<int> legs;
-  for (const PartLabel leg : {PartLabel::kLeg1, PartLabel::kLeg2}) {
-    if (branchOf(segments, leg) >= 0) legs.push_back(branchOf(segments, leg));
-  }
-  growBranches(voxels.graph, height, legs, kLegShare, &segments.branches);
-  return segments;
-}
-
-std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Segments& segments) {
+std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
   std::vector<PartLabel> labels(voxels.graph.nodeCount(), PartLabel::kTorso);
   for (int part = 1; part < kPartCount; ++part) {
-    const int branch = segments.names.branch[part];
-    if (branch < 0) continue;
-    for (const uint32_t node : segments.branches[branch].nodes) labels[node] = PartLabel(part);
+    for (const uint32_t node : limbs.branch[part].nodes) labels[node] = PartLabel(part);
   }
   return labels;
 }
@@ -90,38 +49,33 @@ Eigen::Vector3d meanCenter(const VoxelGraph& voxels, const std::vector<uint32_t>
 }
 
 /// Heights of all nodes along the direction from the legs to the head, as far as both are seen.
-std::vector<double> upTheTorso(const VoxelGraph& voxels, const Segments& segments,
+std::vector<double> upTheTorso(const VoxelGraph& voxels, const Limbs& limbs,
                                const std::vector<uint32_t>& torso) {
-  Eigen::Vector3d low = meanCenter(voxels, torso);
-  Eigen::Vector3d high = low;
-  if (const int head = branchOf(segments, PartLabel::kHead); head >= 0) {
-    high = meanCenter(voxels, segments.branches[head].nodes);
-  }
-  std::vector<uint32_t> legs;
-  for (const PartLabel leg : {PartLabel::kLeg1, PartLabel::kLeg2}) {
-    if (branchOf(segments, leg) < 0) continue;
-    const std::vector<uint32_t>& nodes = segments.branches[branchOf(segments, leg)].nodes;
-    legs.insert(legs.end(), nodes.begin(), nodes.end());
-  }
-  if (!legs.empty()) low = meanCenter(voxels, legs);
+  std::vector<uint32_t> legs = limbs.branch[size_t(PartLabel::kLeg1)].nodes;
+  const std::vector<uint32_t>& other = limbs.branch[size_t(PartLabel::kLeg2)].nodes;
+  legs.insert(legs.end(), other.begin(), other.end());
+  const std::vector<uint32_t>& head = limbs.branch[size_t(PartLabel::kHead)].nodes;
+  const Eigen::Vector3d up = meanCenter(voxels, head.empty() ? torso : head) -
+                             meanCenter(voxels, legs.empty() ? torso : legs);
   std::vector<double> along;
-  for (const Eigen::Vector3d& center : voxels.centers) along.push_back(center.dot(high - low));
+  for (const Eigen::Vector3d& center : voxels.centers) along.push_back(center.dot(up));
   return along;
 }
 
-void fitCurves(const VoxelGraph& voxels, const Segments& segments,
-               const std::vector<PartLabel>& labels, BodyParts* parts) {
-  std::array<std::vector<uint32_t>, kPartCount> nodes;
-  for (uint32_t node = 0; node < labels.size(); ++node) nodes[size_t(labels[node])].push_back(node);
-  if (!nodes[0].empty()) {
-    parts->parts[0] =
-        fitPartCurve(voxels, nodes[0], upTheTorso(voxels, segments, nodes[0]), kTorsoModes);
+void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<PartLabel>& labels,
+               BodyParts* parts) {
+  std::vector<uint32_t> torso;
+  for (uint32_t node = 0; node < labels.size(); ++node) {
+    if (labels[node] == PartLabel::kTorso) torso.push_back(node);
+  }
+  if (!torso.empty()) {
+    parts->parts[0] = fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso), kTorsoModes);
   }
   for (int part = 1; part < kPartCount; ++part) {
-    if (segments.names.branch[part] < 0) continue;
-    std::vector<double> ahead = segments.measures.from_tip[segments.names.branch[part]];
+    if (!limbs.has(PartLabel(part))) continue;
+    std::vector<double> ahead = limbs.way[part];
     for (double& way : ahead) way = -way;
-    parts->parts[part] = fitPartCurve(voxels, nodes[part], ahead, 1);
+    parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead, 1);
   }
 }
 
@@ -205,11 +159,11 @@ BodyParts BodySegmenter::segment(const VisualHull& hull) const {
   if (!result.reason.empty()) return result;
   const VoxelGraph voxels = buildVoxelGraph(hull, options_.use_color_votes, options_.shrink_weight);
   try {
-    const Segments segments = findSegments(voxels, options_);
-    const std::vector<PartLabel> labels = nodeLabels(voxels, segments);
+    const Limbs limbs = findLimbs(voxels, options_);
+    const std::vector<PartLabel> labels = nodeLabels(voxels, limbs);
     result.labels = voxelLabels(hull, voxels, labels);
-    fitCurves(voxels, segments, labels, &result);
-    judge(segments.names.cost, options_.highest_cost, &result);
+    fitCurves(voxels, limbs, labels, &result);
+    judge(limbs.cost, options_.highest_cost, &result);
   } catch (const std::runtime_error& error) {
     result.reason = error.what();
   }

@@ -68,39 +68,16 @@ void sweep(const WeightedGraph& graph, const std::vector<double>& height,
   }
 }
 
-/// The `count` maxima of greatest persistence, most persistent first.
-std::vector<uint32_t> persistentPeaks(const WeightedGraph& graph, const std::vector<double>& height,
-                                      const std::vector<uint32_t>& order, int count) {
-  std::vector<std::pair<double, uint32_t>> ended;  // persistence, peak
-  const auto higher = [&](uint32_t a, uint32_t b) {
-    return height[a] != height[b] ? height[a] > height[b] : a < b;
-  };
-  sweep(
-      graph, height, order, [](uint32_t node) { return node; },
-      [&](uint32_t a, uint32_t b, double level) {
-        const uint32_t lower = higher(a, b) ? b : a;
-        if (height[lower] > level) ended.emplace_back(height[lower] - level, lower);
-        return lower == a ? b : a;
-      });
-  if (!order.empty()) ended.emplace_back(height[order.front()], order.front());
-  std::sort(ended.begin(), ended.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first > b.first : a.second < b.second;
-  });
-  std::vector<uint32_t> peaks;
-  for (size_t i = 0; i < ended.size() && i < size_t(count); ++i) peaks.push_back(ended[i].second);
-  return peaks;
-}
-
 /// For each tip the height at which its component first meets another tip's; 0 if never.
 std::vector<double> saddles(const WeightedGraph& graph, const std::vector<double>& height,
-                            const std::vector<uint32_t>& order, const std::vector<uint32_t>& tips) {
+                            const std::vector<uint32_t>& tips) {
   std::vector<double> saddle(tips.size(), 0.0);
   const auto meet = [&](uint32_t tip, double level) { saddle[tip] = std::max(saddle[tip], level); };
   const auto number = [&](uint32_t node) {
     const auto found = std::find(tips.begin(), tips.end(), node);
     return found == tips.end() ? kNone : uint32_t(found - tips.begin());
   };
-  sweep(graph, height, order, number, [&](uint32_t a, uint32_t b, double level) {
+  sweep(graph, height, descending(height), number, [&](uint32_t a, uint32_t b, double level) {
     if (a == kNone) return b;
     if (b != kNone) {
       meet(a, level);
@@ -156,11 +133,32 @@ std::vector<double> distanceFromCore(const Eigenmap& map, const std::vector<uint
   return {distance.data(), distance.data() + distance.size()};
 }
 
-std::vector<Branch> mergeTreeBranches(const WeightedGraph& graph, const std::vector<double>& height,
-                                      int count, double lowest_share) {
+std::vector<uint32_t> persistentMaxima(const WeightedGraph& graph,
+                                       const std::vector<double>& height, int count) {
   const std::vector<uint32_t> order = descending(height);
-  const std::vector<uint32_t> tips = persistentPeaks(graph, height, order, count);
-  const std::vector<double> saddle = saddles(graph, height, order, tips);
+  std::vector<std::pair<double, uint32_t>> ended;  // persistence, peak
+  const auto higher = [&](uint32_t a, uint32_t b) {
+    return height[a] != height[b] ? height[a] > height[b] : a < b;
+  };
+  sweep(
+      graph, height, order, [](uint32_t node) { return node; },
+      [&](uint32_t a, uint32_t b, double level) {
+        const uint32_t lower = higher(a, b) ? b : a;
+        if (height[lower] > level) ended.emplace_back(height[lower] - level, lower);
+        return lower == a ? b : a;
+      });
+  if (!order.empty()) ended.emplace_back(height[order.front()], order.front());
+  std::sort(ended.begin(), ended.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
+  std::vector<uint32_t> peaks;
+  for (size_t i = 0; i < ended.size() && i < size_t(count); ++i) peaks.push_back(ended[i].second);
+  return peaks;
+}
+
+std::vector<Branch> branchesAtTips(const WeightedGraph& graph, const std::vector<double>& height,
+                                   const std::vector<uint32_t>& tips, double lowest_share) {
+  const std::vector<double> saddle = saddles(graph, height, tips);
   std::vector<Branch> branches;
   for (size_t i = 0; i < tips.size(); ++i) {
     const double level = std::max(saddle[i], lowest_share * height[tips[i]]);

@@ -14,12 +14,17 @@ namespace markerless_mocap {
 /// walk. Tips of limbs are its maxima.
 std::vector<double> distanceFromCore(const Eigenmap& map, const std::vector<uint32_t>& core);
 
-/// Branches of a graph at the maxima of a function on its nodes. Lowering a level from the top,
-/// components appear at maxima and merge at saddles, the lower maximum ending there; the `count`
-/// maxima that persist longest are the tips, most persistent first. A branch is its tip's component
-/// above the saddle with the next tip and above `lowest_share` of the tip's value.
-std::vector<Branch> mergeTreeBranches(const WeightedGraph& graph, const std::vector<double>& height,
-                                      int count, double lowest_share);
+/// Maxima of a function on a graph's nodes. Lowering a level from the top, components appear at
+/// maxima and merge at saddles, the lower maximum ending there; the `count` maxima that persist
+/// longest are returned, most persistent first.
+std::vector<uint32_t> persistentMaxima(const WeightedGraph& graph,
+                                       const std::vector<double>& height, int count);
+
+/// The branch of each tip: its component above the saddle with the next tip and above
+/// `lowest_share` of the tip's height.
+/// \param tips distinct maxima
+std::vector<Branch> branchesAtTips(const WeightedGraph& graph, const std::vector<double>& height,
+                                   const std::vector<uint32_t>& tips, double lowest_share);
 
 /// Lets the branches numbered in `growing` flood downhill to `lowest_share` of their tips' heights
 /// over nodes of no branch, each keeping to its own basin.

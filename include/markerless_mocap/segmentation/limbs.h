@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/segmentation/body_parts.h"
+#include "markerless_mocap/segmentation/body_segmenter.h"
+#include "markerless_mocap/segmentation/branch.h"
+#include "markerless_mocap/segmentation/voxel_graph.h"
+
+namespace markerless_mocap {
+
+/// Head, arms and legs of a body.
+struct Limbs {
+  std::array<Branch, kPartCount> branch;            ///< by PartLabel; without nodes: not found
+  std::array<std::vector<double>, kPartCount> way;  ///< from the branch's tip to each node
+  double cost;                                      ///< of the names, see TipNames
+
+  bool has(PartLabel label) const { return !branch[size_t(label)].nodes.empty(); }
+};
+
+/// Embeds the graph, finds its branches by the method of the options, and names them. A branch
+/// whose size no limb of its name can have is left out.
+Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,124 @@
+#include "markerless_mocap/segmentation/tip_naming.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kClip = 9.0;       // of a squared z-score: one odd measure is not the end
+constexpr double kAllowance = 3.0;  // squared z-score up to which a measure speaks for a name
+
+enum Kind { kHeadKind, kArmKind, kLegKind, kKinds };
+
+struct Normal {
+  double mean;
+  double deviation;
+};
+
+// Logarithms as in TipMeasures, of clothed adults walking and moving their arms. Deviations are at
+// least 9 % of a length and 15 % of a volume, to leave room for other bodies and clothes.
+constexpr Normal kFullness[kKinds] = {{-2.75, 0.15}, {-4.70, 0.28}, {-3.95, 0.20}};
+constexpr Normal kToCore[kKinds] = {{-0.03, 0.16}, {0.54, 0.15}, {0.72, 0.20}};
+constexpr Normal kDistance[kKinds][kKinds] = {
+    {{0.0, 1.0}, {0.87, 0.09}, {1.41, 0.09}},
+    {{0.87, 0.09}, {1.26, 0.10}, {1.53, 0.10}},
+    {{1.41, 0.09}, {1.53, 0.10}, {1.30, 0.25}},
+};
+
+// Of the branches, logarithms too.
+constexpr Normal kVolumeShare[kKinds] = {{-2.60, 0.30}, {-3.05, 0.30}, {-1.95, 0.40}};
+constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.02, 0.12}, {-2.77, 0.14}};
+constexpr double kHighestSquare = 12.0;  // sum of the two squared z-scores of a plausible branch
+
+constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
+                                PartLabel::kArm1, PartLabel::kArm2};
+constexpr Kind kKindOfRole[] = {kHeadKind, kLegKind, kLegKind, kArmKind, kArmKind};
+constexpr int kRoleCount = 5;
+
+double squaredScore(const Normal& normal, double value) {
+  const double z = (value - normal.mean) / normal.deviation;
+  return std::min(z * z, kClip);
+}
+
+/// Depth-first search over the roles; every assignment is scored.
+class Assignment {
+ public:
+  explicit Assignment(const TipMeasures& measures) : measures_(measures) {
+    tip_.fill(-1);
+    best_tip_ = tip_;
+  }
+
+  TipNames best() {
+    tryRole(0, 0.0, 0);
+    TipNames names;
+    names.tip.fill(-1);
+    for (int r = 0; r < kRoleCount; ++r) names.tip[size_t(kRoles[r])] = best_tip_[r];
+    names.cost = best_terms_ == 0 ? std::numeric_limits<double>::infinity()
+                                  : best_ / best_terms_ + kAllowance;
+    return names;
+  }
+
+ private:
+  void tryRole(int role, double score, int terms) {
+    if (role == kRoleCount) {
+      if (score < best_) {
+        best_ = score;
+        best_terms_ = terms;
+        best_tip_ = tip_;
+      }
+      return;
+    }
+    const bool second = role > 0 && kKindOfRole[role] == kKindOfRole[role - 1];
+    const int first_tip = second ? tip_[role - 1] + 1 : 0;
+    // Without a first arm (leg) there is no second.
+    const bool possible = !second || tip_[role - 1] >= 0;
+    for (int b = first_tip; possible && b < int(measures_.to_core.size()); ++b) {
+      if (std::find(tip_.begin(), tip_.begin() + role, b) != tip_.begin() + role) continue;
+      tip_[role] = b;
+      int added = 0;
+      const double gain = termsOf(role, b, &added);
+      tryRole(role + 1, score + gain, terms + added);
+    }
+    tip_[role] = -1;
+    tryRole(role + 1, score, terms);
+  }
+
+  double termsOf(int role, int tip, int* count) const {
+    const Kind kind = kKindOfRole[role];
+    double sum = squaredScore(kFullness[kind], measures_.fullness[tip]) +
+                 squaredScore(kToCore[kind], measures_.to_core[tip]);
+    *count = 2;
+    for (int r = 0; r < role; ++r) {
+      if (tip_[r] < 0) continue;
+      sum += squaredScore(kDistance[kind][kKindOfRole[r]], measures_.distance(tip, tip_[r]));
+      ++*count;
+    }
+    return sum - kAllowance * *count;
+  }
+
+  const TipMeasures& measures_;
+  std::array<int, kRoleCount> tip_;
+  std::array<int, kRoleCount> best_tip_;
+  double best_ = 0.0;
+  int best_terms_ = 0;
+};
+
+}  // namespace
+
+TipNames nameTips(const TipMeasures& measures) {
+  return Assignment(measures).best();
+}
+
+bool isPlausible(PartLabel label, double volume_share, double thickness) {
+  const auto role = std::find(std::begin(kRoles), std::end(kRoles), label);
+  const Kind kind = kKindOfRole[role - std::begin(kRoles)];
+  const double volume =
+      (std::log(volume_share) - kVolumeShare[kind].mean) / kVolumeShare[kind].deviation;
+  const double depth = (std::log(thickness) - kThickness[kind].mean) / kThickness[kind].deviation;
+  return volume * volume + depth * depth <= kHighestSquare;
+}
+
+}  // namespace markerless_mocap
