@@ -1,5 +1,6 @@
 #include "silhouette/pixel_test.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -32,18 +33,28 @@ cv::Mat evenRatio(const PixelTest& test, const cv::Mat& image, const cv::Mat& me
   return average_of_squares - average.mul(average) < tolerance * tolerance;
 }
 
+/// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
+float largestInside(const cv::Mat& value, const cv::Mat& inside, int x, int y) {
+  float largest = 0;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, value.rows - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, value.cols - 1); ++u)
+      if (inside.at<uint8_t>(v, u)) largest = std::max(largest, value.at<float>(v, u));
+  return largest;
+}
+
 }  // namespace
 
-cv::Mat classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                      const cv::Mat& inverse_sigma) {
+PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                           const cv::Mat& inverse_sigma) {
   const SilhouetteOptions& o = *test.options;
   const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
-  cv::Mat mask(image.size(), CV_8UC1);
+  PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
   for (int y = 0; y < image.rows; ++y) {
     const uint8_t* pixel = image.ptr<uint8_t>(y);
     const float* usual = mean.ptr<float>(y);
     const float* weight = inverse_sigma.ptr<float>(y);
-    uint8_t* out = mask.ptr<uint8_t>(y);
+    uint8_t* out = classes.mask.ptr<uint8_t>(y);
+    float* far = classes.squared_distance.ptr<float>(y);
     for (int x = 0; x < image.cols; ++x, pixel += 3, usual += 3, weight += 3) {
       float now[3], distance = 0;
       for (int c = 0; c < 3; ++c) {
@@ -51,33 +62,50 @@ cv::Mat classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat
         const float d = (now[c] - usual[c]) * weight[c];
         distance += d * d;
       }
+      far[x] = distance;
       out[x] = distance > limit && !(o.remove_shadows && isShade(o, now, usual)) ? 255 : 0;
     }
   }
-  return mask;
+  return classes;
 }
 
-cv::Mat classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                     const cv::Mat& inverse_sigma) {
+PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                          const cv::Mat& inverse_sigma) {
   const SilhouetteOptions& o = *test.options;
+  const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
   cv::Mat even =
       o.remove_shadows ? evenRatio(test, image, mean) : cv::Mat::zeros(image.size(), CV_8UC1);
-  cv::Mat mask(image.size(), CV_8UC1);
+  PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
   for (int y = 0; y < image.rows; ++y) {
     const uint8_t* pixel = image.ptr<uint8_t>(y);
     const float* usual = mean.ptr<float>(y);
     const float* weight = inverse_sigma.ptr<float>(y);
     const uint8_t* is_even = even.ptr<uint8_t>(y);
-    uint8_t* out = mask.ptr<uint8_t>(y);
+    uint8_t* out = classes.mask.ptr<uint8_t>(y);
+    float* far = classes.squared_distance.ptr<float>(y);
     for (int x = 0; x < image.cols; ++x) {
       const float now = pixel[x] * test.inverse_gain;
       const float distance = (now - usual[x]) * weight[x];
+      far[x] = distance * distance;
       const bool shadow = is_even[x] && now < usual[x] && now >= o.shadow_darkest * usual[x];
-      out[x] =
-          distance * distance > float(o.threshold_sigmas * o.threshold_sigmas) && !shadow ? 255 : 0;
+      out[x] = far[x] > limit && !shadow ? 255 : 0;
     }
   }
-  return mask;
+  return classes;
+}
+
+void trimRim(const cv::Mat& squared_distance, cv::Mat* mask) {
+  constexpr float kHalf = 0.25f;  // of the distance, squared
+  cv::Mat inner;
+  cv::erode(*mask, inner, cv::Mat());
+  for (int y = 0; y < mask->rows; ++y) {
+    const uint8_t* is_inner = inner.ptr<uint8_t>(y);
+    uint8_t* out = mask->ptr<uint8_t>(y);
+    for (int x = 0; x < mask->cols; ++x)
+      if (out[x] && !is_inner[x] &&
+          squared_distance.at<float>(y, x) < kHalf * largestInside(squared_distance, inner, x, y))
+        out[x] = 0;
+  }
 }
 
 }  // namespace markerless_mocap

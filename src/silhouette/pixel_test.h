@@ -11,14 +11,24 @@ struct PixelTest {
   float inverse_gain = 1;  ///< takes the image to the light of the background model
 };
 
-/// Foreground of a BGR image (0 | 255): what is far from the background and no shadow. A shadow is
+/// What a test says about each pixel.
+struct PixelClasses {
+  cv::Mat mask;              ///< CV_8UC1, 0 | 255
+  cv::Mat squared_distance;  ///< CV_32FC1, from the background, squared standard deviations
+};
+
+/// Foreground of a BGR image: what is far from the background and no shadow. A shadow is
 /// darker than its background and of the same colour.
-cv::Mat classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                      const cv::Mat& inverse_sigma);
+PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                           const cv::Mat& inverse_sigma);
 
 /// As classifyColor() for a grey image. Without colour, a shadow is told by its texture: the
 /// brightness relative to the background is the same all around.
-cv::Mat classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                     const cv::Mat& inverse_sigma);
+PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                          const cv::Mat& inverse_sigma);
+
+/// Removes pixels of the silhouette's rim that are nearer to the background than to the person
+/// beside them: blur and chroma subsampling smear the outline over its neighbours.
+void trimRim(const cv::Mat& squared_distance, cv::Mat* mask);
 
 }  // namespace markerless_mocap

@@ -29,7 +29,7 @@ SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
     if (frames_learned_ == options_.background_frames) finishLearning();
     return {};
   }
-  return {SilhouetteState::kReady, cleanMask(classify(image), options_)};
+  return {SilhouetteState::kReady, extract(image)};
 }
 
 void SilhouetteExtractor::reset() {
@@ -77,13 +77,17 @@ void SilhouetteExtractor::finishLearning() {
   sum_of_squares_.release();
 }
 
-cv::Mat SilhouetteExtractor::classify(const cv::Mat& image) const {
+cv::Mat SilhouetteExtractor::extract(const cv::Mat& image) const {
   PixelTest test;
   test.inverse_gain =
       options_.compensate_flicker ? float(1 / estimateLightGain(image, mean_)) : 1.0f;
   test.options = &options_;
-  return image.channels() == 3 ? classifyColor(test, image, mean_, inverse_sigma_)
-                               : classifyGrey(test, image, mean_, inverse_sigma_);
+  const PixelClasses classes = image.channels() == 3
+                                   ? classifyColor(test, image, mean_, inverse_sigma_)
+                                   : classifyGrey(test, image, mean_, inverse_sigma_);
+  cv::Mat mask = cleanMask(classes.mask, options_);
+  trimRim(classes.squared_distance, &mask);
+  return mask;
 }
 
 }  // namespace markerless_mocap

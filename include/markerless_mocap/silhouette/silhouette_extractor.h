@@ -15,11 +15,11 @@ struct SilhouetteOptions {
   double min_sigma = 4.0;
   bool compensate_flicker = true;
   bool remove_shadows = true;
-  double shadow_darkest = 0.5;
-  double shadow_chroma_tolerance = 0.06;
+  double shadow_darkest = 0.6;
+  double shadow_chroma_tolerance = 0.025;
   int open_radius_px = 1;
   int close_radius_px = 2;
-  int max_hole_px = 400;
+  int max_hole_px = 100;
   int min_blob_px = 200;
 
   void visit(OptionVisitor& v);
@@ -51,7 +51,7 @@ class SilhouetteExtractor {
   void checkImage(const cv::Mat& image) const;
   void learn(const cv::Mat& image);
   void finishLearning();
-  cv::Mat classify(const cv::Mat& image) const;
+  cv::Mat extract(const cv::Mat& image) const;
 
   SilhouetteOptions options_;
   int frames_learned_ = 0;
