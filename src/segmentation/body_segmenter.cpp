@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kTorsoModes = 3;  // a torso's lowest mode may run from side to side
+constexpr int kTorsoModes = 10;  // a torso's lowest mode may run from side to side
 
 std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
   std::vector<PartLabel> labels(voxels.graph.nodeCount(), PartLabel::kTorso);

@@ -1,5 +1,6 @@
 #include "markerless_mocap/segmentation/part_curve.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -11,36 +12,36 @@ namespace {
 
 constexpr int kPoints = 21;
 constexpr int kPieces = 3;
-constexpr int kSamples = 200;  // of the curve, to measure its length by
+constexpr int kSamples = 200;      // of the curve, to measure its length by
+constexpr double kOutside = 0.04;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
 
-double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  const Eigen::VectorXd da = a.array() - a.mean();
-  const Eigen::VectorXd db = b.array() - b.mean();
-  const double norm = da.norm() * db.norm();
-  return norm > 0.0 ? da.dot(db) / norm : 0.0;
-}
-
-/// The mode that goes with `ahead` best, with its sign.
+/// The combination of the lowest modes that comes nearest to `ahead`; of one mode, its sign.
 Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahead, int modes) {
-  const Eigenmap map = laplacianEigenmap(part, modes);
-  double best = 0.0;
-  Eigen::Index chosen = 0;
-  for (Eigen::Index mode = 0; mode < map.vectors.cols(); ++mode) {
-    const double with = correlation(map.vectors.col(mode), ahead);
-    if (std::abs(with) <= std::abs(best)) continue;
-    best = with;
-    chosen = mode;
-  }
-  return best < 0.0 ? Eigen::VectorXd(-map.vectors.col(chosen)) : map.vectors.col(chosen);
+  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes).vectors;
+  const Eigen::MatrixXd centered = vectors.rowwise() - vectors.colwise().mean();
+  const Eigen::VectorXd wanted = ahead.array() - ahead.mean();
+  const Eigen::MatrixXd products = centered.transpose() * centered;
+  return centered * products.ldlt().solve(centered.transpose() * wanted);
 }
 
-/// 0 at the lowest value of the mode, 1 at the highest.
-Eigen::VectorXd siteValues(const Eigen::VectorXd& mode) {
+/// The Fiedler vector of a chain is cos(pi x) over the arc length x.
+Eigen::VectorXd sitesOfFiedler(const Eigen::VectorXd& mode) {
   const double middle = 0.5 * (mode.maxCoeff() + mode.minCoeff());
-  const double half = 0.5 * (mode.maxCoeff() - mode.minCoeff());
+  const double half = std::max(0.5 * (mode.maxCoeff() - mode.minCoeff()), 1e-12);
   const Eigen::ArrayXd cosine = ((mode.array() - middle) / half).max(-1.0).min(1.0);
   return 1.0 - cosine.acos() / std::acos(-1.0);
+}
+
+/// A combination of modes follows a length already; its ends are where a few nodes are left, not
+/// the outermost node, which may be a corner.
+Eigen::VectorXd sitesOfCombination(const Eigen::VectorXd& mode) {
+  std::vector<double> sorted(mode.data(), mode.data() + mode.size());
+  std::sort(sorted.begin(), sorted.end());
+  const auto outside = size_t(kOutside * double(sorted.size()));
+  const double low = sorted[outside];
+  const double high = sorted[sorted.size() - 1 - outside];
+  return ((mode.array() - low) / std::max(high - low, 1e-12)).max(0.0).min(1.0);
 }
 
 void sampleEvenly(const LeastSquaresSpline& spline, PartCurve* curve) {
@@ -77,7 +78,8 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
     centers.row(Eigen::Index(i)) = voxels.centers[nodes[kept[i]]].transpose();
   }
   const Eigen::VectorXd mode = modeAlong(subgraph(all, kept), along, modes);
-  sampleEvenly(LeastSquaresSpline(siteValues(mode), centers, kPieces), &curve);
+  const Eigen::VectorXd sites = modes == 1 ? sitesOfFiedler(mode) : sitesOfCombination(mode);
+  sampleEvenly(LeastSquaresSpline(sites, centers, kPieces), &curve);
   curve.seen = true;
   return curve;
 }

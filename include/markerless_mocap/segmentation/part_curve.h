@@ -15,8 +15,9 @@ namespace markerless_mocap {
 /// \param nodes of the part; of several components the largest is used
 /// \param ahead a number for each node of the whole graph that grows from the part's torso end to
 ///   its tip: it gives the curve its direction
-/// \param modes of these many lowest modes the one that goes with `ahead` best is the site value; 1
-///   is the Fiedler vector, more are for parts as wide as long
+/// \param modes the site value is the combination of these many lowest modes that comes nearest to
+///   `ahead`: with 1 the Fiedler vector alone; more for a part whose Fiedler vector may run
+///   sideways, as a torso's with the stumps of arms and legs
 /// \return 21 points; `seen` is false for fewer than 8 nodes
 PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& nodes,
                        const std::vector<double>& ahead, int modes);
