@@ -12,7 +12,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kTorsoModes = 10;  // a torso's lowest mode may run from side to side
+constexpr int kTorsoModes = 10;  // stumps of arms and legs have the lowest ones
+constexpr int kLimbModes = 3;
 
 std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
   std::vector<PartLabel> labels(voxels.graph.nodeCount(), PartLabel::kTorso);
@@ -75,7 +76,7 @@ void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<P
     if (!limbs.has(PartLabel(part))) continue;
     std::vector<double> ahead = limbs.way[part];
     for (double& way : ahead) way = -way;
-    parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead, 1);
+    parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes);
   }
 }
 

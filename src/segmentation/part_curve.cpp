@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 
 #include "markerless_mocap/segmentation/eigenmap.h"
 #include "markerless_mocap/segmentation/least_squares_spline.h"
@@ -13,10 +12,10 @@ namespace {
 constexpr int kPoints = 21;
 constexpr int kPieces = 3;
 constexpr int kSamples = 200;      // of the curve, to measure its length by
-constexpr double kOutside = 0.04;  // of the nodes, beyond each end of a combination of modes
+constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
 
-/// The combination of the lowest modes that comes nearest to `ahead`; of one mode, its sign.
+/// The combination of the lowest modes that comes nearest to `ahead`.
 Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahead, int modes) {
   const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes).vectors;
   const Eigen::MatrixXd centered = vectors.rowwise() - vectors.colwise().mean();
@@ -25,17 +24,8 @@ Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahea
   return centered * products.ldlt().solve(centered.transpose() * wanted);
 }
 
-/// The Fiedler vector of a chain is cos(pi x) over the arc length x.
-Eigen::VectorXd sitesOfFiedler(const Eigen::VectorXd& mode) {
-  const double middle = 0.5 * (mode.maxCoeff() + mode.minCoeff());
-  const double half = std::max(0.5 * (mode.maxCoeff() - mode.minCoeff()), 1e-12);
-  const Eigen::ArrayXd cosine = ((mode.array() - middle) / half).max(-1.0).min(1.0);
-  return 1.0 - cosine.acos() / std::acos(-1.0);
-}
-
-/// A combination of modes follows a length already; its ends are where a few nodes are left, not
-/// the outermost node, which may be a corner.
-Eigen::VectorXd sitesOfCombination(const Eigen::VectorXd& mode) {
+/// 0 and 1 where a few nodes are left beyond: the outermost node may be a corner.
+Eigen::VectorXd siteValues(const Eigen::VectorXd& mode) {
   std::vector<double> sorted(mode.data(), mode.data() + mode.size());
   std::sort(sorted.begin(), sorted.end());
   const auto outside = size_t(kOutside * double(sorted.size()));
@@ -78,7 +68,7 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
     centers.row(Eigen::Index(i)) = voxels.centers[nodes[kept[i]]].transpose();
   }
   const Eigen::VectorXd mode = modeAlong(subgraph(all, kept), along, modes);
-  const Eigen::VectorXd sites = modes == 1 ? sitesOfFiedler(mode) : sitesOfCombination(mode);
+  const Eigen::VectorXd sites = siteValues(mode);
   sampleEvenly(LeastSquaresSpline(sites, centers, kPieces), &curve);
   curve.seen = true;
   return curve;
