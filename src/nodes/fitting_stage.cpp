@@ -11,9 +11,10 @@
 namespace markerless_mocap {
 namespace {
 
-AssemblerOptions exactPairs() {
+AssemblerOptions exactStamps() {
   AssemblerOptions options;
   options.tolerance = 0.0;
+  options.min_streams = 3;
   options.deadline = 2.0;  // the segmentation of an instant may lag behind the hulls by this
   return options;
 }
@@ -24,7 +25,7 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
                            const FittingOptions& options, const FittingNodeOptions& node_options)
     : description_(node_options.body_id, node_options.urdf_template, options.stature),
       tracker_(description_.model(), options),
-      assembler_(2, exactPairs()),
+      assembler_(kStreams, exactStamps()),
       status_(handle, private_handle, "pose fitting"),
       announcer_(handle, node_options.body_id) {
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
@@ -36,21 +37,25 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
 void FittingStage::subscribe(ros::NodeHandle& handle) {
   subscribers_.push_back(handle.subscribe<VoxelGrid>(
       "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
-  subscribers_.push_back(handle.subscribe<sensor_msgs::PointCloud2>(
-      "hull/points", 4, [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
-        receive(kHull, hull->header, {nullptr, hull});
-      }));
   subscribers_.push_back(handle.subscribe<BodyPartsMsg>(
       "segmentation/parts", 4, [this](const BodyPartsMsg::ConstPtr& parts) {
         receive(kParts, parts->header, {parts, nullptr});
       }));
+  const auto subscribe_cloud = [&](const char* topic, Stream stream) {
+    subscribers_.push_back(handle.subscribe<sensor_msgs::PointCloud2>(
+        topic, 4, [this, stream](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+          receive(stream, cloud->header, {nullptr, cloud});
+        }));
+  };
+  subscribe_cloud("segmentation/points", kLabels);
+  subscribe_cloud("hull/points", kHull);
 }
 
 void FittingStage::receive(Stream stream, const std_msgs::Header& header, Item item) {
   const uint64_t jumps = assembler_.counts().time_jumps_back;
   const auto instants = assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item));
   if (assembler_.counts().time_jumps_back != jumps) tracker_.reset();
-  for (const auto& instant : instants) publish(fit(instant), instant.items[kHull].hull->header);
+  for (const auto& instant : instants) publish(fit(instant), instant.items[kHull].cloud->header);
   status_.set("instants", assembler_.counts().complete);
   status_.set("abandoned instants", assembler_.counts().abandoned);
   status_.set("duplicate or late", assembler_.counts().duplicate + assembler_.counts().late);
@@ -60,8 +65,9 @@ void FittingStage::receive(Stream stream, const std_msgs::Header& header, Item i
 BodyPose FittingStage::fit(const InstantAssembler<Item>::Instant& instant) {
   try {
     if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
-    const VisualHull hull = hullFromMessage(*instant.items[kHull].hull, *grid_);
-    const BodyParts parts = partsFromMessage(*instant.items[kParts].parts);
+    const VisualHull hull = hullFromMessage(*instant.items[kHull].cloud, *grid_);
+    BodyParts parts = partsFromMessage(*instant.items[kParts].parts);
+    parts.labels = labelsFromMessage(*instant.items[kLabels].cloud);
     return tracker_.update(instant.stamp_ns, parts, hull);
   } catch (const std::exception& error) {
     BodyPose lost;

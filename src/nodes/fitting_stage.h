@@ -14,19 +14,20 @@
 
 namespace markerless_mocap {
 
-/// Joins parts and hull of one stamp and follows the person. Its callbacks come one at a time.
+/// Joins parts, labels and hull of one stamp and follows the person. Its callbacks come one at a
+/// time.
 class FittingStage {
  public:
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const FittingOptions& options, const FittingNodeOptions& node_options);
 
  private:
-  /// One of the two, by the stream.
+  enum Stream : size_t { kParts, kLabels, kHull, kStreams };
+  /// A message of one of the streams.
   struct Item {
     BodyPartsMsg::ConstPtr parts;
-    sensor_msgs::PointCloud2ConstPtr hull;
+    sensor_msgs::PointCloud2ConstPtr cloud;
   };
-  enum Stream : size_t { kParts, kHull };
 
   void subscribe(ros::NodeHandle& handle);
   void receive(Stream stream, const std_msgs::Header& header, Item item);

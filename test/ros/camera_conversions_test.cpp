@@ -1,0 +1,111 @@
+#include "markerless_mocap/ros/camera_conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "markerless_mocap/ros/camera_markers.h"
+#include "ros/sample_camera.h"
+#include "ros/sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string refusal(const sensor_msgs::CameraInfo& info,
+                    const geometry_msgs::Transform& pose = samplePose()) {
+  return sentenceOf([&] { calibrationFromMessage("cam3", info, pose); });
+}
+
+TEST(CameraConversions, CalibrationComesBackAsItWas) {
+  const CameraCalibration there = sampleCalibration();
+  const CameraCalibration back =
+      calibrationFromMessage("cam3", messageFromCalibration(there), samplePose());
+  EXPECT_EQ(back.name, "cam3");
+  EXPECT_EQ(back.width, 640);
+  EXPECT_EQ(back.height, 480);
+  EXPECT_EQ(back.K, there.K);
+  EXPECT_EQ(back.D, there.D);
+  EXPECT_TRUE(back.T_world_camera.isApprox(there.T_world_camera, 1e-12));
+}
+
+TEST(CameraConversions, MatrixIsRowByRow) {
+  const sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  EXPECT_EQ(info.K[0], 500.0);
+  EXPECT_EQ(info.K[2], 319.5);
+  EXPECT_EQ(info.K[5], 239.5);
+  EXPECT_EQ(info.P[2], 319.5);
+  EXPECT_EQ(info.P[3], 0.0);
+  EXPECT_EQ(info.P[10], 1.0);
+  EXPECT_EQ(info.distortion_model, "plumb_bob");
+}
+
+TEST(CameraConversions, ZeroKIsRefusedByName) {
+  sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  info.K.fill(0.0);
+  EXPECT_NE(refusal(info).find("cam3"), std::string::npos) << refusal(info);
+}
+
+TEST(CameraConversions, NaNIsRefused) {
+  sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  info.K[4] = kNaN;
+  EXPECT_NE(refusal(info), "");
+  info = messageFromCalibration(sampleCalibration());
+  info.D[1] = kNaN;
+  EXPECT_NE(refusal(info), "");
+}
+
+TEST(CameraConversions, NoSizeIsRefused) {
+  sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  info.width = 0;
+  EXPECT_NE(refusal(info), "");
+}
+
+TEST(CameraConversions, ForeignLensModelAndCroppedImagesAreRefused) {
+  sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  info.distortion_model = "equidistant";
+  EXPECT_EQ(refusal(info),
+            "camera_info of cam3 has the distortion model \"equidistant\", allowed are plumb_bob "
+            "and rational_polynomial");
+  info = messageFromCalibration(sampleCalibration());
+  info.binning_x = 2;
+  EXPECT_NE(refusal(info), "");
+  info = messageFromCalibration(sampleCalibration());
+  info.roi.x_offset = 10;
+  EXPECT_NE(refusal(info), "");
+}
+
+TEST(CameraConversions, TransformThatIsNoneIsRefused) {
+  const sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  EXPECT_NE(refusal(info, geometry_msgs::Transform()), "");  // all-zero quaternion
+  geometry_msgs::Transform pose = samplePose();
+  pose.translation.y = kNaN;
+  EXPECT_NE(refusal(info, pose), "");
+  pose = samplePose();
+  pose.rotation.x = kNaN;
+  EXPECT_NE(refusal(info, pose), "");
+}
+
+TEST(CameraConversions, StampsSurvive) {
+  EXPECT_EQ(nanosecondsOf(ros::Time(1000, 5)), 1000000000005);
+  EXPECT_EQ(rosTime(1000000000005), ros::Time(1000, 5));
+}
+
+TEST(CameraMarkers, PyramidOpensAlongTheOpticalAxisAndCarriesTheName) {
+  const Camera camera(sampleCalibration());
+  const auto markers = cameraMarkers({camera}, std_msgs::Header(), 0.5).markers;
+  ASSERT_EQ(markers.size(), 2u);
+  ASSERT_EQ(markers[0].points.size(), 16u);
+  const Eigen::Vector3d axis = camera.calibration().T_world_camera.linear().col(2);
+  for (size_t i = 0; i < 16; i += 4) {
+    const auto& p = markers[0].points[i + 1];
+    const Eigen::Vector3d corner = Eigen::Vector3d(p.x, p.y, p.z) - camera.position();
+    EXPECT_NEAR(corner.dot(axis), 0.5, 1e-9);
+  }
+  EXPECT_EQ(markers[1].text, "cam3");
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,111 @@
+#include "markerless_mocap/ros/image_conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+
+#include "ros/sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+std_msgs::Header header() {
+  std_msgs::Header h;
+  h.frame_id = "cam3_optical";
+  h.stamp = ros::Time(1000, 5);
+  return h;
+}
+
+cv::Mat colorPixels() {
+  cv::Mat image(2, 3, CV_8UC3, cv::Scalar(10, 20, 30));
+  image.at<cv::Vec3b>(1, 2) = {200, 100, 50};
+  return image;
+}
+
+TEST(ImageConversions, ColourImageComesBackAsItWas) {
+  const sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  EXPECT_EQ(message.encoding, "bgr8");
+  EXPECT_EQ(message.header.stamp, ros::Time(1000, 5));
+  EXPECT_EQ(cv::norm(matFromMessage(message), colorPixels(), cv::NORM_INF), 0.0);
+}
+
+TEST(ImageConversions, Rgb8BecomesBlueGreenRed) {
+  sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  message.encoding = "rgb8";
+  EXPECT_EQ(matFromMessage(message).at<cv::Vec3b>(1, 2), cv::Vec3b(50, 100, 200));
+}
+
+TEST(ImageConversions, GreyStaysOneChannel) {
+  const cv::Mat grey(2, 2, CV_8UC1, cv::Scalar(7));
+  const cv::Mat back = matFromMessage(messageFromMat(grey, header()));
+  ASSERT_EQ(back.type(), CV_8UC1);
+  EXPECT_EQ(back.at<uchar>(1, 1), 7);
+}
+
+TEST(ImageConversions, ResultOutlivesTheMessage) {
+  cv::Mat back;
+  {
+    const sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+    back = matFromMessage(message);
+  }
+  EXPECT_EQ(back.at<cv::Vec3b>(1, 2), cv::Vec3b(200, 100, 50));
+}
+
+TEST(ImageConversions, UnknownEncodingIsNamedWithTheCamera) {
+  sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  message.encoding = "32FC3";
+  const std::string sentence = sentenceOf([&] { matFromMessage(message); });
+  EXPECT_NE(sentence.find("cam3_optical"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("\"32FC3\", allowed are mono8, bgr8, rgb8"), std::string::npos)
+      << sentence;
+}
+
+TEST(ImageConversions, TruncatedDataIsRefused) {
+  sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  message.data.resize(5);
+  EXPECT_THROW(matFromMessage(message), std::invalid_argument);
+}
+
+TEST(ImageConversions, CompressedImageIsDecoded) {
+  sensor_msgs::CompressedImage message;
+  message.format = "png";
+  cv::imencode(".png", colorPixels(), message.data);
+  EXPECT_EQ(cv::norm(matFromMessage(message), colorPixels(), cv::NORM_INF), 0.0);
+}
+
+TEST(ImageConversions, CompressedGreyStaysOneChannel) {
+  sensor_msgs::CompressedImage message;
+  cv::imencode(".png", cv::Mat(4, 4, CV_8UC1, cv::Scalar(90)), message.data);
+  EXPECT_EQ(matFromMessage(message).type(), CV_8UC1);
+}
+
+TEST(ImageConversions, RubbishAndNothingAreNotDecoded) {
+  sensor_msgs::CompressedImage message;
+  message.header = header();
+  EXPECT_THROW(matFromMessage(message), std::invalid_argument);
+  message.data = {1, 2, 3, 4};
+  EXPECT_THROW(matFromMessage(message), std::invalid_argument);
+}
+
+TEST(ImageConversions, MaskIsZeroOr255) {
+  cv::Mat mask(1, 3, CV_8UC1, cv::Scalar(0));
+  mask.at<uchar>(0, 1) = 1;
+  mask.at<uchar>(0, 2) = 255;
+  const cv::Mat back = maskFromMessage(messageFromMat(mask, header()));
+  EXPECT_EQ(back.at<uchar>(0, 0), 0);
+  EXPECT_EQ(back.at<uchar>(0, 1), 255);
+  EXPECT_EQ(back.at<uchar>(0, 2), 255);
+}
+
+TEST(ImageConversions, ColourImageIsNoMask) {
+  EXPECT_THROW(maskFromMessage(messageFromMat(colorPixels(), header())), std::invalid_argument);
+}
+
+TEST(ImageConversions, FloatImageIsNotPublished) {
+  EXPECT_THROW(messageFromMat(cv::Mat(2, 2, CV_32FC1, cv::Scalar(0)), header()),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

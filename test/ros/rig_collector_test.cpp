@@ -1,0 +1,76 @@
+#include "markerless_mocap/ros/rig_collector.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "markerless_mocap/ros/camera_conversions.h"
+#include "ros/sample_camera.h"
+#include "ros/sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+sensor_msgs::CameraInfo infoIn(const std::string& frame) {
+  sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
+  info.header.frame_id = frame;
+  return info;
+}
+
+void place(tf2::BufferCore& tf, const std::string& frame) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "world";
+  transform.child_frame_id = frame;
+  transform.transform = samplePose();
+  tf.setTransform(transform, "test", true);
+}
+
+TEST(RigCollector, NamesTheCamerasWithoutInfo) {
+  RigCollector collector({"a", "b", "c"}, "world");
+  collector.add(1, infoIn("b_optical"));
+  EXPECT_EQ(collector.missing(tf2::BufferCore()), "no camera_info has come from a, c");
+}
+
+TEST(RigCollector, NamesTheFrameThatTfDoesNotConnect) {
+  RigCollector collector({"a", "b"}, "world");
+  collector.add(0, infoIn("a_optical"));
+  collector.add(1, infoIn("b_optical"));
+  tf2::BufferCore tf;
+  place(tf, "a_optical");
+  EXPECT_EQ(collector.missing(tf), "tf does not connect b_optical of b to world");
+  EXPECT_EQ(sentenceOf([&] { collector.rig(tf); }), collector.missing(tf));
+}
+
+TEST(RigCollector, NeverTakesAnEmptyFrameForTheWorld) {
+  RigCollector collector({"a"}, "world");
+  collector.add(0, infoIn(""));
+  EXPECT_EQ(collector.missing(tf2::BufferCore()), "camera_info of a names no frame");
+}
+
+TEST(RigCollector, GivesTheRigInTheOrderOfTheNames) {
+  RigCollector collector({"a", "b"}, "world");
+  collector.add(1, infoIn("b_optical"));
+  collector.add(0, infoIn("a_optical"));
+  tf2::BufferCore tf;
+  place(tf, "a_optical");
+  place(tf, "b_optical");
+  EXPECT_EQ(collector.missing(tf), "");
+  const CameraRig rig = collector.rig(tf);
+  ASSERT_EQ(rig.size(), 2u);
+  EXPECT_EQ(rig[0].name(), "a");
+  EXPECT_EQ(rig[1].name(), "b");
+  EXPECT_TRUE(rig[0].position().isApprox(Eigen::Vector3d(1.0, 2.0, 3.0), 1e-12));
+}
+
+TEST(RigCollector, TellsNewsFromRepetition) {
+  RigCollector collector({"a"}, "world");
+  sensor_msgs::CameraInfo info = infoIn("a_optical");
+  EXPECT_TRUE(collector.add(0, info));
+  info.header.stamp = ros::Time(5, 0);
+  EXPECT_FALSE(collector.add(0, info));
+  info.K[0] += 1.0;
+  EXPECT_TRUE(collector.add(0, info));
+}
+
+}  // namespace
+}  // namespace markerless_mocap
