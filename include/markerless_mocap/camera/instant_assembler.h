@@ -34,10 +34,9 @@ struct AssemblerOptions {
 
 /// Joins N streams into instants by stamp. Knows no clock: time is what the stamps say.
 /// Items of one stream come in the order of their stamps, so a complete instant closes the older
-/// ones. A stamp that is far ahead or older than the deadline is not believed, until a run of such
-/// stamps from more than one stream, longer than one item per stream, shows that time has really
-/// jumped (a bag that loops, a clock that was set): then all state but the counts is forgotten and
-/// the run becomes the start of the new time.
+/// ones. A stamp that is far ahead or older than the deadline is not believed, until more streams
+/// send such stamps (twice running) than do not: then time has really jumped (a bag that loops, a
+/// clock that was set), all state but the counts is forgotten, and those items start the new time.
 /// `Item` is cheap to move (a shared pointer).
 template <class Item>
 class InstantAssembler {
@@ -63,14 +62,18 @@ class InstantAssembler {
  private:
   using Pending = std::map<int64_t, Instant>;
 
-  /// An item that is not believed yet.
-  struct Doubtful {
+  enum class Belief { kBelieved, kTooOld, kFarFuture };
+
+  /// A recent item; kept whole only while it is not believed.
+  struct Arrival {
     size_t stream;
+    Belief belief;
     int64_t stamp_ns;
     Item item;
   };
-  enum class Doubt { kTooOld, kFarFuture };
 
+  Belief judge(int64_t stamp_ns) const;
+  void remember(Arrival arrival);
   /// Puts the item where it belongs, or counts why it is dropped.
   void insert(size_t stream, int64_t stamp_ns, Item item);
   typename Pending::iterator findPending(int64_t stamp_ns);
@@ -78,8 +81,9 @@ class InstantAssembler {
   std::vector<Instant> takeReady();
   /// Removes the oldest pending instant; appends it to `out` if it has enough streams.
   void closeOldest(std::vector<Instant>* out);
-  std::vector<Instant> keepDoubtful(Doubt doubt, Doubtful item);
-  bool timeHasJumped() const;
+  /// Whether the streams agree that time is now where `doubt` says.
+  bool timeHasJumped(Belief doubt) const;
+  std::vector<Instant> startNewTime(Belief doubt);
   /// Forgets all but the counts.
   void forget();
 
@@ -91,8 +95,7 @@ class InstantAssembler {
   std::optional<int64_t> newest_ns_;
   std::optional<int64_t> last_out_ns_;
   std::vector<bool> last_out_present_;
-  std::deque<Doubtful> doubtful_;  ///< consecutive, of one kind, at most streams + 1
-  Doubt doubt_ = Doubt::kTooOld;
+  std::deque<Arrival> recent_;  ///< at most three per stream
 };
 
 }  // namespace markerless_mocap

@@ -26,15 +26,13 @@ auto InstantAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
   if (stream >= streams_)
     throw std::invalid_argument("assembler: stream " + std::to_string(stream) + " of " +
                                 std::to_string(streams_) + " does not exist");
-  if (newest_ns_ && stamp_ns - *newest_ns_ > max_jump_ns_) {
-    ++counts_.far_future;
-    return keepDoubtful(Doubt::kFarFuture, {stream, stamp_ns, std::move(item)});
+  const Belief belief = judge(stamp_ns);
+  if (belief != Belief::kBelieved) {
+    ++(belief == Belief::kTooOld ? counts_.late : counts_.far_future);
+    remember({stream, belief, stamp_ns, std::move(item)});
+    return timeHasJumped(belief) ? startNewTime(belief) : std::vector<Instant>();
   }
-  if (newest_ns_ && *newest_ns_ - stamp_ns > deadline_ns_) {
-    ++counts_.late;
-    return keepDoubtful(Doubt::kTooOld, {stream, stamp_ns, std::move(item)});
-  }
-  doubtful_.clear();
+  remember({stream, belief, stamp_ns, Item()});
   newest_ns_ = std::max(newest_ns_.value_or(stamp_ns), stamp_ns);
   insert(stream, stamp_ns, std::move(item));
   return takeReady();
@@ -76,7 +74,7 @@ void InstantAssembler<Item>::insert(size_t stream, int64_t stamp_ns, Item item) 
 template <class Item>
 auto InstantAssembler<Item>::findPending(int64_t stamp_ns) -> typename Pending::iterator {
   const auto distance = [&](typename Pending::iterator it) {
-    return std::abs(it->first - stamp_ns);
+    return it->first > stamp_ns ? it->first - stamp_ns : stamp_ns - it->first;
   };
   auto nearest = pending_.lower_bound(stamp_ns);
   if (nearest != pending_.begin()) {
@@ -126,31 +124,44 @@ void InstantAssembler<Item>::closeOldest(std::vector<Instant>* out) {
 }
 
 template <class Item>
-auto InstantAssembler<Item>::keepDoubtful(Doubt doubt, Doubtful item) -> std::vector<Instant> {
-  if (doubt != doubt_) doubtful_.clear();
-  doubt_ = doubt;
-  doubtful_.push_back(std::move(item));
-  if (doubtful_.size() > streams_ + 1) doubtful_.pop_front();
-  if (!timeHasJumped()) return {};
-
-  counts_.abandoned += pending_.size();
-  if (doubt == Doubt::kTooOld) ++counts_.time_jumps_back;
-  std::deque<Doubtful> start = std::move(doubtful_);
-  forget();
-  std::vector<Instant> out;
-  for (Doubtful& d : start) {
-    std::vector<Instant> ready = add(d.stream, d.stamp_ns, std::move(d.item));
-    std::move(ready.begin(), ready.end(), std::back_inserter(out));
-  }
-  return out;
+auto InstantAssembler<Item>::judge(int64_t stamp_ns) const -> Belief {
+  if (newest_ns_ && stamp_ns - *newest_ns_ > max_jump_ns_) return Belief::kFarFuture;
+  if (newest_ns_ && *newest_ns_ - stamp_ns > deadline_ns_) return Belief::kTooOld;
+  return Belief::kBelieved;
 }
 
 template <class Item>
-bool InstantAssembler<Item>::timeHasJumped() const {
-  if (doubtful_.size() <= streams_) return false;
-  const size_t first = doubtful_.front().stream;
-  return streams_ == 1 || std::any_of(doubtful_.begin(), doubtful_.end(),
-                                      [&](const Doubtful& d) { return d.stream != first; });
+void InstantAssembler<Item>::remember(Arrival arrival) {
+  recent_.push_back(std::move(arrival));
+  if (recent_.size() > 3 * streams_) recent_.pop_front();
+}
+
+template <class Item>
+bool InstantAssembler<Item>::timeHasJumped(Belief doubt) const {
+  std::vector<int> doubts(streams_, 0);  // running, up to the stream's last item
+  std::vector<bool> believed(streams_, false);
+  for (const Arrival& arrival : recent_) {
+    doubts[arrival.stream] = arrival.belief == doubt ? doubts[arrival.stream] + 1 : 0;
+    believed[arrival.stream] = arrival.belief == Belief::kBelieved;
+  }
+  const auto jumped = std::count_if(doubts.begin(), doubts.end(), [](int n) { return n >= 2; });
+  return jumped >= options_.min_streams &&
+         jumped > std::count(believed.begin(), believed.end(), true);
+}
+
+template <class Item>
+auto InstantAssembler<Item>::startNewTime(Belief doubt) -> std::vector<Instant> {
+  counts_.abandoned += pending_.size();
+  if (doubt == Belief::kTooOld) ++counts_.time_jumps_back;
+  std::deque<Arrival> arrivals = std::move(recent_);
+  forget();
+  std::vector<Instant> out;
+  for (Arrival& a : arrivals) {
+    if (a.belief != doubt) continue;
+    std::vector<Instant> ready = add(a.stream, a.stamp_ns, std::move(a.item));
+    std::move(ready.begin(), ready.end(), std::back_inserter(out));
+  }
+  return out;
 }
 
 template <class Item>
@@ -159,7 +170,7 @@ void InstantAssembler<Item>::forget() {
   newest_ns_.reset();
   last_out_ns_.reset();
   last_out_present_.clear();
-  doubtful_.clear();
+  recent_.clear();
 }
 
 }  // namespace markerless_mocap

@@ -1,0 +1,166 @@
+#include "markerless_mocap/silhouette/silhouette_extractor.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+const cv::Size kSize(160, 120);
+const cv::Rect kPerson(60, 30, 30, 70);
+
+/// A textured empty scene; `channels` 1 or 3.
+cv::Mat makeScene(int channels) {
+  cv::Mat scene(kSize, CV_8UC(channels));
+  cv::RNG random(7);
+  random.fill(scene, cv::RNG::UNIFORM, 90, 160);
+  cv::blur(scene, scene, {5, 5});
+  return scene;
+}
+
+cv::Mat withNoise(const cv::Mat& scene, int seed) {
+  cv::Mat noise(scene.size(), CV_16SC(scene.channels())), out;
+  cv::RNG random(seed);
+  random.fill(noise, cv::RNG::NORMAL, 0, 2);
+  cv::add(scene, noise, out, cv::noArray(), scene.type());
+  return out;
+}
+
+SilhouetteExtractor learned(const cv::Mat& scene, const SilhouetteOptions& options = {}) {
+  SilhouetteExtractor extractor(options);
+  for (int i = 0; i < options.background_frames; ++i) extractor.update(withNoise(scene, i));
+  return extractor;
+}
+
+cv::Mat withPerson(cv::Mat scene) {
+  scene(kPerson).setTo(scene.channels() == 3 ? cv::Scalar(200, 30, 30) : cv::Scalar(230));
+  return scene;
+}
+
+cv::Mat exactMask() {
+  cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
+  mask(kPerson).setTo(255);
+  return mask;
+}
+
+double iou(const cv::Mat& a, const cv::Mat& b) {
+  return double(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
+}
+
+class SilhouetteOf : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(GreyAndColor, SilhouetteOf, testing::Values(1, 3));
+
+TEST_P(SilhouetteOf, PersonIsFoundAndTheEmptySceneIsEmpty) {
+  const cv::Mat scene = makeScene(GetParam());
+  SilhouetteExtractor extractor = learned(scene);
+  const SilhouetteResult empty = extractor.update(withNoise(scene, 100));
+  EXPECT_EQ(empty.state, SilhouetteState::kReady);
+  EXPECT_EQ(cv::countNonZero(empty.mask), 0);
+  const cv::Mat mask = extractor.update(withNoise(withPerson(scene.clone()), 101)).mask;
+  EXPECT_EQ(mask.type(), CV_8UC1);
+  EXPECT_GT(iou(mask, exactMask()), 0.97);
+}
+
+TEST_P(SilhouetteOf, ChangeOfLightIsCompensated) {
+  const cv::Mat scene = makeScene(GetParam());
+  SilhouetteOptions options;
+  options.remove_shadows = false;
+  for (const double gain : {0.8, 1.2}) {
+    cv::Mat image = withNoise(withPerson(scene * gain), 100);
+    EXPECT_GT(iou(learned(scene, options).update(image).mask, exactMask()), 0.97) << gain;
+    options.compensate_flicker = false;
+    EXPECT_LT(iou(learned(scene, options).update(image).mask, exactMask()), 0.5) << gain;
+    options.compensate_flicker = true;
+  }
+}
+
+TEST_P(SilhouetteOf, CastShadowIsBackgroundUnlessAskedFor) {
+  const cv::Mat scene = makeScene(GetParam());
+  cv::Mat shaded = scene.clone();
+  const cv::Rect shadow(20, 40, 40, 50);
+  shaded(shadow) *= 0.75;
+  SilhouetteOptions options;
+  const int with_test = cv::countNonZero(learned(scene, options).update(shaded).mask);
+  options.remove_shadows = false;
+  const int without_test = cv::countNonZero(learned(scene, options).update(shaded).mask);
+  EXPECT_GT(without_test, 0.9 * shadow.area());
+  // A grey image shows a sharp edge of a shadow like that of a thing.
+  EXPECT_LT(with_test, GetParam() == 3 ? 1 : 0.5 * shadow.area());
+}
+
+TEST(SilhouetteExtractor, DarkerThanAnyShadowIsForeground) {
+  const cv::Mat scene = makeScene(3);
+  cv::Mat dark = scene.clone();
+  dark(kPerson) *= 0.4;
+  EXPECT_GT(iou(learned(scene).update(dark).mask, exactMask()), 0.97);
+}
+
+TEST(SilhouetteExtractor, LearnsAsManyFramesAsAsked) {
+  SilhouetteOptions options;
+  options.background_frames = 3;
+  SilhouetteExtractor extractor(options);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(extractor.framesLearned(), i);
+    const SilhouetteResult result = extractor.update(makeScene(1));
+    EXPECT_EQ(result.state, SilhouetteState::kLearning);
+    EXPECT_TRUE(result.mask.empty());
+  }
+  EXPECT_EQ(extractor.update(makeScene(1)).state, SilhouetteState::kReady);
+  extractor.reset();
+  EXPECT_EQ(extractor.update(makeScene(3)).state, SilhouetteState::kLearning)
+      << "after a reset another kind of image may come";
+}
+
+std::string refusal(SilhouetteExtractor* extractor, const cv::Mat& image) {
+  try {
+    extractor->update(image);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(SilhouetteExtractor, WrongImagesAreRefusedInOneSentence) {
+  SilhouetteExtractor extractor = learned(makeScene(3));
+  EXPECT_EQ(refusal(&extractor, cv::Mat()), "silhouette: the image is empty");
+  EXPECT_EQ(refusal(&extractor, cv::Mat::zeros(kSize, CV_16UC1)),
+            "silhouette: the image must be 8 bit grey or BGR");
+  EXPECT_EQ(refusal(&extractor, makeScene(1)),
+            "silhouette: the image is 160 x 120 grey, those before were 160 x 120 BGR");
+  EXPECT_NE(refusal(&extractor, cv::Mat::zeros(60, 80, CV_8UC3)), "");
+}
+
+TEST(SilhouetteExtractor, OptionsOutOfRangeAreRefused) {
+  SilhouetteOptions options;
+  options.background_frames = 1;
+  EXPECT_THROW(SilhouetteExtractor{options}, std::invalid_argument);
+}
+
+TEST(CleanMask, RemovesSpecksAndSmallBlobsOnly) {
+  cv::Mat mask = exactMask();
+  mask.at<uint8_t>(5, 5) = 255;
+  mask(cv::Rect(120, 10, 10, 10)).setTo(255);
+  EXPECT_GT(iou(cleanMask(mask, {}), exactMask()), 0.99);
+}
+
+TEST(CleanMask, FillsSmallHolesAndKeepsLargeOnes) {
+  cv::Mat mask = exactMask();
+  const cv::Rect small(65, 35, 8, 8), large(65, 60, 20, 20);
+  mask(small).setTo(0);
+  mask(large).setTo(0);
+  const cv::Mat clean = cleanMask(mask, {});
+  EXPECT_EQ(cv::countNonZero(clean(small)), small.area());
+  EXPECT_LT(cv::countNonZero(clean(large)), large.area() / 10);
+}
+
+TEST(CleanMask, BackgroundCutOffByTheImageBorderIsNoHole) {
+  cv::Mat mask(kSize, CV_8UC1, cv::Scalar(255));
+  const cv::Rect corner(0, 0, 8, 8);
+  mask(corner).setTo(0);
+  EXPECT_GT(cv::countNonZero(cleanMask(mask, {})(corner) == 0), corner.area() / 2);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
