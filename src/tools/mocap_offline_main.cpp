@@ -33,7 +33,8 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--urdf-template", run.urdf_template, "in place of the package's own body");
   app.add_option("--start", run.recording.start, "begin this many seconds after the first image")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--duration", run.recording.duration, "seconds to process")->check(CLI::PositiveNumber);
+  app.add_option("--duration", run.recording.duration, "seconds to process")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--masks-out", run.masks_out, "write the silhouettes too");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }

@@ -1,0 +1,111 @@
+#include "markerless_mocap/evaluation/body_silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "markerless_mocap/body/body_urdf.h"
+
+namespace markerless_mocap {
+namespace {
+
+BodyModel person() {
+  std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return BodyModel::fromUrdf(
+      fillUrdfTemplate(text.str(), "person1", BodyProportions::fromStature(1.75)), "person1");
+}
+
+/// Looks along the world's +x from (-distance, 0, 0), upright, 500 px focal length.
+CameraCalibration frontCamera(double distance) {
+  CameraCalibration calibration;
+  calibration.name = "front";
+  calibration.width = 640;
+  calibration.height = 640;
+  calibration.K << 500, 0, 319.5, 0, 500, 319.5, 0, 0, 1;
+  calibration.T_world_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  calibration.T_world_camera.translation() = Eigen::Vector3d(-distance, 0, 0);
+  return calibration;
+}
+
+LinkPoses standing(const BodyModel& model, const Eigen::Vector3d& position) {
+  Eigen::Isometry3d root = Eigen::Isometry3d::Identity();
+  root.translation() = position;
+  LinkPoses poses;
+  model.forwardKinematics(root, Eigen::VectorXd::Zero(model.angleCount()), poses);
+  return poses;
+}
+
+/// The slow judge: a pixel is body when its ray comes within some cone's radius of the cone's axis.
+bool rayHitsBody(const BodyModel& model, const LinkPoses& poses, const Camera& camera,
+                 const Eigen::Vector2d& pixel) {
+  const Eigen::Vector3d direction = camera.rayDirection(pixel);
+  for (const RoundCone& cone : model.shape()) {
+    for (int k = 0; k <= 200; ++k) {
+      const double s = k / 200.0;
+      const Eigen::Vector3d point =
+          poses[cone.link] * Eigen::Vector3d((1 - s) * cone.a + s * cone.b) - camera.position();
+      const double radius = (1 - s) * cone.radius_a + s * cone.radius_b;
+      if (point.cross(direction).norm() <= radius) return true;
+    }
+  }
+  return false;
+}
+
+TEST(BodySilhouette, AgreesWithRaysThroughADistortingLens) {
+  const BodyModel model = person();
+  CameraCalibration calibration = frontCamera(3.0);
+  calibration.D = {-0.25, 0.08, 0.001, -0.001};
+  const Camera camera(calibration);
+  const LinkPoses poses = standing(model, {0, 0, 0});
+  const cv::Mat mask = bodySilhouette(model, poses, camera);
+
+  cv::Mat by_rays = cv::Mat::zeros(mask.size(), CV_8UC1);
+  const int step = 4;
+  int body = 0, different = 0;
+  for (int y = 0; y < mask.rows; y += step)
+    for (int x = 0; x < mask.cols; x += step) {
+      const bool hit = rayHitsBody(model, poses, camera, {x, y});
+      body += hit;
+      different += hit != (mask.at<uint8_t>(y, x) == 255);
+    }
+  EXPECT_GT(body, 500);
+  EXPECT_LT(different, 0.04 * body);  // pixels on the outline may fall on either side
+}
+
+TEST(BodySilhouette, BodyBehindTheCameraIsNotSeen) {
+  const BodyModel model = person();
+  const Camera camera(frontCamera(3.0));
+  const LinkPoses poses = standing(model, {-8, 0, 0});
+  EXPECT_EQ(cv::countNonZero(bodySilhouette(model, poses, camera)), 0);
+}
+
+TEST(BodySilhouette, CameraInsideTheBodySeesTheRestOfIt) {
+  const BodyModel model = person();
+  const Camera camera(frontCamera(0.0));
+  EXPECT_NO_THROW(bodySilhouette(model, standing(model, {0, 0, 0}), camera));
+}
+
+TEST(MaskIou, CountsByHand) {
+  const cv::Mat a = (cv::Mat_<uint8_t>(2, 3) << 255, 255, 0, 0, 1, 0);
+  const cv::Mat b = (cv::Mat_<uint8_t>(2, 3) << 0, 255, 255, 0, 255, 0);
+  EXPECT_DOUBLE_EQ(maskIou(a, b), 2.0 / 4.0);
+  EXPECT_DOUBLE_EQ(maskIou(a, a), 1.0);
+}
+
+TEST(MaskIou, TwoEmptyMasksAgreeOnNothing) {
+  const cv::Mat empty = cv::Mat::zeros(4, 4, CV_8UC1);
+  EXPECT_EQ(maskIou(empty, empty), 0.0);
+}
+
+TEST(MaskIou, DifferentSizesAreRefused) {
+  EXPECT_THROW(maskIou(cv::Mat::zeros(4, 4, CV_8UC1), cv::Mat::zeros(4, 5, CV_8UC1)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
