@@ -38,6 +38,8 @@ constexpr double kFirstNeckReach = 0.25;
 constexpr double kPlaceReach = 0.1;
 constexpr double kAngleReach = 0.6;
 constexpr double kTuneReach = 0.4;
+// Share of the way to the neighbouring start that the spin may turn.
+constexpr double kSpinShare = 0.7;
 
 Parameters join(std::initializer_list<Parameters> groups) {
   Parameters all;
@@ -59,14 +61,27 @@ void narrow(HsiaoRange& range, const HsiaoVector& v, const Parameters& parameter
   }
 }
 
-// Spin of a body whose left side the two limbs' roots mark, or its opposite.
+// Spin of a body whose left side the limbs' roots mark, or its opposite.
 double sidewaysSpin(const SkeletonError& error) {
-  Vector3d left = Vector3d::UnitY();
-  for (const auto& [one, other] : {std::pair(PartLabel::kLeg1, PartLabel::kLeg2),
-                                   std::pair(PartLabel::kArm1, PartLabel::kArm2)})
-    if (error.has(one) && error.has(other))
-      left = error.samples(one).front() - error.samples(other).front();
+  Vector3d left = Vector3d::Zero();
+  for (const auto& [one, other] : {std::pair(PartLabel::kArm1, PartLabel::kArm2),
+                                   std::pair(PartLabel::kLeg1, PartLabel::kLeg2)}) {
+    if (!error.has(one) || !error.has(other)) continue;
+    const Vector3d way = error.samples(one).front() - error.samples(other).front();
+    left += left.dot(way) < 0 ? Vector3d(-way) : way;
+  }
   return std::atan2(-left.x(), left.y());
+}
+
+// The data limb whose root is nearer to the model's limb of `side` when both are taken together.
+PartLabel limbOfSide(const SkeletonError& error, const HsiaoFrames& frames,
+                     const HsiaoProfile& profile, PartLabel first, int side) {
+  const PartLabel second = PartLabel(int(first) + 1);
+  if (!error.has(first) || !error.has(second)) return error.has(first) ? first : second;
+  const Vector3d left =
+      profile.bones(first).front().inWorld(frames) - profile.bones(second).front().inWorld(frames);
+  const Vector3d way = error.samples(first).front() - error.samples(second).front();
+  return (left.dot(way) > 0) == (side == 0) ? first : second;
 }
 
 }  // namespace
@@ -176,7 +191,7 @@ ProfileFit HierarchicalFitter::fitFacing(const SkeletonError& error, HsiaoVector
   const auto stage = [&](const Parameters& added, const Active& active) {
     HsiaoRange range = limits();
     narrow(range, v, join({kCenter, kNeck}), kPlaceReach);
-    narrow(range, v, spun, M_PI / settings_.spin_starts);
+    narrow(range, v, spun, kSpinShare * M_PI / settings_.spin_starts);
     narrow(range, v, found, kAngleReach);
     parameters.insert(parameters.end(), added.begin(), added.end());
     const int n = int(parameters.size());
@@ -192,10 +207,36 @@ ProfileFit HierarchicalFitter::fitFacing(const SkeletonError& error, HsiaoVector
     found.insert(found.end(), added.begin(), added.end());
   };
   if (error.has(PartLabel::kHead)) stage(kHead, kTorsoHead);
-  if (hasArms(error)) stage(kArms, kTorsoToArms);
-  if (hasLegs(error)) stage(kLegs, kAll);
+  if (hasArms(error)) {
+    guessLimbs(error, PartLabel::kArm1, kArm, seed + 20, v);
+    stage(kArms, kTorsoToArms);
+  }
+  if (hasLegs(error)) {
+    guessLimbs(error, PartLabel::kLeg1, kLeg, seed + 30, v);
+    stage(kLegs, kAll);
+  }
   tune(error, limits(), seed + 10, v);
   return {v, errorOf(error, v, kAll)};
+}
+
+void HierarchicalFitter::guessLimbs(const SkeletonError& error, PartLabel first,
+                                    const std::array<Parameters, 2>& limbs, uint64_t seed,
+                                    HsiaoVector& v) const {
+  HsiaoFrames frames;
+  profile_->frames(v.data(), frames);
+  for (int side = 0; side < 2; ++side) {
+    Active active{};
+    active[size_t(limbOfSide(error, frames, *profile_, first, side))] = true;
+    search(error,
+           {limbs[side],
+            active,
+            limits(),
+            settings_.tune_particles,
+            settings_.tune_iterations,
+            seed + side,
+            {}},
+           v);
+  }
 }
 
 ProfileFit HierarchicalFitter::fitNear(const SkeletonError& error, const HsiaoVector& last,

@@ -11,6 +11,12 @@ using Eigen::Vector3d;
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 
+constexpr double kTorsoTrim = 0.15;
+// How far a torso's curve may slide along its bone, metres: the cuts to legs and neck wander.
+constexpr double kTorsoSlide = 0.12;
+// Fingers are too thin for the hull: an arm's curve ends this share of the arm before their tips.
+constexpr double kFingerShare = 0.12;
+
 std::vector<double> arcLengths(const std::vector<Vector3d>& line) {
   std::vector<double> along(line.size(), 0.0);
   for (size_t i = 1; i < line.size(); ++i) along[i] = along[i - 1] + (line[i] - line[i - 1]).norm();
@@ -24,6 +30,23 @@ std::pair<int, double> locate(const std::vector<double>& along, double length) {
   while (i + 2 < int(along.size()) && along[i + 1] < length) ++i;
   const double stretch = along[i + 1] - along[i];
   return {i, stretch > 0 ? (length - along[i]) / stretch : 0.0};
+}
+
+// The stretch of a curve that is used, and where it ends along the bones; metres.
+struct Span {
+  double length, curve_end, bones_end;
+};
+
+// The ends of a torso's curve bend towards whatever limb was cut off last.
+Span torsoSpan(double curve_length, double bones_length) {
+  const double length = (1.0 - 2.0 * kTorsoTrim) * curve_length;
+  return {length, (1.0 - kTorsoTrim) * curve_length, 0.5 * (bones_length + length)};
+}
+
+Span limbSpan(PartLabel part, double curve_length, double bones_length) {
+  const bool arm = part == PartLabel::kArm1 || part == PartLabel::kArm2;
+  const double bones_end = arm ? bones_length * (1.0 - kFingerShare) : bones_length;
+  return {std::min(curve_length, bones_end), curve_length, bones_end};
 }
 
 // The parts that may be exchanged: arms for arms, legs for legs.
@@ -96,15 +119,14 @@ SkeletonError::SkeletonError(const HsiaoProfile& profile, const BodyParts& parts
 void SkeletonError::take(PartLabel part, const std::vector<Vector3d>& curve, int samples) {
   const std::vector<double> curve_along = arcLengths(curve);
   const std::vector<double> bones_along = boneLengths(*profile_, part);
-  const bool torso = part == PartLabel::kTorso;
   const double curve_length = curve_along.back(), bones_length = bones_along.back();
-  const double covered = torso ? curve_length : std::min(curve_length, bones_length);
-  const double bones_end = torso ? 0.5 * (bones_length + covered) : bones_length;
+  const Span span = part == PartLabel::kTorso ? torsoSpan(curve_length, bones_length)
+                                              : limbSpan(part, curve_length, bones_length);
   for (int k = 0; k < samples; ++k) {
-    const double back = covered * (1.0 - double(k) / (samples - 1));
-    const auto [i, share] = locate(curve_along, curve_length - back);
+    const double back = span.length * (1.0 - double(k) / (samples - 1));
+    const auto [i, share] = locate(curve_along, span.curve_end - back);
     data_[size_t(part)].push_back(curve[i] + share * (curve[i + 1] - curve[i]));
-    const auto [bone, bone_share] = locate(bones_along, bones_end - back);
+    const auto [bone, bone_share] = locate(bones_along, span.bones_end - back);
     on_bones_[size_t(part)].push_back({bone, bone_share});
   }
 }
@@ -117,6 +139,11 @@ void SkeletonError::modelSamples(const HsiaoFrames& frames, PartLabel data, Part
   out.clear();
   for (const BoneSample& s : on_bones_[size_t(data)])
     out.push_back(nodes[s.bone] + s.share * (nodes[s.bone + 1] - nodes[s.bone]));
+  if (data != PartLabel::kTorso) return;
+  const Vector3d axis = (nodes[1] - nodes[0]).normalized();
+  double slide = 0.0;
+  for (size_t k = 0; k < out.size(); ++k) slide += axis.dot(data_[0][k] - out[k]) / out.size();
+  for (Vector3d& point : out) point += std::clamp(slide, -kTorsoSlide, kTorsoSlide) * axis;
 }
 
 PartMatrix SkeletonError::matrix(const HsiaoFrames& frames,

@@ -15,7 +15,7 @@ struct FitterSettings {
   double iterations_per_parameter = 1.5;
   int tune_particles = 16;
   int tune_iterations = 16;
-  int spin_starts = 4;  ///< directions the body is first tried to face
+  int spin_starts = 2;  ///< directions the body is first tried to face
 };
 
 /// Parameters and their skeleton error (Eq. 3-27, mean per part, metres).
@@ -53,6 +53,8 @@ class HierarchicalFitter {
   struct Search;
   void search(const SkeletonError& error, const Search& what, HsiaoVector& v) const;
   ProfileFit fitFacing(const SkeletonError& error, HsiaoVector v, uint64_t seed) const;
+  void guessLimbs(const SkeletonError& error, PartLabel first,
+                  const std::array<Parameters, 2>& limbs, uint64_t seed, HsiaoVector& v) const;
   void tune(const SkeletonError& error, const HsiaoRange& range, uint64_t seed,
             HsiaoVector& v) const;
   double errorOf(const SkeletonError& error, const HsiaoVector& v, const Active& active) const;

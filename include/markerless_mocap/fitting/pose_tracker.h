@@ -5,25 +5,17 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/fitting/body_pose.h"
+#include "markerless_mocap/fitting/fitting_options.h"
 #include "markerless_mocap/hull/visual_hull.h"
-#include "markerless_mocap/options/options.h"
 
 namespace markerless_mocap {
 
-/// Settings of the pose fitting stage.
-struct FittingOptions {
-  static constexpr const char* kStage = "pose_fitting";
-  double stature = 1.75;
-  int seed = 1;
-
-  void visit(OptionVisitor& v);
-  void validate() const;
-};
-
 /// Follows one person through time by fitting H's 23-parameter profile to the part curves
-/// (Hsiao 2008, 3.2.2): hierarchical swarm, basic against temporal, re-initialisation.
+/// (Hsiao 2008, 3.2.2): hierarchical swarm, basic against temporal, re-initialisation. The pose is
+/// then refined against the hull and must agree with it, or it is lost.
 class PoseTracker {
  public:
+  /// Throws std::invalid_argument on options out of range or a model that the profile cannot move.
   PoseTracker(std::shared_ptr<const BodyModel> model, const FittingOptions& options);
   ~PoseTracker();
   /// \param stamp_ns capture time; a stamp not after the last one restarts the track

@@ -25,9 +25,9 @@ PartAssignment assignParts(const PartMatrix& error);
 /// The evaluation function of Hsiao 2008, 3.2.2.1, for one instant's part curves.
 ///
 /// A limb's or head's curve is laid along the bones from the tip, as far as it reaches: where a
-/// curve begins at the torso depends on how the hull was cut, where it ends does not. The torso's
-/// curve is laid along the middle of its bone. Only parts of one kind are paired (head to head,
-/// arms among arms), since the data parts are labelled.
+/// curve begins at the torso depends on how the hull was cut, where it ends does not. The middle of
+/// the torso's curve is laid on its bone and may slide along it a little. Only parts of one kind
+/// are paired (head to head, arms among arms), since the data parts are labelled.
 class SkeletonError {
  public:
   /// \param samples points per part, at least 2

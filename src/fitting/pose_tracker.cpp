@@ -1,0 +1,231 @@
+#include "markerless_mocap/fitting/pose_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "markerless_mocap/fitting/hierarchical_fitter.h"
+#include "markerless_mocap/fitting/hsiao_conversion.h"
+#include "markerless_mocap/fitting/pose_judge.h"
+#include "markerless_mocap/fitting/pose_refiner.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kShortestStep = 1.0 / 60.0, kLongestStep = 0.2;  // seconds
+// A turn about is believed when its advantage, a share of the cost summed over frames, exceeds
+// this; the sum fades by kEvidenceFade a frame.
+constexpr double kTurnEvidence = 0.6;
+constexpr double kEvidenceFade = 0.8;
+// A body seen again must fit this much better to replace the one that is followed.
+constexpr double kReplaceShare = 0.95;
+
+// What an unseen arm may be moved from where it was, radians.
+constexpr double kUnseenReach = 0.5;
+
+HsiaoVector hangingArms() {
+  HsiaoVector v = HsiaoVector::Zero();
+  v[hsiaoTheta(3)] = -M_PI / 2;
+  v[hsiaoTheta(4)] = M_PI / 2;
+  return v;
+}
+
+FitterSettings fitterSettings(const FittingOptions& o) {
+  FitterSettings s;
+  s.limits = o.limits;
+  s.particles_per_parameter = o.particles_per_parameter;
+  s.iterations_per_parameter = o.iterations_per_parameter;
+  s.tune_particles = o.tune_particles;
+  s.tune_iterations = o.tune_iterations;
+  s.spin_starts = o.spin_starts;
+  return s;
+}
+
+RefinerSettings refinerSettings(const FittingOptions& o) {
+  RefinerSettings s;
+  s.iterations = o.refine_iterations;
+  s.surface_points = o.surface_points;
+  return s;
+}
+
+// Why an instant cannot be fitted; empty if it can.
+std::string obstacle(const BodyParts& parts, const VisualHull& hull) {
+  if (hull.status != HullStatus::kOk || hull.voxels.empty())
+    return hull.reason.empty() ? "there is no hull" : hull.reason;
+  if (parts.status == SegmentationStatus::kInvalid)
+    return parts.reason.empty() ? "the hull has no parts" : parts.reason;
+  if (!parts.part(PartLabel::kTorso).seen) return "the torso is not seen";
+  return "";
+}
+
+Eigen::Vector3d facing(const HsiaoProfile& profile, const HsiaoVector& v) {
+  HsiaoFrames frames;
+  profile.frames(v.data(), frames);
+  return frames.R[kTorsoSegment].col(0);
+}
+
+}  // namespace
+
+struct PoseTracker::State {
+  State(std::shared_ptr<const BodyModel> the_model, const FittingOptions& the_options)
+      : options(the_options),
+        model(std::move(the_model)),
+        profile(std::make_shared<HsiaoProfile>(*model)),
+        shape(*model, *profile),
+        fitter(*profile, fitterSettings(options)),
+        refiner(*profile, shape, refinerSettings(options)),
+        judge(*profile, shape, options),
+        conversion(model, profile) {}
+
+  BodyPose follow(double seconds, const FittingInstant& now);
+  std::optional<Refinement> startAnew(const FittingInstant& now, int attempts) const;
+  Refinement refine(const FittingInstant& now, const HsiaoVector& v) const;
+  ProfileFit fitTemporal(const FittingInstant& now, double seconds) const;
+  bool isReplaced(const FittingInstant& now, const ProfileFit& temporal, const Refinement& kept,
+                  Refinement& other);
+  bool isTurnBelieved(const Refinement& kept, const Refinement& other);
+  void forget();
+  uint64_t seed() const { return uint64_t(options.seed) * 1000003u; }
+
+  FittingOptions options;
+  std::shared_ptr<const BodyModel> model;
+  std::shared_ptr<const HsiaoProfile> profile;
+  ProfileShape shape;
+  HierarchicalFitter fitter;
+  PoseRefiner refiner;
+  PoseJudge judge;
+  HsiaoConversion conversion;
+
+  std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose
+  std::optional<HsiaoVector> last, before;
+  double turn_evidence = 0.0;
+};
+
+void PoseTracker::State::forget() {
+  last.reset();
+  before.reset();
+  pose_stamp.reset();
+  turn_evidence = 0.0;
+  conversion.reset();
+}
+
+Refinement PoseTracker::State::refine(const FittingInstant& now, const HsiaoVector& v) const {
+  HsiaoRange range = fitter.limits();
+  HsiaoFrames frames;
+  profile->frames(v.data(), frames);
+  const std::array<double, kPartCount> errors = judge.partErrors(frames, now);
+  for (int side = 0; side < 2; ++side) {
+    if (std::isfinite(errors[size_t(PartLabel::kArm1) + side])) continue;
+    for (const int k : {3, 5, 7, 9}) {
+      const int p = hsiaoTheta(k + side);
+      range.lower[p] = std::max(range.lower[p], v[p] - kUnseenReach);
+      range.upper[p] = std::min(range.upper[p], v[p] + kUnseenReach);
+    }
+  }
+  return refiner.refine(v, range, {&now.curves, &now.parts, &now.hull, &now.field});
+}
+
+std::optional<Refinement> PoseTracker::State::startAnew(const FittingInstant& now,
+                                                        int attempts) const {
+  std::optional<Refinement> best;
+  const HsiaoVector rest = last ? *last : hangingArms();
+  for (int attempt = 0; attempt < attempts; ++attempt)
+    for (const ProfileFit& fit : fitter.fitAlone(now.curves, rest, seed() + 7919 * attempt)) {
+      const Refinement refined = refine(now, fit.v);
+      if (!best || refined.cost < best->cost) best = refined;
+    }
+  return best;
+}
+
+ProfileFit PoseTracker::State::fitTemporal(const FittingInstant& now, double seconds) const {
+  const double step = std::clamp(seconds, kShortestStep, kLongestStep);
+  HsiaoVector reach = HsiaoVector::Constant(options.highest_turn_rate * step);
+  reach.segment<6>(kHsiaoCenter).setConstant(options.highest_speed * step);
+  std::vector<HsiaoVector> guesses;
+  if (before) guesses.push_back(2.0 * *last - *before);
+  return fitter.fitNear(now.curves, *last, reach, guesses, seed());
+}
+
+bool PoseTracker::State::isTurnBelieved(const Refinement& kept, const Refinement& other) {
+  turn_evidence = kEvidenceFade * turn_evidence + (kept.cost - other.cost) / kept.cost;
+  turn_evidence = std::max(0.0, turn_evidence);
+  return turn_evidence > kTurnEvidence;
+}
+
+// Basic against temporal (Hsiao 2008, 3.2.2.5). The hull has the last word, since it tells fingers
+// from elbows and toes from heels better than the curves do.
+bool PoseTracker::State::isReplaced(const FittingInstant& now, const ProfileFit& temporal,
+                                    const Refinement& kept, Refinement& other) {
+  const ProfileFit basic = fitter.fitAlone(now.curves, *last, seed()).front();
+  const bool turned = facing(*profile, basic.v).dot(facing(*profile, kept.v)) < 0.0;
+  const double advantage = temporal.error_m - basic.error_m;
+  if (advantage <= (turned ? 0.0 : options.reset_threshold)) {
+    turn_evidence *= kEvidenceFade;
+    return false;
+  }
+  other = refine(now, basic.v);
+  if (turned) return isTurnBelieved(kept, other);
+  return other.cost < kReplaceShare * kept.cost;
+}
+
+BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
+  Refinement found;
+  BodyPose pose;
+  if (last) {
+    const ProfileFit temporal = fitTemporal(now, seconds);
+    found = refine(now, temporal.v);
+    Refinement other;
+    const bool replaced = isReplaced(now, temporal, found, other);
+    if (replaced) found = other;
+    pose = judge.judge(found.v, now);
+    if (pose.status == PoseStatus::kTracked && replaced) pose.status = PoseStatus::kReinitialized;
+  }
+  if (pose.status == PoseStatus::kLost) {
+    const std::optional<Refinement> anew = startAnew(now, options.start_attempts);
+    found = *anew;
+    pose = judge.judge(found.v, now);
+    if (pose.status == PoseStatus::kTracked) pose.status = PoseStatus::kReinitialized;
+  }
+  if (pose.status == PoseStatus::kLost) return pose;
+  if (pose.status == PoseStatus::kReinitialized) {
+    turn_evidence = 0.0;
+    before.reset();
+  } else {
+    before = last;
+  }
+  last = found.v;
+  conversion.convert(found.v, pose.T_world_body, pose.angles);
+  return pose;
+}
+
+PoseTracker::PoseTracker(std::shared_ptr<const BodyModel> model, const FittingOptions& options) {
+  options.validate();
+  state_ = std::make_unique<State>(std::move(model), options);
+}
+
+PoseTracker::~PoseTracker() = default;
+
+const BodyModel& PoseTracker::model() const {
+  return *state_->model;
+}
+
+void PoseTracker::reset() {
+  state_->forget();
+  state_->stamp.reset();
+}
+
+BodyPose PoseTracker::update(int64_t stamp_ns, const BodyParts& parts, const VisualHull& hull) {
+  State& s = *state_;
+  if (s.stamp && stamp_ns <= *s.stamp) reset();
+  s.stamp = stamp_ns;
+  const double seconds = s.pose_stamp ? 1e-9 * double(stamp_ns - *s.pose_stamp) : 0.0;
+  if (seconds > s.options.memory) s.forget();
+  BodyPose pose;
+  pose.reason = obstacle(parts, hull);
+  if (!pose.reason.empty()) return pose;
+  pose = s.follow(seconds, FittingInstant(*s.profile, parts, hull, s.options.curve_samples));
+  if (pose.status != PoseStatus::kLost) s.pose_stamp = stamp_ns;
+  return pose;
+}
+
+}  // namespace markerless_mocap
