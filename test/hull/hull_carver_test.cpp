@@ -1,0 +1,261 @@
+#include "markerless_mocap/hull/hull_carver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <opencv2/core.hpp>
+#include <random>
+
+#include "hull/hull_scene.h"
+
+namespace markerless_mocap {
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+TEST(HullCarver, SphereHasItsVolume) {
+  for (const std::vector<double>& D :
+       {std::vector<double>{}, std::vector<double>{-0.37, 0.2, 0.001, -0.002, -0.07}}) {
+    const CameraRig rig = makeRig(24, D);
+    const VisualHull hull = HullCarver(rig, makeOptions()).carve(renderViews(rig, {Sphere()}));
+    ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+    EXPECT_EQ(hull.reason, "");
+    const double litres = 4.0 / 3 * kPi * 4 * 4 * 4;
+    EXPECT_NEAR(hull.litres(), litres, 0.05 * litres) << D.size();
+    for (const HullVoxel& voxel : hull.voxels)
+      ASSERT_LT(hull.lattice.center(voxel.index).norm(), 0.4 + 0.04);
+  }
+}
+
+/// The definition, voxel by voxel and camera by camera.
+std::vector<uint32_t> foregroundByDefinition(const CameraRig& rig, const HullOptions& o,
+                                             const std::vector<HullView>& views) {
+  std::vector<uint32_t> foreground;
+  const VoxelLattice lattice = o.lattice();
+  for (uint32_t v = 0; v < lattice.count(); ++v) {
+    int seen = 0, votes = 0;
+    for (size_t c = 0; c < rig.size(); ++c) {
+      if (views[c].mask.empty()) continue;
+      const auto pixel = rig[c].projectInside(lattice.center(v));
+      if (!pixel) continue;
+      ++seen;
+      votes +=
+          views[c].mask.at<uint8_t>(int(std::lround(pixel->y())), int(std::lround(pixel->x()))) > 0;
+    }
+    if (seen >= o.min_views && votes >= seen - o.missing_votes_allowed) foreground.push_back(v);
+  }
+  return foreground;
+}
+
+/// Components by growing each from a seed; sorted, the largest (first of equals) first.
+std::vector<std::vector<uint32_t>> componentsByGrowing(const VoxelLattice& lattice,
+                                                       std::vector<uint32_t> left) {
+  std::vector<std::vector<uint32_t>> components;
+  while (!left.empty()) {
+    std::vector<uint32_t> grown{left.front()};
+    left.erase(left.begin());
+    for (size_t i = 0; i < grown.size(); ++i) {
+      const Eigen::Vector3i a = lattice.coordinates(grown[i]);
+      const auto touches = [&](uint32_t v) {
+        return (lattice.coordinates(v) - a).cwiseAbs().maxCoeff() <= 1;
+      };
+      const auto rest =
+          std::stable_partition(left.begin(), left.end(), [&](uint32_t v) { return !touches(v); });
+      grown.insert(grown.end(), rest, left.end());
+      left.erase(rest, left.end());
+    }
+    std::sort(grown.begin(), grown.end());
+    components.push_back(grown);
+  }
+  std::stable_sort(components.begin(), components.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return components;
+}
+
+/// Cameras around and inside of a small volume, with random blots for masks; some are missing.
+struct RandomScene {
+  CameraRig rig;
+  HullOptions options;
+  std::vector<HullView> views;
+
+  explicit RandomScene(int seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double lo, double hi) {
+      return std::uniform_real_distribution<double>(lo, hi)(random);
+    };
+    const auto vector = [&](double size) {
+      return Eigen::Vector3d(uniform(-size, size), uniform(-size, size), uniform(-size, size));
+    };
+    options.volume_min.setConstant(-0.12);
+    options.volume_max.setConstant(0.12);
+    options.pitch = 0.02;
+    options.min_component_litres = 0;
+    options.min_views = 2 + seed % 2;
+    options.missing_votes_allowed = seed % 3 == 0 ? 1 : 0;
+    const int cameras = 4 + seed % 5;
+    for (int c = 0; c < cameras; ++c) {
+      const double distance = c == 0 ? 0.1 : uniform(0.3, 2);
+      rig.push_back(makeCamera("c" + std::to_string(c), distance * vector(1).normalized(),
+                               vector(0.05), {-0.3, 0.1, 0.001, 0.002}, uniform(100, 600)));
+      HullView view;
+      if (c != 2) {
+        view.mask = cv::Mat(120, 160, CV_8UC1, cv::Scalar(255));
+        for (int blot = 0; blot < 20; ++blot)
+          view.mask(cv::Rect(int(uniform(0, 120)), int(uniform(0, 80)), 30, 30)).setTo(0);
+      }
+      views.push_back(view);
+    }
+  }
+};
+
+TEST(HullCarver, AgreesWithItsDefinitionOnRandomRigsAndMasks) {
+  size_t voxels = 0, several = 0;
+  for (int seed = 0; seed < 30; ++seed) {
+    const RandomScene s(seed);
+    const VisualHull hull = HullCarver(s.rig, s.options).carve(s.views);
+    const auto components =
+        componentsByGrowing(hull.lattice, foregroundByDefinition(s.rig, s.options, s.views));
+    ASSERT_EQ(hull.component_litres.size(), components.size()) << seed;
+    for (size_t i = 0; i < components.size(); ++i)
+      EXPECT_NEAR(hull.component_litres[i], components[i].size() * 0.008, 1e-9);
+    EXPECT_EQ(indices(hull), components.empty() ? std::vector<uint32_t>() : components[0]) << seed;
+    voxels += hull.voxels.size();
+    several += components.size() > 1;
+  }
+  EXPECT_GT(voxels, 1000u) << "the scenes test nothing";
+  EXPECT_GT(several, 3u) << "the scenes test nothing";
+}
+
+TEST(HullCarver, CameraThatDoesNotSeeAVoxelHasNoVote) {
+  CameraRig rig = makeRig(6);
+  const std::vector<HullView> six = renderViews(rig, {Sphere()});
+  const std::vector<uint32_t> expected = indices(HullCarver(rig, makeOptions()).carve(six));
+  ASSERT_FALSE(expected.empty());
+  const Eigen::Vector3d away[] = {{-5, 0, 0},   // the volume lies behind this camera
+                                  {-2, 5, 0}};  // and outside the image of this one
+  for (const Eigen::Vector3d& target : away) {
+    CameraRig seven = rig;
+    seven.push_back(makeCamera("idle", {-2, 0, 0}, target));
+    std::vector<HullView> views = six;
+    views.push_back({cv::Mat::zeros(120, 160, CV_8UC1), {}});
+    const VisualHull hull = HullCarver(seven, makeOptions()).carve(views);
+    EXPECT_EQ(indices(hull), expected) << target.transpose();
+    EXPECT_EQ(hull.voxels[0].views, 6);
+  }
+}
+
+TEST(HullCarver, MissingCameraIsAsIfItWereNotInTheRig) {
+  CameraRig rig = makeRig(6);
+  std::vector<HullView> views = renderViews(rig, {Sphere()});
+  const HullCarver carver(rig, makeOptions());
+  views[3] = {};
+  const std::vector<uint32_t> without = indices(carver.carve(views));
+  rig.erase(rig.begin() + 3);
+  views.erase(views.begin() + 3);
+  EXPECT_EQ(without, indices(HullCarver(rig, makeOptions()).carve(views)));
+}
+
+TEST(HullCarver, OrderOfCamerasDoesNotMatter) {
+  CameraRig rig = makeRig(7);
+  std::vector<HullView> views = renderViews(rig, {Sphere{{0.1, 0, 0}, 0.3}});
+  const std::vector<uint32_t> expected = indices(HullCarver(rig, makeOptions()).carve(views));
+  std::reverse(rig.begin(), rig.end());
+  std::reverse(views.begin(), views.end());
+  std::swap(rig[1], rig[4]);
+  std::swap(views[1], views[4]);
+  EXPECT_EQ(indices(HullCarver(rig, makeOptions()).carve(views)), expected);
+}
+
+TEST(HullCarver, TwoAndThirtyTwoCamerasWork) {
+  for (const int cameras : {2, 32}) {
+    const CameraRig rig = makeRig(cameras);
+    const VisualHull hull = HullCarver(rig, makeOptions()).carve(renderViews(rig, {Sphere()}));
+    EXPECT_EQ(hull.status, HullStatus::kOk);
+    EXPECT_EQ(hull.voxels[hull.voxels.size() / 2].views, cameras);
+  }
+}
+
+TEST(HullCarver, MissingVotesAllowedForgivesOneBadMask) {
+  const CameraRig rig = makeRig(8);
+  std::vector<HullView> views = renderViews(rig, {Sphere()});
+  views[5].mask.setTo(0);
+  HullOptions options = makeOptions();
+  EXPECT_EQ(HullCarver(rig, options).carve(views).status, HullStatus::kNobody);
+  options.missing_votes_allowed = 1;
+  EXPECT_EQ(HullCarver(rig, options).carve(views).status, HullStatus::kOk);
+}
+
+TEST(HullCarver, MaskThatIsARegionOfAnImageIsRead) {
+  const CameraRig rig = makeRig(4);
+  std::vector<HullView> views = renderViews(rig, {Sphere()});
+  const HullCarver carver(rig, makeOptions());
+  const std::vector<uint32_t> expected = indices(carver.carve(views));
+  cv::Mat large(200, 300, CV_8UC1, cv::Scalar(255));
+  views[2].mask.copyTo(large(cv::Rect(11, 7, 160, 120)));
+  views[2].mask = large(cv::Rect(11, 7, 160, 120));
+  EXPECT_EQ(indices(carver.carve(views)), expected);
+}
+
+/// Six cameras; all images show `upper` above their middle row and `lower` below.
+std::vector<HullView> paintedViews(const CameraRig& rig, cv::Scalar upper, cv::Scalar lower) {
+  std::vector<HullView> views = renderViews(rig, {Sphere()});
+  for (HullView& view : views) {
+    view.image = cv::Mat(120, 160, CV_8UC3, upper);
+    view.image.rowRange(60, 120).setTo(lower);
+  }
+  return views;
+}
+
+CameraRig makeHorizontalRig() {
+  CameraRig rig;
+  for (int i = 0; i < 6; ++i)
+    rig.push_back(makeCamera("cam" + std::to_string(i),
+                             {3 * std::cos(i * kPi / 3), 3 * std::sin(i * kPi / 3), 0},
+                             Eigen::Vector3d::Zero()));
+  return rig;
+}
+
+TEST(HullColors, MeanIsRgbOfTheCamerasWithAnImage) {
+  const CameraRig rig = makeHorizontalRig();
+  std::vector<HullView> views = paintedViews(rig, {30, 20, 10}, {30, 20, 10});
+  for (int c = 3; c < 5; ++c) views[c].image = cv::Mat(120, 160, CV_8UC1, cv::Scalar(40));
+  views[5].image = cv::Mat();
+  const VisualHull hull = HullCarver(rig, makeOptions()).carve(views);
+  // Three times (10, 20, 30) and twice (40, 40, 40).
+  EXPECT_EQ(hull.voxels[0].rgb, (std::array<uint8_t, 3>{22, 28, 34}));
+}
+
+TEST(HullColors, GreyAndNoVotesWithoutImages) {
+  const CameraRig rig = makeHorizontalRig();
+  const VisualHull hull = HullCarver(rig, makeOptions()).carve(renderViews(rig, {Sphere()}));
+  for (const HullVoxel& voxel : hull.voxels) {
+    ASSERT_EQ(voxel.rgb, (std::array<uint8_t, 3>{128, 128, 128}));
+    ASSERT_EQ(voxel.color_votes.possible, (std::array<uint8_t, 3>{0, 0, 0}));
+  }
+}
+
+TEST(HullColors, VotesAreLostAcrossAnEdgeOfColorOnly) {
+  const CameraRig rig = makeHorizontalRig();
+  // RGB distance 41: just above the default of 40.
+  const VisualHull hull =
+      HullCarver(rig, makeOptions()).carve(paintedViews(rig, {0, 0, 41}, {0, 0, 0}));
+  const std::vector<uint32_t> all = indices(hull);
+  const Eigen::Vector3i size = hull.lattice.size;
+  for (const HullVoxel& voxel : hull.voxels) {
+    const Eigen::Vector3i at = hull.lattice.coordinates(voxel.index);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3i next = at + Eigen::Vector3i::Unit(axis);
+      const bool inside = (next.array() < size.array()).all() &&
+                          std::binary_search(all.begin(), all.end(),
+                                             hull.lattice.index(next.x(), next.y(), next.z()));
+      // The cameras' middle row lies between the two middle layers.
+      const bool crosses = axis == 2 && next.z() == size.z() / 2;
+      ASSERT_EQ(voxel.color_votes.possible[axis], inside ? 6 : 0);
+      ASSERT_EQ(voxel.color_votes.votes[axis], inside && !crosses ? 6 : 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "hull/hull_scene.h"
+
+namespace markerless_mocap {
+namespace {
+
+VisualHull carve(const std::vector<HullView>& views, const HullOptions& options = makeOptions()) {
+  return HullCarver(makeRig(int(views.size())), options).carve(views);
+}
+
+void expectUnusable(const VisualHull& hull, HullStatus status, const std::string& reason) {
+  EXPECT_EQ(hull.status, status) << toString(hull.status);
+  EXPECT_EQ(hull.reason, reason);
+  EXPECT_TRUE(hull.voxels.empty());
+}
+
+TEST(HullStatus, NoCameras) {
+  std::vector<HullView> views(4);
+  expectUnusable(carve(views), HullStatus::kNoCameras, "0 of 4 cameras are present, 2 are needed");
+  views[1].mask = cv::Mat(120, 160, CV_8UC1, cv::Scalar(255));
+  expectUnusable(carve(views), HullStatus::kNoCameras, "1 of 4 cameras are present, 2 are needed");
+}
+
+TEST(HullStatus, AllMasksEmpty) {
+  expectUnusable(carve(renderViews(makeRig(4), {})), HullStatus::kEmptyMasks,
+                 "the masks of all 4 cameras are empty");
+}
+
+TEST(HullStatus, OneMaskEmptyNamesTheCamera) {
+  std::vector<HullView> views = renderViews(makeRig(4), {Sphere()});
+  views[2].mask.setTo(0);
+  expectUnusable(carve(views), HullStatus::kNobody,
+                 "the silhouettes meet nowhere in the volume; the mask of 'cam2' is empty");
+}
+
+TEST(HullStatus, FullMaskNamesTheCameras) {
+  std::vector<HullView> views = renderViews(makeRig(4), {Sphere()});
+  views[0].mask.setTo(255);
+  views[3].mask.setTo(255);
+  views[3].mask.rowRange(0, 5).setTo(0);
+  expectUnusable(carve(views), HullStatus::kFullMask,
+                 "the mask of 'cam0', 'cam3' is full: nobody stands out from the background there");
+}
+
+TEST(HullStatus, SmallComponentIsNobody) {
+  HullOptions options = makeOptions();
+  options.min_component_litres = 400;
+  const VisualHull hull = carve(renderViews(makeRig(12), {Sphere()}), options);
+  EXPECT_EQ(hull.status, HullStatus::kNobody);
+  EXPECT_NE(hull.reason.find("litres, a body has at least 400.0"), std::string::npos)
+      << hull.reason;
+  ASSERT_EQ(hull.component_litres.size(), 1u);
+}
+
+TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
+  const std::vector<HullView> views =
+      renderViews(makeRig(16), {Sphere{{-0.3, 0, 0}, 0.25}, Sphere{{0.3, 0, 0}, 0.22}});
+  const VisualHull hull = carve(views);
+  EXPECT_EQ(hull.status, HullStatus::kSeveralBodies);
+  EXPECT_EQ(hull.reason.find("there are several bodies: components of "), 0u) << hull.reason;
+  EXPECT_TRUE(hull.voxels.empty());
+  EXPECT_GE(hull.component_litres.at(1), 15);
+}
+
+TEST(HullStatus, BodyWithAThingBesideItIsOneBody) {
+  const VisualHull hull =
+      carve(renderViews(makeRig(16), {Sphere{{-0.25, 0, 0}, 0.3}, Sphere{{0.35, 0, 0}, 0.12}}));
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_EQ(hull.component_litres.size(), 2u);
+  EXPECT_NEAR(hull.litres(), hull.component_litres[0], 1e-9);
+}
+
+/// The sentence that building or carving is refused with.
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(HullRefusals, Rigs) {
+  const auto refused = [](const CameraRig& rig, const HullOptions& options = makeOptions()) {
+    return refusal([&] { HullCarver(rig, options); });
+  };
+  EXPECT_EQ(refused({}), "a rig has 0 cameras, allowed are 2 to 32");
+  EXPECT_EQ(refused(makeRig(33)), "a rig has 33 cameras, allowed are 2 to 32");
+  CameraRig twins = makeRig(3);
+  twins[2] = twins[0];
+  EXPECT_EQ(refused(twins), "two cameras of the rig are named 'cam0'");
+  HullOptions options = makeOptions();
+  options.min_views = 5;
+  EXPECT_EQ(refused(makeRig(4), options),
+            "visual_hull/min_views is 5, allowed is at most the number of cameras, 4");
+  options = makeOptions();
+  options.volume_min.x() = 50;
+  options.volume_max.x() = 51;
+  EXPECT_EQ(refused(makeRig(4), options),
+            "no voxel of the volume is seen by 2 cameras: check volume_min, volume_max and the "
+            "cameras' poses");
+}
+
+TEST(HullRefusals, Options) {
+  const auto refused = [](auto change) {
+    HullOptions options;
+    change(options);
+    return refusal([&] { options.validate(); });
+  };
+  EXPECT_EQ(refused([](HullOptions&) {}), "");
+  EXPECT_EQ(refused([](HullOptions& o) { o.volume_max.z() = 0; }),
+            "visual_hull/volume_min is not below volume_max along z");
+  EXPECT_EQ(refused([](HullOptions& o) { o.missing_votes_allowed = 2; }),
+            "visual_hull/missing_votes_allowed is 2, allowed is less than min_views, which is 2");
+  EXPECT_EQ(
+      refused([](HullOptions& o) {
+        o.volume_min.setConstant(-5);
+        o.volume_max.setConstant(5);
+        o.pitch = 0.02;
+      }),
+      "visual_hull has 125 million voxels, allowed are 64 million: make the volume smaller or "
+      "the pitch larger");
+  EXPECT_NE(refused([](HullOptions& o) { o.pitch = 0; }), "");
+}
+
+TEST(HullRefusals, Views) {
+  const HullCarver carver(makeRig(2), makeOptions());
+  std::vector<HullView> views = renderViews(makeRig(2), {Sphere()});
+  const auto refused = [&](const std::vector<HullView>& v) {
+    return refusal([&] { carver.carve(v); });
+  };
+  EXPECT_EQ(refused({views[0]}), "the hull got 1 views for a rig of 2 cameras");
+  std::vector<HullView> bad = views;
+  bad[1].mask = cv::Mat::zeros(60, 80, CV_8UC1);
+  EXPECT_EQ(refused(bad),
+            "mask of camera 'cam1' is 80 x 60 pixels, its calibration says 160 x 120");
+  bad[1].mask = cv::Mat::zeros(120, 160, CV_8UC3);
+  EXPECT_EQ(refused(bad), "mask of camera 'cam1' must be 8 bit grey");
+  bad = views;
+  bad[0].image = cv::Mat::zeros(120, 160, CV_32FC1);
+  EXPECT_EQ(refused(bad), "image of camera 'cam0' must be 8 bit grey or BGR");
+}
+
+TEST(HullOptions, LatticeCoversTheVolumeWithoutAnExtraLayer) {
+  HullOptions options;
+  options.volume_min = {-1.5, -1.5, 0};
+  options.volume_max = {1.5, 1.5, 2.2};
+  options.pitch = 0.03;
+  // 3 / 0.03 is 100 layers; 2.2 / 0.03 is 73.3, so 74.
+  EXPECT_EQ(options.lattice().size, Eigen::Vector3i(100, 100, 74));
+  EXPECT_EQ(options.lattice().origin, options.volume_min);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
