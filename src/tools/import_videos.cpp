@@ -88,7 +88,8 @@ std::vector<cv::Mat> nextFrames(std::vector<CameraVideos>* cameras) {
   return ended ? std::vector<cv::Mat>() : frames;
 }
 
-void remarkOnLengths(const std::vector<CameraVideos>& cameras, std::vector<std::string>* remarks) {
+/// Frames of the shortest video; remarks if others are longer.
+int shortestVideo(const std::vector<CameraVideos>& cameras, std::vector<std::string>* remarks) {
   const auto [shortest, longest] =
       std::minmax_element(cameras.begin(), cameras.end(),
                           [](const auto& a, const auto& b) { return a.frames() < b.frames(); });
@@ -96,6 +97,7 @@ void remarkOnLengths(const std::vector<CameraVideos>& cameras, std::vector<std::
     remarks->push_back("the video of " + shortest->name() + " has " +
                        std::to_string(shortest->frames()) + " frames, that of " + longest->name() +
                        " has " + std::to_string(longest->frames()) + ": the shortest one counts");
+  return shortest->frames();
 }
 
 }  // namespace
@@ -113,9 +115,9 @@ ImportResult importVideos(const VideosInput& input, const ImportOptions& options
   if (!(result.fps > 0.0))
     throw std::runtime_error("the videos do not say how fast they are (fps)");
   result.remarks = doubtsAbout(result.cameras);
-  remarkOnLengths(videos, &result.remarks);
+  const int shortest = shortestVideo(videos, &result.remarks);
 
-  const int expected = videos.front().frames() + input.background_frames;
+  const int expected = shortest + (input.background.empty() ? 0 : input.background_frames);
   CameraBag bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);
   bag.writeTransforms(options.stampOf(0, result.fps));
@@ -125,6 +127,10 @@ ImportResult importVideos(const VideosInput& input, const ImportOptions& options
     progress.update(double(result.instants) / std::max(expected, 1));
   }
   progress.finish();
+  if (result.instants < expected)
+    result.remarks.push_back("a video ended after " + std::to_string(result.instants) +
+                             " frames, background included; its head promises " +
+                             std::to_string(expected));
   if (result.instants == 0) throw std::runtime_error("the videos have no frames");
   bag.commit();
   return result;
