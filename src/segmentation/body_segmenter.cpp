@@ -129,9 +129,12 @@ void SegmentationOptions::visit(OptionVisitor& v) {
   v.field("branch_method", branch_method, {"merge_tree", "spline_walk"},
           "how limbs are found in the eigenmap: by the maxima of the distance from the core, or by "
           "splines that walk inwards from the tips");
-  v.field("modes", modes, 3, 20, "dimensions of the eigenmap; spline_walk works best with 6");
-  v.field("use_color_votes", use_color_votes,
-          "weight edges by the cameras' votes that neighbours have the same colour");
+  v.field("modes", modes, 0, 20,
+          "dimensions of the eigenmap; 0: the best of the branch method, 10 for merge_tree, 6 for "
+          "spline_walk");
+  spline_walk works best with 6 ");
+      v.field("use_color_votes", use_color_votes,
+              "weight edges by the cameras' votes that neighbours have the same colour");
   v.field("shrink_weight", shrink_weight, 0.0, 1000.0,
           "weight added to the edges in the body's thick core; draws the torso together");
   v.field("highest_cost", highest_cost, 0.1, 9.0,

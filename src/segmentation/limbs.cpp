@@ -12,6 +12,8 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr int kMergeTreeModes = 10;
+constexpr int kSplineWalkModes = 6;
 constexpr int kLimbs = 5;
 constexpr int kCandidates = 7;         // tips to name; fused hands and elbows leave small ones
 constexpr double kCoreShare = 0.85;    // of the greatest depth under the surface
@@ -110,10 +112,12 @@ void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
 }  // namespace
 
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
-  const Eigenmap map = laplacianEigenmap(voxels.graph, options.modes);
+  const bool merge_tree = options.branch_method == "merge_tree";
+  const int best_modes = merge_tree ? kMergeTreeModes : kSplineWalkModes;
+  const Eigenmap map =
+      laplacianEigenmap(voxels.graph, options.modes > 0 ? options.modes : best_modes);
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
-  Limbs limbs = options.branch_method == "merge_tree" ? mergeTreeLimbs(voxels, map, core)
-                                                      : walkLimbs(voxels, map, core);
+  Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, map, core) : walkLimbs(voxels, map, core);
   cutHead(&limbs);
   dropImplausible(voxels, &limbs);
   return limbs;
