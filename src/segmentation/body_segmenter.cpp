@@ -132,9 +132,8 @@ void SegmentationOptions::visit(OptionVisitor& v) {
   v.field("modes", modes, 0, 20,
           "dimensions of the eigenmap; 0: the best of the branch method, 10 for merge_tree, 6 for "
           "spline_walk");
-  spline_walk works best with 6 ");
-      v.field("use_color_votes", use_color_votes,
-              "weight edges by the cameras' votes that neighbours have the same colour");
+  v.field("use_color_votes", use_color_votes,
+          "weight edges by the cameras' votes that neighbours have the same colour");
   v.field("shrink_weight", shrink_weight, 0.0, 1000.0,
           "weight added to the edges in the body's thick core; draws the torso together");
   v.field("highest_cost", highest_cost, 0.1, 9.0,
