@@ -6,31 +6,46 @@
 namespace markerless_mocap {
 namespace {
 
-/// Whether the BGR colour `now` is a darker shade of `usual`.
-bool isShade(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {
+/// Standard deviation of the brightness ratio within a shadow; grey images have no other evidence.
+constexpr float kUnevenColor = 0.05f, kUnevenGrey = 0.03f;
+
+/// Brightness of the BGR colour `now` relative to `usual` if it is a shade of that; else 0.
+float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {
   const float cross = now[0] * usual[0] + now[1] * usual[1] + now[2] * usual[2];
   const float square = usual[0] * usual[0] + usual[1] * usual[1] + usual[2] * usual[2];
   const float ratio = cross / (square + 1e-6f);
-  if (ratio < float(o.shadow_darkest) || ratio >= 1) return false;
+  if (ratio < float(o.shadow_darkest) || ratio >= 1) return 0;
   float off = 0;
   for (int c = 0; c < 3; ++c) {
     const float d = now[c] - ratio * usual[c];
     off += d * d;
   }
   const float tolerance = float(o.shadow_chroma_tolerance) * ratio;
-  return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma);
+  return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma) ? ratio : 0;
 }
 
-/// Where the image's ratio to the background varies little over a small window.
-cv::Mat evenRatio(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean) {
+/// Makes those shades foreground whose brightness varies within a small window: a shadow keeps the
+/// texture of what it falls on, clothes of the background's colour do not.
+/// \param shade_ratio CV_32FC1, brightness relative to the background's; 0 where there is no shade
+/// \param most standard deviation of that in a shadow
+void restoreUnevenShades(const cv::Mat& shade_ratio, float most, cv::Mat* mask) {
   const cv::Size window(5, 5);
-  cv::Mat ratio, average, average_of_squares;
-  image.convertTo(ratio, CV_32F, test.inverse_gain, 1);
-  ratio /= mean + 1;  // the one keeps black from dividing by zero
-  cv::blur(ratio, average, window);
-  cv::sqrBoxFilter(ratio, average_of_squares, CV_32F, window);
-  const double tolerance = test.options->shadow_chroma_tolerance;
-  return average_of_squares - average.mul(average) < tolerance * tolerance;
+  cv::Mat is_shade = shade_ratio > 0, count, sum, sum_of_squares;
+  cv::boxFilter(is_shade, count, CV_32F, window, {-1, -1}, false);
+  cv::boxFilter(shade_ratio, sum, CV_32F, window, {-1, -1}, false);
+  cv::sqrBoxFilter(shade_ratio, sum_of_squares, CV_32F, window, {-1, -1}, false);
+  for (int y = 0; y < mask->rows; ++y) {
+    const uint8_t* shade = is_shade.ptr<uint8_t>(y);
+    const float* n = count.ptr<float>(y);
+    const float* s = sum.ptr<float>(y);
+    const float* q = sum_of_squares.ptr<float>(y);
+    uint8_t* out = mask->ptr<uint8_t>(y);
+    for (int x = 0; x < mask->cols; ++x) {
+      if (!shade[x]) continue;
+      const float shades = n[x] / 255, mean = s[x] / shades;
+      if (q[x] / shades - mean * mean > most * most) out[x] = 255;
+    }
+  }
 }
 
 /// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
@@ -49,12 +64,14 @@ PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv
   const SilhouetteOptions& o = *test.options;
   const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
   PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
+  cv::Mat shade_ratio = cv::Mat::zeros(image.size(), CV_32FC1);
   for (int y = 0; y < image.rows; ++y) {
     const uint8_t* pixel = image.ptr<uint8_t>(y);
     const float* usual = mean.ptr<float>(y);
     const float* weight = inverse_sigma.ptr<float>(y);
     uint8_t* out = classes.mask.ptr<uint8_t>(y);
     float* far = classes.squared_distance.ptr<float>(y);
+    float* shade = shade_ratio.ptr<float>(y);
     for (int x = 0; x < image.cols; ++x, pixel += 3, usual += 3, weight += 3) {
       float now[3], distance = 0;
       for (int c = 0; c < 3; ++c) {
@@ -63,9 +80,12 @@ PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv
         distance += d * d;
       }
       far[x] = distance;
-      out[x] = distance > limit && !(o.remove_shadows && isShade(o, now, usual)) ? 255 : 0;
+      out[x] = distance > limit ? 255 : 0;
+      if (out[x] && o.remove_shadows) shade[x] = shadeRatio(o, now, usual);
+      if (shade[x] > 0) out[x] = 0;
     }
   }
+  if (o.remove_shadows) restoreUnevenShades(shade_ratio, kUnevenColor, &classes.mask);
   return classes;
 }
 
@@ -73,24 +93,26 @@ PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv:
                           const cv::Mat& inverse_sigma) {
   const SilhouetteOptions& o = *test.options;
   const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
-  cv::Mat even =
-      o.remove_shadows ? evenRatio(test, image, mean) : cv::Mat::zeros(image.size(), CV_8UC1);
   PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
+  cv::Mat shade_ratio = cv::Mat::zeros(image.size(), CV_32FC1);
   for (int y = 0; y < image.rows; ++y) {
     const uint8_t* pixel = image.ptr<uint8_t>(y);
     const float* usual = mean.ptr<float>(y);
     const float* weight = inverse_sigma.ptr<float>(y);
-    const uint8_t* is_even = even.ptr<uint8_t>(y);
     uint8_t* out = classes.mask.ptr<uint8_t>(y);
     float* far = classes.squared_distance.ptr<float>(y);
+    float* shade = shade_ratio.ptr<float>(y);
     for (int x = 0; x < image.cols; ++x) {
       const float now = pixel[x] * test.inverse_gain;
       const float distance = (now - usual[x]) * weight[x];
       far[x] = distance * distance;
-      const bool shadow = is_even[x] && now < usual[x] && now >= o.shadow_darkest * usual[x];
-      out[x] = far[x] > limit && !shadow ? 255 : 0;
+      out[x] = far[x] > limit ? 255 : 0;
+      if (out[x] && o.remove_shadows && now < usual[x] && now >= o.shadow_darkest * usual[x])
+        shade[x] = now / usual[x];
+      if (shade[x] > 0) out[x] = 0;
     }
   }
+  if (o.remove_shadows) restoreUnevenShades(shade_ratio, kUnevenGrey, &classes.mask);
   return classes;
 }
 

@@ -18,12 +18,11 @@ struct PixelClasses {
 };
 
 /// Foreground of a BGR image: what is far from the background and no shadow. A shadow is
-/// darker than its background and of the same colour.
+/// darker than its background, of the same colour, and of the same texture.
 PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
                            const cv::Mat& inverse_sigma);
 
-/// As classifyColor() for a grey image. Without colour, a shadow is told by its texture: the
-/// brightness relative to the background is the same all around.
+/// As classifyColor() for a grey image, where texture alone tells a shadow.
 PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
                           const cv::Mat& inverse_sigma);
 
