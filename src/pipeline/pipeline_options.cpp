@@ -3,15 +3,6 @@
 namespace markerless_mocap {
 namespace {
 
-/// `function(section, options)` for every stage, in the order of processing.
-template <class Function>
-void forEachStage(PipelineOptions& options, const Function& function) {
-  function(SilhouetteOptions::kStage, options.silhouette);
-  function(HullOptions::kStage, options.hull);
-  function(SegmentationOptions::kStage, options.segmentation);
-  function(FittingOptions::kStage, options.fitting);
-}
-
 /// Leaves what no stage is named for to the reader, which refuses it with the nearest stage.
 void checkSections(const YAML::Node& root) {
   YAML::Node unknown = YAML::Clone(root);
@@ -36,18 +27,6 @@ PipelineOptions loadPipelineOptions(const YAML::Node& root) {
     stage = loadOptions<std::decay_t<decltype(stage)>>(root[section]);
   });
   return options;
-}
-
-std::string describePipelineOptions() {
-  std::string page;
-  PipelineOptions options;
-  forEachStage(options, [&](const char* section, auto& stage) {
-    OptionDescriber describer;
-    stage.visit(describer);
-    page += "\n## " + std::string(section) +
-            "\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n" + describer.rows();
-  });
-  return page;
 }
 
 }  // namespace markerless_mocap

@@ -27,8 +27,14 @@ struct PipelineOptions {
 /// std::invalid_argument on an unknown section or key, naming the nearest known one.
 PipelineOptions loadPipelineOptions(const YAML::Node& root);
 
-/// The options of all stages with their defaults as a Markdown page, one table per stage.
-std::string describePipelineOptions();
+/// Calls `function(section, options)` for every stage, in the order of processing.
+template <class Function>
+void forEachStage(PipelineOptions& options, const Function& function) {
+  function(SilhouetteOptions::kStage, options.silhouette);
+  function(HullOptions::kStage, options.hull);
+  function(SegmentationOptions::kStage, options.segmentation);
+  function(FittingOptions::kStage, options.fitting);
+}
 
 /// One camera's share of an instant; empty mats where missing.
 struct CameraFrame {

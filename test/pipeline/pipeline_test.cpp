@@ -1,0 +1,140 @@
+#include "markerless_mocap/pipeline/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "body/body_fixture.h"
+#include "hull/hull_scene.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kCameras = 4;
+constexpr int kBackgroundFrames = 3;
+
+/// Four cameras around a cube of 1.2 m, in which a sphere may stand.
+class PipelineTest : public ::testing::Test {
+ protected:
+  PipelineTest() : rig_(makeRig(kCameras)) {
+    options_.hull = makeOptions();
+    options_.silhouette.background_frames = kBackgroundFrames;
+  }
+
+  Pipeline pipeline() const { return {rig_, std::make_shared<const BodyModel>(human()), options_}; }
+
+  std::vector<CameraFrame> empty() const {
+    const cv::Mat grey(rig_[0].height(), rig_[0].width(), CV_8UC3, cv::Scalar(90, 90, 90));
+    return std::vector<CameraFrame>(kCameras, CameraFrame{grey, {}});
+  }
+
+  /// A red sphere before the grey wall.
+  std::vector<CameraFrame> withSphere() const {
+    std::vector<CameraFrame> frames = empty();
+    for (int i = 0; i < kCameras; ++i) {
+      frames[i].image = frames[i].image.clone();
+      frames[i].image.setTo(cv::Scalar(20, 20, 220), renderMask(rig_[i], {Sphere()}));
+    }
+    return frames;
+  }
+
+  std::vector<CameraFrame> masksOnly() const {
+    std::vector<CameraFrame> frames(kCameras);
+    for (int i = 0; i < kCameras; ++i) frames[i].mask = renderMask(rig_[i], {Sphere()});
+    return frames;
+  }
+
+  CameraRig rig_;
+  PipelineOptions options_;
+};
+
+TEST_F(PipelineTest, LearnsTheBackgroundThenCarvesTheSphere) {
+  Pipeline pipeline = this->pipeline();
+  for (int k = 0; k < kBackgroundFrames; ++k) {
+    const PipelineResult learning = pipeline.process(k, empty());
+    EXPECT_TRUE(learning.learning);
+    EXPECT_TRUE(learning.hull.voxels.empty());
+  }
+  const PipelineResult result = pipeline.process(kBackgroundFrames, withSphere());
+  EXPECT_FALSE(result.learning);
+  ASSERT_EQ(result.masks.size(), size_t(kCameras));
+  EXPECT_EQ(result.hull.status, HullStatus::kOk) << result.hull.reason;
+  const double sphere_litres = 4.0 / 3.0 * M_PI * 4.0 * 4.0 * 4.0;
+  EXPECT_GT(result.hull.litres(), 0.9 * sphere_litres);
+}
+
+TEST_F(PipelineTest, GivenMasksNeedNoLearningAndAreNotTouched) {
+  Pipeline pipeline = this->pipeline();
+  const std::vector<CameraFrame> frames = masksOnly();
+  const PipelineResult result = pipeline.process(0, frames);
+  EXPECT_FALSE(result.learning);
+  EXPECT_EQ(result.hull.status, HullStatus::kOk) << result.hull.reason;
+  for (int i = 0; i < kCameras; ++i)
+    EXPECT_EQ(cv::countNonZero(result.masks[i] != frames[i].mask), 0);
+}
+
+TEST_F(PipelineTest, SphereIsNoPersonAndThePoseSaysSo) {
+  Pipeline pipeline = this->pipeline();
+  const PipelineResult result = pipeline.process(0, masksOnly());
+  EXPECT_EQ(result.pose.status, PoseStatus::kLost);
+  EXPECT_FALSE(result.pose.reason.empty());
+}
+
+TEST_F(PipelineTest, MissingCameraHasNoVote) {
+  Pipeline pipeline = this->pipeline();
+  std::vector<CameraFrame> frames = masksOnly();
+  const size_t all = pipeline.process(0, frames).hull.voxels.size();
+  frames[2] = {};
+  const PipelineResult result = pipeline.process(1, frames);
+  EXPECT_TRUE(result.masks[2].empty());
+  EXPECT_EQ(result.hull.status, HullStatus::kOk) << result.hull.reason;
+  EXPECT_GE(result.hull.voxels.size(), all);
+}
+
+TEST_F(PipelineTest, CameraThatLearnsLaterIsLeftOutMeanwhile) {
+  Pipeline pipeline = this->pipeline();
+  for (int k = 0; k < kBackgroundFrames; ++k) {
+    std::vector<CameraFrame> frames = empty();
+    if (k == 0) frames[1] = {};
+    pipeline.process(k, frames);
+  }
+  const PipelineResult result = pipeline.process(kBackgroundFrames, withSphere());
+  EXPECT_FALSE(result.learning);
+  EXPECT_TRUE(result.masks[1].empty());
+  EXPECT_EQ(result.hull.status, HullStatus::kOk) << result.hull.reason;
+}
+
+TEST_F(PipelineTest, NoCameraAtAllHasAReason) {
+  Pipeline pipeline = this->pipeline();
+  const PipelineResult result = pipeline.process(0, std::vector<CameraFrame>(kCameras));
+  EXPECT_FALSE(result.learning);
+  EXPECT_EQ(result.hull.status, HullStatus::kNoCameras);
+  EXPECT_EQ(result.pose.status, PoseStatus::kLost);
+}
+
+TEST_F(PipelineTest, WrongSizeNamesCameraAndBothSizes) {
+  Pipeline pipeline = this->pipeline();
+  std::vector<CameraFrame> frames = masksOnly();
+  frames[3].mask = cv::Mat::zeros(50, 40, CV_8UC1);
+  EXPECT_EQ(sentenceOf([&] { pipeline.process(0, frames); }),
+            "mask of camera cam3 is 40 x 50 pixels, its calibration says 160 x 120");
+}
+
+TEST_F(PipelineTest, WrongNumberOfFramesIsRefused) {
+  Pipeline pipeline = this->pipeline();
+  EXPECT_EQ(sentenceOf([&] { pipeline.process(0, {}); }),
+            "pipeline got 0 frames, the rig has 4 cameras");
+}
+
+TEST_F(PipelineTest, ListenerHearsEveryStageInOrder) {
+  Pipeline pipeline = this->pipeline();
+  std::vector<std::string> heard;
+  pipeline.setStageListener([&](const char* stage) { heard.push_back(stage); });
+  pipeline.process(0, masksOnly());
+  EXPECT_EQ(heard, (std::vector<std::string>{"silhouette", "visual_hull", "body_segmentation",
+                                             "pose_fitting"}));
+}
+
+}  // namespace
+}  // namespace markerless_mocap
