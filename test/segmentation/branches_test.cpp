@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "markerless_mocap/segmentation/merge_tree.h"
+#include "markerless_mocap/segmentation/spline_walk.h"
+#include "markerless_mocap/segmentation/tip_naming.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Nodes = std::vector<uint32_t>;
+
+WeightedGraph path(uint32_t nodes) {
+  std::vector<Edge> edges;
+  for (uint32_t i = 0; i + 1 < nodes; ++i) edges.push_back({i, i + 1, 1.0});
+  return graphOfEdges(nodes, edges);
+}
+
+const std::vector<double> kHills = {9.0, 2.0, 8.0, 5.0, 7.0};
+
+TEST(MergeTree, OrdersMaximaByPersistence) {
+  // 9 stays for good, 8 ends at 2, 7 ends at 5.
+  EXPECT_EQ(persistentMaxima(path(5), kHills, 3), (Nodes{0, 2, 4}));
+  EXPECT_EQ(persistentMaxima(path(5), kHills, 2), (Nodes{0, 2}));
+  EXPECT_EQ(persistentMaxima(path(5), {1.0, 1.0, 1.0, 1.0, 1.0}, 3), (Nodes{0}));
+}
+
+TEST(MergeTree, EndsBranchesAtSaddlesBetweenTheGivenTips) {
+  const std::vector<Branch> two = branchesAtTips(path(5), kHills, {0, 2}, 0.0);
+  EXPECT_EQ(two[0].nodes, (Nodes{0}));
+  EXPECT_EQ(two[1].nodes, (Nodes{2, 3, 4}));
+  const std::vector<Branch> three = branchesAtTips(path(5), kHills, {0, 2, 4}, 0.0);
+  EXPECT_EQ(three[1].nodes, (Nodes{2}));
+  EXPECT_EQ(three[2].nodes, (Nodes{4}));
+}
+
+TEST(MergeTree, EndsBranchesAtTheLowestShare) {
+  const std::vector<Branch> branch = branchesAtTips(path(4), {10.0, 6.0, 4.0, 1.0}, {0}, 0.5);
+  EXPECT_EQ(branch[0].nodes, (Nodes{0, 1}));
+}
+
+TEST(MergeTree, GrowsBranchesInTheirOwnBasin) {
+  std::vector<Branch> branches = branchesAtTips(path(5), kHills, {0, 2, 4}, 0.0);
+  growBranches(path(5), kHills, {1}, 0.2, &branches);
+  EXPECT_EQ(branches[0].nodes, (Nodes{0}));
+  EXPECT_EQ(branches[1].nodes, (Nodes{2, 3}));  // node 1 slopes to node 0
+  EXPECT_EQ(branches[2].nodes, (Nodes{4}));
+}
+
+TEST(MergeTree, MeasuresDistanceFromTheCoreInCommuteTime) {
+  Eigenmap map{Eigen::Vector2d(0.1, 0.4), Eigen::MatrixXd(3, 2)};
+  map.vectors << 1.0, 0.0, 3.0, 0.0, 2.0, 6.0;
+  // The core is (2, 0); mode 2 counts half.
+  EXPECT_EQ(distanceFromCore(map, {0, 1}), (std::vector<double>{1.0, 1.0, 3.0}));
+}
+
+TEST(SplineWalk, TakesTheArmsOfAStar) {
+  // Four straight chains of 100 nodes from one centre, laid out as an embedding would.
+  Eigenmap map{Eigen::Vector2d(0.1, 0.1), Eigen::MatrixXd::Zero(401, 2)};
+  const Eigen::RowVector2d directions[] = {{1, 0}, {0, 0.9}, {-0.8, 0}, {0, -0.7}};
+  for (int arm = 0; arm < 4; ++arm) {
+    for (int i = 1; i <= 100; ++i) map.vectors.row(arm * 100 + i) = directions[arm] * i / 100.0;
+  }
+  const std::vector<Branch> branches = splineWalkBranches(map, 4);
+  ASSERT_EQ(branches.size(), 4u);
+  for (uint32_t arm = 0; arm < 4; ++arm) {
+    EXPECT_EQ(branches[arm].tip, arm * 100 + 100);
+    EXPECT_NEAR(double(branches[arm].nodes.size()), 70.0, 3.0);  // stops at 0.3 of its length
+    for (const uint32_t node : branches[arm].nodes) EXPECT_EQ((node - 1) / 100, arm);
+  }
+}
+
+TEST(SplineWalk, FindsNothingWithoutModes) {
+  EXPECT_TRUE(splineWalkBranches({Eigen::VectorXd(0), Eigen::MatrixXd(1, 0)}, 5).empty());
+}
+
+/// Measures of a body: head, two arms, two legs in this order.
+TipMeasures bodyMeasures() {
+  TipMeasures measures;
+  measures.fullness = {-2.75, -4.70, -4.70, -3.95, -3.95};
+  measures.to_core = {-0.03, 0.54, 0.54, 0.72, 0.72};
+  measures.distance.resize(5, 5);
+  measures.distance << 0, .87, .87, 1.41, 1.41,  //
+      .87, 0, 1.26, 1.53, 1.53,                  //
+      .87, 1.26, 0, 1.53, 1.53,                  //
+      1.41, 1.53, 1.53, 0, 1.30,                 //
+      1.41, 1.53, 1.53, 1.30, 0;
+  return measures;
+}
+
+TipMeasures reordered(const TipMeasures& from, const std::vector<int>& order) {
+  TipMeasures to;
+  to.distance.resize(order.size(), order.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    to.fullness.push_back(from.fullness[order[i]]);
+    to.to_core.push_back(from.to_core[order[i]]);
+    for (size_t j = 0; j < order.size(); ++j) to.distance(i, j) = from.distance(order[i], order[j]);
+  }
+  return to;
+}
+
+TEST(TipNaming, NamesAnAverageBodyAtNoCost) {
+  const TipNames names = nameTips(bodyMeasures());
+  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
+  EXPECT_NEAR(names.cost, 0.0, 1e-9);
+}
+
+TEST(TipNaming, DoesNotDependOnTheOrderOfTips) {
+  const TipNames names = nameTips(reordered(bodyMeasures(), {3, 1, 0, 4, 2}));
+  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 2, 1, 4, 0, 3}));
+}
+
+TEST(TipNaming, LeavesOutWhatIsNotThere) {
+  const TipNames names = nameTips(reordered(bodyMeasures(), {0, 1, 3, 4}));
+  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, -1, 2, 3}));
+}
+
+TEST(TipNaming, DoesNotCallASecondFootAnArm) {
+  TipMeasures measures = reordered(bodyMeasures(), {0, 1, 3, 4, 4});
+  measures.distance(3, 4) = measures.distance(4, 3) = -2.0;  // heel and toes
+  const TipNames names = nameTips(measures);
+  EXPECT_EQ(names.tip[size_t(PartLabel::kArm2)], -1);
+  EXPECT_EQ(names.tip[size_t(PartLabel::kArm1)], 1);
+}
+
+TEST(TipNaming, AllowsForAStoutBody) {
+  TipMeasures measures = bodyMeasures();
+  for (double& length : measures.to_core) length -= 0.15;
+  measures.distance.array() -= 0.15;
+  const TipNames names = nameTips(measures);
+  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
+  EXPECT_NEAR(names.cost, 0.0, 1e-9);
+}
+
+TEST(TipNaming, NamesNothingOfNothing) {
+  const TipNames names = nameTips(reordered(bodyMeasures(), {}));
+  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, -1, -1, -1, -1, -1}));
+  EXPECT_TRUE(std::isinf(names.cost));
+}
+
+TEST(TipNaming, KnowsWhatSizeALimbCanHave) {
+  EXPECT_TRUE(isPlausible(PartLabel::kArm1, 0.05, 0.05));
+  EXPECT_FALSE(isPlausible(PartLabel::kArm1, 0.0003, 0.05));  // a knuckle
+  EXPECT_FALSE(isPlausible(PartLabel::kLeg2, 0.50, 0.09));    // both legs and a hip
+}
+
+}  // namespace
+}  // namespace markerless_mocap

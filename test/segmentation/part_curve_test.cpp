@@ -1,0 +1,107 @@
+#include "markerless_mocap/segmentation/part_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+
+#include "markerless_mocap/segmentation/least_squares_spline.h"
+#include "voxel_figure.h"
+
+namespace markerless_mocap {
+namespace {
+
+TEST(LeastSquaresSpline, GivesACubicBack) {
+  const auto cubic = [](double s) { return Eigen::Vector2d(1 + 2 * s - s * s * s, s * s - 0.5); };
+  Eigen::VectorXd sites = Eigen::VectorXd::LinSpaced(60, 0.0, 1.0);
+  Eigen::MatrixXd values(60, 2);
+  for (int i = 0; i < 60; ++i) values.row(i) = cubic(sites[i]).transpose();
+  const LeastSquaresSpline spline(sites, values, 4);
+  for (const double s : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+    EXPECT_LT((spline.at(s) - cubic(s)).norm(), 1e-3);
+  }
+}
+
+TEST(LeastSquaresSpline, ContinuesAcrossAGap) {
+  Eigen::VectorXd sites(40);
+  for (int i = 0; i < 40; ++i) sites[i] = i < 20 ? i * 0.01 : 0.8 + (i - 20) * 0.01;
+  const Eigen::MatrixXd values = 3.0 * sites;  // a line without its middle
+  EXPECT_NEAR(LeastSquaresSpline(sites, values, 8).at(0.5)[0], 1.5, 1e-2);
+}
+
+std::vector<uint32_t> allNodes(const VoxelGraph& voxels) {
+  std::vector<uint32_t> nodes(voxels.graph.nodeCount());
+  std::iota(nodes.begin(), nodes.end(), 0u);
+  return nodes;
+}
+
+double lengthOf(const PartCurve& curve) {
+  double length = 0.0;
+  for (size_t i = 1; i < curve.points.size(); ++i) {
+    length += (curve.points[i] - curve.points[i - 1]).norm();
+  }
+  return length;
+}
+
+TEST(PartCurve, RunsAlongTheAxisOfABarInTheGivenDirection) {
+  VoxelFigure bar;
+  bar.capsule({-0.4, 0, 0.5}, {0.4, 0, 0.9}, 0.06);
+  const VoxelGraph voxels = buildVoxelGraph(bar.hull(), false, 0.0);
+  std::vector<double> ahead;
+  for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(-c.x());
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  ASSERT_TRUE(curve.seen);
+  EXPECT_EQ(curve.voxel_count, voxels.graph.nodeCount());
+  ASSERT_EQ(curve.points.size(), 21u);
+  EXPECT_LT((curve.points.front() - Eigen::Vector3d(0.4, 0, 0.9)).norm(), 0.06);
+  EXPECT_LT((curve.points.back() - Eigen::Vector3d(-0.4, 0, 0.5)).norm(), 0.06);
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.8, 0, 0.4).normalized();
+  for (const Eigen::Vector3d& p : curve.points) {
+    EXPECT_LT((p - Eigen::Vector3d(0, 0, 0.7)).cross(axis).norm(), 0.012);
+  }
+}
+
+TEST(PartCurve, HasEvenlySpacedPointsAndRisingSites) {
+  VoxelFigure elbow;
+  elbow.capsule({-0.4, 0, 0.5}, {0, 0, 0.5}, 0.05).capsule({0, 0, 0.5}, {0, 0, 0.9}, 0.05);
+  const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
+  std::vector<double> ahead;
+  for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  ASSERT_EQ(curve.site_values.size(), curve.points.size());
+  EXPECT_EQ(curve.site_values.front(), 0.0);
+  EXPECT_EQ(curve.site_values.back(), 1.0);
+  const double step = lengthOf(curve) / 20.0;
+  for (size_t i = 1; i < curve.points.size(); ++i) {
+    EXPECT_GT(curve.site_values[i], curve.site_values[i - 1]);
+    EXPECT_NEAR((curve.points[i] - curve.points[i - 1]).norm(), step, 0.05 * step);
+    const Eigen::Vector3d& p = curve.points[i];
+    EXPECT_LT(std::min(std::hypot(p.y(), p.z() - 0.5), std::hypot(p.x(), p.y())), 0.05);
+  }
+}
+
+TEST(PartCurve, GoesUpATrunkWiderThanHigh) {
+  VoxelFigure trunk;
+  trunk.capsule({-0.4, 0, 0.8}, {0.4, 0, 0.8}, 0.15).capsule({-0.4, 0, 0.9}, {0.4, 0, 0.9}, 0.15);
+  const VoxelGraph voxels = buildVoxelGraph(trunk.hull(), false, 0.0);
+  std::vector<double> ahead;
+  for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.z());
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 10);
+  EXPECT_GT(curve.points.back().z() - curve.points.front().z(), 0.25);
+  for (const Eigen::Vector3d& p : curve.points) EXPECT_LT(std::abs(p.x()), 0.06);
+}
+
+TEST(PartCurve, OfTooFewNodesIsNotSeen) {
+  VoxelFigure speck;
+  speck.capsule({0, 0, 0.5}, {0.06, 0, 0.5}, 0.02);
+  const VoxelGraph voxels = buildVoxelGraph(speck.hull(), false, 0.0);
+  ASSERT_LT(voxels.graph.nodeCount(), 8u);
+  const std::vector<double> ahead(voxels.graph.nodeCount(), 0.0);
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  EXPECT_FALSE(curve.seen);
+  EXPECT_TRUE(curve.points.empty());
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/segmentation/body_parts.h"
+
+namespace markerless_mocap {
+
+/// A hull painted from capsules, each belonging to a part; the first to take a voxel keeps it.
+class VoxelFigure {
+ public:
+  explicit VoxelFigure(double pitch = 0.03) {
+    lattice_.origin = {-1.2, -0.6, 0.0};
+    lattice_.pitch = pitch;
+    lattice_.size = (Eigen::Vector3d(2.4, 1.2, 1.95) / pitch).cast<int>();
+  }
+
+  VoxelFigure& capsule(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius,
+                       PartLabel part = PartLabel::kTorso) {
+    const Eigen::Vector3d axis = b - a;
+    for (uint32_t index = 0; index < lattice_.count(); ++index) {
+      const Eigen::Vector3d p = lattice_.center(index);
+      const double length = std::max(axis.squaredNorm(), 1e-12);
+      const double t = std::clamp((p - a).dot(axis) / length, 0.0, 1.0);
+      if ((p - a - t * axis).norm() <= radius) part_.emplace(index, part);
+    }
+    return *this;
+  }
+
+  /// Voxels by ascending index.
+  VisualHull hull() const {
+    VisualHull hull;
+    hull.lattice = lattice_;
+    hull.status = HullStatus::kOk;
+    for (const auto& [index, part] : part_) {
+      HullVoxel voxel;
+      voxel.index = index;
+      hull.voxels.push_back(voxel);
+    }
+    return hull;
+  }
+
+  /// True part of each voxel of hull().
+  std::vector<PartLabel> parts() const {
+    std::vector<PartLabel> parts;
+    for (const auto& [index, part] : part_) parts.push_back(part);
+    return parts;
+  }
+
+ private:
+  VoxelLattice lattice_;
+  std::map<uint32_t, PartLabel> part_;
+};
+
+/// A person of 1.73 m who faces +y, arms in the direction (+-sin, 0, -cos) of `arm_angle` from
+/// hanging. The right limbs (x > 0) are arm 1 and leg 1.
+inline VoxelFigure standingFigure(double arm_angle, double pitch = 0.03) {
+  VoxelFigure figure(pitch);
+  for (const int side : {1, -1}) {
+    const PartLabel arm = side > 0 ? PartLabel::kArm1 : PartLabel::kArm2;
+    const PartLabel leg = side > 0 ? PartLabel::kLeg1 : PartLabel::kLeg2;
+    const Eigen::Vector3d shoulder(side * 0.21, 0.0, 1.38);
+    const Eigen::Vector3d hand =
+        shoulder + 0.66 * Eigen::Vector3d(side * std::sin(arm_angle), 0.0, -std::cos(arm_angle));
+    const Eigen::Vector3d ankle(side * 0.22, 0.0, 0.06);
+    figure.capsule(shoulder + 0.12 * (hand - shoulder), hand, 0.05, arm);
+    figure.capsule({side * 0.12, 0.0, 0.80}, ankle, 0.075, leg);
+    figure.capsule(ankle, ankle + Eigen::Vector3d(0.0, 0.15, 0.0), 0.05, leg);
+  }
+  figure.capsule({0, 0, 1.52}, {0, 0, 1.46}, 0.06, PartLabel::kHead);
+  figure.capsule({0, 0, 1.65}, {0, 0, 1.61}, 0.10, PartLabel::kHead);
+  figure.capsule({-0.21, 0, 1.38}, {0.21, 0, 1.38}, 0.07);
+  figure.capsule({-0.05, 0, 0.88}, {-0.05, 0, 1.32}, 0.11);
+  figure.capsule({0.05, 0, 0.88}, {0.05, 0, 1.32}, 0.11);
+  return figure;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,159 @@
+#include "markerless_mocap/segmentation/voxel_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace markerless_mocap {
+namespace {
+
+VisualHull hullOf(const std::vector<Eigen::Vector3i>& cells) {
+  VisualHull hull;
+  hull.lattice.size = {12, 12, 12};
+  hull.lattice.pitch = 0.1;
+  hull.status = HullStatus::kOk;
+  for (const Eigen::Vector3i& c : cells) {
+    HullVoxel voxel;
+    voxel.index = hull.lattice.index(c.x(), c.y(), c.z());
+    hull.voxels.push_back(voxel);
+  }
+  return hull;
+}
+
+VisualHull cube(int side) {
+  std::vector<Eigen::Vector3i> cells;
+  for (int i = 0; i < side * side * side; ++i) {
+    cells.emplace_back(i % side, i / side % side, i / (side * side));
+  }
+  return hullOf(cells);
+}
+
+std::map<std::pair<uint32_t, uint32_t>, double> weightsOf(const WeightedGraph& graph) {
+  std::map<std::pair<uint32_t, uint32_t>, double> weights;
+  for (uint32_t node = 0; node < graph.nodeCount(); ++node) {
+    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
+      weights[{node, graph.neighbor[e]}] = graph.weight[e];
+    }
+  }
+  return weights;
+}
+
+void expectSymmetric(const WeightedGraph& graph) {
+  const auto weights = weightsOf(graph);
+  for (const auto& [pair, weight] : weights) {
+    EXPECT_GT(weight, 0.0);
+    EXPECT_EQ(weights.at({pair.second, pair.first}), weight);
+  }
+}
+
+TEST(VoxelGraph, JoinsFaceNeighborsOfACube) {
+  const VoxelGraph voxels = buildVoxelGraph(cube(2), false, 0.0);
+  ASSERT_EQ(voxels.graph.nodeCount(), 8u);
+  const auto weights = weightsOf(voxels.graph);
+  EXPECT_EQ(weights.size(), 24u);  // 12 edges, twice
+  EXPECT_EQ(weights.count({0, 1}) + weights.count({0, 2}) + weights.count({0, 4}), 3u);
+  for (const auto& [pair, weight] : weights) EXPECT_EQ(weight, 1.0);
+}
+
+TEST(VoxelGraph, MeasuresDepthUnderTheSurface) {
+  const VoxelGraph voxels = buildVoxelGraph(cube(5), false, 0.0);
+  EXPECT_DOUBLE_EQ(voxels.depth[62], 0.25);  // the centre, 2.5 voxels of 0.1 m
+  EXPECT_DOUBLE_EQ(voxels.depth[61], 0.15);
+  EXPECT_DOUBLE_EQ(voxels.depth[0], 0.05);
+}
+
+TEST(VoxelGraph, GivesBonusByTheVotesOfEquation315) {
+  EXPECT_EQ(colorBonus(8, 8), 1.0);
+  EXPECT_EQ(colorBonus(4, 8), 0.5);
+  EXPECT_EQ(colorBonus(7, 8), 0.5);
+  EXPECT_EQ(colorBonus(3, 8), -0.9);
+  EXPECT_EQ(colorBonus(0, 0), 0.0);
+}
+
+TEST(VoxelGraph, AddsTheBonusToTheEdgeTheVotesAreAbout) {
+  VisualHull hull = hullOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  for (const uint32_t other : {1u, 2u, 3u}) EXPECT_GT(hull.voxels[other].index, 0u);
+  hull.voxels[0].color_votes.votes = {8, 5, 1};
+  hull.voxels[0].color_votes.possible = {8, 8, 8};
+  const auto weights = weightsOf(buildVoxelGraph(hull, true, 0.0).graph);
+  EXPECT_DOUBLE_EQ(weights.at({0, 1}), 2.0);
+  EXPECT_DOUBLE_EQ(weights.at({0, 2}), 1.5);
+  EXPECT_DOUBLE_EQ(weights.at({0, 3}), 0.1);
+  EXPECT_DOUBLE_EQ(weights.at({3, 0}), 0.1);
+  EXPECT_EQ(weightsOf(buildVoxelGraph(hull, false, 0.0).graph).at({0, 3}), 1.0);
+}
+
+TEST(VoxelGraph, RaisesWeightsAtTheCoreOnly) {
+  const VoxelGraph voxels = buildVoxelGraph(cube(5), false, 7.0);
+  expectSymmetric(voxels.graph);
+  const auto weights = weightsOf(voxels.graph);
+  EXPECT_EQ(weights.at({62, 61}), 8.0);  // the centre and its neighbour
+  EXPECT_EQ(weights.at({61, 60}), 1.0);
+  EXPECT_EQ(weights.at({0, 1}), 1.0);
+  EXPECT_EQ(std::count_if(weights.begin(), weights.end(), [](auto& w) { return w.second > 1.0; }),
+            12);
+}
+
+TEST(VoxelGraph, BridgesPiecesThatTouchByACorner) {
+  const VoxelGraph voxels =
+      buildVoxelGraph(hullOf({{1, 1, 1}, {2, 1, 1}, {3, 2, 2}, {4, 2, 2}}), false, 0.0);
+  ASSERT_EQ(voxels.graph.nodeCount(), 4u);
+  EXPECT_TRUE(voxels.left_out.empty());
+  EXPECT_EQ(weightsOf(voxels.graph).count({1, 2}), 1u);
+  expectSymmetric(voxels.graph);
+}
+
+TEST(VoxelGraph, ClosesNoLoopWithBridges) {
+  // A ring of two pieces that touch by edges at both ends, at one end twice.
+  const VisualHull hull = hullOf({{2, 0, 0},
+                                  {3, 0, 0},
+                                  {4, 0, 0},
+                                  {2, 0, 1},
+                                  {4, 0, 1},  // bow
+                                  {1, 0, 2},
+                                  {1, 0, 3},
+                                  {2, 0, 3},
+                                  {3, 0, 3},
+                                  {4, 0, 3},
+                                  {5, 0, 3},
+                                  {5, 0, 2},
+                                  {5, 1, 2},
+                                  {4, 1, 2}});
+  const VoxelGraph voxels = buildVoxelGraph(hull, false, 0.0);
+  EXPECT_EQ(voxels.graph.nodeCount(), 14u);
+  const auto bow_end = uint32_t(3);  // of the end with one contact
+  EXPECT_EQ(voxels.graph.row_start[bow_end + 1] - voxels.graph.row_start[bow_end], 2u);
+}
+
+TEST(VoxelGraph, TellsWhatIsNotConnected) {
+  const VoxelGraph voxels =
+      buildVoxelGraph(hullOf({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {9, 9, 8}, {2, 0, 0}}), false, 0.0);
+  EXPECT_EQ(voxels.hull_voxel, (std::vector<uint32_t>{0, 2, 4}));
+  EXPECT_EQ(voxels.left_out, (std::vector<uint32_t>{3, 1}));
+  EXPECT_EQ(voxels.centers.size(), 3u);
+  EXPECT_TRUE(voxels.centers[1].isApprox(Eigen::Vector3d(0.15, 0.05, 0.05)));
+}
+
+TEST(VoxelGraph, DoesNotDependOnTheOrderOfVoxels) {
+  VisualHull hull = cube(3);
+  const VoxelGraph sorted = buildVoxelGraph(hull, false, 1.0);
+  std::reverse(hull.voxels.begin(), hull.voxels.end());
+  const VoxelGraph reversed = buildVoxelGraph(hull, false, 1.0);
+  EXPECT_EQ(weightsOf(sorted.graph), weightsOf(reversed.graph));
+  EXPECT_EQ(reversed.hull_voxel.front(), 26u);
+}
+
+TEST(NodeGrid, MeasuresWaysAroundCorners) {
+  // An L: four to the right, then three up.
+  const NodeGrid grid(
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 0, 1}, {3, 0, 2}, {9, 9, 9}});
+  const std::vector<double> way = grid.geodesics({0});
+  EXPECT_DOUBLE_EQ(way[3], 3.0);
+  EXPECT_DOUBLE_EQ(way[4], 2.0 + 4.0 / 3.0);  // cuts the corner by one diagonal step
+  EXPECT_DOUBLE_EQ(way[5], 3.0 + 4.0 / 3.0);
+  EXPECT_TRUE(std::isinf(way[6]));
+}
+
+}  // namespace
+}  // namespace markerless_mocap
