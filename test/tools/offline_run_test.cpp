@@ -1,0 +1,157 @@
+#include "tools/offline_run.h"
+
+#include <gtest/gtest.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <set>
+#include <sstream>
+
+#include "markerless_mocap/ros/messages.h"
+#include "tools/camera_bag.h"
+#include "tools/tool_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kSecond = 1000000000;
+
+class OfflineRun : public ToolTest {
+ protected:
+  OfflineRun() {
+    options_.input = path("in.bag");
+    options_.output = path("out.bag");
+    options_.urdf_template = MOCAP_SOURCE_DIR "/urdf/human.urdf.in";
+    options_.pipeline.silhouette.background_frames = 2;
+  }
+
+  /// Two empty instants, then a box stands in the middle for three.
+  void writeBag(int instants = 5) const {
+    CameraBag bag(options_.input, ringOfFour(), 0);
+    bag.writeTransforms(kSecond);
+    for (int k = 0; k < instants; ++k)
+      for (int i = 0; i < 4; ++i)
+        bag.write(kSecond + k * kSecond / 10, i, smallImage(k >= 2), cv::Mat());
+    bag.commit();
+  }
+
+  std::map<std::string, int> countsByTopic() const {
+    std::map<std::string, int> counts;
+    rosbag::Bag bag(options_.output);
+    for (const rosbag::MessageInstance& message : rosbag::View(bag)) ++counts[message.getTopic()];
+    return counts;
+  }
+
+  OfflineOptions options_;
+};
+
+TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
+  writeBag();
+  const RunSummary summary = runOffline(options_, nullptr, false);
+  EXPECT_EQ(summary.instants(), 5);
+  EXPECT_EQ(summary.processed(), 3);
+  auto counts = countsByTopic();
+  EXPECT_EQ(counts["/tf_static"], 1);
+  EXPECT_EQ(counts["/hull/grid"], 1);
+  for (const char* topic : {"/hull/points", "/segmentation/points", "/segmentation/parts", "/pose"})
+    EXPECT_EQ(counts[topic], 3) << topic;
+  EXPECT_EQ(counts["/tf"], summary.poses());
+  EXPECT_EQ(counts["/humans/bodies/person1/joint_states"], summary.poses());
+}
+
+TEST_F(OfflineRun, StampsAreTheInputs) {
+  writeBag();
+  runOffline(options_, nullptr, false);
+  rosbag::Bag bag(options_.output);
+  std::vector<double> stamps;
+  for (const auto& message : rosbag::View(bag, rosbag::TopicQuery("/hull/points"))) {
+    const auto cloud = message.instantiate<sensor_msgs::PointCloud2>();
+    EXPECT_EQ(cloud->header.stamp, message.getTime());
+    EXPECT_EQ(cloud->header.frame_id, "world");
+    EXPECT_GT(cloud->width, 0u);
+    stamps.push_back(cloud->header.stamp.toSec());
+  }
+  EXPECT_EQ(stamps, (std::vector<double>{1.2, 1.3, 1.4}));
+}
+
+TEST_F(OfflineRun, TwiceTheSameBytes) {
+  writeBag();
+  options_.masks_out = true;
+  runOffline(options_, nullptr, false);
+  options_.output = path("again.bag");
+  runOffline(options_, nullptr, false);
+  const std::string bytes = bytesOf("out.bag");
+  EXPECT_GT(bytes.size(), 1000u);
+  EXPECT_TRUE(bytes == bytesOf("again.bag"));
+}
+
+TEST_F(OfflineRun, MasksAreWrittenOnRequest) {
+  writeBag();
+  options_.masks_out = true;
+  runOffline(options_, nullptr, false);
+  EXPECT_EQ(countsByTopic()["/cam0/silhouette"], 3);
+}
+
+TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
+  writeBag();
+  const RunSummary summary = runOffline(options_, nullptr, false);
+  EXPECT_EQ(summary.poses(), 0);
+  std::ostringstream text;
+  summary.print(text);
+  EXPECT_NE(text.str().find("3 lost"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("3 times: "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("No instant has a pose"), std::string::npos) << text.str();
+}
+
+TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
+  writeBag(2);
+  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+            "the recording ends while the background is being learned, after 2 instants");
+  EXPECT_FALSE(std::filesystem::exists(options_.output));
+  EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
+}
+
+TEST_F(OfflineRun, InputIsNotOverwritten) {
+  writeBag();
+  options_.output = options_.input;
+  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+            "input and output are the same file " + options_.input);
+}
+
+TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
+  writeBag();
+  options_.urdf_template = path("none.urdf");
+  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+            "cannot read " + options_.urdf_template);
+  writeText("broken.urdf", "<robot>");
+  options_.urdf_template = path("broken.urdf");
+  EXPECT_NE(refusalOf([&] { runOffline(options_, nullptr, false); }), "");
+  EXPECT_FALSE(std::filesystem::exists(options_.output));
+}
+
+TEST_F(OfflineRun, ProgressWithoutTerminalIsALineEveryTenPercent) {
+  writeBag();
+  std::ostringstream notes;
+  runOffline(options_, &notes, false);
+  const std::string text = notes.str();
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10) << text;
+  EXPECT_NE(text.find("mocap_offline 100 %"), std::string::npos) << text;
+}
+
+TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
+  writeText("typo.yaml", "visual_hull: {pich: 0.02}\n");
+  EXPECT_EQ(
+      refusalOf([&] { readConfiguration(path("typo.yaml")); }),
+      path("typo.yaml") + ": visual_hull/pich is not an option (value 0.02), did you mean pitch?");
+  writeText("broken.yaml", "visual_hull: {pitch: [\n");
+  EXPECT_EQ(refusalOf([&] {
+              readConfiguration(path("broken.yaml"));
+            }).find(path("broken.yaml") + " is no YAML: "),
+            0u);
+  EXPECT_EQ(refusalOf([&] { readConfiguration(path("none.yaml")); }),
+            "cannot read the configuration " + path("none.yaml"));
+}
+
+}  // namespace
+}  // namespace markerless_mocap

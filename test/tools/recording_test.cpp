@@ -1,0 +1,193 @@
+#include "tools/recording.h"
+
+#include <gtest/gtest.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "markerless_mocap/ros/camera_conversions.h"
+#include "markerless_mocap/ros/image_conversions.h"
+#include "tools/camera_bag.h"
+#include "tools/tool_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kSecond = 1000000000;
+
+class RecordingTest : public ToolTest {
+ protected:
+  /// One second at 10 Hz; the k-th instant lacks camera `missing` when k is 4.
+  void writeBag(const std::string& name, int missing = -1, bool masks = false) const {
+    CameraBag bag(path(name), ringOfFour(), 0);
+    bag.writeTransforms(kSecond);
+    for (int k = 0; k < 10; ++k)
+      for (int i = 0; i < 4; ++i)
+        if (k != 4 || i != missing)
+          bag.write(kSecond + k * kSecond / 10, i, smallImage(true),
+                    masks ? smallMask() : cv::Mat());
+    bag.commit();
+  }
+
+  /// One image of each camera; `change` may spoil what is known of a camera before it is written.
+  template <class Change>
+  void writeSpoilt(const std::string& name, const Change& change, bool with_tf = true) const {
+    NewBag bag(path(name));
+    const auto ring = ringOfFour();
+    const ros::Time stamp(1.0);
+    for (size_t i = 0; i < ring.size(); ++i) {
+      sensor_msgs::CameraInfo info = messageFromCalibration(ring[i]);
+      info.header.stamp = stamp;
+      info.header.frame_id = ring[i].name + "_optical";
+      if (change(i, &info)) bag.write("/" + ring[i].name + "/camera_info", stamp, info);
+      bag.write("/" + ring[i].name + "/image_raw", stamp,
+                messageFromMat(smallImage(true), info.header));
+      geometry_msgs::TransformStamped transform;
+      transform.header.frame_id = "world";
+      transform.child_frame_id = info.header.frame_id;
+      transform.transform.rotation.w = 1.0;
+      tf2_msgs::TFMessage tf;
+      tf.transforms.push_back(transform);
+      if (with_tf) bag.writeLatched("/tf_static", stamp, tf);
+    }
+    bag.commit();
+  }
+
+  std::string refusal(const std::string& name, const RecordingOptions& options = {}) const {
+    return refusalOf([&] { Recording recording(path(name), options); });
+  }
+
+  static std::vector<RecordedInstant> allOf(Recording& recording) {
+    std::vector<RecordedInstant> instants;
+    recording.forEachInstant([&](const RecordedInstant& i) { instants.push_back(i); },
+                             [](double) {});
+    return instants;
+  }
+};
+
+TEST_F(RecordingTest, EveryInstantComesInOrderAMissingCameraIsEmpty) {
+  writeBag("in.bag", 2);
+  Recording recording(path("in.bag"), {});
+  const auto instants = allOf(recording);
+  ASSERT_EQ(instants.size(), 10u);
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_EQ(instants[k].stamp_ns, kSecond + k * kSecond / 10);
+    EXPECT_EQ(instants[k].frames[2].image.empty(), k == 4);
+    EXPECT_FALSE(instants[k].frames[1].image.empty());
+  }
+  EXPECT_EQ(recording.counts().incomplete, 1u);
+}
+
+TEST_F(RecordingTest, StartAndDurationAreSecondsAfterTheFirstImage) {
+  writeBag("in.bag");
+  RecordingOptions options;
+  options.start = 0.25;
+  options.duration = 0.4;
+  Recording recording(path("in.bag"), options);
+  const auto instants = allOf(recording);
+  ASSERT_EQ(instants.size(), 4u);
+  EXPECT_EQ(instants.front().stamp_ns, kSecond + 3 * kSecond / 10);
+  options.start = 5.0;
+  Recording late(path("in.bag"), options);
+  EXPECT_EQ(refusalOf([&] { allOf(late); }), "the start lies after the end of the recording");
+}
+
+TEST_F(RecordingTest, ChosenCamerasKeepTheirOrder) {
+  writeBag("in.bag");
+  RecordingOptions options;
+  options.cameras = {"cam3", "cam1"};
+  Recording recording(path("in.bag"), options);
+  ASSERT_EQ(recording.rig().size(), 2u);
+  EXPECT_EQ(recording.rig()[0].name(), "cam3");
+  options.cameras = {"cam9", "cam1"};
+  EXPECT_EQ(refusal("in.bag", options),
+            "camera cam9 is not in the bag, it has cam0, cam1, cam2, cam3");
+  options.cameras = {"cam1"};
+  EXPECT_EQ(refusal("in.bag", options), "camera cam1 is the only one, two are needed at least");
+}
+
+TEST_F(RecordingTest, MasksAreReadOnlyWhenAskedFor) {
+  writeBag("in.bag", -1, true);
+  Recording images(path("in.bag"), {});
+  EXPECT_TRUE(allOf(images)[0].frames[0].mask.empty());
+  RecordingOptions options;
+  options.use_masks = true;
+  Recording masks(path("in.bag"), options);
+  const auto instants = allOf(masks);
+  EXPECT_FALSE(instants[0].frames[0].mask.empty());
+  EXPECT_FALSE(instants[0].frames[0].image.empty());
+  writeBag("none.bag");
+  EXPECT_EQ(refusal("none.bag", options), "camera cam0 has no silhouettes in the bag");
+}
+
+TEST_F(RecordingTest, BagThatIsNoneMissingOrCutOffIsTold) {
+  EXPECT_EQ(refusal("none.bag"), "there is no bag " + path("none.bag"));
+  writeText("text.bag", "this is no bag");
+  EXPECT_NE(refusal("text.bag").find("text.bag is no bag or was cut off"), std::string::npos);
+  writeText("nothing.bag", "");
+  EXPECT_NE(refusal("nothing.bag").find("nothing.bag is no bag or was cut off"), std::string::npos);
+  writeBag("cut.bag");
+  cutInHalf("cut.bag");
+  EXPECT_NE(refusal("cut.bag").find("cut.bag is no bag or was cut off"), std::string::npos);
+}
+
+TEST_F(RecordingTest, BagWithoutCamerasSaysWhichTopicsAreMissed) {
+  NewBag bag(path("in.bag"));
+  bag.write("/other", ros::Time(1.0), tf2_msgs::TFMessage());
+  bag.commit();
+  EXPECT_EQ(refusal("in.bag").substr(0, 26), "the bag has no cameras: no");
+}
+
+TEST_F(RecordingTest, CameraWithoutInfoIsNamed) {
+  writeSpoilt("in.bag", [](size_t i, sensor_msgs::CameraInfo*) { return i != 1; });
+  EXPECT_EQ(refusal("in.bag"), "camera cam1 has images but no topic cam1/camera_info in the bag");
+}
+
+TEST_F(RecordingTest, ZeroAndNanCalibrationsNameTheCamera) {
+  writeSpoilt("zero.bag", [](size_t i, sensor_msgs::CameraInfo* info) {
+    if (i == 2) info->K.fill(0.0);
+    return true;
+  });
+  EXPECT_NE(refusal("zero.bag").find("cam2"), std::string::npos);
+  writeSpoilt("nan.bag", [](size_t i, sensor_msgs::CameraInfo* info) {
+    if (i == 3) info->K[0] = NAN;
+    return true;
+  });
+  EXPECT_NE(refusal("nan.bag").find("cam3"), std::string::npos);
+}
+
+TEST_F(RecordingTest, MissingTransformIsTold) {
+  writeSpoilt(
+      "in.bag", [](size_t, sensor_msgs::CameraInfo*) { return true; }, false);
+  EXPECT_EQ(refusal("in.bag"), "tf does not connect cam0_optical of cam0 to world");
+}
+
+TEST_F(RecordingTest, UnreadableImageIsCountedAndItsCameraMissing) {
+  NewBag bag(path("in.bag"));
+  CameraBag(path("ring.bag"), ringOfFour(), 0);
+  tf2_msgs::TFMessage tf;
+  for (const CameraCalibration& camera : ringOfFour()) {
+    sensor_msgs::CameraInfo info = messageFromCalibration(camera);
+    info.header.stamp = ros::Time(1.0);
+    info.header.frame_id = camera.name + "_optical";
+    bag.write("/" + camera.name + "/camera_info", info.header.stamp, info);
+    sensor_msgs::CompressedImage image;
+    image.header = info.header;
+    image.format = "jpeg";
+    image.data = {1, 2, 3};
+    bag.write("/" + camera.name + "/image_raw/compressed", info.header.stamp, image);
+    tf.transforms.emplace_back();
+    tf.transforms.back().header.frame_id = "world";
+    tf.transforms.back().child_frame_id = info.header.frame_id;
+    tf.transforms.back().transform.rotation.w = 1.0;
+  }
+  bag.writeLatched("/tf_static", ros::Time(1.0), tf);
+  bag.commit();
+  Recording recording(path("in.bag"), {});
+  const auto instants = allOf(recording);
+  ASSERT_EQ(instants.size(), 1u);
+  EXPECT_TRUE(instants[0].frames[0].image.empty());
+  EXPECT_EQ(recording.unreadable(), 4);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
