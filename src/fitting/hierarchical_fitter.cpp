@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "markerless_mocap/fitting/limb_guess.h"
 #include "markerless_mocap/fitting/particle_swarm.h"
 
 namespace markerless_mocap {
@@ -71,17 +72,6 @@ double sidewaysSpin(const SkeletonError& error) {
     left += left.dot(way) < 0 ? Vector3d(-way) : way;
   }
   return std::atan2(-left.x(), left.y());
-}
-
-// The data limb whose root is nearer to the model's limb of `side` when both are taken together.
-PartLabel limbOfSide(const SkeletonError& error, const HsiaoFrames& frames,
-                     const HsiaoProfile& profile, PartLabel first, int side) {
-  const PartLabel second = PartLabel(int(first) + 1);
-  if (!error.has(first) || !error.has(second)) return error.has(first) ? first : second;
-  const Vector3d left =
-      profile.bones(first).front().inWorld(frames) - profile.bones(second).front().inWorld(frames);
-  const Vector3d way = error.samples(first).front() - error.samples(second).front();
-  return (left.dot(way) > 0) == (side == 0) ? first : second;
 }
 
 }  // namespace
@@ -208,6 +198,7 @@ ProfileFit HierarchicalFitter::fitFacing(const SkeletonError& error, HsiaoVector
   };
   if (error.has(PartLabel::kHead)) stage(kHead, kTorsoHead);
   if (hasArms(error)) {
+    for (int side = 0; side < 2; ++side) guessArm(error, *profile_, settings_.limits, side, v);
     guessLimbs(error, PartLabel::kArm1, kArm, seed + 20, v);
     stage(kArms, kTorsoToArms);
   }
@@ -226,7 +217,7 @@ void HierarchicalFitter::guessLimbs(const SkeletonError& error, PartLabel first,
   profile_->frames(v.data(), frames);
   for (int side = 0; side < 2; ++side) {
     Active active{};
-    active[size_t(limbOfSide(error, frames, *profile_, first, side))] = true;
+    active[size_t(limbOfSide(error, *profile_, frames, first, side))] = true;
     search(error,
            {limbs[side],
             active,
@@ -240,8 +231,7 @@ void HierarchicalFitter::guessLimbs(const SkeletonError& error, PartLabel first,
 }
 
 ProfileFit HierarchicalFitter::fitNear(const SkeletonError& error, const HsiaoVector& last,
-                                       const HsiaoVector& reach,
-                                       const std::vector<HsiaoVector>& guesses,
+                                       const HsiaoVector& reach, std::vector<HsiaoVector> guesses,
                                        uint64_t seed) const {
   Parameters parameters = join({kCenter, kNeck, kSpin});
   const auto add = [&parameters](const Parameters& more) {
@@ -254,6 +244,10 @@ ProfileFit HierarchicalFitter::fitNear(const SkeletonError& error, const HsiaoVe
   range.lower = range.lower.cwiseMax(last - reach).cwiseMin(range.upper);
   range.upper = range.upper.cwiseMin(last + reach).cwiseMax(range.lower);
   HsiaoVector v = last;
+  HsiaoVector guess = last;
+  if (hasArms(error))
+    for (int side = 0; side < 2; ++side) guessArm(error, *profile_, settings_.limits, side, guess);
+  guesses.push_back(guess);
   const int n = int(parameters.size());
   search(error,
          {parameters, kAll, range, int(std::ceil(settings_.particles_per_parameter * n)),

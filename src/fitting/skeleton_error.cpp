@@ -131,6 +131,14 @@ void SkeletonError::take(PartLabel part, const std::vector<Vector3d>& curve, int
   }
 }
 
+const Vector3d& SkeletonError::atNode(PartLabel part, int n) const {
+  const BoneSamples& samples = on_bones_[size_t(part)];
+  size_t k = 0;
+  const auto before = [n](const BoneSample& s) { return s.bone + s.share < n; };
+  while (k + 1 < samples.size() && before(samples[k])) ++k;
+  return data_[size_t(part)][k];
+}
+
 void SkeletonError::modelSamples(const HsiaoFrames& frames, PartLabel data, PartLabel model,
                                  std::vector<Vector3d>& out) const {
   std::array<Vector3d, 4> nodes;

@@ -41,8 +41,9 @@ class HierarchicalFitter {
                                    uint64_t seed) const;
 
   /// Temporal fit: joint limits and a range around `last`.
+  /// \param guesses where else particles start (moved inside the range)
   ProfileFit fitNear(const SkeletonError& error, const HsiaoVector& last, const HsiaoVector& reach,
-                     const std::vector<HsiaoVector>& guesses, uint64_t seed) const;
+                     std::vector<HsiaoVector> guesses, uint64_t seed) const;
 
   /// Joint limits; centre, neck and spin without bounds.
   HsiaoRange limits() const;

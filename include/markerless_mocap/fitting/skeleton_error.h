@@ -38,6 +38,9 @@ class SkeletonError {
   /// Sampled points of a data part, metres, from the torso to the tip.
   const std::vector<Eigen::Vector3d>& samples(PartLabel part) const { return data_[size_t(part)]; }
 
+  /// The sample of a seen limb that lies where the bones' node `n` should be.
+  const Eigen::Vector3d& atNode(PartLabel part, int n) const;
+
   /// The model's counterparts of samples(data) on the bones of `model`, a part of the same kind.
   void modelSamples(const HsiaoFrames& frames, PartLabel data, PartLabel model,
                     std::vector<Eigen::Vector3d>& out) const;
