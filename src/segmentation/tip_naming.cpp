@@ -20,7 +20,7 @@ struct Normal {
 
 // Logarithms as in TipMeasures, of clothed adults walking and moving their arms. Deviations are at
 // least 9 % of a length and 15 % of a volume, to leave room for other bodies and clothes.
-constexpr Normal kFullness[kKinds] = {{-2.75, 0.15}, {-4.70, 0.28}, {-3.95, 0.20}};
+constexpr Normal kFullness[kKinds] = {{-2.75, 0.20}, {-4.65, 0.35}, {-3.93, 0.28}};
 constexpr Normal kToCore[kKinds] = {{-0.03, 0.16}, {0.54, 0.15}, {0.72, 0.20}};
 constexpr Normal kDistance[kKinds][kKinds] = {
     {{0.0, 1.0}, {0.87, 0.09}, {1.41, 0.09}},

@@ -78,7 +78,7 @@ TEST(SplineWalk, FindsNothingWithoutModes) {
 /// Measures of a body: head, two arms, two legs in this order.
 TipMeasures bodyMeasures() {
   TipMeasures measures;
-  measures.fullness = {-2.75, -4.70, -4.70, -3.95, -3.95};
+  measures.fullness = {-2.75, -4.65, -4.65, -3.93, -3.93};
   measures.to_core = {-0.03, 0.54, 0.54, 0.72, 0.72};
   measures.distance.resize(5, 5);
   measures.distance << 0, .87, .87, 1.41, 1.41,  //

@@ -8,9 +8,8 @@
 
 namespace markerless_mocap {
 
-/// Edges of weight 1 that join components whose voxels touch by an edge or a corner, so that two
-/// components are joined in one place only and no loop arises: those with most contacts first, all
-/// contacts of a joined pair, none between pieces that are joined already.
+/// Edges of weight 1 between nodes of different components whose voxels touch by an edge or a
+/// corner. Within a component none: there a corner contact is a limb brushing past.
 /// \param component 6-connected component of each node of the grid
 std::vector<Edge> bridgeEdges(const NodeGrid& grid, const std::vector<uint32_t>& component);
 
