@@ -7,7 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 /// Standard deviation of the brightness ratio within a shadow; grey images have no other evidence.
-constexpr float kUnevenColor = 0.05f, kUnevenGrey = 0.03f;
+constexpr float kUnevenColor = 0.06f, kUnevenGrey = 0.03f;
 
 /// Brightness of the BGR colour `now` relative to `usual` if it is a shade of that; else 0.
 float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {

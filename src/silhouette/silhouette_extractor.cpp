@@ -86,7 +86,8 @@ cv::Mat SilhouetteExtractor::extract(const cv::Mat& image) const {
                                    ? classifyColor(test, image, mean_, inverse_sigma_)
                                    : classifyGrey(test, image, mean_, inverse_sigma_);
   cv::Mat mask = cleanMask(classes.mask, options_);
-  trimRim(classes.squared_distance, &mask);
+  // Twice: blur and chroma subsampling reach two pixels far.
+  for (int i = 0; i < 2; ++i) trimRim(classes.squared_distance, &mask);
   return mask;
 }
 

@@ -11,7 +11,7 @@ namespace markerless_mocap {
 struct SilhouetteOptions {
   static constexpr const char* kStage = "silhouette";
   int background_frames = 30;
-  double threshold_sigmas = 4.0;
+  double threshold_sigmas = 3.0;
   double min_sigma = 4.0;
   bool compensate_flicker = true;
   bool remove_shadows = true;
