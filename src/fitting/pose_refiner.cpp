@@ -21,6 +21,8 @@ constexpr double kCurveScale = 0.15;
 // Steps of the numeric derivative: metres and radians alike.
 constexpr double kStep = 1e-5;
 constexpr int kSkippedBalls = 3;
+// Limbs of a smaller radius, in voxels, may be missing from a hull: fingers.
+constexpr double kThinnest = 1.0;
 
 // The model's part that a segment belongs to.
 int partOf(int segment) {
@@ -28,6 +30,36 @@ int partOf(int segment) {
   if (segment == kHeadSegment) return int(PartLabel::kHead);
   const PartLabel first = segment < kThighSegment ? PartLabel::kArm1 : PartLabel::kLeg1;
   return int(first) + (segment - kUpperArmSegment) % 2;
+}
+
+bool isArm(int part) {
+  return part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
+}
+
+// A place on a part's bones: from node `bone`, `share` of the way to the next.
+struct BonePlace {
+  int bone;
+  double share;
+};
+
+std::vector<BonePlace> nearestPlaces(const std::vector<SegmentPoint>& bones,
+                                     const HsiaoFrames& frames,
+                                     const std::vector<Vector3d>& points) {
+  std::vector<BonePlace> places;
+  for (const Vector3d& point : points) {
+    BonePlace nearest{0, 0.0};
+    double least = HUGE_VAL;
+    for (int n = 0; n + 1 < int(bones.size()); ++n) {
+      const Vector3d a = bones[n].inWorld(frames), ab = bones[n + 1].inWorld(frames) - a;
+      const double share = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
+      const double distance = (a + share * ab - point).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = {n, share};
+    }
+    places.push_back(nearest);
+  }
+  return places;
 }
 
 // Share that a deviation keeps: 1 near zero, falling with the square beyond the scale.
@@ -43,15 +75,28 @@ struct PoseRefiner::Problem {
   PartAssignment assignment;
   std::vector<Correspondence> surface;
   std::array<std::vector<double>, kPartCount> curve_weights;
+  std::array<std::vector<BonePlace>, kPartCount> arm_places;
+  std::vector<BodyBall> balls;
   int size = 0;
+
+  // The model's counterparts of a data part's samples. How far a hull shows fingers varies, so an
+  // arm's samples go to the nearest places on its bones, not by way along the curve.
+  void modelPoints(const HsiaoProfile& profile, const HsiaoFrames& frames, int part,
+                   std::vector<Vector3d>& out) const {
+    const PartLabel model = PartLabel(assignment[part]);
+    if (!isArm(part)) return data->curves->modelSamples(frames, PartLabel(part), model, out);
+    out.clear();
+    for (const BonePlace& place : arm_places[part]) {
+      const Vector3d a = profile.bones(model)[place.bone].inWorld(frames);
+      const Vector3d b = profile.bones(model)[place.bone + 1].inWorld(frames);
+      out.push_back(a + place.share * (b - a));
+    }
+  }
 };
 
 PoseRefiner::PoseRefiner(const HsiaoProfile& profile, const ProfileShape& shape,
                          const RefinerSettings& settings)
-    : profile_(&profile), shape_(&shape), settings_(settings) {
-  for (size_t i = 0; i < shape.balls().size(); i += kSkippedBalls)
-    balls_.push_back(shape.balls()[i]);
-}
+    : profile_(&profile), shape_(&shape), settings_(settings) {}
 
 void PoseRefiner::associate(const HsiaoFrames& frames, Problem& problem) const {
   const RefinerData& data = *problem.data;
@@ -80,13 +125,20 @@ void PoseRefiner::associate(const HsiaoFrames& frames, Problem& problem) const {
     }
     problem.surface.push_back({point, nearest, robustWeight(distance, kSurfaceScale)});
   }
-  problem.size = int(problem.surface.size() + balls_.size());
+  problem.balls.clear();
+  for (size_t i = 0; i < shape_->balls().size(); i += kSkippedBalls)
+    if (shape_->balls()[i].radius > kThinnest * data.hull->lattice.pitch)
+      problem.balls.push_back(shape_->balls()[i]);
+  problem.size = int(problem.surface.size() + problem.balls.size());
   std::vector<Vector3d> model;
   for (int i = 0; i < kPartCount; ++i) {
     problem.curve_weights[i].clear();
     if (problem.assignment[i] < 0) continue;
-    data.curves->modelSamples(frames, PartLabel(i), PartLabel(problem.assignment[i]), model);
     const std::vector<Vector3d>& samples = data.curves->samples(PartLabel(i));
+    if (isArm(i))
+      problem.arm_places[i] =
+          nearestPlaces(profile_->bones(PartLabel(problem.assignment[i])), frames, samples);
+    problem.modelPoints(*profile_, frames, i, model);
     for (size_t k = 0; k < model.size(); ++k)
       problem.curve_weights[i].push_back(robustWeight((samples[k] - model[k]).norm(), kCurveScale));
     problem.size += 3 * int(model.size());
@@ -105,16 +157,16 @@ void PoseRefiner::deviations(const HsiaoVector& v, const Problem& problem, Vecto
       std::sqrt(settings_.surface_weight / problem.surface.size()) / kUsualSurface;
   for (const Correspondence& c : problem.surface)
     out[row++] = surface_scale * std::sqrt(c.weight) * cones[c.cone].signedDistance(c.point);
-  const double inside_scale = std::sqrt(settings_.inside_weight / balls_.size()) / kUsualOutside;
-  for (const BodyBall& ball : balls_)
+  const double inside_scale =
+      std::sqrt(settings_.inside_weight / problem.balls.size()) / kUsualOutside;
+  for (const BodyBall& ball : problem.balls)
     out[row++] = inside_scale *
                  std::max(0.0, problem.data->field->signedDistance(ball.center.inWorld(frames)) +
                                    ball.radius);
   for (int i = 0; i < kPartCount; ++i) {
     if (problem.assignment[i] < 0) continue;
     const std::vector<Vector3d>& samples = problem.data->curves->samples(PartLabel(i));
-    problem.data->curves->modelSamples(frames, PartLabel(i), PartLabel(problem.assignment[i]),
-                                       model);
+    problem.modelPoints(*profile_, frames, i, model);
     const double scale =
         std::sqrt(settings_.curve_weight / (kPartCount * samples.size())) / kUsualCurve;
     for (size_t k = 0; k < samples.size(); ++k, row += 3)

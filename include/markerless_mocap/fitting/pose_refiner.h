@@ -58,7 +58,6 @@ class PoseRefiner {
   const HsiaoProfile* profile_;
   const ProfileShape* shape_;
   RefinerSettings settings_;
-  std::vector<BodyBall> balls_;
 };
 
 }  // namespace markerless_mocap
