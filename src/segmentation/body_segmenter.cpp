@@ -97,30 +97,39 @@ std::string hullFault(const VisualHull& hull, const SegmentationOptions& options
   return reason.str();
 }
 
-void judge(double cost, double highest_cost, BodyParts* result) {
+std::string missingParts(const BodyParts& parts) {
   std::string missing;
-  int limbs = 0;
   for (int part = 0; part < kPartCount; ++part) {
-    if (result->parts[part].seen) {
-      ++limbs;
-      continue;
-    }
+    if (parts.parts[part].seen) continue;
     missing += (missing.empty() ? "" : ", ") + std::string(toString(PartLabel(part)));
   }
-  const bool upright = result->part(PartLabel::kTorso).seen &&
-                       result->part(PartLabel::kLeg1).seen && result->part(PartLabel::kLeg2).seen &&
-                       result->part(PartLabel::kHead).seen;
-  std::ostringstream odd;
-  odd.precision(3);
-  odd << "the hull's branches do not fit a body (cost " << cost << ", allowed " << highest_cost
-      << ")";
-  if (!upright || cost > highest_cost) {
-    result->status = SegmentationStatus::kInvalid;
-    result->reason = upright ? odd.str() : "no body is recognised: " + missing + " not seen";
+  return missing;
+}
+
+/// A torso with a head, a leg and one more limb: fewer could be anything.
+bool isBody(const BodyParts& parts) {
+  const auto seen = [&](PartLabel label) { return parts.part(label).seen; };
+  const int legs = seen(PartLabel::kLeg1) + seen(PartLabel::kLeg2);
+  const int arms = seen(PartLabel::kArm1) + seen(PartLabel::kArm2);
+  return seen(PartLabel::kTorso) && seen(PartLabel::kHead) && legs >= 1 && legs + arms >= 2;
+}
+
+void judge(double cost, double highest_cost, BodyParts* result) {
+  const std::string missing = missingParts(*result);
+  std::ostringstream reason;
+  reason.precision(3);
+  if (!isBody(*result)) {
+    reason << "no body is recognised: " << missing << " not seen";
+  } else if (cost > highest_cost) {
+    reason << "the hull's branches do not fit a body (cost " << cost << ", allowed " << highest_cost
+           << ")";
+  } else if (!missing.empty()) {
+    result->status = SegmentationStatus::kPartial;
+    reason << missing << " not seen";
   } else {
-    result->status = missing.empty() ? SegmentationStatus::kOk : SegmentationStatus::kPartial;
-    if (!missing.empty()) result->reason = missing + " not seen";
+    result->status = SegmentationStatus::kOk;
   }
+  result->reason = reason.str();
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ constexpr double kBuildDeviation = 0.08;
 // Of the branches, logarithms too.
 constexpr Normal kVolumeShare[kKinds] = {{-2.60, 0.30}, {-3.05, 0.30}, {-1.95, 0.40}};
 constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.02, 0.12}, {-2.77, 0.14}};
+constexpr double kMostOfLeg = 0.27;      // of the hull's nodes; more is two legs
 constexpr double kHighestSquare = 12.0;  // sum of the two squared z-scores of a plausible branch
 
 constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
@@ -137,6 +138,7 @@ TipNames nameTips(const TipMeasures& measures) {
 bool isPlausible(PartLabel label, double volume_share, double thickness) {
   const auto role = std::find(std::begin(kRoles), std::end(kRoles), label);
   const Kind kind = kKindOfRole[role - std::begin(kRoles)];
+  if (kind == kLegKind && volume_share > kMostOfLeg) return false;
   const double volume =
       (std::log(volume_share) - kVolumeShare[kind].mean) / kVolumeShare[kind].deviation;
   const double depth = (std::log(thickness) - kThickness[kind].mean) / kThickness[kind].deviation;
