@@ -26,7 +26,9 @@ struct SegmentationOptions {
 class BodySegmenter {
  public:
   explicit BodySegmenter(const SegmentationOptions& options);
-  /// Never throws on a bad hull: the status says what is wrong.
+  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there;
+  /// kPartial: torso, head, a leg and one more limb, the reason names the rest, whose voxels are
+  /// labelled torso.
   BodyParts segment(const VisualHull& hull) const;
 
  private:
