@@ -19,22 +19,22 @@ std::string readUrdfTemplate(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-BodyDescription::BodyDescription(const std::string& id, const std::string& template_file,
-                                 double stature)
-    : parameter_("/human_description_" + id) {
+BodyDescription::BodyDescription(const FittingNodeOptions& options, double stature)
+    : parameter_("/human_description_" + options.body_id), set_here_(!options.urdf_from_parameter) {
   std::string urdf;
-  const bool given = ros::param::get(parameter_, urdf);
-  if (!given)
-    urdf = fillUrdfTemplate(readUrdfTemplate(template_file), id,
+  if (set_here_) {
+    urdf = fillUrdfTemplate(readUrdfTemplate(options.urdf_template), options.body_id,
                             BodyProportions::fromStature(stature));
-  try {
-    model_ = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, id));
-  } catch (const std::invalid_argument& error) {
-    if (!given) throw;
-    throw std::invalid_argument("parameter " + parameter_ + ": " + error.what());
+  } else if (!ros::param::get(parameter_, urdf)) {
+    throw std::invalid_argument("parameter " + parameter_ +
+                                " is not set, allowed is the text of a URDF");
   }
-  if (!given) ros::param::set(parameter_, urdf);
-  set_here_ = !given;
+  try {
+    model_ = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, options.body_id));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("URDF for parameter " + parameter_ + ": " + error.what());
+  }
+  if (set_here_) ros::param::set(parameter_, urdf);
 }
 
 BodyDescription::~BodyDescription() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "markerless_mocap/body/body_model.h"
+#include "nodes/node_options.h"
 
 namespace markerless_mocap {
 
@@ -14,11 +15,11 @@ std::string readUrdfTemplate(const std::string& file);
 /// The body's URDF on the parameter server.
 class BodyDescription {
  public:
-  /// Takes the URDF of the parameter /human_description_<id> if there is one; otherwise fills the
-  /// template and sets the parameter. Throws std::invalid_argument as readUrdfTemplate(),
+  /// Reads the parameter /human_description_<id>, or sets it from the template. Throws
+  /// std::invalid_argument: a parameter that is not set, or as readUrdfTemplate(),
   /// fillUrdfTemplate() and BodyModel::fromUrdf().
   /// \param stature metres
-  BodyDescription(const std::string& id, const std::string& template_file, double stature);
+  BodyDescription(const FittingNodeOptions& options, double stature);
   /// Takes back a parameter that it set.
   ~BodyDescription();
   BodyDescription(const BodyDescription&) = delete;
@@ -28,7 +29,7 @@ class BodyDescription {
 
  private:
   std::string parameter_;
-  bool set_here_ = false;
+  bool set_here_;
   std::shared_ptr<const BodyModel> model_;
 };
 

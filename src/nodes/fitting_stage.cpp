@@ -23,7 +23,7 @@ AssemblerOptions exactStamps() {
 
 FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                            const FittingOptions& options, const FittingNodeOptions& node_options)
-    : description_(node_options.body_id, node_options.urdf_template, options.stature),
+    : description_(node_options, options.stature),
       tracker_(description_.model(), options),
       assembler_(kStreams, exactStamps()),
       status_(handle, private_handle, "pose fitting"),

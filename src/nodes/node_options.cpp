@@ -73,6 +73,9 @@ void HullNodeOptions::validate() const {
 void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
+  v.field("urdf_from_parameter", urdf_from_parameter,
+          "Whether /human_description_<body_id> is set already; false: the node sets it from the "
+          "template and the stature.");
 }
 
 void FittingNodeOptions::validate() const {
@@ -85,8 +88,8 @@ void StudioNodeOptions::visit(OptionVisitor& v) {
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
   v.field("world_frame", world_frame, {}, "Frame that cameras and person stand in.");
   v.field("clock", clock, "Whether stamps start at 1000 s and /clock is published.");
-  v.field("wait_for_subscribers", wait_for_subscribers, 0, 100,
-          "The film starts when each image topic has this many subscribers.");
+  v.field("wait_for_silhouettes", wait_for_silhouettes,
+          "Whether the film starts only when c/silhouette is advertised for every camera c.");
 }
 
 void StudioNodeOptions::validate() const {

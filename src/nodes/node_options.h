@@ -36,6 +36,7 @@ struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
   std::string body_id = "person1";
   std::string urdf_template;
+  bool urdf_from_parameter = false;
 
   void visit(OptionVisitor& v);
   void validate() const;
@@ -47,7 +48,7 @@ struct StudioNodeOptions {
   std::string urdf_template;
   std::string world_frame = "world";
   bool clock = false;
-  int wait_for_subscribers = 0;
+  bool wait_for_silhouettes = false;
 
   void visit(OptionVisitor& v);
   void validate() const;

@@ -28,9 +28,9 @@ void StageStatus::waiting(const std::string& sentence) {
 }
 
 void StageStatus::problem(const std::string& sentence) {
-  enter(DiagnosticStatus::ERROR, sentence);
+  enter(DiagnosticStatus::WARN, sentence);
   count("problems");
-  ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << sentence);
+  ROS_WARN_STREAM_THROTTLE(5.0, stage_ << ": " << sentence);
 }
 
 void StageStatus::set(const std::string& name, uint64_t count) {

@@ -1,8 +1,11 @@
 #include "nodes/studio_stage.h"
 
+#include <ros/master.h>
 #include <ros/param.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_eigen/tf2_eigen.h>
+
+#include <algorithm>
 
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
@@ -23,7 +26,8 @@ std::string opticalFrame(const Camera& camera) {
 
 StudioStage::StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                          const StudioOptions& options, const StudioNodeOptions& node_options)
-    : node_options_(node_options),
+    : handle_(handle),
+      node_options_(node_options),
       studio_(readUrdfTemplate(node_options.urdf_template), node_options.body_id, options),
       status_(handle, private_handle, "virtual studio") {
   ros::param::set("/human_description_" + node_options_.body_id, studio_.urdf());
@@ -52,17 +56,22 @@ void StudioStage::publishRig() {
   static_broadcaster_.sendTransform(transforms);
 }
 
-bool StudioStage::hasSubscribers() const {
-  for (const ros::Publisher& publisher : images_)
-    if (publisher.getNumSubscribers() < static_cast<uint32_t>(node_options_.wait_for_subscribers))
-      return false;
+bool StudioStage::isAwaited() const {
+  if (!node_options_.wait_for_silhouettes) return true;
+  ros::master::V_TopicInfo advertised;
+  ros::master::getTopics(advertised);
+  for (size_t i = 0; i < images_.size(); ++i) {
+    const std::string topic = handle_.resolveName(studio_.rig()[i].name() + "/silhouette");
+    const bool known = std::any_of(advertised.begin(), advertised.end(),
+                                   [&](const auto& info) { return info.name == topic; });
+    if (!known || images_[i].getNumSubscribers() == 0) return false;
+  }
   return true;
 }
 
 void StudioStage::tick() {
-  if (next_ == 0 && !hasSubscribers()) {
-    status_.waiting("the film starts when each image topic has " +
-                    std::to_string(node_options_.wait_for_subscribers) + " subscribers");
+  if (next_ == 0 && !isAwaited()) {
+    status_.waiting("the film starts when the silhouette of every camera is advertised");
     return;
   }
   const StudioInstant instant = studio_.render(next_++);

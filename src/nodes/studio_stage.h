@@ -22,11 +22,12 @@ class StudioStage {
  private:
   void advertise(ros::NodeHandle& handle);
   void publishRig();
-  bool hasSubscribers() const;
+  bool isAwaited() const;
   void tick();
   void publish(const StudioInstant& instant, const ros::Time& stamp);
   void publishTruth(const StudioInstant& instant, const std_msgs::Header& header);
 
+  ros::NodeHandle handle_;
   StudioNodeOptions node_options_;
   VirtualStudio studio_;
   StageStatus status_;

@@ -1,0 +1,244 @@
+#!/usr/bin/python3
+"""Each bad input gets its sentence; no node crashes, hangs or publishes a pose it does not have."""
+import subprocess
+import unittest
+
+import rospy
+import rostest
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import TransformStamped
+from markerless_mocap.msg import BodyParts, BodyPose, VoxelGrid
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
+
+SIZE = (64, 48)
+
+
+def start(node, *arguments):
+    return subprocess.Popen(['rosrun', 'markerless_mocap', node, '__name:=' + node, *arguments],
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def refusal(node, *arguments):
+    """Exit code and output of a node that must end by itself."""
+    process = start(node, *arguments)
+    output, _ = process.communicate(timeout=30)
+    return process.returncode, output
+
+
+class Refusals(unittest.TestCase):
+    def expect(self, sentence, node, *arguments, **parameters):
+        for key, value in parameters.items():
+            rospy.set_param('/%s/%s' % (node, key), value)
+        code, output = refusal(node, *arguments)
+        if rospy.has_param('/' + node):
+            rospy.delete_param('/' + node)
+        self.assertEqual(1, code, output)
+        self.assertIn(sentence, output)
+
+    def test_no_cameras(self):
+        self.expect('visual_hull/cameras lists 0 cameras, allowed is 2 to 32', 'visual_hull')
+        self.expect('silhouette/cameras lists 0 cameras, allowed is 1 to 32', 'silhouette')
+
+    def test_typo(self):
+        self.expect('/visual_hull/pich is not an option (value 0.02), did you mean pitch?',
+                    'visual_hull', cameras=['a', 'b'], pich=0.02)
+
+    def test_value_out_of_range(self):
+        self.expect('/body_segmentation/highest_cost is 100, allowed is', 'body_segmentation',
+                    highest_cost=100.0)
+
+    def test_wrong_type(self):
+        self.expect('/silhouette/background_frames is many, allowed is a whole number',
+                    'silhouette', cameras=['a'], background_frames='many')
+
+    def test_camera_twice(self):
+        self.expect('visual_hull/cameras holds "a"', 'visual_hull', cameras=['a', 'a'])
+
+    def test_unreadable_urdf_template(self):
+        self.expect('the URDF template /no/such/file cannot be read', 'pose_fitting',
+                    urdf_template='/no/such/file')
+
+    def test_no_urdf(self):
+        self.expect('parameter /human_description_person1 is not set', 'pose_fitting',
+                    urdf_from_parameter=True)
+
+    def test_urdf_that_is_none(self):
+        rospy.set_param('/human_description_person1', 'no xml')
+        try:
+            self.expect('URDF for parameter /human_description_person1: ', 'pose_fitting',
+                        urdf_from_parameter=True)
+        finally:
+            rospy.delete_param('/human_description_person1')
+
+    def test_urdf_without_the_links(self):
+        rospy.set_param('/human_description_person1',
+                        '<robot name="r"><link name="base_person1"/></robot>')
+        try:
+            self.expect('URDF for parameter /human_description_person1: ', 'pose_fitting',
+                        urdf_from_parameter=True)
+        finally:
+            rospy.delete_param('/human_description_person1')
+
+
+class Diagnosed(unittest.TestCase):
+    """A node that runs while it is given bad messages."""
+
+    def run_node(self, node, *arguments):
+        self.sentences = []
+        rospy.Subscriber('/diagnostics', DiagnosticArray, self.keep, queue_size=100)
+        self.process = start(node, *arguments)
+        self.addCleanup(self.stop)
+
+    def keep(self, message):
+        self.sentences += [s.message for s in message.status]
+
+    def stop(self):
+        self.process.terminate()
+        self.process.communicate(timeout=30)
+        for name in ('/human_description_person1', '/visual_hull', '/silhouette', '/body_segmentation', '/pose_fitting'):
+            if rospy.has_param(name):
+                rospy.delete_param(name)
+
+    def send_until(self, sentence, send):
+        end = rospy.get_time() + 20
+        while rospy.get_time() < end:
+            send(rospy.Time.now())
+            rospy.sleep(0.05)
+            self.assertIsNone(self.process.poll(), 'the node has ended')
+            if any(sentence in s for s in self.sentences):
+                return
+        self.fail('never said: %s; but: %s' % (sentence, set(self.sentences)))
+
+
+def info(frame, size=SIZE, focal=50.0):
+    message = CameraInfo(width=size[0], height=size[1], distortion_model='plumb_bob')
+    message.header.frame_id = frame
+    message.D = [0.0] * 5
+    message.K = [focal, 0, size[0] / 2, 0, focal, size[1] / 2, 0, 0, 1 if focal else 0]
+    if not focal:
+        message.K = [0.0] * 9
+    return message
+
+
+def mask(stamp, value, size=SIZE, encoding='mono8'):
+    message = Image(width=size[0], height=size[1], step=size[0], encoding=encoding)
+    message.header.stamp = stamp
+    message.data = bytes([value]) * (size[0] * size[1])
+    return message
+
+
+class Hull(Diagnosed):
+    def setUp(self):
+        rospy.set_param('/visual_hull/cameras', ['a', 'b'])
+        self.infos = [rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5) for c in 'ab']
+        self.masks = [rospy.Publisher(c + '/silhouette', Image, queue_size=5) for c in 'ab']
+        self.clouds = []
+        self.clouds_in = rospy.Subscriber('hull/points', PointCloud2, self.clouds.append)
+        self.run_node('visual_hull')
+
+    def sender(self, messages, value=0, size=SIZE, encoding='mono8'):
+        def send(stamp):
+            for publisher, message in zip(self.infos, messages):
+                publisher.publish(message)
+            for publisher in self.masks:
+                publisher.publish(mask(stamp, value, size, encoding))
+        return send
+
+    def expect(self, sentence, *arguments, **named):
+        self.send_until(sentence, self.sender(*arguments, **named))
+        rospy.sleep(0.3)
+        self.assertTrue(self.clouds, 'an instant that cannot be used has its empty cloud')
+        self.assertEqual({0}, {c.width for c in self.clouds})
+
+    def test_no_camera_info(self):
+        self.expect('no camera_info has come from a, b', [])
+
+    def test_no_tf(self):
+        self.expect('tf does not connect nowhere of a to world', [info('nowhere'), info('b_optical')])
+
+    def test_zero_k(self):
+        self.expect('K', [info('a_optical', focal=0.0), info('b_optical')])
+
+    def test_nan_k(self):
+        self.expect('K', [info('a_optical', focal=float('nan')), info('b_optical')])
+
+    def test_mask_of_another_size(self):
+        self.expect('32 x 24 pixels', [info('a_optical'), info('b_optical')], size=(32, 24))
+
+    def test_mask_of_another_encoding(self):
+        self.expect('has the encoding "8SC1", allowed is mono8',
+                    [info('a_optical'), info('b_optical')], encoding='8SC1')
+
+    def test_empty_masks(self):
+        self.expect('mask', [info('a_optical'), info('b_optical')], value=0)
+
+    def test_full_masks(self):
+        self.expect('mask', [info('a_optical'), info('b_optical')], value=255)
+
+
+class OtherStages(Diagnosed):
+    def test_unreadable_image(self):
+        rospy.set_param('/silhouette/cameras', ['a'])
+        rospy.set_param('/silhouette/image_transport', 'compressed')
+        images = rospy.Publisher('a/image_raw/compressed', CompressedImage, queue_size=5)
+        self.run_node('silhouette')
+
+        def send(stamp):
+            message = CompressedImage(format='jpeg', data=b'no jpeg')
+            message.header.stamp = stamp
+            images.publish(message)
+        self.send_until('cannot be decoded', send)
+
+    def test_hull_without_grid(self):
+        points = rospy.Publisher('hull/points', PointCloud2, queue_size=5)
+        answers = []
+        rospy.Subscriber('segmentation/parts', BodyParts, answers.append)
+        self.run_node('body_segmentation')
+
+        def send(stamp):
+            message = PointCloud2()
+            message.header.stamp = stamp
+            points.publish(message)
+        self.send_until('no hull/grid has come yet', send)
+        self.assertEqual({BodyParts.INVALID}, {a.status for a in answers})
+
+    def test_nothing_to_fit(self):
+        topics = {'hull/points': PointCloud2, 'segmentation/points': PointCloud2,
+                  'segmentation/parts': BodyParts}
+        publishers = {t: rospy.Publisher(t, kind, queue_size=5) for t, kind in topics.items()}
+        grid = rospy.Publisher('hull/grid', VoxelGrid, queue_size=1, latch=True)
+        grid.publish(VoxelGrid(pitch=float('nan')))
+        poses = []
+        rospy.Subscriber('pose', BodyPose, poses.append)
+        self.run_node('pose_fitting')
+
+        def send(stamp):
+            for topic, kind in topics.items():
+                message = kind()
+                message.header.stamp = stamp
+                publishers[topic].publish(message)
+        self.send_until('hull cloud', send)
+        self.assertEqual({BodyPose.LOST}, {p.status for p in poses})
+        self.assertTrue(all(p.reason for p in poses))
+
+
+def place_cameras(broadcaster):
+    transforms = []
+    for i, camera in enumerate('ab'):
+        t = TransformStamped()
+        t.header.frame_id, t.child_frame_id = 'world', camera + '_optical'
+        t.transform.translation.y, t.transform.translation.z = -3.0, 1.0
+        t.transform.translation.x = 0.5 * i
+        t.transform.rotation.x, t.transform.rotation.w = -0.5 ** 0.5, 0.5 ** 0.5
+        transforms.append(t)
+    broadcaster.sendTransform(transforms)
+
+
+def setUpModule():
+    rospy.init_node('bad_input_test')
+    place_cameras(tf2_ros.StaticTransformBroadcaster())
+
+
+if __name__ == '__main__':
+    rostest.rosrun('markerless_mocap', 'bad_input', 'bad_input_test')

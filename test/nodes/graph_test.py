@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""The studio's film through every stage: poses come, frames move, stamps stay the capture's."""
+import unittest
+
+import rospy
+import rostest
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
+from markerless_mocap.msg import BodyParts, BodyPose, VoxelGrid
+from sensor_msgs.msg import Image, JointState, PointCloud2
+
+POSES_WANTED = 8
+
+
+class Recorder:
+    """Keeps what comes on a topic."""
+
+    def __init__(self, topic, kind):
+        self.messages = []
+        self.subscriber = rospy.Subscriber(topic, kind, self.messages.append, queue_size=200)
+
+    def stamps(self):
+        return {m.header.stamp.to_nsec() for m in self.messages}
+
+
+class Graph(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('graph_test')
+        cls.tf = tf2_ros.Buffer(cache_time=rospy.Duration(600))
+        cls.listener = tf2_ros.TransformListener(cls.tf)
+        cls.poses = Recorder('pose', BodyPose)
+        cls.hulls = Recorder('hull/points', PointCloud2)
+        cls.parts = Recorder('segmentation/parts', BodyParts)
+        cls.masks = Recorder('cam0/silhouette', Image)
+        cls.joints = Recorder('/humans/bodies/person1/joint_states', JointState)
+        cls.diagnostics = Recorder('/diagnostics', DiagnosticArray)
+        end = rospy.get_time() + 90
+        while rospy.get_time() < end and len(cls.tracked()) < POSES_WANTED:
+            rospy.sleep(0.2)
+        rospy.sleep(1.0)
+
+    @classmethod
+    def tracked(cls):
+        return [p for p in cls.poses.messages if p.status != BodyPose.LOST]
+
+    def test_poses_come(self):
+        reasons = {p.reason for p in self.poses.messages}
+        self.assertGreaterEqual(len(self.tracked()), POSES_WANTED, reasons)
+
+    def test_every_stage_carries_the_capture_stamp(self):
+        masks = self.masks.stamps()
+        for recorder in (self.hulls, self.parts, self.poses, self.joints):
+            self.assertTrue(recorder.stamps())
+            self.assertLessEqual(recorder.stamps(), masks)
+            self.assertEqual({'world'}, {m.header.frame_id for m in recorder.messages})
+
+    def test_no_hull_goes_missing(self):
+        answered = self.poses.stamps()
+        first, last = min(answered), max(answered)
+        hulls = {s for s in self.hulls.stamps() if first <= s <= last}
+        self.assertLessEqual(hulls, answered)
+
+    def test_frames_of_all_links_follow_the_person(self):
+        first, last = self.tracked()[0], self.tracked()[-1]
+        for frame in ('body_person1', 'head_person1', 'l_ankle_person1'):
+            a = self.tf.lookup_transform('world', frame, first.header.stamp).transform.translation
+            b = self.tf.lookup_transform('world', frame, last.header.stamp).transform.translation
+            moved = ((a.x - b.x) ** 2 + (a.y - b.y) ** 2) ** 0.5
+            self.assertGreater(moved, 0.05, frame)
+
+    def test_the_person_is_where_the_truth_is(self):
+        far = 0
+        for pose in self.tracked():
+            truth = self.tf.lookup_transform('world', 'body_truth', pose.header.stamp)
+            t, p = truth.transform.translation, pose.pose.position
+            far += ((t.x - p.x) ** 2 + (t.y - p.y) ** 2 + (t.z - p.z) ** 2) ** 0.5 > 0.25
+        self.assertLessEqual(far, len(self.tracked()) // 4)
+
+    def test_joint_states_are_the_pose_s_joints(self):
+        by_stamp = {j.header.stamp: j for j in self.joints.messages}
+        for pose in self.tracked():
+            state = by_stamp[pose.header.stamp]
+            self.assertEqual(list(pose.joint_names), list(state.name))
+            self.assertEqual(list(pose.joint_angles), list(state.position))
+
+    def test_the_grid_is_latched(self):
+        grid = rospy.wait_for_message('hull/grid', VoxelGrid, 5.0)
+        self.assertEqual('world', grid.header.frame_id)
+        self.assertGreater(min(grid.size), 0)
+
+    def test_the_body_is_on_the_parameter_server(self):
+        self.assertIn('body_person1', rospy.get_param('/human_description_person1'))
+
+    def test_every_stage_reports(self):
+        names = {s.name for d in self.diagnostics.messages for s in d.status}
+        for stage in ('silhouette of cam7', 'visual hull', 'body segmentation', 'pose fitting'):
+            self.assertTrue(any(n.endswith(stage) for n in names), (stage, names))
+
+
+if __name__ == '__main__':
+    rostest.rosrun('markerless_mocap', 'graph', Graph)
