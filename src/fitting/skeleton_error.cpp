@@ -14,8 +14,6 @@ constexpr double kForbidden = std::numeric_limits<double>::infinity();
 constexpr double kTorsoTrim = 0.15;
 // How far a torso's curve may slide along its bone, metres: the cuts to legs and neck wander.
 constexpr double kTorsoSlide = 0.12;
-// Fingers are too thin for the hull: an arm's curve ends this share of the arm before their tips.
-constexpr double kFingerShare = 0.145;
 
 std::vector<double> arcLengths(const std::vector<Vector3d>& line) {
   std::vector<double> along(line.size(), 0.0);

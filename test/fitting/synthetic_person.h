@@ -10,6 +10,7 @@
 #include "markerless_mocap/fitting/hsiao_profile.h"
 #include "markerless_mocap/fitting/particle_swarm.h"
 #include "markerless_mocap/fitting/profile_shape.h"
+#include "markerless_mocap/fitting/skeleton_error.h"
 #include "markerless_mocap/hull/visual_hull.h"
 #include "markerless_mocap/segmentation/body_parts.h"
 
@@ -86,7 +87,7 @@ inline BodyParts curvesOf(const HsiaoProfile& profile, const HsiaoVector& v) {
     PartCurve& curve = parts.parts[part];
     curve.seen = true;
     for (int k = 0; k <= 24; ++k) {
-      curve.points.push_back(alongLine(line, (arm ? 0.88 : 1.0) * k / 24.0));
+      curve.points.push_back(alongLine(line, (arm ? 1.0 - kFingerShare : 1.0) * k / 24.0));
       curve.site_values.push_back(k / 24.0);
     }
   }

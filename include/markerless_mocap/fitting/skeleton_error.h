@@ -14,6 +14,10 @@ using PartMatrix = Eigen::Matrix<double, kPartCount, kPartCount>;
 /// Model part of each data part; -1 for a data part left out.
 using PartAssignment = std::array<int, kPartCount>;
 
+/// Fingers are too thin for most hulls: an arm's curve ends about this share of the arm before
+/// their tips.
+constexpr double kFingerShare = 0.145;
+
 /// The smaller of the two pairings (same order, reversed) of summed distances, per point
 /// (Hsiao 2008, Eq. 3-27). Both hold `count` > 0 points.
 double pairedDistance(const Eigen::Vector3d* a, const Eigen::Vector3d* b, int count);
