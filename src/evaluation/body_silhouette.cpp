@@ -36,11 +36,12 @@ bool addOutline(const Camera& camera, const Eigen::Vector3d& center, double radi
 
 }  // namespace
 
-cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link,
-                       const Camera& camera) {
+cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, const Camera& camera,
+                       const std::vector<bool>& link_shown) {
   cv::Mat mask = cv::Mat::zeros(camera.height(), camera.width(), CV_8UC1);
   std::vector<cv::Point> outline, hull;
   for (const RoundCone& cone : model.shape()) {
+    if (!link_shown.empty() && !link_shown.at(cone.link)) continue;
     const Eigen::Isometry3d& T_world = T_world_link.at(cone.link);
     outline.clear();
     if (!addOutline(camera, T_world * cone.a, cone.radius_a, &outline) ||

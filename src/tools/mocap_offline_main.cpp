@@ -35,6 +35,8 @@ void describe(CLI::App& app, Arguments* arguments) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--duration", run.recording.duration, "seconds to process")
       ->check(CLI::PositiveNumber);
+  app.add_option("--report", run.report_folder,
+                 "folder for report.html and pictures of the body over the images");
   app.add_flag("--masks-out", run.masks_out, "write the silhouettes too");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }

@@ -1,11 +1,13 @@
 #include "tools/offline_run.h"
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "tools/body_file.h"
 #include "tools/progress.h"
 #include "tools/result_writer.h"
+#include "tools/run_report.h"
 
 namespace markerless_mocap {
 namespace {
@@ -64,6 +66,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   NewBag bag(options.output);
   ResultWriter writer(&bag, *model, options.recording.world_frame);
   Progress progress("mocap_offline", notes, terminal);
+  std::optional<RunReport> report;
+  if (!options.report_folder.empty()) report.emplace(options.report_folder, *model, pipeline.rig());
   const auto process = [&](const RecordedInstant& instant) {
     if (summary.instants() == 0)
       writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
@@ -71,12 +75,15 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     const PipelineResult result = pipeline.process(instant.stamp_ns, instant.frames);
     summary.add(result);
     if (options.masks_out) writer.writeMasks(instant.stamp_ns, recording.cameras(), result.masks);
-    if (!result.learning) writer.write(instant.stamp_ns, result);
+    if (result.learning) return;
+    writer.write(instant.stamp_ns, result);
+    if (report) summary.addOverlaps(report->add(instant, result));
   };
   recording.forEachInstant(process, [&](double share) { progress.update(share); });
   progress.finish();
   checkOutcome(summary);
   bag.commit();
+  if (report) report->write(options.input);
   if (notes) remarkOn(recording, *notes);
   return summary;
 }

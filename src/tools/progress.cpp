@@ -26,7 +26,8 @@ void Progress::update(double share) {
 }
 
 void Progress::finish() {
-  if (out_ && terminal_ && shown_ >= 0) *out_ << std::endl;
+  update(1.0);
+  if (out_ && terminal_) *out_ << std::endl;
 }
 
 bool errorsGoToTerminal() {

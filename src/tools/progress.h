@@ -12,7 +12,7 @@ class Progress {
   Progress(std::string label, std::ostream* out, bool terminal);
   /// \param share done, 0..1, never less than the last one
   void update(double share);
-  /// Ends the bar's line.
+  /// Shows the whole as done and ends the bar's line.
   void finish();
 
  private:

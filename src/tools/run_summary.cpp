@@ -62,11 +62,19 @@ void RunSummary::add(const PipelineResult& result) {
   }
 }
 
+void RunSummary::addOverlaps(const std::vector<double>& overlaps) {
+  for (const double iou : overlaps) iou_sum_ += iou;
+  views_ += int(overlaps.size());
+}
+
 void RunSummary::print(std::ostream& out) const {
   out << "instants       " << instants_ << ", " << learning_ << " of them to learn the background\n"
       << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
       << lost_ << " lost\n";
   printReasons(out);
+  if (views_ > 0)
+    out << "overlap        " << std::setprecision(3) << meanIou()
+        << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
   printTimes(out);
   if (processed() > 0 && poses() == 0)
     out << "No instant has a pose: hull and segmentation are written, pose says LOST throughout.\n";

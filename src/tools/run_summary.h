@@ -19,10 +19,13 @@ class RunSummary {
   void stageDone(const std::string& stage);
   void startInstant();
   void add(const PipelineResult& result);
+  /// \param overlaps intersection over union of body and mask, one per view
+  void addOverlaps(const std::vector<double>& overlaps);
 
   int instants() const { return instants_; }
   /// Instants after the background was learned.
   int processed() const { return instants_ - learning_; }
+  double meanIou() const { return views_ == 0 ? 0.0 : iou_sum_ / views_; }
   int poses() const { return tracked_ + reinitialized_; }
 
   void print(std::ostream& out) const;
@@ -41,6 +44,8 @@ class RunSummary {
   std::vector<std::pair<std::string, double>> stage_seconds_;  ///< in the order of processing
   std::map<std::string, Reason> reasons_;  ///< of lost poses, by sentence without its numbers
   int instants_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
+  double iou_sum_ = 0.0;
+  int views_ = 0;  ///< that have been compared
 };
 
 }  // namespace markerless_mocap

@@ -84,6 +84,19 @@ TEST(BodySilhouette, BodyBehindTheCameraIsNotSeen) {
   EXPECT_EQ(cv::countNonZero(bodySilhouette(model, poses, camera)), 0);
 }
 
+TEST(BodySilhouette, OnlyShownLinksAreDrawn) {
+  const BodyModel model = person();
+  const Camera camera(frontCamera(3.0));
+  const LinkPoses poses = standing(model, {0, 0, 0});
+  std::vector<bool> head_only(model.links().size(), false);
+  EXPECT_EQ(cv::countNonZero(bodySilhouette(model, poses, camera, head_only)), 0);
+  for (const RoundCone& cone : model.shape())
+    if (model.links()[cone.link] == "head_person1") head_only[cone.link] = true;
+  const int head = cv::countNonZero(bodySilhouette(model, poses, camera, head_only));
+  EXPECT_GT(head, 0);
+  EXPECT_LT(head, 0.2 * cv::countNonZero(bodySilhouette(model, poses, camera)));
+}
+
 TEST(BodySilhouette, CameraInsideTheBodySeesTheRestOfIt) {
   const BodyModel model = person();
   const Camera camera(frontCamera(0.0));

@@ -129,14 +129,25 @@ TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
-TEST_F(OfflineRun, ProgressWithoutTerminalIsALineEveryTenPercent) {
+TEST_F(OfflineRun, ProgressWithoutTerminalIsALineEveryTenPercentFromZero) {
   writeBag();
   std::ostringstream notes;
   runOffline(options_, &notes, false);
   const std::string text = notes.str();
   EXPECT_EQ(text.find('\r'), std::string::npos);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11) << text;
   EXPECT_NE(text.find("mocap_offline 100 %"), std::string::npos) << text;
+}
+
+TEST_F(OfflineRun, ReportIsOnePageWithPicturesOfItsOwn) {
+  writeBag();
+  options_.report_folder = path("report");
+  runOffline(options_, nullptr, false);
+  const std::string page = bytesOf("report/report.html");
+  EXPECT_NE(page.find("3 lost"), std::string::npos);
+  EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(path("report/instant_000002.png")));
 }
 
 TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/camera/camera.h"
@@ -13,8 +14,10 @@ namespace markerless_mocap {
 /// the camera is left out. Outlines have 32 corners: a limb of 50 px width is drawn too thin by
 /// less than 0.3 px.
 /// \param T_world_link frames of all links, as BodyModel::forwardKinematics() gives them
+/// \param link_shown which links' cones to draw, by index; empty: all
 /// \return CV_8UC1 of the camera's size, 255 = body
-cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, const Camera& camera);
+cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, const Camera& camera,
+                       const std::vector<bool>& link_shown = {});
 
 /// Intersection over union of two masks of one size (CV_8UC1, non-zero = inside), 0..1; 0 when
 /// both are empty: nothing has been found. Throws std::invalid_argument if sizes or types differ.
