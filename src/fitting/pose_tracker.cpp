@@ -20,8 +20,10 @@ constexpr double kEvidenceFade = 0.8;
 // A body seen again must fit this much better to replace the one that is followed.
 constexpr double kReplaceShare = 0.95;
 
-// What an unseen arm may be moved from where it was, radians.
-constexpr double kUnseenReach = 0.5;
+// What an unseen arm may be moved from where it was last seen, radians: the hull still tells a
+// little of the shoulder, nothing of the elbow.
+constexpr double kUnseenShoulderReach = 1.0;
+constexpr double kUnseenElbowReach = 0.3;
 
 HsiaoVector hangingArms() {
   HsiaoVector v = HsiaoVector::Zero();
@@ -84,6 +86,7 @@ struct PoseTracker::State {
   bool isReplaced(const FittingInstant& now, const ProfileFit& temporal, const Refinement& kept,
                   Refinement& other);
   bool isTurnBelieved(const Refinement& kept, const Refinement& other);
+  void rememberArms(const HsiaoVector& v, const std::array<bool, kPartCount>& seen);
   void forget();
   uint64_t seed() const { return uint64_t(options.seed) * 1000003u; }
 
@@ -98,6 +101,7 @@ struct PoseTracker::State {
 
   std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose
   std::optional<HsiaoVector> last, before;
+  HsiaoVector arms_seen = hangingArms();  // arm angles when each was last seen; else unused
   double turn_evidence = 0.0;
 };
 
@@ -105,6 +109,7 @@ void PoseTracker::State::forget() {
   last.reset();
   before.reset();
   pose_stamp.reset();
+  arms_seen = hangingArms();
   turn_evidence = 0.0;
   conversion.reset();
 }
@@ -118,11 +123,20 @@ Refinement PoseTracker::State::refine(const FittingInstant& now, const HsiaoVect
     if (std::isfinite(errors[size_t(PartLabel::kArm1) + side])) continue;
     for (const int k : {3, 5, 7, 9}) {
       const int p = hsiaoTheta(k + side);
-      range.lower[p] = std::max(range.lower[p], v[p] - kUnseenReach);
-      range.upper[p] = std::min(range.upper[p], v[p] + kUnseenReach);
+      const double reach = k == 9 ? kUnseenElbowReach : kUnseenShoulderReach;
+      range.lower[p] = std::max(range.lower[p], arms_seen[p] - reach);
+      range.upper[p] = std::min(range.upper[p], arms_seen[p] + reach);
     }
   }
-  return refiner.refine(v, range, {&now.curves, &now.parts, &now.hull, &now.field});
+  const HsiaoVector start = v.cwiseMax(range.lower).cwiseMin(range.upper);
+  return refiner.refine(start, range, {&now.curves, &now.parts, &now.hull, &now.field});
+}
+
+void PoseTracker::State::rememberArms(const HsiaoVector& v,
+                                      const std::array<bool, kPartCount>& seen) {
+  for (int side = 0; side < 2; ++side)
+    if (seen[size_t(PartLabel::kArm1) + side])
+      for (const int k : {3, 5, 7, 9}) arms_seen[hsiaoTheta(k + side)] = v[hsiaoTheta(k + side)];
 }
 
 std::optional<Refinement> PoseTracker::State::startAnew(const FittingInstant& now,
@@ -194,6 +208,7 @@ BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
     before = last;
   }
   last = found.v;
+  rememberArms(found.v, pose.part_seen);
   conversion.convert(found.v, pose.T_world_body, pose.angles);
   return pose;
 }
