@@ -22,7 +22,7 @@ constexpr double kReplaceShare = 0.95;
 
 // What an unseen arm may be moved from where it was last seen, radians: the hull still tells a
 // little of the shoulder, nothing of the elbow.
-constexpr double kUnseenShoulderReach = 1.0;
+constexpr double kUnseenShoulderReach = 0.4;
 constexpr double kUnseenElbowReach = 0.3;
 
 HsiaoVector hangingArms() {
