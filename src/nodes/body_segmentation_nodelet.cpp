@@ -8,6 +8,7 @@
 #include "markerless_mocap/ros/parameters.h"
 #include "markerless_mocap/ros/segmentation_conversions.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
+#include "nodes/callback_gate.h"
 #include "nodes/guarded_start.h"
 #include "nodes/publish_shared.h"
 #include "nodes/stage_status.h"
@@ -31,9 +32,10 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", 4);
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     grid_subscriber_ = handle.subscribe<VoxelGrid>(
-        "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
     hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
-        "hull/points", 2, [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
+        "hull/points", 2,
+        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }));
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
@@ -66,6 +68,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
   std::unique_ptr<StageStatus> status_;
   ros::Publisher parts_, points_, curves_;
   ros::Subscriber grid_subscriber_, hull_subscriber_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

@@ -11,6 +11,10 @@
 namespace markerless_mocap {
 namespace {
 
+// While a pose is fitted the newest wait, and the hulls are ahead of their segmentation.
+constexpr uint32_t kQueue = 2;
+constexpr uint32_t kHullQueue = 12;
+
 AssemblerOptions exactStamps() {
   AssemblerOptions options;
   options.tolerance = 0.0;
@@ -36,19 +40,19 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
 
 void FittingStage::subscribe(ros::NodeHandle& handle) {
   subscribers_.push_back(handle.subscribe<VoxelGrid>(
-      "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
+      "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; })));
   subscribers_.push_back(handle.subscribe<BodyPartsMsg>(
-      "segmentation/parts", 4, [this](const BodyPartsMsg::ConstPtr& parts) {
+      "segmentation/parts", kQueue, gate_.guarded([this](const BodyPartsMsg::ConstPtr& parts) {
         receive(kParts, parts->header, {parts, nullptr});
-      }));
-  const auto subscribe_cloud = [&](const char* topic, Stream stream) {
+      })));
+  const auto subscribe_cloud = [&](const char* topic, uint32_t queue, Stream stream) {
     subscribers_.push_back(handle.subscribe<sensor_msgs::PointCloud2>(
-        topic, 4, [this, stream](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+        topic, queue, gate_.guarded([this, stream](const sensor_msgs::PointCloud2ConstPtr& cloud) {
           receive(stream, cloud->header, {nullptr, cloud});
-        }));
+        })));
   };
-  subscribe_cloud("segmentation/points", kLabels);
-  subscribe_cloud("hull/points", kHull);
+  subscribe_cloud("segmentation/points", kQueue, kLabels);
+  subscribe_cloud("hull/points", kHullQueue, kHull);
 }
 
 void FittingStage::receive(Stream stream, const std_msgs::Header& header, Item item) {

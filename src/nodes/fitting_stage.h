@@ -9,6 +9,7 @@
 #include "markerless_mocap/ros/messages.h"
 #include "nodes/body_announcer.h"
 #include "nodes/body_description.h"
+#include "nodes/callback_gate.h"
 #include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
@@ -43,6 +44,7 @@ class FittingStage {
   tf2_ros::TransformBroadcaster broadcaster_;
   BodyAnnouncer announcer_;
   std::vector<ros::Subscriber> subscribers_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

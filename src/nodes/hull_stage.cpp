@@ -42,8 +42,9 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", 4);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
-  silence_timer_ = handle.createWallTimer(ros::WallDuration(5.0),
-                                          [this](const ros::WallTimerEvent&) { reportSilence(); });
+  silence_timer_ = handle.createWallTimer(
+      ros::WallDuration(5.0),
+      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
   subscribe(handle);
 }
 
@@ -52,14 +53,16 @@ void HullStage::subscribe(ros::NodeHandle& handle) {
     const std::string& camera = node_options_.cameras[i];
     subscribers_.push_back(handle.subscribe<sensor_msgs::CameraInfo>(
         camera + "/camera_info", kQueue,
-        [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); }));
+        gate_.guarded(
+            [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); })));
     if (node_options_.color)
-      subscribers_.push_back(
-          subscribeImages(handle, camera, node_options_.image_transport, kQueue,
-                          [this, i](const CameraImage& image) { receiveImage(i, image); }));
+      subscribers_.push_back(subscribeImages(
+          handle, camera, node_options_.image_transport, kQueue,
+          gate_.guarded([this, i](const CameraImage& image) { receiveImage(i, image); })));
     subscribers_.push_back(handle.subscribe<sensor_msgs::Image>(
         camera + "/silhouette", kQueue,
-        [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); }));
+        gate_.guarded(
+            [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); })));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "markerless_mocap/camera/instant_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/ros/rig_collector.h"
+#include "nodes/callback_gate.h"
 #include "nodes/image_store.h"
 #include "nodes/node_options.h"
 #include "nodes/stage_status.h"
@@ -56,6 +57,7 @@ class HullStage {
   ros::Publisher points_, grid_, markers_;
   ros::WallTimer silence_timer_;
   std::vector<ros::Subscriber> subscribers_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

@@ -26,10 +26,12 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       status_(handle, private_handle, "silhouette of " + camera) {
   topic_ = handle.resolveName(imageTopic(camera, node_options.image_transport));
   publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", 4);
-  silence_timer_ = handle.createWallTimer(ros::WallDuration(5.0),
-                                          [this](const ros::WallTimerEvent&) { reportSilence(); });
-  subscriber_ = subscribeImages(handle, camera, node_options.image_transport, 4,
-                                [this](const CameraImage& image) { receive(image); });
+  silence_timer_ = handle.createWallTimer(
+      ros::WallDuration(5.0),
+      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
+  subscriber_ =
+      subscribeImages(handle, camera, node_options.image_transport, 4,
+                      gate_.guarded([this](const CameraImage& image) { receive(image); }));
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {

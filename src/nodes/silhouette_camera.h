@@ -6,6 +6,7 @@
 
 #include "markerless_mocap/camera/instant_assembler.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "nodes/callback_gate.h"
 #include "nodes/camera_image.h"
 #include "nodes/node_options.h"
 #include "nodes/stage_status.h"
@@ -33,7 +34,8 @@ class SilhouetteCamera {
   StageStatus status_;
   ros::Publisher publisher_;
   ros::WallTimer silence_timer_;
-  ros::Subscriber subscriber_;  ///< last: its callbacks use all the rest
+  ros::Subscriber subscriber_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

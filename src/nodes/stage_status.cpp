@@ -14,8 +14,9 @@ StageStatus::StageStatus(const ros::NodeHandle& handle, const ros::NodeHandle& p
   updater_.setHardwareID("none");
   updater_.add(stage, this, &StageStatus::report);
   // By the wall clock, and forced: a paused or looping bag must not silence the diagnostics.
-  timer_ = handle.createWallTimer(ros::WallDuration(1.0),
-                                  [this](const auto&) { updater_.force_update(); });
+  timer_ = handle.createWallTimer(
+      ros::WallDuration(1.0),
+      gate_.guarded([this](const ros::WallTimerEvent&) { updater_.force_update(); }));
 }
 
 void StageStatus::good(const std::string& sentence) {

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <string>
 
+#include "nodes/callback_gate.h"
+
 namespace markerless_mocap {
 
 /// What a stage says about itself: in /diagnostics once a second, and in the log at most every
@@ -34,12 +36,13 @@ class StageStatus {
 
   std::string stage_;
   diagnostic_updater::Updater updater_;
-  ros::WallTimer timer_;
   std::mutex mutex_;
   uint8_t level_;
   std::string sentence_ = "starting";
   std::string last_problem_ = "none";
   std::map<std::string, uint64_t> counts_;
+  ros::WallTimer timer_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

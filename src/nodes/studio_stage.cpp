@@ -34,7 +34,7 @@ StudioStage::StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private
   advertise(handle);
   publishRig();
   timer_ = handle.createWallTimer(ros::WallDuration(1.0 / options.fps),
-                                  [this](const ros::WallTimerEvent&) { tick(); });
+                                  gate_.guarded([this](const ros::WallTimerEvent&) { tick(); }));
 }
 
 void StudioStage::advertise(ros::NodeHandle& handle) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "markerless_mocap/capture/virtual_studio.h"
+#include "nodes/callback_gate.h"
 #include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
@@ -37,6 +38,7 @@ class StudioStage {
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::WallTimer timer_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap
