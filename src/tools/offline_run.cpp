@@ -18,12 +18,13 @@ void checkFiles(const OfflineOptions& options) {
     throw std::runtime_error("input and output are the same file " + options.input);
 }
 
-void checkOutcome(const RunSummary& summary) {
+void checkOutcome(const RunSummary& summary, const Recording& recording) {
   if (summary.instants() == 0)
     throw std::runtime_error("no instant has images of two cameras or more");
   if (summary.processed() == 0)
     throw std::runtime_error("the recording ends while the background is being learned, after " +
-                             std::to_string(summary.instants()) + " instants");
+                             std::to_string(summary.instants()) + " instants" +
+                             (recording.hasMasks() ? "; its silhouettes need --use-masks" : ""));
 }
 
 void remarkOn(const Recording& recording, std::ostream& notes) {
@@ -81,7 +82,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   };
   recording.forEachInstant(process, [&](double share) { progress.update(share); });
   progress.finish();
-  checkOutcome(summary);
+  checkOutcome(summary, recording);
   bag.commit();
   if (report) report->write(options.input);
   if (notes) remarkOn(recording, *notes);

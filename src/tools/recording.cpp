@@ -102,6 +102,11 @@ void Recording::listStreams() {
   }
 }
 
+bool Recording::hasMasks() const {
+  return std::all_of(cameras_.begin(), cameras_.end(),
+                     [](const RecordedCamera& camera) { return !camera.silhouette_topic.empty(); });
+}
+
 void Recording::forEachInstant(const std::function<void(const RecordedInstant&)>& visit,
                                const std::function<void(double)>& progress) {
   std::map<std::string, size_t> stream_of_topic;

@@ -49,6 +49,8 @@ class Recording {
 
   const CameraRig& rig() const { return rig_; }
   const std::vector<RecordedCamera>& cameras() const { return cameras_; }  ///< as in the rig
+  /// Whether every camera has silhouettes in the bag, asked for or not.
+  bool hasMasks() const;
   /// Static transforms as they stand in the bag, all in one message.
   const tf2_msgs::TFMessage& staticTransforms() const { return static_transforms_; }
 

@@ -111,6 +111,18 @@ TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
 }
 
+TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
+  CameraBag bag(options_.input, ringOfFour(), 0);
+  bag.writeTransforms(kSecond);
+  for (int i = 0; i < 4; ++i) bag.write(kSecond, i, smallImage(true), smallMask());
+  bag.commit();
+  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+            "the recording ends while the background is being learned, after 1 instants; its "
+            "silhouettes need --use-masks");
+  options_.recording.use_masks = true;
+  EXPECT_EQ(runOffline(options_, nullptr, false).processed(), 1);
+}
+
 TEST_F(OfflineRun, InputIsNotOverwritten) {
   writeBag();
   options_.output = options_.input;
