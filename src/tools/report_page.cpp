@@ -52,6 +52,12 @@ const char* colorOf(PoseStatus status) {
   return "#c0392b";
 }
 
+std::string seconds(int64_t stamp_ns) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << stamp_ns * 1e-9 << " s";
+  return text.str();
+}
+
 /// A row's place on the axis of time.
 double leftOf(size_t row, size_t rows) {
   return kWidth * double(row) / double(rows);
@@ -63,7 +69,7 @@ std::string statusBand(const std::vector<ReportRow>& rows) {
   for (size_t i = 0; i < rows.size(); ++i)
     svg << "<rect x=\"" << leftOf(i, rows.size()) << "\" width=\"" << kWidth / rows.size() + 0.2
         << "\" height=\"" << kBandHeight << "\" fill=\"" << colorOf(rows[i].status) << "\"><title>"
-        << rows[i].stamp_ns * 1e-9 << " s: " << toString(rows[i].status) << ' '
+        << seconds(rows[i].stamp_ns) << ": " << toString(rows[i].status) << ' '
         << escaped(rows[i].reason) << "</title></rect>";
   svg << "</svg>\n";
   return svg.str();
