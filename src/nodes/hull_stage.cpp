@@ -1,5 +1,6 @@
 #include "nodes/hull_stage.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "markerless_mocap/ros/camera_conversions.h"
@@ -15,16 +16,12 @@ constexpr uint32_t kQueue = 4;      // messages per topic while an instant is be
 constexpr size_t kMostWaiting = 3;  // instants held back for their images
 constexpr double kMarkerDepth = 0.5;
 
-AssemblerOptions assemblerOptions(const HullOptions& hull, const HullNodeOptions& node) {
+AssemblerOptions assemblerOptions(const HullNodeOptions& node) {
   AssemblerOptions options;
   options.tolerance = node.stamp_tolerance;
   options.deadline = node.deadline;
-  options.min_streams = std::min<int>(hull.min_views, static_cast<int>(node.cameras.size()));
+  options.min_streams = 1;  // an instant of too few cameras gets its reason published
   return options;
-}
-
-std::string pieces(size_t count, const char* what) {
-  return std::to_string(count) + " " + what;
 }
 
 }  // namespace
@@ -35,7 +32,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       node_options_(node_options),
       tf_listener_(tf_),
       rig_(node_options.cameras, node_options.world_frame),
-      assembler_(node_options.cameras.size(), assemblerOptions(options, node_options)),
+      assembler_(node_options.cameras.size(), assemblerOptions(node_options)),
       images_(node_options.cameras.size()),
       silent_(node_options.cameras.size(), true),
       status_(handle, private_handle, "visual hull") {
@@ -113,7 +110,7 @@ void HullStage::process(const Assembler::Instant& instant) {
     prepareCarver(header);
     hull = carver_->carve(viewsOf(instant));
     if (hull.status == HullStatus::kOk)
-      status_.good("hull of " + pieces(hull.voxels.size(), "voxels"));
+      status_.good("hull of " + std::to_string(hull.voxels.size()) + " voxels");
     else
       status_.problem(hull.reason);
   } catch (const std::exception& error) {
@@ -139,6 +136,12 @@ void HullStage::prepareCarver(const std_msgs::Header& header) {
 }
 
 std::vector<HullView> HullStage::viewsOf(const Assembler::Instant& instant) const {
+  const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
+  if (present < node_options_.fewestCameras())
+    throw std::invalid_argument("the instant has the masks of " + std::to_string(present) + " of " +
+                                std::to_string(instant.items.size()) + " cameras, needed are " +
+                                std::to_string(node_options_.fewestCameras()) +
+                                " within the deadline");
   std::vector<HullView> views(instant.items.size());
   for (size_t i = 0; i < views.size(); ++i) {
     if (!instant.present[i]) continue;

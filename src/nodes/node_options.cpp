@@ -54,6 +54,8 @@ void HullNodeOptions::visit(OptionVisitor& v) {
   v.field("world_frame", world_frame, {}, "Frame of the hull; tf connects the cameras to it.");
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("color", color, "Whether the voxels are coloured from the images.");
+  v.field("min_cameras", min_cameras, 0, 32,
+          "An instant with fewer cameras is not carved; 0: three quarters of those listed.");
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
           "Stamps closer than this belong to one instant, s.");
   v.field("deadline", deadline, 0.0, 60.0,
@@ -65,9 +67,17 @@ void HullNodeOptions::validate() const {
   checkCameras(kStage, cameras, 2);
   if (world_frame.empty())
     throw std::invalid_argument("visual_hull/world_frame is empty, allowed is a frame's name");
+  if (min_cameras > static_cast<int>(cameras.size()))
+    throw std::invalid_argument("visual_hull/min_cameras is " + std::to_string(min_cameras) +
+                                ", allowed is at most the number of cameras, " +
+                                std::to_string(cameras.size()));
   if (deadline < stamp_tolerance)
     throw std::invalid_argument("visual_hull/deadline is " + std::to_string(deadline) +
                                 ", allowed is stamp_tolerance or more");
+}
+
+size_t HullNodeOptions::fewestCameras() const {
+  return min_cameras > 0 ? static_cast<size_t>(min_cameras) : (3 * cameras.size() + 3) / 4;
 }
 
 void FittingNodeOptions::visit(OptionVisitor& v) {

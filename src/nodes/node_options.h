@@ -25,11 +25,14 @@ struct HullNodeOptions {
   std::string world_frame = "world";
   std::string image_transport = "raw";
   bool color = true;
+  int min_cameras = 0;
   double stamp_tolerance = 0.005;
-  double deadline = 0.1;
+  double deadline = 0.5;
 
   void visit(OptionVisitor& v);
   void validate() const;
+  /// min_cameras, or what it stands for when it is 0.
+  size_t fewestCameras() const;
 };
 
 struct FittingNodeOptions {

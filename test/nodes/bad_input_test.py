@@ -158,10 +158,11 @@ class Hull(Diagnosed):
         self.expect('tf does not connect nowhere of a to world', [info('nowhere'), info('b_optical')])
 
     def test_zero_k(self):
-        self.expect('K', [info('a_optical', focal=0.0), info('b_optical')])
+        self.expect("camera 'a': K is all zero", [info('a_optical', focal=0.0), info('b_optical')])
 
     def test_nan_k(self):
-        self.expect('K', [info('a_optical', focal=float('nan')), info('b_optical')])
+        self.expect("camera 'a': K holds a value that is not finite",
+                    [info('a_optical', focal=float('nan')), info('b_optical')])
 
     def test_mask_of_another_size(self):
         self.expect('32 x 24 pixels', [info('a_optical'), info('b_optical')], size=(32, 24))
@@ -170,11 +171,17 @@ class Hull(Diagnosed):
         self.expect('has the encoding "8SC1", allowed is mono8',
                     [info('a_optical'), info('b_optical')], encoding='8SC1')
 
+    def test_too_few_cameras(self):
+        send_infos = self.sender([info('a_optical'), info('b_optical')])
+        self.masks[1].unregister()
+        self.masks.pop()
+        self.send_until('the masks of 1 of 2 cameras, needed are 2', send_infos)
+
     def test_empty_masks(self):
-        self.expect('mask', [info('a_optical'), info('b_optical')], value=0)
+        self.expect('the masks of all 2 cameras are empty', [info('a_optical'), info('b_optical')])
 
     def test_full_masks(self):
-        self.expect('mask', [info('a_optical'), info('b_optical')], value=255)
+        self.expect('is full', [info('a_optical'), info('b_optical')], value=255)
 
 
 class OtherStages(Diagnosed):
