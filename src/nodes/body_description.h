@@ -4,7 +4,7 @@
 #include <string>
 
 #include "markerless_mocap/body/body_model.h"
-#include "nodes/node_options.h"
+#include "markerless_mocap/ros/node_options.h"
 
 namespace markerless_mocap {
 

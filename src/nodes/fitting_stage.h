@@ -7,10 +7,10 @@
 #include "markerless_mocap/camera/instant_assembler.h"
 #include "markerless_mocap/fitting/pose_tracker.h"
 #include "markerless_mocap/ros/messages.h"
+#include "markerless_mocap/ros/node_options.h"
 #include "nodes/body_announcer.h"
 #include "nodes/body_description.h"
 #include "nodes/callback_gate.h"
-#include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {

@@ -11,10 +11,10 @@
 
 #include "markerless_mocap/camera/instant_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
+#include "markerless_mocap/ros/node_options.h"
 #include "markerless_mocap/ros/rig_collector.h"
 #include "nodes/callback_gate.h"
 #include "nodes/image_store.h"
-#include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "markerless_mocap/camera/instant_assembler.h"
+#include "markerless_mocap/ros/node_options.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "nodes/callback_gate.h"
 #include "nodes/camera_image.h"
-#include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "markerless_mocap/capture/virtual_studio.h"
+#include "markerless_mocap/ros/node_options.h"
 #include "nodes/callback_gate.h"
-#include "nodes/node_options.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {

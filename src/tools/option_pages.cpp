@@ -5,6 +5,7 @@
 
 #include "markerless_mocap/capture/studio_options.h"
 #include "markerless_mocap/pipeline/pipeline.h"
+#include "markerless_mocap/ros/node_options.h"
 
 namespace markerless_mocap {
 namespace {
@@ -53,11 +54,16 @@ class YamlWriter : public OptionVisitor {
 };
 
 template <class OptionsT>
-std::string tableOf(OptionsT options) {
+std::string tableOf(OptionsT options, const std::string& title = OptionsT::kStage) {
   OptionDescriber describer;
   options.visit(describer);
-  return "\n## " + std::string(OptionsT::kStage) +
-         "\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n" + describer.rows();
+  return "\n## " + title + "\n\n| key | default | allowed | meaning |\n|---|---|---|---|\n" +
+         describer.rows();
+}
+
+template <class OptionsT>
+std::string nodeTable() {
+  return tableOf(OptionsT(), "node " + std::string(OptionsT::kStage));
 }
 
 }  // namespace
@@ -70,7 +76,13 @@ std::string parameterPage() {
       "sentence that names\nit. This page is the output of `describe_options`.\n";
   PipelineOptions stages;
   forEachStage(stages, [&](const char*, const auto& stage) { page += tableOf(stage); });
-  return page + tableOf(StudioOptions());
+  page += tableOf(StudioOptions());
+  page +=
+      "\n# Parameters of the nodes alone\n\n"
+      "Beside the above, in the same private namespace; the launch files set them, a configuration "
+      "file does\nnot hold them.\n";
+  return page + nodeTable<SilhouetteNodeOptions>() + nodeTable<HullNodeOptions>() +
+         nodeTable<FittingNodeOptions>() + nodeTable<StudioNodeOptions>();
 }
 
 std::string defaultConfiguration() {

@@ -1,4 +1,4 @@
-#include "nodes/node_options.h"
+#include "markerless_mocap/ros/node_options.h"
 
 #include <cctype>
 #include <set>
@@ -8,12 +8,12 @@ namespace markerless_mocap {
 namespace {
 
 constexpr const char* kCamerasMeaning =
-    "Names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette.";
+    "names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette";
 constexpr const char* kTransportMeaning =
-    "raw reads c/image_raw, compressed reads c/image_raw/compressed.";
-constexpr const char* kBodyMeaning = "Suffix of the body's frames, joints and topics.";
+    "raw reads c/image_raw, compressed reads c/image_raw/compressed";
+constexpr const char* kBodyMeaning = "suffix of the body's frames, joints and topics";
 constexpr const char* kTemplateMeaning =
-    "File of the URDF template; empty: the package's own urdf/human.urdf.in.";
+    "file of the URDF template; empty: the package's own urdf/human.urdf.in";
 
 void checkCameras(const char* stage, const std::vector<std::string>& cameras, size_t fewest) {
   const std::string key = std::string(stage) + "/cameras";
@@ -41,7 +41,7 @@ void SilhouetteNodeOptions::visit(OptionVisitor& v) {
   v.field("cameras", cameras, kCamerasMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("input", input, {"image", "mask"},
-          "mask: the images are masks already (non-zero = person) and pass through.");
+          "mask: the images are masks already (non-zero = person) and pass through");
 }
 
 void SilhouetteNodeOptions::validate() const {
@@ -51,15 +51,15 @@ void SilhouetteNodeOptions::validate() const {
 
 void HullNodeOptions::visit(OptionVisitor& v) {
   v.field("cameras", cameras, kCamerasMeaning);
-  v.field("world_frame", world_frame, {}, "Frame of the hull; tf connects the cameras to it.");
+  v.field("world_frame", world_frame, {}, "frame of the hull; tf connects the cameras to it");
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
-  v.field("color", color, "Whether the voxels are coloured from the images.");
+  v.field("color", color, "whether the voxels are coloured from the images");
   v.field("min_cameras", min_cameras, 0, 32,
-          "An instant with fewer cameras is not carved; 0: three quarters of those listed.");
+          "an instant with fewer cameras is not carved; 0: three quarters of those listed");
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
-          "Stamps closer than this belong to one instant, s.");
+          "stamps closer than this belong to one instant, s");
   v.field("deadline", deadline, 0.0, 60.0,
-          "An instant older than the newest stamp by this goes on without the missing cameras, s.");
+          "an instant older than the newest stamp by this goes on without the missing cameras, s");
 }
 
 void HullNodeOptions::validate() const {
@@ -84,8 +84,8 @@ void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
   v.field("urdf_from_parameter", urdf_from_parameter,
-          "Whether /human_description_<body_id> is set already; false: the node sets it from the "
-          "template and the stature.");
+          "whether /human_description_<body_id> is set already; false: the node sets it from the "
+          "template and the stature");
 }
 
 void FittingNodeOptions::validate() const {
@@ -96,10 +96,10 @@ void FittingNodeOptions::validate() const {
 void StudioNodeOptions::visit(OptionVisitor& v) {
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
-  v.field("world_frame", world_frame, {}, "Frame that cameras and person stand in.");
-  v.field("clock", clock, "Whether stamps start at 1000 s and /clock is published.");
+  v.field("world_frame", world_frame, {}, "frame that cameras and person stand in");
+  v.field("clock", clock, "whether stamps start at 1000 s and /clock is published");
   v.field("wait_for_silhouettes", wait_for_silhouettes,
-          "Whether the film starts only when c/silhouette is advertised for every camera c.");
+          "whether the film starts only when c/silhouette is advertised for every camera c");
 }
 
 void StudioNodeOptions::validate() const {

@@ -7,8 +7,7 @@
 
 namespace markerless_mocap {
 
-// What a node asks for beside its stage's options, in the same private namespace.
-
+/// What the node `silhouette` asks for beside SilhouetteOptions, in the same private namespace.
 struct SilhouetteNodeOptions {
   static constexpr const char* kStage = "silhouette";
   std::vector<std::string> cameras;
@@ -19,6 +18,7 @@ struct SilhouetteNodeOptions {
   void validate() const;
 };
 
+/// What the node `visual_hull` asks for beside HullOptions.
 struct HullNodeOptions {
   static constexpr const char* kStage = "visual_hull";
   std::vector<std::string> cameras;
@@ -35,6 +35,7 @@ struct HullNodeOptions {
   size_t fewestCameras() const;
 };
 
+/// What the node `pose_fitting` asks for beside FittingOptions.
 struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
   std::string body_id = "person1";
@@ -45,6 +46,7 @@ struct FittingNodeOptions {
   void validate() const;
 };
 
+/// What the node `virtual_studio` asks for beside StudioOptions.
 struct StudioNodeOptions {
   static constexpr const char* kStage = "virtual_studio";
   std::string body_id = "truth";

@@ -1,0 +1,51 @@
+#include "markerless_mocap/ros/node_options.h"
+
+#include <gtest/gtest.h>
+
+#include "ros/sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+HullNodeOptions hullOf(size_t cameras) {
+  HullNodeOptions options;
+  for (size_t i = 0; i < cameras; ++i) options.cameras.push_back("cam" + std::to_string(i));
+  return options;
+}
+
+TEST(NodeOptions, TwoTo32CamerasMakeAHull) {
+  EXPECT_EQ(sentenceOf([] { hullOf(1).validate(); }),
+            "visual_hull/cameras lists 1 cameras, allowed is 2 to 32");
+  EXPECT_EQ(sentenceOf([] { hullOf(2).validate(); }), "");
+  EXPECT_EQ(sentenceOf([] { hullOf(32).validate(); }), "");
+  EXPECT_NE(sentenceOf([] { hullOf(33).validate(); }), "");
+}
+
+TEST(NodeOptions, ThreeQuartersOfTheCamerasAreEnough) {
+  EXPECT_EQ(hullOf(2).fewestCameras(), 2u);
+  EXPECT_EQ(hullOf(4).fewestCameras(), 3u);
+  EXPECT_EQ(hullOf(8).fewestCameras(), 6u);
+  HullNodeOptions options = hullOf(8);
+  options.min_cameras = 2;
+  EXPECT_EQ(options.fewestCameras(), 2u);
+  options.min_cameras = 9;
+  EXPECT_NE(sentenceOf([&] { options.validate(); }), "");
+}
+
+TEST(NodeOptions, DeadlineIsNotBelowTheTolerance) {
+  HullNodeOptions options = hullOf(4);
+  options.stamp_tolerance = 0.6;
+  EXPECT_NE(sentenceOf([&] { options.validate(); }).find("visual_hull/deadline"),
+            std::string::npos);
+}
+
+TEST(NodeOptions, BodyIdIsLettersAndDigits) {
+  for (const std::string id : {"", "1person", "person 1", "a/b"}) {
+    FittingNodeOptions options;
+    options.body_id = id;
+    EXPECT_NE(sentenceOf([&] { options.validate(); }), "") << id;
+  }
+}
+
+}  // namespace
+}  // namespace markerless_mocap
