@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "silhouette/shade_evidence.h"
+
 namespace markerless_mocap {
 namespace {
-
-/// Standard deviation of the brightness ratio within a shadow; grey images have no other evidence.
-constexpr float kUnevenColor = 0.06f, kUnevenGrey = 0.03f;
 
 /// Brightness of the BGR colour `now` relative to `usual` if it is a shade of that; else 0.
 float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {
@@ -22,30 +21,6 @@ float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float*
   }
   const float tolerance = float(o.shadow_chroma_tolerance) * ratio;
   return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma) ? ratio : 0;
-}
-
-/// Makes those shades foreground whose brightness varies within a small window: a shadow keeps the
-/// texture of what it falls on, clothes of the background's colour do not.
-/// \param shade_ratio CV_32FC1, brightness relative to the background's; 0 where there is no shade
-/// \param most standard deviation of that in a shadow
-void restoreUnevenShades(const cv::Mat& shade_ratio, float most, cv::Mat* mask) {
-  const cv::Size window(5, 5);
-  cv::Mat is_shade = shade_ratio > 0, count, sum, sum_of_squares;
-  cv::boxFilter(is_shade, count, CV_32F, window, {-1, -1}, false);
-  cv::boxFilter(shade_ratio, sum, CV_32F, window, {-1, -1}, false);
-  cv::sqrBoxFilter(shade_ratio, sum_of_squares, CV_32F, window, {-1, -1}, false);
-  for (int y = 0; y < mask->rows; ++y) {
-    const uint8_t* shade = is_shade.ptr<uint8_t>(y);
-    const float* n = count.ptr<float>(y);
-    const float* s = sum.ptr<float>(y);
-    const float* q = sum_of_squares.ptr<float>(y);
-    uint8_t* out = mask->ptr<uint8_t>(y);
-    for (int x = 0; x < mask->cols; ++x) {
-      if (!shade[x]) continue;
-      const float shades = n[x] / 255, mean = s[x] / shades;
-      if (q[x] / shades - mean * mean > most * most) out[x] = 255;
-    }
-  }
 }
 
 /// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
@@ -85,7 +60,7 @@ PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv
       if (shade[x] > 0) out[x] = 0;
     }
   }
-  if (o.remove_shadows) restoreUnevenShades(shade_ratio, kUnevenColor, &classes.mask);
+  if (o.remove_shadows) restoreClothes(shade_ratio, &classes.mask);
   return classes;
 }
 
@@ -112,7 +87,7 @@ PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv:
       if (shade[x] > 0) out[x] = 0;
     }
   }
-  if (o.remove_shadows) restoreUnevenShades(shade_ratio, kUnevenGrey, &classes.mask);
+  if (o.remove_shadows) restoreClothes(shade_ratio, &classes.mask);
   return classes;
 }
 
