@@ -55,13 +55,15 @@ BodyPose PoseJudge::judge(const HsiaoVector& v, const FittingInstant& now) const
       measureHullAgreement(*shape_, frames, now.hull, now.field, options_.explained_margin);
   pose.hull_explained = agreement.hull_explained;
   pose.body_in_hull = agreement.body_in_hull;
-  pose.reason = objection(pose);
+  pose.reason = objection(pose, now.parts.part(PartLabel::kTorso).seen);
   pose.status = pose.reason.empty() ? PoseStatus::kTracked : PoseStatus::kLost;
   if (pose.reason.empty()) pose.reason = unseenParts(pose.part_seen);
   return pose;
 }
 
-std::string PoseJudge::objection(const BodyPose& pose) const {
+std::string PoseJudge::objection(const BodyPose& pose, bool has_torso) const {
+  if (has_torso && !pose.part_seen[size_t(PartLabel::kTorso)])
+    return "the best pose has its torso elsewhere than the part curves";
   if (pose.skeleton_error_m > options_.highest_error)
     return "the best pose lies " + millimetres(pose.skeleton_error_m) +
            " from the part curves, allowed is up to " + millimetres(options_.highest_error);

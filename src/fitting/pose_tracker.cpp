@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "markerless_mocap/fitting/hierarchical_fitter.h"
@@ -24,6 +25,10 @@ constexpr double kReplaceShare = 0.95;
 // little of the shoulder, nothing of the elbow.
 constexpr double kUnseenShoulderReach = 0.4;
 constexpr double kUnseenElbowReach = 0.3;
+
+// A pose that the hull alone carries on must agree with it nearly as well as the last one with
+// parts.
+constexpr double kCarriedShare = 0.93;
 
 HsiaoVector hangingArms() {
   HsiaoVector v = HsiaoVector::Zero();
@@ -50,10 +55,13 @@ RefinerSettings refinerSettings(const FittingOptions& o) {
   return s;
 }
 
-// Why an instant cannot be fitted; empty if it can.
-std::string obstacle(const BodyParts& parts, const VisualHull& hull) {
-  if (hull.status != HullStatus::kOk || hull.voxels.empty())
-    return hull.reason.empty() ? "there is no hull" : hull.reason;
+// Why there is nothing to fit to; empty if there is.
+std::string hullObstacle(const VisualHull& hull) {
+  if (hull.status == HullStatus::kOk && !hull.voxels.empty()) return "";
+  return hull.reason.empty() ? "there is no hull" : hull.reason;
+}
+
+std::string partsObstacle(const BodyParts& parts) {
   if (parts.status == SegmentationStatus::kInvalid)
     return parts.reason.empty() ? "the hull has no parts" : parts.reason;
   if (!parts.part(PartLabel::kTorso).seen) return "the torso is not seen";
@@ -80,6 +88,8 @@ struct PoseTracker::State {
         conversion(model, profile) {}
 
   BodyPose follow(double seconds, const FittingInstant& now);
+  BodyPose carryOn(const VisualHull& hull, const BodyPose& lost);
+  BodyPose claim(BodyPose pose, const HsiaoVector& v);
   std::optional<Refinement> startAnew(const FittingInstant& now, int attempts) const;
   Refinement refine(const FittingInstant& now, const HsiaoVector& v) const;
   ProfileFit fitTemporal(const FittingInstant& now, double seconds) const;
@@ -99,8 +109,9 @@ struct PoseTracker::State {
   PoseJudge judge;
   HsiaoConversion conversion;
 
-  std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose
+  std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose from parts
   std::optional<HsiaoVector> last, before;
+  BodyPose from_parts;                    // the last one
   HsiaoVector arms_seen = hangingArms();  // arm angles when each was last seen; else unused
   double turn_evidence = 0.0;
 };
@@ -207,9 +218,31 @@ BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
   } else {
     before = last;
   }
-  last = found.v;
   rememberArms(found.v, pose.part_seen);
-  conversion.convert(found.v, pose.T_world_body, pose.angles);
+  from_parts = claim(pose, found.v);
+  return from_parts;
+}
+
+// Legs that pass each other have no parts for some instants; the hull still holds the body.
+BodyPose PoseTracker::State::carryOn(const VisualHull& hull, const BodyPose& lost) {
+  const BodyParts none;
+  const FittingInstant now(*profile, none, hull, options.curve_samples);
+  const Refinement found = refine(now, *last);
+  BodyPose pose = judge.judge(found.v, now);
+  if (pose.status == PoseStatus::kLost ||
+      pose.hull_explained < kCarriedShare * from_parts.hull_explained ||
+      pose.body_in_hull < kCarriedShare * from_parts.body_in_hull)
+    return lost;
+  pose.skeleton_error_m = std::numeric_limits<double>::quiet_NaN();
+  pose.part_seen = from_parts.part_seen;
+  pose.reason = "carried on by the hull alone: " + lost.reason;
+  before = last;
+  return claim(pose, found.v);
+}
+
+BodyPose PoseTracker::State::claim(BodyPose pose, const HsiaoVector& v) {
+  last = v;
+  conversion.convert(v, pose.T_world_body, pose.angles);
   return pose;
 }
 
@@ -236,11 +269,17 @@ BodyPose PoseTracker::update(int64_t stamp_ns, const BodyParts& parts, const Vis
   const double seconds = s.pose_stamp ? 1e-9 * double(stamp_ns - *s.pose_stamp) : 0.0;
   if (seconds > s.options.memory) s.forget();
   BodyPose pose;
-  pose.reason = obstacle(parts, hull);
+  pose.reason = hullObstacle(hull);
   if (!pose.reason.empty()) return pose;
-  pose = s.follow(seconds, FittingInstant(*s.profile, parts, hull, s.options.curve_samples));
-  if (pose.status != PoseStatus::kLost) s.pose_stamp = stamp_ns;
-  return pose;
+  pose.reason = partsObstacle(parts);
+  if (pose.reason.empty()) {
+    pose = s.follow(seconds, FittingInstant(*s.profile, parts, hull, s.options.curve_samples));
+    if (pose.status != PoseStatus::kLost) {
+      s.pose_stamp = stamp_ns;
+      return pose;
+    }
+  }
+  return s.last ? s.carryOn(hull, pose) : pose;
 }
 
 }  // namespace markerless_mocap

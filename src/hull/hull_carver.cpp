@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hull/bridging.h"
 #include "hull/coloring.h"
 #include "hull/components.h"
 #include "hull/person_selection.h"
@@ -18,11 +19,23 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kMaxTableEntries = 512u << 20;
+/// Pieces of more than this are several bodies and are not bridged.
+constexpr double kMostLitresOfOneBody = 120;
+
 int32_t pixelOffset(const Camera& camera, const Eigen::Vector3d& point) {
   const auto pixel = camera.projectInside(point);
   if (!pixel) return -1;
   const int x = int(std::floor(pixel->x() + 0.5)), y = int(std::floor(pixel->y() + 0.5));
   return y * camera.width() + x;
+}
+
+/// The union, sorted.
+std::vector<uint32_t> withAll(std::vector<uint32_t> voxels,
+                              const std::vector<std::vector<uint32_t>>& pieces) {
+  for (const auto& piece : pieces) voxels.insert(voxels.end(), piece.begin(), piece.end());
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
 }
 
 /// Pixel offsets need rows without gaps.
@@ -113,12 +126,30 @@ VisualHull HullCarver::carve(const std::vector<HullView>& views) const {
   for (size_t c = 0; c < views.size(); ++c)
     if (!views[c].mask.empty())
       voters.push_back({&pixel_of_voxel_[c], continuous(views[c].mask), masks.set_pixels[c]});
-  const std::vector<uint32_t> foreground =
-      voteForeground(voters, lattice_.count(), options_.min_views, options_.missing_votes_allowed);
-  const std::vector<uint32_t> person =
-      selectPerson(connectedComponents(lattice_, foreground), options_, masks, &hull);
+  const std::vector<uint32_t> person = selectPerson(carvePieces(voters), options_, masks, &hull);
   describeVoxels(views, person, &hull);
   return hull;
+}
+
+std::vector<std::vector<uint32_t>> HullCarver::carvePieces(const std::vector<Voter>& voters) const {
+  const double voxel_litres = std::pow(options_.pitch * 10, 3);
+  const size_t least = size_t(std::ceil(options_.min_component_litres / voxel_litres));
+  const auto isWhole = [&](const auto& pieces) {
+    return pieces.size() < 2 || pieces[1].size() < std::max<size_t>(least, 1);
+  };
+  const auto vote = [&](int more) {  // as many more cameras must see a voxel as may miss it
+    return voteForeground(voters, lattice_.count(), options_.min_views + more,
+                          options_.missing_votes_allowed + more);
+  };
+  std::vector<std::vector<uint32_t>> pieces = connectedComponents(lattice_, vote(0));
+  double litres = 0;
+  for (const auto& piece : pieces) litres += double(piece.size()) * voxel_litres;
+  if (litres > kMostLitresOfOneBody) return pieces;
+  for (int more = 1; more <= options_.bridging_votes && !isWhole(pieces); ++more) {
+    const std::vector<uint32_t> loose = withAll(vote(more), pieces);
+    pieces = bridgePieces(lattice_, loose, std::move(pieces), least);
+  }
+  return pieces;
 }
 
 void HullCarver::describeVoxels(const std::vector<HullView>& views,

@@ -23,6 +23,8 @@ void HullOptions::visit(OptionVisitor& v) {
   v.field("min_views", min_views, 2, 32, "cameras that must see a voxel");
   v.field("missing_votes_allowed", missing_votes_allowed, 0, 31,
           "cameras that see a voxel and may have it outside their silhouette; below min_views");
+  v.field("bridging_votes", bridging_votes, 0, 8,
+          "further votes that voxels between two pieces of a body may lack to join them");
   v.field("min_component_litres", min_component_litres, 0, 1000,
           "smaller 26-connected components are dropped, litres");
   v.field("color_vote_distance", color_vote_distance, 0, 442,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "fitting/synthetic_person.h"
@@ -103,6 +104,38 @@ TEST_F(PoseTrackerTest, IsLostWithTheReasonOfTheStageThatFailed) {
   pose = tracker_.update(stamp_ += kFrame, curvesOf(profile_, v), nobody);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
   EXPECT_EQ(pose.reason, "all masks are empty");
+}
+
+BodyParts withoutParts() {
+  BodyParts parts;
+  parts.reason = "no body is recognised";
+  return parts;
+}
+
+TEST_F(PoseTrackerTest, HullCarriesAPoseOnForAWhileAndSaysSo) {
+  HsiaoVector v = stepping(profile_, 0.0);
+  show(v);
+  for (int i = 0; i < 5; ++i) {
+    v[0] += 0.03;
+    v[3] += 0.03;
+    const BodyPose pose = show(withoutParts(), v);
+    ASSERT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
+    EXPECT_EQ(pose.reason, "carried on by the hull alone: no body is recognised");
+    EXPECT_TRUE(std::isnan(pose.skeleton_error_m));
+    EXPECT_LT(distance(pose, v).first, 0.03) << "frame " << i;
+  }
+  stamp_ += int64_t(FittingOptions().memory * 1e9);
+  const BodyPose late = show(withoutParts(), v);
+  EXPECT_EQ(late.status, PoseStatus::kLost);
+  EXPECT_EQ(late.reason, "no body is recognised");
+}
+
+TEST_F(PoseTrackerTest, HullOfAnotherPoseCarriesNothingOn) {
+  HsiaoVector v = stepping(profile_, 0.0);
+  show(v);
+  v[1] += 0.9;
+  v[4] += 0.9;
+  EXPECT_EQ(show(withoutParts(), v).status, PoseStatus::kLost);
 }
 
 TEST_F(PoseTrackerTest, DoesNotClaimABodyBesideAThingOfItsOwnSize) {

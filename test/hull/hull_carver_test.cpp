@@ -93,6 +93,7 @@ struct RandomScene {
     options.min_component_litres = 0;
     options.min_views = 2 + seed % 2;
     options.missing_votes_allowed = seed % 3 == 0 ? 1 : 0;
+    options.bridging_votes = 0;
     const int cameras = 4 + seed % 5;
     for (int c = 0; c < cameras; ++c) {
       const double distance = c == 0 ? 0.1 : uniform(0.3, 2);

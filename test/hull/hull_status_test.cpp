@@ -65,6 +65,42 @@ TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
   EXPECT_GE(hull.component_litres.at(1), 15);
 }
 
+/// Two balls and a third that joins them, of 12 cameras; two silhouettes have a gap at the third.
+std::vector<HullView> viewsWithAGap(const CameraRig& rig) {
+  const std::vector<Sphere> ends = {Sphere{{-0.3, 0, 0}, 0.2}, Sphere{{0.3, 0, 0}, 0.2}};
+  std::vector<HullView> views = renderViews(rig, {ends[0], ends[1], Sphere{{0, 0, 0}, 0.2}});
+  for (const size_t c : {4, 7}) views[c].mask = renderMask(rig[c], ends);
+  return views;
+}
+
+TEST(HullBridging, GapInTwoSilhouettesDoesNotCutTheBody) {
+  const CameraRig rig = makeRig(12);
+  HullOptions options = makeOptions();
+  options.bridging_votes = 0;
+  const VisualHull cut = HullCarver(rig, options).carve(viewsWithAGap(rig));
+  ASSERT_GE(cut.component_litres.size(), 2u);
+  options.bridging_votes = 2;
+  const VisualHull whole = HullCarver(rig, options).carve(viewsWithAGap(rig));
+  EXPECT_EQ(whole.status, HullStatus::kOk);
+  EXPECT_EQ(whole.component_litres.size(), 1u);
+  const VisualHull truth =
+      HullCarver(rig, options)
+          .carve(renderViews(
+              rig, {Sphere{{-0.3, 0, 0}, 0.2}, Sphere{{0.3, 0, 0}, 0.2}, Sphere{{0, 0, 0}, 0.2}}));
+  EXPECT_GT(whole.litres(), cut.component_litres[0] + cut.component_litres[1]);
+  EXPECT_LE(whole.litres(), 1.1 * truth.litres());
+}
+
+TEST(HullBridging, BodiesWithNothingBetweenThemStayTwo) {
+  const CameraRig rig = makeRig(16);
+  HullOptions options = makeOptions();
+  options.min_component_litres = 10;
+  const VisualHull hull =
+      HullCarver(rig, options)
+          .carve(renderViews(rig, {Sphere{{-0.35, 0, 0}, 0.18}, Sphere{{0.35, 0, 0}, 0.18}}));
+  EXPECT_EQ(hull.status, HullStatus::kSeveralBodies);
+}
+
 TEST(HullStatus, BodyWithAThingBesideItIsOneBody) {
   const VisualHull hull =
       carve(renderViews(makeRig(16), {Sphere{{-0.25, 0, 0}, 0.3}, Sphere{{0.35, 0, 0}, 0.12}}));

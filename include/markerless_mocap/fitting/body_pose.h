@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "markerless_mocap/segmentation/body_parts.h"

@@ -22,11 +22,11 @@ struct FittingOptions {
   double highest_speed = 3.0;
   double highest_turn_rate = 12.0;
   double reset_threshold = 0.015;
-  double highest_error = 0.11;
+  double highest_error = 0.085;
   double highest_limb_error = 0.20;
   double explained_margin = 0.04;
   double least_hull_explained = 0.75;
-  double least_body_in_hull = 0.55;
+  double least_body_in_hull = 0.65;
   double memory = 0.3;
   HsiaoLimits limits = HsiaoLimits::thesis();
 

@@ -35,7 +35,7 @@ class PoseJudge {
   BodyPose judge(const HsiaoVector& v, const FittingInstant& now) const;
 
  private:
-  std::string objection(const BodyPose& pose) const;
+  std::string objection(const BodyPose& pose, bool has_torso) const;
 
   const HsiaoProfile* profile_;
   const ProfileShape* shape_;

@@ -18,6 +18,7 @@ struct HullOptions {
   double pitch = 0.03;
   int min_views = 2;
   int missing_votes_allowed = 0;
+  int bridging_votes = 2;
   double min_component_litres = 1.0;
   double color_vote_distance = 40.0;
 
@@ -35,10 +36,13 @@ struct HullView {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
 };
 
+struct Voter;
+
 /// Carves the visual hull of one rig in one volume (Hsiao 2008, 3.1.3; Bakken & Hilton 2012, 3.2).
 /// A voxel is foreground when at least `min_views` cameras see it and all but
 /// `missing_votes_allowed` of those have it in their silhouette. A camera that does not see a voxel
-/// (behind it, or outside its image) has no vote.
+/// (behind it, or outside its image) has no vote. Where a silhouette with a gap has cut the body in
+/// pieces, they are joined by voxels that lack up to `bridging_votes` more votes.
 class HullCarver {
  public:
   /// Builds the projection table. Throws std::invalid_argument: fewer than 2 or more than 32
@@ -57,6 +61,8 @@ class HullCarver {
   void checkRig() const;
   void buildProjectionTable();
   void checkViews(const std::vector<HullView>& views) const;
+  /// Components of the foreground, largest first, pieces of one body joined.
+  std::vector<std::vector<uint32_t>> carvePieces(const std::vector<Voter>& voters) const;
   /// Fills the hull's voxels: indices, views, colours and colour votes.
   void describeVoxels(const std::vector<HullView>& views, const std::vector<uint32_t>& person,
                       VisualHull* hull) const;
