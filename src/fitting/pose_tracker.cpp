@@ -68,6 +68,12 @@ std::string partsObstacle(const BodyParts& parts) {
   return "";
 }
 
+// With a leg missing an arm may pass for one, and nothing but the last pose tells.
+bool canStartFrom(const std::array<bool, kPartCount>& seen) {
+  return seen[size_t(PartLabel::kTorso)] && seen[size_t(PartLabel::kHead)] &&
+         seen[size_t(PartLabel::kLeg1)] && seen[size_t(PartLabel::kLeg2)];
+}
+
 Eigen::Vector3d facing(const HsiaoProfile& profile, const HsiaoVector& v) {
   HsiaoFrames frames;
   profile.frames(v.data(), frames);
@@ -210,6 +216,10 @@ BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
     found = *anew;
     pose = judge.judge(found.v, now);
     if (pose.status == PoseStatus::kTracked) pose.status = PoseStatus::kReinitialized;
+    if (pose.status == PoseStatus::kReinitialized && !canStartFrom(pose.part_seen)) {
+      pose.status = PoseStatus::kLost;
+      pose.reason = "a track starts with torso, head and both legs in view; " + pose.reason;
+    }
   }
   if (pose.status == PoseStatus::kLost) return pose;
   if (pose.status == PoseStatus::kReinitialized) {

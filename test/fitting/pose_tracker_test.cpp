@@ -115,7 +115,7 @@ BodyParts withoutParts() {
 TEST_F(PoseTrackerTest, HullCarriesAPoseOnForAWhileAndSaysSo) {
   HsiaoVector v = stepping(profile_, 0.0);
   show(v);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 3; ++i) {
     v[0] += 0.03;
     v[3] += 0.03;
     const BodyPose pose = show(withoutParts(), v);
