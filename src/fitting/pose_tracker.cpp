@@ -93,6 +93,7 @@ struct PoseTracker::State {
         judge(*profile, shape, options),
         conversion(model, profile) {}
 
+  BodyPose judgeStart(const FittingInstant& now, const HsiaoVector& v) const;
   BodyPose follow(double seconds, const FittingInstant& now);
   BodyPose carryOn(const VisualHull& hull, const BodyPose& lost);
   BodyPose claim(BodyPose pose, const HsiaoVector& v);
@@ -199,27 +200,36 @@ bool PoseTracker::State::isReplaced(const FittingInstant& now, const ProfileFit&
   return other.cost < kReplaceShare * kept.cost;
 }
 
+BodyPose PoseTracker::State::judgeStart(const FittingInstant& now, const HsiaoVector& v) const {
+  BodyPose pose = judge.judge(v, now);
+  if (pose.status == PoseStatus::kLost) return pose;
+  pose.status = PoseStatus::kReinitialized;
+  if (!canStartFrom(pose.part_seen)) {
+    pose.status = PoseStatus::kLost;
+    pose.reason = "a track starts with torso, head and both legs in view; " + pose.reason;
+  }
+  return pose;
+}
+
 BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
   Refinement found;
   BodyPose pose;
   if (last) {
     const ProfileFit temporal = fitTemporal(now, seconds);
     found = refine(now, temporal.v);
-    Refinement other;
-    const bool replaced = isReplaced(now, temporal, found, other);
-    if (replaced) found = other;
     pose = judge.judge(found.v, now);
-    if (pose.status == PoseStatus::kTracked && replaced) pose.status = PoseStatus::kReinitialized;
+    Refinement other;
+    if (isReplaced(now, temporal, found, other)) {
+      const BodyPose started = judgeStart(now, other.v);
+      if (started.status != PoseStatus::kLost) {
+        pose = started;
+        found = other;
+      }
+    }
   }
   if (pose.status == PoseStatus::kLost) {
-    const std::optional<Refinement> anew = startAnew(now, options.start_attempts);
-    found = *anew;
-    pose = judge.judge(found.v, now);
-    if (pose.status == PoseStatus::kTracked) pose.status = PoseStatus::kReinitialized;
-    if (pose.status == PoseStatus::kReinitialized && !canStartFrom(pose.part_seen)) {
-      pose.status = PoseStatus::kLost;
-      pose.reason = "a track starts with torso, head and both legs in view; " + pose.reason;
-    }
+    found = *startAnew(now, options.start_attempts);
+    pose = judgeStart(now, found.v);
   }
   if (pose.status == PoseStatus::kLost) return pose;
   if (pose.status == PoseStatus::kReinitialized) {
