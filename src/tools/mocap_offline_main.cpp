@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -9,6 +10,15 @@
 namespace {
 
 using namespace markerless_mocap;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The run ends by itself, so that it can remove what it has begun to write; a second signal ends
+/// it at once.
+void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 struct Arguments {
   OfflineOptions run;
@@ -45,6 +55,9 @@ void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
   if (arguments->stature) options.pipeline.fitting.stature = *arguments->stature;
+  options.interrupted = [] { return interrupted != 0; };
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
   if (notes) summary.print(*notes);

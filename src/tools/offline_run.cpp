@@ -70,6 +70,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   std::optional<RunReport> report;
   if (!options.report_folder.empty()) report.emplace(options.report_folder, *model, pipeline.rig());
   const auto process = [&](const RecordedInstant& instant) {
+    if (options.interrupted())
+      throw std::runtime_error("interrupted, " + options.output + " is not written");
     if (summary.instants() == 0)
       writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
     summary.startInstant();

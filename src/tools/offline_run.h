@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -14,9 +15,10 @@ struct OfflineOptions {
   RecordingOptions recording;
   PipelineOptions pipeline;
   std::string body_id = "person1";
-  std::string urdf_template;  ///< empty: the package's own
-  std::string report_folder;  ///< empty: no report
-  bool masks_out = false;     ///< write the silhouettes too
+  std::string urdf_template;                                 ///< empty: the package's own
+  std::string report_folder;                                 ///< empty: no report
+  bool masks_out = false;                                    ///< write the silhouettes too
+  std::function<bool()> interrupted = [] { return false; };  ///< asked at every instant
 };
 
 /// Reads a configuration file. Throws std::runtime_error if it cannot be read or is no YAML,
@@ -25,7 +27,8 @@ PipelineOptions readConfiguration(const std::string& path);
 
 /// Runs all stages over a bag and writes what they make to another; the same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or
-/// std::invalid_argument with one sentence, also when there was no instant to process.
+/// std::invalid_argument with one sentence, also when it was interrupted or there was no instant to
+/// process.
 /// \param notes where progress and remarks go; nullptr: nowhere
 /// \param terminal whether notes is a terminal
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal);

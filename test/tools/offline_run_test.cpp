@@ -4,6 +4,7 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -44,6 +45,21 @@ class OfflineRun : public ToolTest {
 
   OfflineOptions options_;
 };
+
+TEST_F(OfflineRun, LeavesNothingBehindWhenInterrupted) {
+  writeBag();
+  int instants = 0;
+  options_.interrupted = [&] { return ++instants == 4; };
+  try {
+    runOffline(options_, nullptr, false);
+    FAIL() << "the run went on";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), "interrupted, " + options_.output + " is not written");
+  }
+  EXPECT_EQ(instants, 4);
+  EXPECT_FALSE(std::filesystem::exists(options_.output));
+  EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
+}
 
 TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
   writeBag();
