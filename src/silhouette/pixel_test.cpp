@@ -8,14 +8,18 @@
 namespace markerless_mocap {
 namespace {
 
-/// Brightness of the BGR colour `now` relative to `usual` if it is a shade of that; else 0.
-float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float* usual) {
-  const float cross = now[0] * usual[0] + now[1] * usual[1] + now[2] * usual[2];
-  const float square = usual[0] * usual[0] + usual[1] * usual[1] + usual[2] * usual[2];
+/// Brightness of a colour `now` relative to `usual` if it is a shade of that; else 0.
+template <int kChannels>
+float shadeRatio(const SilhouetteOptions& o, const float (&now)[kChannels], const float* usual) {
+  float cross = 0, square = 0;
+  for (int c = 0; c < kChannels; ++c) {
+    cross += now[c] * usual[c];
+    square += usual[c] * usual[c];
+  }
   const float ratio = cross / (square + 1e-6f);
   if (ratio < float(o.shadow_darkest) || ratio >= 1) return 0;
   float off = 0;
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < kChannels; ++c) {
     const float d = now[c] - ratio * usual[c];
     off += d * d;
   }
@@ -23,19 +27,9 @@ float shadeRatio(const SilhouetteOptions& o, const float (&now)[3], const float*
   return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma) ? ratio : 0;
 }
 
-/// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
-float largestInside(const cv::Mat& value, const cv::Mat& inside, int x, int y) {
-  float largest = 0;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, value.rows - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, value.cols - 1); ++u)
-      if (inside.at<uint8_t>(v, u)) largest = std::max(largest, value.at<float>(v, u));
-  return largest;
-}
-
-}  // namespace
-
-PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                           const cv::Mat& inverse_sigma) {
+template <int kChannels>
+PixelClasses classifyChannels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                              const cv::Mat& inverse_sigma) {
   const SilhouetteOptions& o = *test.options;
   const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
   PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
@@ -47,9 +41,10 @@ PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv
     uint8_t* out = classes.mask.ptr<uint8_t>(y);
     float* far = classes.squared_distance.ptr<float>(y);
     float* shade = shade_ratio.ptr<float>(y);
-    for (int x = 0; x < image.cols; ++x, pixel += 3, usual += 3, weight += 3) {
-      float now[3], distance = 0;
-      for (int c = 0; c < 3; ++c) {
+    for (int x = 0; x < image.cols;
+         ++x, pixel += kChannels, usual += kChannels, weight += kChannels) {
+      float now[kChannels], distance = 0;
+      for (int c = 0; c < kChannels; ++c) {
         now[c] = pixel[c] * test.inverse_gain;
         const float d = (now[c] - usual[c]) * weight[c];
         distance += d * d;
@@ -64,31 +59,21 @@ PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv
   return classes;
 }
 
-PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                          const cv::Mat& inverse_sigma) {
-  const SilhouetteOptions& o = *test.options;
-  const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
-  PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
-  cv::Mat shade_ratio = cv::Mat::zeros(image.size(), CV_32FC1);
-  for (int y = 0; y < image.rows; ++y) {
-    const uint8_t* pixel = image.ptr<uint8_t>(y);
-    const float* usual = mean.ptr<float>(y);
-    const float* weight = inverse_sigma.ptr<float>(y);
-    uint8_t* out = classes.mask.ptr<uint8_t>(y);
-    float* far = classes.squared_distance.ptr<float>(y);
-    float* shade = shade_ratio.ptr<float>(y);
-    for (int x = 0; x < image.cols; ++x) {
-      const float now = pixel[x] * test.inverse_gain;
-      const float distance = (now - usual[x]) * weight[x];
-      far[x] = distance * distance;
-      out[x] = far[x] > limit ? 255 : 0;
-      if (out[x] && o.remove_shadows && now < usual[x] && now >= o.shadow_darkest * usual[x])
-        shade[x] = now / usual[x];
-      if (shade[x] > 0) out[x] = 0;
-    }
-  }
-  if (o.remove_shadows) restoreClothes(shade_ratio, &classes.mask);
-  return classes;
+/// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
+float largestInside(const cv::Mat& value, const cv::Mat& inside, int x, int y) {
+  float largest = 0;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, value.rows - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, value.cols - 1); ++u)
+      if (inside.at<uint8_t>(v, u)) largest = std::max(largest, value.at<float>(v, u));
+  return largest;
+}
+
+}  // namespace
+
+PixelClasses classifyPixels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                            const cv::Mat& inverse_sigma) {
+  return image.channels() == 3 ? classifyChannels<3>(test, image, mean, inverse_sigma)
+                               : classifyChannels<1>(test, image, mean, inverse_sigma);
 }
 
 void trimRim(const cv::Mat& squared_distance, cv::Mat* mask) {

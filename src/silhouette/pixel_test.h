@@ -17,14 +17,11 @@ struct PixelClasses {
   cv::Mat squared_distance;  ///< CV_32FC1, from the background, squared standard deviations
 };
 
-/// Foreground of a BGR image: what is far from the background and no shadow. A shadow is
-/// darker than its background, of the same colour, and of the same texture.
-PixelClasses classifyColor(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                           const cv::Mat& inverse_sigma);
-
-/// As classifyColor() for a grey image, where texture alone tells a shadow.
-PixelClasses classifyGrey(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                          const cv::Mat& inverse_sigma);
+/// Foreground of a BGR or grey image: what is far from the background and no shadow. A shadow is
+/// darker than its background, of the same colour, and of the same texture; in a grey image texture
+/// alone tells.
+PixelClasses classifyPixels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
+                            const cv::Mat& inverse_sigma);
 
 /// Removes pixels of the silhouette's rim that are nearer to the background than to the person
 /// beside them: blur and chroma subsampling smear the outline over its neighbours.

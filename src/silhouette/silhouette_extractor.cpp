@@ -82,9 +82,7 @@ cv::Mat SilhouetteExtractor::extract(const cv::Mat& image) const {
   test.inverse_gain =
       options_.compensate_flicker ? float(1 / estimateLightGain(image, mean_)) : 1.0f;
   test.options = &options_;
-  const PixelClasses classes = image.channels() == 3
-                                   ? classifyColor(test, image, mean_, inverse_sigma_)
-                                   : classifyGrey(test, image, mean_, inverse_sigma_);
+  const PixelClasses classes = classifyPixels(test, image, mean_, inverse_sigma_);
   cv::Mat mask = cleanMask(classes.mask, options_);
   // Twice: blur and chroma subsampling reach two pixels far.
   for (int i = 0; i < 2; ++i) trimRim(classes.squared_distance, &mask);
