@@ -31,7 +31,8 @@ install_packages() {
 build_tree() {
   local tree=$1
   shift
-  cmake -S . -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  # rosrun does not look into a folder "build" of the package, hence devel/ beside it.
+  cmake -S . -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_DEVEL_PREFIX="$PWD/devel" \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
   cmake --build "$tree"
 }

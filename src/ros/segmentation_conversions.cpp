@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kCurveWidth = 0.02;  // metres on the screen
+constexpr double kCurveWidth = 0.03;  // metres on the screen
 
 uint8_t statusToMessage(SegmentationStatus status) {
   switch (status) {
