@@ -128,9 +128,13 @@ def mask(stamp, value, size=SIZE, encoding='mono8'):
     return message
 
 
-class Hull(Diagnosed):
+class HullNode(Diagnosed):
+    volume = [-1.5, -1.5, 0.0], [1.5, 1.5, 2.2]
+
     def setUp(self):
         rospy.set_param('/visual_hull/cameras', ['a', 'b'])
+        rospy.set_param('/visual_hull/volume_min', self.volume[0])
+        rospy.set_param('/visual_hull/volume_max', self.volume[1])
         self.infos = [rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5) for c in 'ab']
         self.masks = [rospy.Publisher(c + '/silhouette', Image, queue_size=5) for c in 'ab']
         self.clouds = []
@@ -151,6 +155,16 @@ class Hull(Diagnosed):
         self.assertTrue(self.clouds, 'an instant that cannot be used has its empty cloud')
         self.assertEqual({0}, {c.width for c in self.clouds})
 
+
+class HullElsewhere(HullNode):
+    volume = [20.0, 20.0, 0.0], [23.0, 23.0, 2.2]
+
+    def test_volume_that_no_camera_sees(self):
+        self.expect('no voxel of the volume is seen by 2 cameras',
+                    [info('a_optical'), info('b_optical')])
+
+
+class Hull(HullNode):
     def test_no_camera_info(self):
         self.expect('no camera_info has come from a, b', [])
 
