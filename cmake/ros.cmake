@@ -1,3 +1,10 @@
+# catkin caches the tests' environment while it configures and leaves out folders that are not there
+# yet: without these the first build's rostests would not find our Python messages.
+if(NOT CATKIN_DEVEL_PREFIX)
+  set(CATKIN_DEVEL_PREFIX ${CMAKE_BINARY_DIR}/devel)
+endif()
+file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
+
 # Messages, conversions, nodelets with their executables, tools.
 find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
   rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs tf2_msgs tf2_ros tf2_eigen
