@@ -1,12 +1,14 @@
 # The ROS-free rooms. DEPENDS are the arrows of docs/architecture.md; scripts/check_arrows holds the
 # includes to them.
 mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(camera LIBRARIES Eigen3::Eigen)
+mocap_room(camera LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(silhouette DEPENDS options LIBRARIES opencv_core opencv_imgproc)
 mocap_room(hull DEPENDS camera options LIBRARIES opencv_core TBB::tbb)
 mocap_room(segmentation DEPENDS hull options LIBRARIES TBB::tbb)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
 mocap_room(fitting DEPENDS body hull segmentation options LIBRARIES TBB::tbb)
-mocap_room(capture DEPENDS body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)
+mocap_room(motion LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)
+mocap_room(capture DEPENDS character body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
 mocap_room(pipeline DEPENDS silhouette hull segmentation fitting)
