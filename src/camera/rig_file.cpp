@@ -1,0 +1,238 @@
+#include "markerless_mocap/camera/rig_file.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr const char* kHead =
+    "# A rig of calibrated cameras.\n"
+    "# World: metres, z up, floor at z = 0. A camera's optical frame: x right, y down, z forward.\n"
+    "# size: width and height, pixels. fx fy cx cy skew: pixels; integer coordinates are pixel\n"
+    "# centres. distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6]], [] for none.\n"
+    "# position and orientation: of the optical frame in the world, m and quaternion x y z w.\n";
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw std::invalid_argument(where + ": " + what);
+}
+
+/// The shortest text that reads back as the same number.
+std::string text(double number) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  return {buffer.data(), end};
+}
+
+template <class Numbers>
+std::string list(const Numbers& numbers) {
+  std::string out;
+  for (const double number : numbers) out += (out.empty() ? "" : ", ") + text(number);
+  return '[' + out + ']';
+}
+
+std::string quoted(const std::string& name) {
+  YAML::Emitter out;
+  out << YAML::DoubleQuoted << name;
+  return out.c_str();
+}
+
+/// The rotation's quaternion with three numbers on a grid of 1e-13 and the largest one, positive,
+/// completing them to length 1: what its matrix gives back differs by less than the grid and so
+/// becomes the very same again.
+Eigen::Quaterniond onGrid(const Eigen::Matrix3d& rotation) {
+  constexpr double kSteps = 1e13;
+  Eigen::Vector4d v =
+      (Eigen::Quaterniond(rotation).normalized().coeffs() * kSteps).array().round() / kSteps;
+  Eigen::Index largest = 0;
+  v.cwiseAbs().maxCoeff(&largest);
+  if (v[largest] < 0.0) v = -v;
+  v[largest] = 0.0;
+  v[largest] = std::sqrt(1.0 - v.squaredNorm());
+  return Eigen::Quaterniond((v.array() + 0.0).matrix());  // no -0
+}
+
+std::string cameraText(const CameraCalibration& c) {
+  const Eigen::Vector3d& t = c.T_world_camera.translation();
+  const Eigen::Quaterniond q = onGrid(c.T_world_camera.linear());
+  std::ostringstream out;
+  out << "- name: " << quoted(c.name) << "\n  size: [" << c.width << ", " << c.height << "]\n";
+  const std::pair<const char*, double> pinhole[] = {{"fx", c.K(0, 0)},
+                                                    {"fy", c.K(1, 1)},
+                                                    {"cx", c.K(0, 2)},
+                                                    {"cy", c.K(1, 2)},
+                                                    {"skew", c.K(0, 1)}};
+  for (const auto& [key, value] : pinhole) out << "  " << key << ": " << text(value) << '\n';
+  out << "  distortion: " << list(c.D) << "\n  position: " << list(std::array{t.x(), t.y(), t.z()})
+      << "\n  orientation: " << list(std::array{q.x(), q.y(), q.z(), q.w()}) << '\n';
+  return out.str();
+}
+
+/// One map of the file, every key of which must be asked for.
+class StrictMap {
+ public:
+  StrictMap(YAML::Node node, std::string where) : node_(std::move(node)), where_(std::move(where)) {
+    if (!node_.IsMap()) refuse(where_, "this is no map of keys to values");
+    std::set<std::string> keys;
+    for (const auto& entry : node_)
+      if (!keys.insert(entry.first.as<std::string>("")).second)
+        refuse(where_, "key '" + entry.first.as<std::string>("") + "' stands there twice");
+  }
+
+  const std::string& where() const { return where_; }
+  /// Undefined if the key is not there.
+  YAML::Node optional(const std::string& key) {
+    known_.insert(key);
+    return node_[key];
+  }
+  YAML::Node required(const std::string& key) {
+    const YAML::Node value = optional(key);
+    if (!value) refuse(where_, "key '" + key + "' is missing");
+    return value;
+  }
+  double number(const std::string& key) { return numberIn(required(key), key); }
+  std::vector<double> numbers(const std::string& key, size_t wanted, const char* meaning) {
+    const std::vector<double> values = numbers(key);
+    if (values.size() != wanted)
+      refuse(where_, "'" + key + "' has " + std::to_string(values.size()) +
+                         " numbers, wanted are " + std::to_string(wanted) + ": " + meaning);
+    return values;
+  }
+  std::vector<double> numbers(const std::string& key) {
+    const YAML::Node node = required(key);
+    if (!node.IsSequence()) refuse(where_, "'" + key + "' is no list of numbers");
+    std::vector<double> values;
+    for (const auto& entry : node) values.push_back(numberIn(entry, key));
+    return values;
+  }
+  double numberIn(const YAML::Node& node, const std::string& key) const {
+    double value = 0.0;
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
+      refuse(where_, "'" + key + "' holds " + (node.IsScalar() ? node.Scalar() : "a list or map") +
+                         ", allowed are finite numbers");
+    return value;
+  }
+  /// Throws if there is a key that nobody asked for.
+  void finish() const {
+    std::string known;
+    for (const std::string& key : known_) known += (known.empty() ? "" : ", ") + key;
+    for (const auto& entry : node_)
+      if (const auto key = entry.first.as<std::string>(""); known_.count(key) == 0)
+        refuse(where_, "key '" + key + "' is unknown, allowed are " + known);
+  }
+
+ private:
+  YAML::Node node_;
+  std::string where_;
+  std::set<std::string> known_;
+};
+
+int pixelsOf(double value, const StrictMap& camera) {
+  if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
+    refuse(camera.where(),
+           "'size' holds " + text(value) + ", allowed are whole numbers from 1 to 65536");
+  return int(value);
+}
+
+Eigen::Quaterniond orientationIn(StrictMap& camera) {
+  constexpr double kTolerance = 1e-3;  // what a few written digits may lack
+  const auto v = camera.numbers("orientation", 4, "a quaternion x y z w");
+  const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
+  const double length = q.norm();
+  if (!(std::abs(length - 1.0) <= kTolerance))
+    refuse(camera.where(), "'orientation' is a quaternion of length " + text(length) +
+                               ", allowed are rotations, whose length is 1");
+  return q.normalized();
+}
+
+CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::string& where) {
+  const std::string place = where + ", camera " + std::to_string(index);
+  if (!node.IsMap()) refuse(place, "this is no map of keys to values");
+  const YAML::Node name = node["name"];
+  if (!name || !name.IsScalar() || name.Scalar().empty())
+    refuse(place, "key 'name' is missing or empty, each camera needs a name");
+  CameraCalibration c;
+  c.name = name.Scalar();
+  StrictMap camera(node, where + ", camera '" + c.name + "'");
+  camera.required("name");
+  const auto size = camera.numbers("size", 2, "width and height, pixels");
+  c.width = pixelsOf(size[0], camera);
+  c.height = pixelsOf(size[1], camera);
+  const YAML::Node skew = camera.optional("skew");
+  c.K << camera.number("fx"), skew ? camera.numberIn(skew, "skew") : 0.0, camera.number("cx"), 0,
+      camera.number("fy"), camera.number("cy"), 0, 0, 1;
+  c.D = camera.numbers("distortion");
+  const auto t = camera.numbers("position", 3, "x y z, m");
+  c.T_world_camera.translation() << t[0], t[1], t[2];
+  c.T_world_camera.linear() = orientationIn(camera).toRotationMatrix();
+  camera.finish();
+  return c;
+}
+
+void checkRig(const std::vector<CameraCalibration>& rig, const std::string& where) {
+  if (rig.empty()) refuse(where, "the rig has no cameras, key 'cameras' lists one at least");
+  std::set<std::string> names;
+  for (const CameraCalibration& camera : rig) {
+    if (camera.name.empty()) refuse(where, "a camera has no name");
+    if (!names.insert(camera.name).second)
+      refuse(where, "two cameras are named '" + camera.name + "', each needs a name of its own");
+    try {
+      camera.validate();
+    } catch (const std::invalid_argument& error) {
+      refuse(where, error.what());
+    }
+  }
+}
+
+}  // namespace
+
+std::string rigText(const std::vector<CameraCalibration>& rig) {
+  checkRig(rig, "rig");
+  std::string out = std::string(kHead) + "cameras:\n";
+  for (const CameraCalibration& camera : rig) out += cameraText(camera);
+  return out;
+}
+
+std::vector<CameraCalibration> rigFromText(const std::string& text, const std::string& where) {
+  YAML::Node root;
+  try {
+    root = YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    refuse(where, std::string("this is no YAML: ") + error.what());
+  }
+  if (!root.IsMap()) refuse(where, "the rig has no cameras, key 'cameras' lists one at least");
+  StrictMap top(root, where);
+  const YAML::Node cameras = top.optional("cameras");
+  top.finish();
+  if (!cameras || !cameras.IsSequence()) checkRig({}, where);
+  std::vector<CameraCalibration> rig;
+  for (size_t i = 0; i < cameras.size(); ++i) rig.push_back(cameraIn(cameras[i], i, where));
+  checkRig(rig, where);
+  return rig;
+}
+
+void writeRig(const std::string& path, const std::vector<CameraCalibration>& rig) {
+  const std::string text = rigText(rig);
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write the rig " + path);
+}
+
+std::vector<CameraCalibration> readRig(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw std::runtime_error("cannot read the rig " + path);
+  return rigFromText(text.str(), path);
+}
+
+}  // namespace markerless_mocap
