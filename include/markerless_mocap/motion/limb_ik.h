@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace markerless_mocap {
+
+/// The middle joint and the far end of a limb of two bones.
+struct LimbBend {
+  Eigen::Vector3d middle;
+  Eigen::Vector3d end;  ///< the target, or what the limb reaches of it
+};
+
+/// Bends a limb of two bones so that its end comes to the target, or on the line to it as far as
+/// it reaches. The middle joint points to `pole` as well as it can. \param upper, lower lengths in
+/// metres \param largest_bend of the middle joint, radians
+LimbBend bendLimb(const Eigen::Vector3d& root, const Eigen::Vector3d& target, double upper,
+                  double lower, const Eigen::Vector3d& pole, double largest_bend);
+
+/// The rotation that turns direction `from` into `to` and the hinge `hinge_from` into `hinge_to`
+/// as well as it can.
+Eigen::Quaterniond turnWithHinge(const Eigen::Vector3d& from, const Eigen::Vector3d& hinge_from,
+                                 const Eigen::Vector3d& to, const Eigen::Vector3d& hinge_to);
+
+}  // namespace markerless_mocap
