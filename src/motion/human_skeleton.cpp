@@ -14,11 +14,12 @@ struct Ratios {
 };
 
 // Segment lengths after Winter, Biomechanics and Motor Control of Human Movement, figure 4.1
-// (from Drillis and Contini 1966), widths and sexes after Gordon et al., ANSUR 1988.
-constexpr Ratios kWoman{0.520, 0.575, 0.675, 0.836, 0.882, 0.812, 0.277, 0.041,
-                        0.012, 0.053, 0.096, 0.168, 0.140, 0.104, 0.098, 0.042};
-constexpr Ratios kMan{0.523, 0.578, 0.680, 0.838, 0.884, 0.815, 0.281, 0.043,
-                      0.012, 0.049, 0.103, 0.172, 0.145, 0.107, 0.100, 0.043};
+// (from Drillis and Contini 1966), widths, feet and sexes after Gordon et al., ANSUR 1988. The
+// shoulder is the joint's centre, 4 cm below the acromion; the head turns below the ears.
+constexpr Ratios kWoman{0.520, 0.575, 0.675, 0.843, 0.903, 0.803, 0.277, 0.041,
+                        0.012, 0.052, 0.093, 0.168, 0.140, 0.105, 0.075, 0.041};
+constexpr Ratios kMan{0.523, 0.578, 0.680, 0.845, 0.905, 0.806, 0.281, 0.043,
+                      0.012, 0.049, 0.099, 0.172, 0.145, 0.108, 0.077, 0.042};
 
 Eigen::Vector3d mirrored(const Eigen::Vector3d& left) {
   return {left.x(), -left.y(), left.z()};
@@ -77,7 +78,7 @@ HumanSkeleton HumanSkeleton::adult(double stature, double male) {
   const Eigen::Vector3d hip(0, side, of(&Ratios::hip)),
       knee(0.004 * stature, side, of(&Ratios::knee)),
       ankle(-0.006 * stature, side, of(&Ratios::ankle)),
-      ball(ankle.x() + of(&Ratios::ankle_to_ball) * 0.95, side, of(&Ratios::ball));
+      ball(ankle.x() + of(&Ratios::ankle_to_ball), side, of(&Ratios::ball));
   bone(Bone::kLeftThigh, hip, knee);
   bone(Bone::kLeftShank, knee, ankle);
   bone(Bone::kLeftFoot, ankle, ball);
