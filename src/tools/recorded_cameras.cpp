@@ -12,6 +12,8 @@ namespace {
 
 constexpr const char* kInfo = "sensor_msgs/CameraInfo";
 constexpr const char* kImage = "sensor_msgs/Image";
+/// Topics below it tell what is true and come from no camera.
+constexpr const char* kTruth = "/ground_truth/";
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 
 /// The camera's name if the topic ends in the suffix and has the type.
@@ -19,6 +21,7 @@ std::optional<std::string> cameraOf(const rosbag::ConnectionInfo& connection,
                                     const std::string& suffix, const char* type) {
   const std::string& topic = connection.topic;
   if (connection.datatype != type || topic.size() <= suffix.size()) return std::nullopt;
+  if (topic.rfind(kTruth, 0) == 0) return std::nullopt;
   const size_t stem = topic.size() - suffix.size();
   if (topic.compare(stem, suffix.size(), suffix) != 0) return std::nullopt;
   const size_t first = topic.front() == '/' ? 1 : 0;
