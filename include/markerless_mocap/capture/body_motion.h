@@ -4,14 +4,9 @@
 #include <memory>
 
 #include "markerless_mocap/body/body_model.h"
+#include "markerless_mocap/capture/body_state.h"
 
 namespace markerless_mocap {
-
-/// A body at one instant.
-struct BodyState {
-  Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
-  Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()
-};
 
 /// A person who walks in a circle about the world's origin and meanwhile swings the arms, waves,
 /// spreads the arms and raises them, over and over. The lowest point of the body touches z = 0.
