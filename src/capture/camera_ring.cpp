@@ -24,20 +24,6 @@ Eigen::Vector3d ringTarget() {
   return {0.0, 0.0, 1.0};
 }
 
-Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d away = target - position;
-  if (!(away.norm() > 1e-9))
-    throw std::invalid_argument("a camera cannot look at the point where it is");
-  const Eigen::Vector3d forward = away.normalized();
-  const bool steep = std::abs(forward.z()) > 0.999;
-  const Eigen::Vector3d up = steep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d right = forward.cross(up).normalized();
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  T_world_camera.linear() << right, forward.cross(right), forward;
-  T_world_camera.translation() = position;
-  return T_world_camera;
-}
-
 CameraRig cameraRing(const StudioOptions& options) {
   options.validate();
   const int in_ring = options.cameras - (options.overhead ? 1 : 0);
