@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// A BVH file's words with their lines, and the faults' sentences.
+class BvhText {
+ public:
+  BvhText(std::istream& stream, std::string name);
+
+  bool atEnd() const { return next_ == words_.size(); }
+  /// The next word without taking it; empty at the end.
+  const std::string& peek() const;
+  /// \param expected what should stand here, for the sentence if the file ends instead
+  const std::string& take(const std::string& expected);
+  /// Compares without case.
+  bool nextIs(const std::string& word) const;
+  bool skipIf(const std::string& word);
+  void require(const std::string& word, const std::string& where);
+  /// Words up to a brace or the line's end, joined by blanks.
+  std::string takeName(const std::string& of);
+  double takeNumber(const std::string& what);
+  int takeCount(const std::string& what);
+  /// The numbers of a line, which must be as many as told.
+  std::vector<double> takeFrame(size_t frame, size_t channels);
+  /// Lines that hold words from here on.
+  size_t linesLeft() const;
+
+  /// Throws the sentence with file and line of the word last taken.
+  [[noreturn]] void fail(const std::string& fault) const;
+  [[noreturn]] void failAt(size_t line, const std::string& fault) const;
+
+ private:
+  struct Word {
+    std::string text;
+    size_t line;
+  };
+
+  size_t nextLine() const { return atEnd() ? last_line_ : words_[next_].line; }
+  double number(const Word& word, const std::function<std::string()>& what) const;
+
+  std::string name_;
+  std::vector<Word> words_;
+  size_t next_ = 0;
+  size_t last_line_ = 1;
+};
+
+}  // namespace markerless_mocap
