@@ -30,6 +30,8 @@ struct Move {
   double left = 0.0;     ///< metres
   double turn = 0.0;     ///< radians, left is positive
   int steps = 0;         ///< 0 picks the natural number
+  enum class First { kNatural, kLeft, kRight };
+  First first = First::kNatural;  ///< foot that steps first
   bool run = false;
   double tuck = 0.0;  ///< jump: how far the feet are drawn up, share of the stature
   Stance stance;      ///< if it ends here

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// A piece of a YAML file with its address, "file/key[2]/key", for sentences about faults. All
+/// functions throw std::invalid_argument: address, what is there, what is allowed.
+class ScriptNode {
+ public:
+  ScriptNode(YAML::Node node, std::string address);
+
+  /// Refuses anything but a map with only these keys.
+  void allowKeys(const std::vector<std::string>& keys) const;
+  bool has(const std::string& key) const;
+  /// Refuses if it is missing.
+  ScriptNode need(const std::string& key) const;
+  /// The entries of a list.
+  std::vector<ScriptNode> items() const;
+  /// Keys of a map in the order of the file.
+  std::vector<std::string> keys() const;
+
+  double number(double lowest, double highest) const;
+  double number(const std::string& key, double otherwise, double lowest, double highest) const;
+  int whole(const std::string& key, int otherwise, int lowest, int highest) const;
+  bool truth(const std::string& key, bool otherwise) const;
+  std::string word(const std::vector<std::string>& allowed) const;
+  /// A list of `count` finite numbers.
+  std::vector<double> numbers(size_t count, const std::string& meaning) const;
+
+  const std::string& address() const { return address_; }
+  [[noreturn]] void refuse(const std::string& allowed) const;
+
+ private:
+  YAML::Node node_;
+  std::string address_;
+};
+
+/// "a, b, c"
+std::string joinedWords(const std::vector<std::string>& words);
+/// A number as one writes it.
+std::string shownNumber(double number);
+
+}  // namespace markerless_mocap
