@@ -26,13 +26,17 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
-std::shared_ptr<const BodyModel> loadBody(const std::string& template_path, const std::string& id,
-                                          double stature) {
+std::string bodyUrdf(const std::string& template_path, const std::string& id, double stature) {
   const std::string path =
       template_path.empty() ? packageFile("urdf/human.urdf.in") : template_path;
   const BodyProportions proportions = BodyProportions::fromStature(stature);
-  const std::string urdf = fillUrdfTemplate(readText(path), id, proportions);
-  return std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, id));
+  return fillUrdfTemplate(readText(path), id, proportions);
+}
+
+std::shared_ptr<const BodyModel> loadBody(const std::string& template_path, const std::string& id,
+                                          double stature) {
+  return std::make_shared<const BodyModel>(
+      BodyModel::fromUrdf(bodyUrdf(template_path, id, stature), id));
 }
 
 }  // namespace markerless_mocap

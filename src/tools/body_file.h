@@ -14,6 +14,9 @@ std::string packageFile(const std::string& relative_path);
 /// Text of a file. Throws std::runtime_error if it cannot be read.
 std::string readText(const std::string& path);
 
+/// URDF of a person from the template. Throws as loadBody().
+std::string bodyUrdf(const std::string& template_path, const std::string& id, double stature);
+
 /// The body of a person from the URDF template. Throws std::runtime_error or std::invalid_argument
 /// when the template cannot be read or gives no body, or the stature is out of range.
 /// \param template_path empty: the package's own

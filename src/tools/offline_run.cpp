@@ -58,8 +58,9 @@ PipelineOptions readConfiguration(const std::string& path) {
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
   checkFiles(options);
   Recording recording(options.input, options.recording);
-  const auto model =
-      loadBody(options.urdf_template, options.body_id, options.pipeline.fitting.stature);
+  const std::string urdf =
+      bodyUrdf(options.urdf_template, options.body_id, options.pipeline.fitting.stature);
+  const auto model = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, options.body_id));
   Pipeline pipeline(recording.rig(), model, options.pipeline);
   RunSummary summary;
   pipeline.setStageListener([&](const char* stage) { summary.stageDone(stage); });
@@ -72,8 +73,10 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   const auto process = [&](const RecordedInstant& instant) {
     if (options.interrupted())
       throw std::runtime_error("interrupted, " + options.output + " is not written");
-    if (summary.instants() == 0)
+    if (summary.instants() == 0) {
       writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
+      writer.writeDescription(instant.stamp_ns, urdf);
+    }
     summary.startInstant();
     const PipelineResult result = pipeline.process(instant.stamp_ns, instant.frames);
     summary.add(result);

@@ -1,5 +1,7 @@
 #include "tools/result_writer.h"
 
+#include <std_msgs/String.h>
+
 #include <utility>
 
 #include "markerless_mocap/ros/camera_conversions.h"
@@ -22,6 +24,13 @@ std_msgs::Header ResultWriter::headerAt(int64_t stamp_ns) const {
 
 void ResultWriter::writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms) {
   bag_->writeLatched("/tf_static", rosTime(stamp_ns), transforms);
+}
+
+void ResultWriter::writeDescription(int64_t stamp_ns, const std::string& urdf) {
+  std_msgs::String text;
+  text.data = urdf;
+  bag_->writeLatched("/humans/bodies/" + model_.id() + "/human_description", rosTime(stamp_ns),
+                     text);
 }
 
 void ResultWriter::write(int64_t stamp_ns, const PipelineResult& result) {

@@ -18,6 +18,8 @@ class ResultWriter {
 
   /// To be called once, before the first instant.
   void writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms);
+  /// The same for the body's URDF, latched.
+  void writeDescription(int64_t stamp_ns, const std::string& urdf);
   void write(int64_t stamp_ns, const PipelineResult& result);
   /// \param masks one per camera; empty ones are left out
   void writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,

@@ -69,6 +69,7 @@ TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
   auto counts = countsByTopic();
   EXPECT_EQ(counts["/tf_static"], 1);
   EXPECT_EQ(counts["/hull/grid"], 1);
+  EXPECT_EQ(counts["/humans/bodies/person1/human_description"], 1);
   for (const char* topic : {"/hull/points", "/segmentation/points", "/segmentation/parts", "/pose"})
     EXPECT_EQ(counts[topic], 3) << topic;
   EXPECT_EQ(counts["/tf"], summary.poses());

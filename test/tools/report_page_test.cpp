@@ -29,8 +29,8 @@ TEST(ReportPage, TitleCannotBreakThePage) {
 }
 
 TEST(ReportPage, CurvesStopWhereThereIsNoFigure) {
-  // Half of the plot's 140 units, the first of two instants on 900 units; nothing for the second.
-  EXPECT_NE(reportPage(sample()).find("d=\"M0 70h450\""), std::string::npos);
+  // Half of the plot's height for the first of two instants, nothing for the second.
+  EXPECT_NE(reportPage(sample()).find("d=\"M46 77h0\""), std::string::npos);
 }
 
 TEST(ReportPage, CameraWithoutOverlapHasAnEmptyCell) {

@@ -1,0 +1,129 @@
+#include "tools/evaluation_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace markerless_mocap {
+namespace {
+
+/// printf into a string; "-" for a figure that there is none of.
+std::string figure(const char* format, double value) {
+  if (!std::isfinite(value)) return "-";
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string percent(double share) {
+  return figure("%.1f %%", 100.0 * share);
+}
+
+std::string padded(std::string text, size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+void row(std::ostream& out, const std::string& name, const std::string& text) {
+  out << "  " << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') << text << '\n';
+}
+
+void printD(const JointErrors& joints, std::ostream& out) {
+  const Spread& D = joints.D_spread;
+  out << "Joint error D, mm\n";
+  row(out, "mean",
+      figure("%.1f", D.mean) + "   (" + figure("%.1f", joints.D_mean_unbiased) +
+          " with the constant offset of each joint taken out)");
+  row(out, "median / 95 %", figure("%.1f", D.median) + " / " + figure("%.1f", D.p95));
+  row(out, "largest", figure("%.1f", D.max));
+  row(out, "swapped sides",
+      "all " + percent(joints.swaps.all) + ", arms " + percent(joints.swaps.arms) + ", legs " +
+          percent(joints.swaps.legs));
+}
+
+void printFrames(const Evaluation& evaluation, std::ostream& out) {
+  const TrackRecord& record = evaluation.record;
+  out << "Frames " << evaluation.joints.frames << '\n';
+  row(out, "with a pose",
+      std::to_string(evaluation.joints.frames_estimated) + "   (" +
+          percent(evaluation.joints.share_without_estimate) + " without; " +
+          percent(evaluation.joints.share_markers_missing) + " of the joints missing in the rest)");
+  row(out, "status",
+      std::to_string(record.tracked) + " tracked, " + std::to_string(record.reinitialized) +
+          " reinitialized, " + std::to_string(record.lost) + " lost, " +
+          std::to_string(record.missing) + " missing");
+  row(out, "first pose", figure("after %.2f s", record.seconds_to_first_pose));
+  row(out, "losses",
+      std::to_string(record.losses.size()) +
+          (record.losses.empty() ? ""
+                                 : ", the longest " + figure("%.2f s", record.longest_loss())));
+  const Delay& delay = evaluation.delay;
+  row(out, "delay",
+      std::isfinite(delay.seconds)
+          ? figure("%.0f ms", 1e3 * delay.seconds) + "   (D " + figure("%.1f", delay.D_now_mm) +
+                " there, " + figure("%.1f", delay.D_shifted_mm) + " with the truth as late)"
+          : "-");
+  const Spread& latency = evaluation.latency_ms;
+  if (latency.count > 0)
+    row(out, "latency",
+        figure("%.0f ms", latency.mean) + " mean, " + figure("%.0f ms", latency.p95) + " 95 %, " +
+            figure("%.0f ms", latency.max) + " largest");
+}
+
+void printMarkers(const JointErrors& joints, std::ostream& out) {
+  double largest = 1.0;
+  for (const MarkerError& marker : joints.markers)
+    if (std::isfinite(marker.mean_mm)) largest = std::max(largest, marker.mean_mm);
+  out << "Per joint, mm      mean  no offset     max\n";
+  for (const MarkerError& marker : joints.markers) {
+    const double share = std::isfinite(marker.mean_mm) ? marker.mean_mm / largest : 0.0;
+    row(out, marker.name,
+        padded(figure("%.0f", marker.mean_mm), 5) +
+            padded(figure("%.0f", marker.mean_unbiased_mm), 11) +
+            padded(figure("%.0f", marker.max_mm), 8) + "  " +
+            std::string(size_t(std::lround(28 * share)), '#'));
+  }
+}
+
+void printRest(const Evaluation& evaluation, std::ostream& out) {
+  out << "Hands and feet\n";
+  for (const ExtremityError& part : evaluation.extremities)
+    row(out, part.name,
+        figure("%.0f mm", part.error_mm.mean) + ", right in " + percent(part.share_right));
+  if (!evaluation.angles.empty()) {
+    const auto worst = std::max_element(evaluation.angles.begin(), evaluation.angles.end(),
+                                        [](const AngleError& a, const AngleError& b) {
+                                          return a.error_deg.mean < b.error_deg.mean;
+                                        });
+    std::vector<double> means;
+    for (const AngleError& angle : evaluation.angles) means.push_back(angle.error_deg.mean);
+    out << "Joint angles, degrees\n";
+    row(out, "mean",
+        figure("%.1f", spreadOf(means).mean) + "   (worst " + worst->joint + ", " +
+            figure("%.1f", worst->error_deg.mean) + ")");
+  }
+  const ImageMeasures& images = evaluation.images;
+  if (images.instants.empty()) return;
+  out << "Overlap with the exact masks, IoU over " << images.instants.size() << " instants\n";
+  row(out, "silhouettes", figure("%.3f", meanOfMeans(images.mask_iou)));
+  row(out, "fitted body", figure("%.3f", meanOfMeans(images.body_iou)));
+  row(out, "hull", figure("%.3f", images.hull_iou.mean));
+}
+
+}  // namespace
+
+double meanOfMeans(const std::vector<Spread>& spreads) {
+  std::vector<double> means;
+  for (const Spread& spread : spreads) means.push_back(spread.mean);
+  return spreadOf(means).mean;
+}
+
+void printEvaluation(const Evaluation& evaluation, std::ostream& out) {
+  printD(evaluation.joints, out);
+  printFrames(evaluation, out);
+  printMarkers(evaluation.joints, out);
+  printRest(evaluation, out);
+  for (const std::string& note : evaluation.notes) out << note << '\n';
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// A line of a plot; it breaks where a value is NaN.
+struct PlotLine {
+  std::string name, color;
+  std::vector<double> values;
+};
+
+/// One cell of a band over time.
+struct BandCell {
+  std::string color, title;  ///< title shows under the pointer
+};
+
+/// A group of bars of a chart.
+struct BarRow {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// Lines over time with axes, as SVG. \param seconds of each value, ascending
+/// \param top of the value axis; 0: a round number above all values
+std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotLine>& lines,
+                     double top, const std::string& unit);
+
+/// Cells over the time axis of linePlot(), as SVG.
+std::string timeBand(const std::vector<double>& seconds, const std::vector<BandCell>& cells);
+
+/// Horizontal bars, one of each colour in a row, as SVG. Bars of NaN are left out.
+std::string barChart(const std::vector<BarRow>& rows, const std::vector<std::string>& colors,
+                     const std::string& unit);
+
+/// How many of the finite values lie in each of `bins` equal bins from 0 to a round number.
+std::string histogram(const std::vector<double>& values, int bins, const std::string& color,
+                      const std::string& unit);
+
+/// Coloured squares with names, as HTML.
+std::string plotKey(const std::vector<PlotLine>& lines);
+
+/// A round number (1, 2 or 5 times a power of ten) that goes `parts` times or less into `range`.
+double roundStep(double range, int parts);
+
+}  // namespace markerless_mocap
