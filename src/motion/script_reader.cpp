@@ -17,7 +17,7 @@ constexpr double kFarthest = 10.0;  // metres
 
 Stance readStance(const ScriptNode& node, Stance otherwise) {
   return {node.number("width", otherwise.width, 0.02, 0.4),
-          node.number("stagger", otherwise.stagger, -0.3, 0.3)};
+          node.number("stagger", otherwise.stagger, -0.4, 0.4)};
 }
 
 void readStart(const ScriptNode& node, MotionScript& script) {
