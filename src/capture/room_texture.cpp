@@ -9,28 +9,45 @@ namespace markerless_mocap {
 namespace {
 
 constexpr float kSkirting = 0.12f;  // metres high
-constexpr float kGroove = 0.006f;   // metres between boards
+constexpr float kGroove = 0.012f;   // metres on one side of the gap between boards
 
 uint64_t mixed(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
   return hashBits(seed ^ hashBits(uint64_t(a) * 0x9e3779b97f4a7c15u ^
                                   hashBits(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
 }
 
-/// Cheap lattice hash for noise, -1 to 1.
-float latticeValue(uint64_t seed, int x, int y) {
-  const uint64_t bits = hashBits(seed + (uint64_t(uint32_t(x)) << 32 | uint32_t(y)));
-  return float(bits >> 40) * (2.0f / float(1 << 24)) - 1.0f;
+/// Random numbers -1 to 1 on the corners of a grid that repeats.
+class Lattice {
+ public:
+  Lattice() : values_(size_t(kSide) * kSide) {
+    for (size_t i = 0; i < values_.size(); ++i) values_[i] = float(2.0 * hashUniform(i) - 1.0);
+  }
+  /// \param seed shifts the grid
+  float at(uint64_t seed, int x, int y) const {
+    return values_[((uint32_t(y) + uint32_t(seed >> 8)) % kSide) * kSide +
+                   (uint32_t(x) + uint32_t(seed)) % kSide];
+  }
+
+ private:
+  static constexpr uint32_t kSide = 256;
+  std::vector<float> values_;
+};
+
+/// Whole part, rounded down; std::floor is a call on plain x86-64.
+int floorOf(float value) {
+  const int whole = int(value);
+  return whole - int(value < float(whole));
 }
 
-/// Smooth noise, about -1 to 1, that changes over one unit (Perlin's value noise).
+/// Smooth noise, -1 to 1, that changes over one unit (value noise).
 float smoothNoise(uint64_t seed, float x, float y) {
-  const float fx = std::floor(x), fy = std::floor(y);
-  const int ix = int(fx), iy = int(fy);
-  const float u = x - fx, v = y - fy;
+  static const Lattice lattice;
+  const int ix = floorOf(x), iy = floorOf(y);
+  const float u = x - float(ix), v = y - float(iy);
   const float su = u * u * (3 - 2 * u), sv = v * v * (3 - 2 * v);
-  const float upper = latticeValue(seed, ix, iy) * (1 - su) + latticeValue(seed, ix + 1, iy) * su;
+  const float upper = lattice.at(seed, ix, iy) * (1 - su) + lattice.at(seed, ix + 1, iy) * su;
   const float lower =
-      latticeValue(seed, ix, iy + 1) * (1 - su) + latticeValue(seed, ix + 1, iy + 1) * su;
+      lattice.at(seed, ix, iy + 1) * (1 - su) + lattice.at(seed, ix + 1, iy + 1) * su;
   return upper * (1 - sv) + lower * sv;
 }
 
@@ -38,7 +55,7 @@ float smoothNoise(uint64_t seed, float x, float y) {
 float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
   float sum = 0.0f, amplitude = 0.6f, scale = 1.0f / size;
   for (int i = 0; i < octaves; ++i, amplitude *= 0.65f, scale *= 2.1f)
-    sum += amplitude * smoothNoise(seed + uint64_t(i) * 7919u, x * scale, y * scale);
+    sum += amplitude * smoothNoise(hashBits(seed + uint64_t(i)), x * scale, y * scale);
   return sum;
 }
 
@@ -68,7 +85,7 @@ RoomTexture::RoomTexture(uint64_t seed, const Eigen::Vector3f& half_size)
   for (Eigen::Vector3f& color : wall_colors_)
     for (float& channel : color) channel = base + dice.uniform(-0.05f, 0.05f);
   const float wood = dice.uniform(0.42f, 0.56f);
-  wood_ << wood, wood * dice.uniform(0.86f, 0.94f), wood * dice.uniform(0.68f, 0.84f);
+  wood_ << wood, wood * dice.uniform(0.86f, 0.91f), wood * dice.uniform(0.70f, 0.84f);
   boards_along_x_ = dice.below(2) == 0;
   board_width_ = dice.uniform(0.18f, 0.32f);
   for (int wall = 0; wall < 4; ++wall) panels_[wall] = hangPanels(wall, half_size_[1 - wall / 2]);
@@ -99,16 +116,17 @@ std::vector<RoomTexture::Panel> RoomTexture::hangPanels(int wall, float half_len
 Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point) const {
   const float along = boards_along_x_ ? point.x() : point.y();
   const float across = boards_along_x_ ? point.y() : point.x();
-  const float board = std::floor(across / board_width_);
-  const float length = 1.6f, shift = length * float(hashUniform(mixed(seed_, 5, int64_t(board))));
-  const float piece = std::floor((along + shift) / length);
-  const float tone = float(hashUniform(mixed(seed_, 6, int64_t(board), int64_t(piece)))) - 0.5f;
+  const int board = floorOf(across / board_width_);
+  const float length = 1.6f, shift = length * float(hashUniform(mixed(seed_, 5, board)));
+  const int piece = floorOf((along + shift) / length);
+  const float tone = float(hashUniform(mixed(seed_, 6, board, piece))) - 0.5f;
   float light = 1.0f + 0.36f * tone;
   light += 0.10f * fractalNoise(seed_ + 11, along / 4.0f, across, 0.12f, 4);
   light += 0.08f * fractalNoise(seed_ + 12, point.x(), point.y(), 1.5f, 3);
-  const float from_side = across - board * board_width_;
-  const float from_end = along + shift - piece * length;
-  if (from_side < kGroove || from_end < kGroove) light *= 0.6f;
+  const float from_side = across - float(board) * board_width_;
+  const float from_end = along + shift - float(piece) * length;
+  const float in_groove = 1.0f - std::min({from_side, from_end, kGroove}) / kGroove;
+  light *= 1.0f - 0.45f * in_groove;
   const float from_middle = point.head<2>().norm() / half_size_.head<2>().minCoeff();
   return wood_ * (light * (1.05f - 0.15f * std::min(from_middle, 1.5f)));
 }

@@ -11,6 +11,7 @@ constexpr float kFarthest = 12.0f;    // metres from the lamp's foot; no shadow 
 constexpr float kLeastBelow = 0.3f;   // metres under the lamp; what is higher casts no shadow
 constexpr int kSearch = 12;           // texels about a place where its occluders are looked for
 constexpr int kBorder = 2 * kSearch;  // texels
+constexpr float kSlack = 1e-3f;       // of a triangle, so that neighbours leave no gap
 constexpr float kLeastDistance = 0.05f;  // metres; what is nearer does not shade a vertex
 
 /// Sums over rectangles of texels.
@@ -100,7 +101,7 @@ void ShadowMap::drawTriangle(const Eigen::Vector3f (&corners)[3]) {
     for (int u = x0; u <= x1; ++u) {
       const float b = ((u - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (v - y[0])) / area;
       const float c = ((x[1] - x[0]) * (v - y[0]) - (u - x[0]) * (y[1] - y[0])) / area;
-      if (b < 0.0f || c < 0.0f || b + c > 1.0f) continue;
+      if (b < -kSlack || c < -kSlack || b + c > 1.0f + kSlack) continue;
       const float nearness = corners[0].z() + b * (corners[1].z() - corners[0].z()) +
                              c * (corners[2].z() - corners[0].z());
       float& texel = nearness_[size_t(v - rect_.y) * rect_.width + (u - rect_.x)];
