@@ -54,7 +54,7 @@ TEST(ShadowMapTest, shadowOfSomethingHighIsSofter) {
 TEST(ShadowMapTest, onlyWhatIsNearerToTheLampHidesIt) {
   const Lamp lamp{{0, 0, 3.0f}, 1.0f, 0.1f};
   const ColoredMesh mesh = ball(20, {1, 1, 1});
-  const ShadowMap map(lamp, {placed(mesh, 0.3f, {0, 0, 1})});
+  const ShadowMap map(lamp, {placed(mesh, 0.3f, {0.013f, 0.007f, 1})});
   EXPECT_EQ(map.hiddenShare({0, 0, 0.5f}), 1.0f);
   EXPECT_EQ(map.hiddenShare({0, 0, 1.3f}), 0.0f);  // the ball's own top
   EXPECT_EQ(map.hiddenShare({0, 0, 2.0f}), 0.0f);
