@@ -1,6 +1,7 @@
 #include "markerless_mocap/ros/camera_conversions.h"
 
 #include <sensor_msgs/distortion_models.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -81,6 +82,22 @@ sensor_msgs::CameraInfo messageFromCalibration(const CameraCalibration& calibrat
   Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> P(info.P.data());
   P << calibration.K, Eigen::Vector3d::Zero();
   return info;
+}
+
+std::string opticalFrame(const std::string& camera) {
+  return camera + "_optical";
+}
+
+tf2_msgs::TFMessage transformsOf(const std::vector<CameraCalibration>& cameras,
+                                 const ros::Time& stamp, const std::string& world_frame) {
+  tf2_msgs::TFMessage message;
+  for (const CameraCalibration& camera : cameras) {
+    message.transforms.push_back(tf2::eigenToTransform(camera.T_world_camera));
+    message.transforms.back().header.stamp = stamp;
+    message.transforms.back().header.frame_id = world_frame;
+    message.transforms.back().child_frame_id = opticalFrame(camera.name);
+  }
+  return message;
 }
 
 }  // namespace markerless_mocap

@@ -1,9 +1,7 @@
 #include "tools/camera_bag.h"
 
 #include <sensor_msgs/CompressedImage.h>
-#include <tf2_msgs/TFMessage.h>
 
-#include <tf2_eigen/tf2_eigen.h>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <utility>
@@ -31,15 +29,8 @@ CameraBag::CameraBag(const std::string& path, std::vector<CameraCalibration> cam
 }
 
 void CameraBag::writeTransforms(int64_t stamp_ns) {
-  tf2_msgs::TFMessage message;
-  for (const CameraCalibration& camera : cameras_) {
-    geometry_msgs::TransformStamped transform = tf2::eigenToTransform(camera.T_world_camera);
-    transform.header.stamp = rosTime(stamp_ns);
-    transform.header.frame_id = "world";
-    transform.child_frame_id = camera.name + "_optical";
-    message.transforms.push_back(transform);
-  }
-  bag_.writeLatched("/tf_static", rosTime(stamp_ns), message);
+  const ros::Time stamp = rosTime(stamp_ns);
+  bag_.writeLatched("/tf_static", stamp, transformsOf(cameras_, stamp, "world"));
 }
 
 void CameraBag::write(int64_t stamp_ns, size_t camera, const cv::Mat& image, const cv::Mat& mask) {
@@ -48,7 +39,7 @@ void CameraBag::write(int64_t stamp_ns, size_t camera, const cv::Mat& image, con
   checkSize(calibration, mask);
   std_msgs::Header header;
   header.stamp = rosTime(stamp_ns);
-  header.frame_id = calibration.name + "_optical";
+  header.frame_id = opticalFrame(calibration.name);
   sensor_msgs::CameraInfo info = messageFromCalibration(calibration);
   info.header = header;
   bag_.write("/" + calibration.name + "/camera_info", header.stamp, info);

@@ -12,7 +12,8 @@ namespace markerless_mocap {
 
 /// What every import wants to know.
 struct ImportOptions {
-  std::string output;  ///< bag to write
+  std::string output;   ///< bag to write
+  std::string rig_out;  ///< rig file to write, or empty
   WorldChange world;
   double fps = 0.0;          ///< instants per second; 0: the videos' own, 25 for images
   double start_stamp = 1.0;  ///< seconds
@@ -38,7 +39,9 @@ struct VideosInput {
   std::string video = "video.avi";         ///< in each folder
   std::string background;                  ///< video of the empty scene that comes first, or empty
   std::string calibration = "config.xml";  ///< see readCalibration()
-  int background_frames = 30;              ///< frames taken of the background video
+  /// Rig file that calibrates the cameras instead, in metres with z up; or empty.
+  std::string rig;
+  int background_frames = 30;  ///< frames taken of the background video
 };
 
 /// What an import has written.

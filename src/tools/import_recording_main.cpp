@@ -1,3 +1,4 @@
+#include "markerless_mocap/camera/rig_file.h"
 #include "tools/import_recording.h"
 
 #include <CLI/CLI.hpp>
@@ -32,6 +33,8 @@ void describeCommon(CLI::App* command, Arguments* arguments) {
       ->capture_default_str();
   command->add_option("--jpeg", options.jpeg_quality,
                       "write image_raw/compressed of this quality, 1 to 100; 0: image_raw");
+  command->add_option("--rig-out", options.rig_out,
+                      "rig file to write, for mocap_offline --rig and others");
   command->add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
@@ -67,6 +70,8 @@ CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
       ->add_option("--calibration", input.calibration,
                    "file in each folder: CameraMatrix, DistortionCoeffs, Rotation, Translation")
       ->capture_default_str();
+  command->add_option("--rig", input.rig,
+                      "rig file that calibrates the cameras instead, in metres with z up");
   describeCommon(command, arguments);
   return command;
 }
@@ -86,6 +91,7 @@ int main(int argc, char** argv) {
     const ImportResult result =
         matrices->parsed() ? importMatrices(arguments.matrices, arguments.options, notes, terminal)
                            : importVideos(arguments.videos, arguments.options, notes, terminal);
+    if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
     if (notes) print(result, *notes);
   } catch (const std::exception& error) {
     std::cerr << "import_recording: " << error.what() << std::endl;

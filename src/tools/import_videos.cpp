@@ -3,6 +3,7 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "tools/camera_bag.h"
 #include "tools/camera_files.h"
 #include "tools/import_recording.h"
@@ -70,8 +71,22 @@ std::vector<fs::path> cameraFolders(const VideosInput& input) {
   return folders;
 }
 
+CameraCalibration fromRig(const std::vector<CameraCalibration>& rig, const CameraVideos& videos,
+                          const std::string& file) {
+  for (const CameraCalibration& camera : rig) {
+    if (camera.name != videos.name()) continue;
+    if (camera.width == videos.width() && camera.height == videos.height()) return camera;
+    throw std::runtime_error(
+        "the video of " + camera.name + " is " + std::to_string(videos.width()) + " x " +
+        std::to_string(videos.height()) + " pixels, the rig " + file + " has " +
+        std::to_string(camera.width) + " x " + std::to_string(camera.height));
+  }
+  throw std::runtime_error("camera " + videos.name() + " is not in the rig " + file);
+}
+
 CameraCalibration calibrationOf(const fs::path& folder, const VideosInput& input,
                                 const CameraVideos& videos, const WorldChange& world) {
+  if (!input.rig.empty()) return fromRig(readRig(input.rig), videos, input.rig);
   CameraCalibration calibration = readCalibration((folder / input.calibration).string());
   calibration.name = videos.name();
   calibration.width = videos.width();

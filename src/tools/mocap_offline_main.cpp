@@ -36,6 +36,8 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("--use-masks", run.recording.use_masks,
                "take the recorded <camera>/silhouette; without it they are used only for cameras "
                "that have no images");
+  app.add_option("--rig", run.recording.rig,
+                 "rig file that calibrates the cameras in place of camera_info and tf");
   app.add_option("--world", run.recording.world_frame, "frame of the results")
       ->capture_default_str();
   app.add_option("--stature", arguments->stature, "body height, m; before the configuration's");

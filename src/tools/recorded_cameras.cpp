@@ -49,8 +49,8 @@ std::string namesOf(const CamerasByName& cameras) {
   return names;
 }
 
-void checkCamera(const RecordedCamera& camera) {
-  if (camera.info_topic.empty())
+void checkCamera(const RecordedCamera& camera, bool calibrated_elsewhere) {
+  if (camera.info_topic.empty() && !calibrated_elsewhere)
     throw std::runtime_error("camera " + camera.name + " has images but no topic " + camera.name +
                              "/camera_info in the bag");
   if (camera.image_topic.empty() && camera.silhouette_topic.empty())
@@ -75,7 +75,8 @@ std::vector<RecordedCamera> choose(const CamerasByName& cameras,
 
 }  // namespace
 
-std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen) {
+std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen,
+                                        bool calibrated_elsewhere) {
   CamerasByName cameras;
   rosbag::View view(bag);
   // In the order of topics raw images come before compressed ones, which then give way.
@@ -91,7 +92,7 @@ std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std:
   std::vector<RecordedCamera> found = choose(cameras, chosen);
   if (chosen.empty())
     for (const auto& entry : cameras) found.push_back(entry.second);
-  for (const RecordedCamera& camera : found) checkCamera(camera);
+  for (const RecordedCamera& camera : found) checkCamera(camera, calibrated_elsewhere);
   return found;
 }
 

@@ -19,8 +19,9 @@ struct RecordedCamera {
 /// Finds cameras by their topics <camera>/camera_info, image_raw, image_raw/compressed (used where
 /// there is no image_raw) and silhouette; sorted by name. Throws std::runtime_error with one
 /// sentence: no camera at all, a chosen camera that is not in the recording, or one without
-/// camera_info or without images and silhouettes.
+/// images and silhouettes or, unless the calibration comes from elsewhere, without camera_info.
 /// \param chosen names to use, in this order; empty: all
-std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen);
+std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen,
+                                        bool calibrated_elsewhere = false);
 
 }  // namespace markerless_mocap

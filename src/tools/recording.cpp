@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "markerless_mocap/ros/rig_collector.h"
@@ -65,11 +66,11 @@ cv::Mat decoded(const RecordedImage& image, bool is_mask) {
 Recording::Recording(const std::string& path, const RecordingOptions& options) : options_(options) {
   openForReading(path, bag_);
   try {
-    cameras_ = findCameras(bag_, options.cameras);
+    cameras_ = findCameras(bag_, options.cameras, !options.rig.empty());
     if (cameras_.size() < 2)
       throw std::runtime_error("camera " + cameras_.front().name +
                                " is the only one, two are needed at least");
-    readRig();
+    options.rig.empty() ? readRig() : takeRig();
     listStreams();
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + " is damaged (" + error.what() + ")");
@@ -88,6 +89,23 @@ void Recording::readRig() {
     cameras_[i].frame = info->header.frame_id;
   }
   rig_ = collector.rig(buffer);
+}
+
+void Recording::takeRig() {
+  const std::vector<CameraCalibration> file = markerless_mocap::readRig(options_.rig);
+  std::vector<CameraCalibration> used;
+  for (RecordedCamera& camera : cameras_) {
+    const auto found = std::find_if(file.begin(), file.end(), [&](const CameraCalibration& entry) {
+      return entry.name == camera.name;
+    });
+    if (found == file.end())
+      throw std::runtime_error("camera " + camera.name + " of the bag is not in the rig " +
+                               options_.rig);
+    camera.frame = opticalFrame(camera.name);
+    used.push_back(*found);
+    rig_.emplace_back(*found);
+  }
+  static_transforms_ = transformsOf(used, rosTime(0), options_.world_frame);
 }
 
 void Recording::listStreams() {

@@ -24,6 +24,8 @@ struct RecordingOptions {
   /// no images.
   bool use_masks = false;
   std::string world_frame = "world";
+  /// Rig file that calibrates the cameras in place of camera_info and tf; empty: none.
+  std::string rig;
   double start = 0.0;                                         ///< seconds after the first image
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
@@ -72,6 +74,7 @@ class Recording {
   };
 
   void readRig();
+  void takeRig();
   void listStreams();
   RecordedInstant instantOf(const InstantAssembler<RecordedImage>::Instant& instant);
 

@@ -88,6 +88,19 @@ TEST(CameraConversions, TransformThatIsNoneIsRefused) {
   EXPECT_NE(refusal(info, pose), "");
 }
 
+TEST(CameraConversions, TransformsOfTheRigGiveItsPosesBack) {
+  const CameraCalibration camera = sampleCalibration();
+  const auto message = transformsOf({camera}, ros::Time(3, 4), "map");
+  ASSERT_EQ(message.transforms.size(), 1u);
+  const geometry_msgs::TransformStamped& transform = message.transforms[0];
+  EXPECT_EQ(transform.header.frame_id, "map");
+  EXPECT_EQ(transform.header.stamp, ros::Time(3, 4));
+  EXPECT_EQ(transform.child_frame_id, camera.name + "_optical");
+  const CameraCalibration back =
+      calibrationFromMessage(camera.name, messageFromCalibration(camera), transform.transform);
+  EXPECT_TRUE(back.T_world_camera.isApprox(camera.T_world_camera, 1e-12));
+}
+
 TEST(CameraConversions, StampsSurvive) {
   EXPECT_EQ(nanosecondsOf(ros::Time(1000, 5)), 1000000000005);
   EXPECT_EQ(rosTime(1000000000005), ros::Time(1000, 5));

@@ -6,6 +6,7 @@
 #include <opencv2/core/eigen.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "tools/camera_files.h"
 #include "tools/import_recording.h"
 #include "tools/recording.h"
@@ -77,6 +78,23 @@ TEST_F(ImportVideos, CalibrationComesBackInMetresWithZUp) {
     EXPECT_EQ(read.D, measured(ring[i]).D);
     EXPECT_TRUE(read.T_world_camera.isApprox(ring[i].T_world_camera, 1e-9));
   }
+}
+
+TEST_F(ImportVideos, RigFileStandsForTheCalibrations) {
+  writeRecording();
+  auto ring = ringOfFour();
+  ring[1].K(0, 0) = 71.5;
+  writeRig(path("rig.yaml"), ring);
+  input_.rig = path("rig.yaml");
+  const ImportResult result = import();
+  EXPECT_EQ(rigText(result.cameras), rigText(ring));
+  ring[2].width = 90;
+  writeRig(path("rig.yaml"), ring);
+  EXPECT_EQ(refusalOf([&] { import(); }),
+            "the video of cam2 is 80 x 60 pixels, the rig " + input_.rig + " has 90 x 60");
+  ring.resize(2);
+  writeRig(path("rig.yaml"), ring);
+  EXPECT_EQ(refusalOf([&] { import(); }), "camera cam2 is not in the rig " + input_.rig);
 }
 
 TEST_F(ImportVideos, BackgroundComesFirstAtTheVideosPace) {

@@ -4,6 +4,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "tools/camera_bag.h"
@@ -186,6 +187,39 @@ TEST_F(RecordingTest, UnreadableImageIsCountedAndItsCameraMissing) {
   ASSERT_EQ(instants.size(), 1u);
   EXPECT_TRUE(instants[0].frames[0].image.empty());
   EXPECT_EQ(recording.unreadable(), 4);
+}
+
+TEST_F(RecordingTest, rigFileStandsForCameraInfoAndTf) {
+  writeSpoilt(
+      "bare.bag", [](size_t, sensor_msgs::CameraInfo*) { return false; }, false);
+  EXPECT_NE(refusal("bare.bag"), "");
+  auto ring = ringOfFour();
+  std::swap(ring[0], ring[3]);
+  ring.push_back(ring[0]);
+  ring.back().name = "another";
+  writeRig(path("rig.yaml"), ring);
+  RecordingOptions options;
+  options.rig = path("rig.yaml");
+  options.world_frame = "map";
+  Recording recording(path("bare.bag"), options);
+  ASSERT_EQ(recording.rig().size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(recording.rig()[i].name(), ringOfFour()[i].name);
+    EXPECT_EQ(recording.rig()[i].calibration().K, ringOfFour()[i].K);
+    EXPECT_EQ(recording.cameras()[i].frame, ringOfFour()[i].name + "_optical");
+    EXPECT_EQ(recording.staticTransforms().transforms[i].header.frame_id, "map");
+  }
+  EXPECT_EQ(allOf(recording).size(), 1u);
+}
+
+TEST_F(RecordingTest, cameraThatTheRigFileLacksIsNamed) {
+  writeBag("all.bag");
+  auto ring = ringOfFour();
+  ring.pop_back();
+  writeRig(path("rig.yaml"), ring);
+  RecordingOptions options;
+  options.rig = path("rig.yaml");
+  EXPECT_EQ(refusal("all.bag", options), "camera cam3 of the bag is not in the rig " + options.rig);
 }
 
 }  // namespace

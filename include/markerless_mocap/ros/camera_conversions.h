@@ -3,10 +3,12 @@
 #include <geometry_msgs/Transform.h>
 #include <ros/time.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "markerless_mocap/camera/camera.h"
 
@@ -27,5 +29,12 @@ CameraCalibration calibrationFromMessage(const std::string& name,
 
 /// R is the identity, P = [K | 0]; the header is left to the caller.
 sensor_msgs::CameraInfo messageFromCalibration(const CameraCalibration& calibration);
+
+/// The frame of a camera that nobody named otherwise: <camera>_optical.
+std::string opticalFrame(const std::string& camera);
+
+/// world -> <camera>_optical of every camera.
+tf2_msgs::TFMessage transformsOf(const std::vector<CameraCalibration>& cameras,
+                                 const ros::Time& stamp, const std::string& world_frame);
 
 }  // namespace markerless_mocap
