@@ -66,8 +66,9 @@ struct Dice {
   int below(int count) { return int(hashBits(state++) % uint64_t(count)); }
 };
 
-Eigen::Vector3f paint(Dice& dice) {
-  const float hue = dice.uniform(0.0f, 6.0f), strength = dice.uniform(0.2f, 0.85f);
+/// \param strongest saturation
+Eigen::Vector3f paint(Dice& dice, float strongest) {
+  const float hue = dice.uniform(0.0f, 6.0f), strength = dice.uniform(0.1f, strongest);
   const float bright = dice.uniform(0.25f, 0.9f);
   const auto wave = [&](float at) {
     const float d = std::abs(std::remainder(hue - at, 6.0f));
@@ -81,10 +82,10 @@ Eigen::Vector3f paint(Dice& dice) {
 RoomTexture::RoomTexture(uint64_t seed, const Eigen::Vector3f& half_size)
     : seed_(hashBits(seed)), half_size_(half_size) {
   Dice dice{mixed(seed_, 1, 2)};
-  const float base = dice.uniform(0.52f, 0.66f);
+  const float base = dice.uniform(0.56f, 0.70f);
   for (Eigen::Vector3f& color : wall_colors_)
     for (float& channel : color) channel = base + dice.uniform(-0.05f, 0.05f);
-  const float wood = dice.uniform(0.42f, 0.56f);
+  const float wood = dice.uniform(0.48f, 0.60f);
   wood_ << wood, wood * dice.uniform(0.86f, 0.91f), wood * dice.uniform(0.70f, 0.84f);
   boards_along_x_ = dice.below(2) == 0;
   board_width_ = dice.uniform(0.18f, 0.32f);
@@ -95,20 +96,22 @@ std::vector<RoomTexture::Panel> RoomTexture::hangPanels(int wall, float half_len
   Dice dice{mixed(seed_, 3, wall)};
   std::vector<Panel> panels;
   const float top = half_size_.z();
-  const auto hang = [&](float middle, float width, float low, float height) {
-    Panel panel{middle - width / 2, middle + width / 2, low,  std::min(low + height, top - 0.1f),
-                paint(dice),        paint(dice),        0.0f, 0.0f};
+  const auto hang = [&](float strongest, float middle, float width, float low, float height) {
+    Panel panel{
+        middle - width / 2,     middle + width / 2,     low,  std::min(low + height, top - 0.1f),
+        paint(dice, strongest), paint(dice, strongest), 0.0f, 0.0f};
     if (dice.below(3) == 0) panel.stripe = dice.uniform(0.05f, 0.15f);
     if (dice.below(2) == 0) panel.frame = dice.uniform(0.03f, 0.07f);
     panels.push_back(panel);
   };
-  hang(dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.8f, 1.0f), 0.0f, 2.05f);  // door
+  hang(0.3f, dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.8f, 1.0f), 0.0f,
+       2.05f);  // door
   for (int i = 0; i < 2; ++i)
-    hang(dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.9f, 1.8f),
+    hang(0.4f, dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.9f, 1.8f),
          dice.uniform(0.8f, 1.1f), dice.uniform(0.9f, 1.3f));  // windows
   const int pictures = 4 + dice.below(5);
   for (int i = 0; i < pictures; ++i)
-    hang(dice.uniform(-0.95f, 0.95f) * half_length, dice.uniform(0.25f, 1.2f),
+    hang(0.85f, dice.uniform(-0.95f, 0.95f) * half_length, dice.uniform(0.25f, 1.2f),
          dice.uniform(0.3f, 0.8f * top), dice.uniform(0.2f, 0.8f));
   return panels;
 }

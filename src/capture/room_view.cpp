@@ -81,6 +81,7 @@ void RoomView::boundBlocks(const TexturedRoom& room) {
 }
 
 void RoomView::castShadows(const LitScene& scene, cv::Mat& image) const {
+  if (scene.shadowStrength() == 0.0) return;
   for (int block = 0; block < int(bounds_.front().size()); ++block) {
     uint32_t lamps = 0;
     for (size_t i = 0; i < lamps_.size(); ++i) {

@@ -32,11 +32,14 @@ void SampleGrid::computeRanges() {
     range = {std::min(range.low, value), std::max(range.high, value)};
   };
   float farthest_squared = 0.0f;
+  low_ = high_ = row(0)[0].cast<double>();
   for (int y = 0; y < size_.height; ++y)
     for (int x = 0; x < size_.width; ++x) {
       const Eigen::Vector2f& point = row(y)[x];
       widen(rows_[y], point.y());
       widen(columns_[x], point.x());
+      low_ = low_.cwiseMin(point.cast<double>());
+      high_ = high_.cwiseMax(point.cast<double>());
       farthest_squared = std::max(farthest_squared, point.squaredNorm());
     }
   farthest_squared_ = 1.1 * farthest_squared;
@@ -75,6 +78,8 @@ double SampleGrid::strongestBend() const {
 }
 
 cv::Rect SampleGrid::placesWithin(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+  if (high.x() < low_.x() || low.x() > high_.x() || high.y() < low_.y() || low.y() > high_.y())
+    return {};
   const auto span = [](const std::vector<Range>& ranges, double from, double to) {
     const auto meets = [&](const Range& range) { return range.high >= from && range.low <= to; };
     const auto first = std::find_if(ranges.begin(), ranges.end(), meets);

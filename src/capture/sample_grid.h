@@ -42,6 +42,7 @@ class SampleGrid {
   cv::Size size_;
   std::vector<Eigen::Vector2f> plane_;
   std::vector<Range> rows_, columns_;  ///< plane y of each row, plane x of each column
+  Eigen::Vector2d low_, high_;         ///< of the plane points
   double farthest_squared_ = 0.0;      ///< from the axis, in the plane, with a reserve
   double bend_ = 0.0;
 };
