@@ -2,7 +2,7 @@
 # includes to them.
 mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(camera LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(silhouette DEPENDS options LIBRARIES opencv_core opencv_imgproc)
+mocap_room(silhouette DEPENDS options LIBRARIES opencv_core opencv_video)
 mocap_room(hull DEPENDS camera options LIBRARIES opencv_core TBB::tbb)
 mocap_room(segmentation DEPENDS hull options LIBRARIES TBB::tbb)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)

@@ -30,10 +30,11 @@ std::vector<HullView> viewsOf(const std::vector<CameraFrame>& frames,
 Pipeline::Pipeline(CameraRig rig, std::shared_ptr<const BodyModel> model,
                    const PipelineOptions& options)
     : min_views_(options.hull.min_views),
-      silhouettes_(rig.size(), SilhouetteExtractor(options.silhouette)),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),
-      tracker_(std::move(model), options.fitting) {}
+      tracker_(std::move(model), options.fitting) {
+  for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
+}
 
 PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame>& frames) {
   checkFrames(frames);

@@ -7,11 +7,13 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kGridStep = 7;
+/// Compared pixels; enough for a thousandth.
+constexpr double kSamples = 2500;
+constexpr int kFewest = 50;
 // Dark pixels are mostly noise, bright ones clip.
 constexpr float kDarkest = 25, kBrightest = 230;
-/// Ratios further from the first estimate are people and shadows.
-constexpr float kInlierBand = 0.1f;
+/// Ratios further from the median are people and shadows.
+constexpr float kInlierBand = 0.05f;
 
 float median(std::vector<float>* values) {
   const auto middle = values->begin() + values->size() / 2;
@@ -19,35 +21,57 @@ float median(std::vector<float>* values) {
   return *middle;
 }
 
-std::vector<float> brightnessRatios(const cv::Mat& image, const cv::Mat& mean) {
+/// \param usual_at grey level of (x, y, channel)
+template <class UsualT>
+std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_at) {
   const int channels = image.channels();
+  const int step = std::max(2, int(std::sqrt(image.total() / kSamples)));
   std::vector<float> ratios;
-  for (int y = kGridStep / 2; y < image.rows; y += kGridStep)
-    for (int x = kGridStep / 2; x < image.cols; x += kGridStep) {
-      const uint8_t* now = image.ptr<uint8_t>(y) + size_t(x) * channels;
-      const float* usual = mean.ptr<float>(y) + size_t(x) * channels;
+  ratios.reserve(size_t(image.cols / step + 1) * (image.rows / step + 1));
+  for (int y = step / 2; y < image.rows; y += step)
+    for (int x = step / 2; x < image.cols; x += step) {
+      const uint8_t* now = image.ptr(y) + size_t(x) * channels;
       float sum_now = 0, sum_usual = 0;
       bool reliable = true;
       for (int c = 0; c < channels; ++c) {
-        reliable = reliable && usual[c] >= kDarkest && usual[c] <= kBrightest;
+        const float usual = usual_at(x, y, c);
+        reliable = reliable && usual >= kDarkest && usual <= kBrightest;
         sum_now += now[c];
-        sum_usual += usual[c];
+        sum_usual += usual;
       }
       if (reliable) ratios.push_back(sum_now / sum_usual);
     }
   return ratios;
 }
 
+LightGain mostUsual(std::vector<float> ratios) {
+  LightGain result;
+  if (ratios.size() < kFewest) return result;
+  const float middle = median(&ratios);
+  double sum = 0;
+  size_t near = 0;
+  for (const float ratio : ratios) {
+    if (std::abs(ratio - middle) > kInlierBand * middle) continue;
+    sum += ratio;
+    ++near;
+  }
+  result.gain = std::clamp(sum / near, kDarkestGain, kBrightestGain);
+  result.share_near = double(near) / ratios.size();
+  return result;
+}
+
 }  // namespace
 
-double estimateLightGain(const cv::Mat& image, const cv::Mat& mean) {
-  constexpr size_t kFewest = 50;
-  std::vector<float> ratios = brightnessRatios(image, mean);
-  if (ratios.size() < kFewest) return 1;
-  const float first = median(&ratios);
-  const auto far = [first](float r) { return std::abs(r - first) > kInlierBand * first; };
-  ratios.erase(std::remove_if(ratios.begin(), ratios.end(), far), ratios.end());
-  return std::clamp<double>(median(&ratios), 0.5, 2.0);
+LightGain estimateLightGain(const cv::Mat& image, const Background& usual) {
+  return mostUsual(brightnessRatios(image, [&](int x, int y, int c) {
+    return usual.mean(0, y, c)[x] / float(Background::kMeanScale);
+  }));
+}
+
+LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& usual) {
+  const int channels = usual.channels();
+  return mostUsual(brightnessRatios(
+      image, [&](int x, int y, int c) { return float(usual.ptr(y)[x * channels + c]); }));
 }
 
 }  // namespace markerless_mocap

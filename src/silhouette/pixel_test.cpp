@@ -1,92 +1,94 @@
 #include "silhouette/pixel_test.h"
 
-#include <algorithm>
-#include <opencv2/imgproc.hpp>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <opencv2/core/hal/hal.hpp>
 
-#include "silhouette/shade_evidence.h"
+#include "silhouette/row_kernels.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// Brightness of a colour `now` relative to `usual` if it is a shade of that; else 0.
-template <int kChannels>
-float shadeRatio(const SilhouetteOptions& o, const float (&now)[kChannels], const float* usual) {
-  float cross = 0, square = 0;
-  for (int c = 0; c < kChannels; ++c) {
-    cross += now[c] * usual[c];
-    square += usual[c] * usual[c];
-  }
-  const float ratio = cross / (square + 1e-6f);
-  if (ratio < float(o.shadow_darkest) || ratio >= 1) return 0;
-  float off = 0;
-  for (int c = 0; c < kChannels; ++c) {
-    const float d = now[c] - ratio * usual[c];
-    off += d * d;
-  }
-  const float tolerance = float(o.shadow_chroma_tolerance) * ratio;
-  return off < tolerance * tolerance * square + float(o.min_sigma * o.min_sigma) ? ratio : 0;
-}
+using MeanRows = std::array<const uint16_t*, 3>;
 
-template <int kChannels>
-PixelClasses classifyChannels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                              const cv::Mat& inverse_sigma) {
-  const SilhouetteOptions& o = *test.options;
-  const float limit = float(o.threshold_sigmas * o.threshold_sigmas);
-  PixelClasses classes{cv::Mat(image.size(), CV_8UC1), cv::Mat(image.size(), CV_32FC1)};
-  cv::Mat shade_ratio = cv::Mat::zeros(image.size(), CV_32FC1);
-  for (int y = 0; y < image.rows; ++y) {
-    const uint8_t* pixel = image.ptr<uint8_t>(y);
-    const float* usual = mean.ptr<float>(y);
-    const float* weight = inverse_sigma.ptr<float>(y);
-    uint8_t* out = classes.mask.ptr<uint8_t>(y);
-    float* far = classes.squared_distance.ptr<float>(y);
-    float* shade = shade_ratio.ptr<float>(y);
-    for (int x = 0; x < image.cols;
-         ++x, pixel += kChannels, usual += kChannels, weight += kChannels) {
-      float now[kChannels], distance = 0;
-      for (int c = 0; c < kChannels; ++c) {
-        now[c] = pixel[c] * test.inverse_gain;
-        const float d = (now[c] - usual[c]) * weight[c];
-        distance += d * d;
-      }
-      far[x] = distance;
-      out[x] = distance > limit ? 255 : 0;
-      if (out[x] && o.remove_shadows) shade[x] = shadeRatio(o, now, usual);
-      if (shade[x] > 0) out[x] = 0;
-    }
-  }
-  if (o.remove_shadows) restoreClothes(shade_ratio, &classes.mask);
-  return classes;
-}
-
-/// Largest value among those of the eight neighbours that are set in `inside`; 0 if none is.
-float largestInside(const cv::Mat& value, const cv::Mat& inside, int x, int y) {
-  float largest = 0;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, value.rows - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, value.cols - 1); ++u)
-      if (inside.at<uint8_t>(v, u)) largest = std::max(largest, value.at<float>(v, u));
-  return largest;
+MeanRows meanRows(const Background& background, int mode, int y) {
+  MeanRows rows{};
+  for (int c = 0; c < background.channels(); ++c) rows[c] = background.mean(mode, y, c);
+  return rows;
 }
 
 }  // namespace
 
-PixelClasses classifyPixels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                            const cv::Mat& inverse_sigma) {
-  return image.channels() == 3 ? classifyChannels<3>(test, image, mean, inverse_sigma)
-                               : classifyChannels<1>(test, image, mean, inverse_sigma);
+void splitRow(const cv::Mat& image, int y, int stride, uint8_t* planes) {
+  uint8_t* channels[] = {planes, planes + stride, planes + 2 * stride};
+  if (image.channels() == 3)
+    cv::hal::split8u(image.ptr(y), channels, image.cols, 3);
+  else
+    std::memcpy(planes, image.ptr(y), image.cols);
 }
 
-void trimRim(const cv::Mat& squared_distance, cv::Mat* mask) {
-  constexpr float kHalf = 0.25f;  // of the distance, squared
-  cv::Mat inner;
-  cv::erode(*mask, inner, cv::Mat());
-  for (int y = 0; y < mask->rows; ++y) {
-    const uint8_t* is_inner = inner.ptr<uint8_t>(y);
-    uint8_t* out = mask->ptr<uint8_t>(y);
-    for (int x = 0; x < mask->cols; ++x)
-      if (out[x] && !is_inner[x] &&
-          squared_distance.at<float>(y, x) < kHalf * largestInside(squared_distance, inner, x, y))
-        out[x] = 0;
+PixelTest::PixelTest(const SilhouetteOptions& options) : options_(options) {}
+
+void PixelTest::prepare(const Background& background) {
+  const cv::Size size = background.size();
+  const size_t stride = background.stride();
+  classes_.foreground.resize(size);
+  classes_.shade.resize(size);
+  classes_.ratio.resize(size.height * stride);
+  blocks_.resize(size);
+  now_.resize(3 * stride);
+  flags_.resize(stride);
+  squared_.resize(stride);
+  other_.resize(stride);
+}
+
+const PixelClasses& PixelTest::classify(const cv::Mat& image, const Background& background,
+                                        double gain) {
+  prepare(background);
+  for (int y = 0; y < image.rows; ++y) classifyRow(image, background, gain, y);
+  classes_.changed = classes_.foreground.count();
+  if (!options_.remove_shadows) return classes_;
+  for (size_t i = 0; i < classes_.shade.words().size(); ++i)
+    classes_.foreground.words()[i] &= ~classes_.shade.words()[i];
+  restoreClothes(classes_.shade, blocks_, &classes_.foreground);
+  return classes_;
+}
+
+void PixelTest::classifyRow(const cv::Mat& image, const Background& background, double gain,
+                            int y) {
+  const int n = background.stride(), channels = background.channels();
+  const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
+  splitRow(image, y, n, now_.data());
+  const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
+  for (int mode = 0; mode < background.modes(); ++mode) {
+    const MeanRows mean = meanRows(background, mode, y);
+    squaredDistances(now, mean.data(), background.weight(mode, y), channels, fixed_gain, n,
+                     mode == 0 ? squared_.data() : other_.data());
+    if (mode > 0) keepSmaller(other_.data(), n, squared_.data());
+  }
+  packAbove(squared_.data(), Background::kLimit * Background::kLimit, n, flags_.data(),
+            classes_.foreground.row(y));
+  if (options_.remove_shadows) findShades(background, gain, y);
+}
+
+void PixelTest::findShades(const Background& background, double gain, int y) {
+  const int n = background.stride();
+  const float chroma = float(options_.shadow_chroma_tolerance), noise = float(options_.min_sigma);
+  const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma, noise * noise};
+  for (int i = 0; i < n / 64; ++i) {
+    const uint64_t changed = classes_.foreground.row(y)[i];
+    if (!changed) continue;
+    const int x = 64 * i;
+    const uint8_t* now[] = {&now_[x], &now_[n + x], &now_[2 * size_t(n) + x]};
+    MeanRows mean = meanRows(background, 0, y);
+    for (int c = 0; c < background.channels(); ++c) mean[c] += x;
+    uint8_t* ratio = &classes_.ratio[size_t(y) * n + x];
+    shadeRatios(now, mean.data(), background.channels(), float(gain), limits, ratio);
+    for (int k = 0; k < 64; ++k) flags_[k] = ratio[k] > 0;
+    const uint64_t shade = packFlags(flags_.data()) & changed;
+    classes_.shade.row(y)[i] = shade;
+    forEachBit(shade, x, [&](int at) { blocks_.add(at, y, classes_.ratio[size_t(y) * n + at]); });
   }
 }
 

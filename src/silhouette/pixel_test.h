@@ -1,30 +1,45 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
-#include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "markerless_mocap/silhouette/silhouette_options.h"
+#include "silhouette/background.h"
+#include "silhouette/bit_mask.h"
+#include "silhouette/shade_evidence.h"
 
 namespace markerless_mocap {
 
-struct PixelTest {
-  const SilhouetteOptions* options = nullptr;
-  float inverse_gain = 1;  ///< takes the image to the light of the background model
-};
-
 /// What a test says about each pixel.
 struct PixelClasses {
-  cv::Mat mask;              ///< CV_8UC1, 0 | 255
-  cv::Mat squared_distance;  ///< CV_32FC1, from the background, squared standard deviations
+  BitMask foreground;          ///< far from the background and no shadow
+  BitMask shade;               ///< a darker shade of the background
+  std::vector<uint8_t> ratio;  ///< where `shade`: brightness relative to the background's, 255 = 1
+  size_t changed = 0;          ///< pixels far from the background
 };
 
-/// Foreground of a BGR or grey image: what is far from the background and no shadow. A shadow is
-/// darker than its background, of the same colour, and of the same texture; in a grey image texture
-/// alone tells.
-PixelClasses classifyPixels(const PixelTest& test, const cv::Mat& image, const cv::Mat& mean,
-                            const cv::Mat& inverse_sigma);
+/// Tells foreground from background and shadow. A shadow is darker than its background, of the same
+/// colour, and of the same texture; in a grey image texture alone tells.
+class PixelTest {
+ public:
+  explicit PixelTest(const SilhouetteOptions& options);
+  /// \param gain light of the image relative to the background's. The result stays until the next
+  ///   call.
+  const PixelClasses& classify(const cv::Mat& image, const Background& background, double gain);
 
-/// Removes pixels of the silhouette's rim that are nearer to the background than to the person
-/// beside them: blur and chroma subsampling smear the outline over its neighbours.
-void trimRim(const cv::Mat& squared_distance, cv::Mat* mask);
+ private:
+  void prepare(const Background& background);
+  void classifyRow(const cv::Mat& image, const Background& background, double gain, int y);
+  void findShades(const Background& background, double gain, int y);
+
+  SilhouetteOptions options_;
+  PixelClasses classes_;
+  ShadeBlocks blocks_;
+  std::vector<uint8_t> now_, flags_;  ///< one row, channel after channel
+  std::vector<uint16_t> squared_, other_;
+};
+
+/// One row of an image, channel after channel; `channels * stride` bytes.
+void splitRow(const cv::Mat& image, int y, int stride, uint8_t* planes);
 
 }  // namespace markerless_mocap

@@ -1,12 +1,9 @@
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 
-#include <algorithm>
-#include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "silhouette/light_gain.h"
-#include "silhouette/pixel_test.h"
+#include "silhouette/subtractor.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,75 +15,120 @@ std::string described(const cv::Size& size, int type) {
 
 }  // namespace
 
-SilhouetteExtractor::SilhouetteExtractor(const SilhouetteOptions& options) : options_(options) {
-  options_.validate();
-}
+class SilhouetteExtractor::Impl {
+ public:
+  explicit Impl(const SilhouetteOptions& options) : options_(options) { options_.validate(); }
 
-SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
-  checkImage(image);
-  if (frames_learned_ < options_.background_frames) {
-    learn(image);
-    if (frames_learned_ == options_.background_frames) finishLearning();
-    return {};
+  SilhouetteResult update(const cv::Mat& image) {
+    checkImage(image);
+    if (!subtractor_) begin(image);
+    if (frames_learned_ < options_.background_frames && loaded_.empty()) {
+      subtractor_->learn(image);
+      if (++frames_learned_ == options_.background_frames) subtractor_->finishLearning();
+      return {};
+    }
+    const Extraction found = subtractor_->extract(image);
+    return {stateAfter(found), found.mask.toMat(), found.changed_share, found.light_gain};
   }
-  return {SilhouetteState::kReady, extract(image)};
-}
 
-void SilhouetteExtractor::reset() {
-  frames_learned_ = 0;
-  type_ = -1;
-  sum_ = sum_of_squares_ = mean_ = inverse_sigma_ = cv::Mat();
-}
+  void reset() {
+    subtractor_.reset();
+    frames_learned_ = misfits_ = 0;
+    size_ = loaded_.size();
+    type_ = loaded_.empty() ? -1 : loaded_.type();
+  }
 
-void SilhouetteExtractor::checkImage(const cv::Mat& image) const {
+  void relearn() {
+    loaded_ = Background();
+    reset();
+  }
+
+  void save(const std::string& path) const {
+    if (modesOf(options_) == 0)
+      throw std::invalid_argument("silhouette: the background of the model " + options_.model +
+                                  " cannot be saved, allowed are gaussian and mean_shift");
+    const bool is_learned = subtractor_ && !subtractor_->background()->empty();
+    if (!is_learned && loaded_.empty())
+      throw std::invalid_argument("silhouette: the background is not learned yet, " +
+                                  std::to_string(frames_learned_) + " of " +
+                                  std::to_string(options_.background_frames) + " images came");
+    (is_learned ? *subtractor_->background() : loaded_).save(path);
+  }
+
+  void load(const std::string& path) {
+    Background background = Background::load(path);
+    if (background.modes() != modesOf(options_))
+      throw std::invalid_argument("the background file " + path + " is not of the model " +
+                                  options_.model);
+    loaded_ = std::move(background);
+    reset();
+  }
+
+  int framesLearned() const { return frames_learned_; }
+
+ private:
+  void checkImage(const cv::Mat& image) const;
+  SilhouetteState stateAfter(const Extraction& found);
+
+  void begin(const cv::Mat& image) {
+    size_ = image.size();
+    type_ = image.type();
+    subtractor_ = makeSubtractor(options_, loaded_);
+  }
+
+  SilhouetteOptions options_;
+  std::unique_ptr<Subtractor> subtractor_;  ///< from the first image on
+  Background loaded_;                       ///< from a file, as it was there; else empty
+  int frames_learned_ = 0;
+  int misfits_ = 0;  ///< images in a row that the background does not explain
+  cv::Size size_;
+  int type_ = -1;  ///< of the images; -1 before the first
+};
+
+void SilhouetteExtractor::Impl::checkImage(const cv::Mat& image) const {
   if (image.empty()) throw std::invalid_argument("silhouette: the image is empty");
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
     throw std::invalid_argument("silhouette: the image must be 8 bit grey or BGR");
   if (type_ >= 0 && (image.size() != size_ || image.type() != type_))
     throw std::invalid_argument("silhouette: the image is " +
-                                described(image.size(), image.type()) + ", those before were " +
+                                described(image.size(), image.type()) + ", the background is " +
                                 described(size_, type_));
 }
 
-void SilhouetteExtractor::learn(const cv::Mat& image) {
-  cv::Mat light;
-  image.convertTo(light, CV_MAKETYPE(CV_32F, image.channels()));
-  if (frames_learned_ == 0) {
-    size_ = image.size();
-    type_ = image.type();
-    sum_ = cv::Mat::zeros(size_, light.type());
-    sum_of_squares_ = sum_.clone();
-  } else if (options_.compensate_flicker) {
-    light *= 1 / estimateLightGain(image, sum_ / frames_learned_);
-  }
-  sum_ += light;
-  sum_of_squares_ += light.mul(light);
-  ++frames_learned_;
+SilhouetteState SilhouetteExtractor::Impl::stateAfter(const Extraction& found) {
+  const bool at_limit = found.light_gain <= kDarkestGain || found.light_gain >= kBrightestGain;
+  misfits_ = found.changed_share > options_.stale_share || at_limit ? misfits_ + 1 : 0;
+  return misfits_ >= options_.stale_frames ? SilhouetteState::kStale : SilhouetteState::kReady;
 }
 
-void SilhouetteExtractor::finishLearning() {
-  const double n = frames_learned_;
-  mean_ = sum_ / n;
-  cv::Mat variance = (sum_of_squares_ - sum_.mul(mean_)) / (n - 1);
-  const cv::Mat flat = variance.reshape(1);
-  // This also mends constant pixels whose variance rounding put below zero.
-  cv::max(flat, options_.min_sigma * options_.min_sigma, flat);
-  cv::sqrt(variance, variance);
-  cv::divide(1.0, variance, inverse_sigma_);
-  sum_.release();
-  sum_of_squares_.release();
+SilhouetteExtractor::SilhouetteExtractor(const SilhouetteOptions& options)
+    : impl_(std::make_unique<Impl>(options)) {}
+SilhouetteExtractor::~SilhouetteExtractor() = default;
+SilhouetteExtractor::SilhouetteExtractor(SilhouetteExtractor&&) noexcept = default;
+SilhouetteExtractor& SilhouetteExtractor::operator=(SilhouetteExtractor&&) noexcept = default;
+
+SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
+  return impl_->update(image);
 }
 
-cv::Mat SilhouetteExtractor::extract(const cv::Mat& image) const {
-  PixelTest test;
-  test.inverse_gain =
-      options_.compensate_flicker ? float(1 / estimateLightGain(image, mean_)) : 1.0f;
-  test.options = &options_;
-  const PixelClasses classes = classifyPixels(test, image, mean_, inverse_sigma_);
-  cv::Mat mask = cleanMask(classes.mask, options_);
-  // Twice: blur and chroma subsampling reach two pixels far.
-  for (int i = 0; i < 2; ++i) trimRim(classes.squared_distance, &mask);
-  return mask;
+void SilhouetteExtractor::reset() {
+  impl_->reset();
+}
+
+void SilhouetteExtractor::relearn() {
+  impl_->relearn();
+}
+
+int SilhouetteExtractor::framesLearned() const {
+  return impl_->framesLearned();
+}
+
+void SilhouetteExtractor::saveBackground(const std::string& path) const {
+  impl_->save(path);
+}
+
+void SilhouetteExtractor::loadBackground(const std::string& path) {
+  impl_->load(path);
 }
 
 }  // namespace markerless_mocap

@@ -1,14 +1,19 @@
-#include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "markerless_mocap/silhouette/silhouette_options.h"
 
 namespace markerless_mocap {
 
 void SilhouetteOptions::visit(OptionVisitor& v) {
-  v.field("background_frames", background_frames, 2, 250,
-          "images of the empty scene that the background is learned from");
+  v.field("model", model, {"gaussian", "mean_shift", "mog2", "knn"},
+          "background model: one usual colour per pixel, several, or OpenCV's for comparison");
+  v.field("background_frames", background_frames, 2, 10000,
+          "images that the background is learned from: of the empty scene, or of one that people "
+          "cross so that every pixel shows the scene more often than anything else");
   v.field("threshold_sigmas", threshold_sigmas, 1, 50,
           "a pixel further from the background is foreground, standard deviations");
   v.field("min_sigma", min_sigma, 0.5, 50,
           "least standard deviation of a background pixel, grey levels");
+  v.field("update_rate", update_rate, 0, 0.1,
+          "share of each image in the background where no person is; 0: it stays as learned");
   v.field("compensate_flicker", compensate_flicker,
           "divide each image by the change of light estimated over the background");
   v.field("remove_shadows", remove_shadows,
@@ -21,6 +26,9 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
   v.field("close_radius_px", close_radius_px, 0, 20, "radius of the closing that joins gaps, px");
   v.field("max_hole_px", max_hole_px, 0, 1000000, "holes up to this area are filled, px");
   v.field("min_blob_px", min_blob_px, 0, 1000000, "blobs below this area are removed, px");
+  v.field("stale_share", stale_share, 0, 1,
+          "the background is stale when more of the image than this share differs from it");
+  v.field("stale_frames", stale_frames, 1, 100000, "for so many images in a row");
 }
 
 void SilhouetteOptions::validate() const {

@@ -7,56 +7,70 @@
 namespace markerless_mocap {
 namespace {
 
+const cv::Size kSize(200, 200);
+constexpr int kSide = ShadeBlocks::kSide;
+
 /// Foreground left, right and below of a gap, as a shirt on trousers has it.
-cv::Mat bodyWithGap() {
-  cv::Mat mask = cv::Mat::zeros(200, 200, CV_8UC1);
+BitMask bodyWithGap() {
+  cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
   cv::rectangle(mask, {60, 40, 80, 120}, 255, cv::FILLED);
   cv::rectangle(mask, {85, 40, 30, 60}, 0, cv::FILLED);
+  return BitMask::fromMat(mask);
+}
+
+/// What becomes of the body when `area` has a brightness ratio of 0.8 with stripes of `contrast`.
+BitMask restored(const cv::Rect& area, float contrast) {
+  BitMask shade(kSize), mask = bodyWithGap();
+  ShadeBlocks blocks;
+  blocks.resize(kSize);
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x) {
+      shade.set(x, y);
+      blocks.add(x, y, uint8_t(255 * (0.8f + ((x / 3) % 2 ? contrast : -contrast))));
+    }
+  restoreClothes(shade, blocks, &mask);
   return mask;
 }
 
-/// Brightness ratio 0.8 with stripes of `contrast`, within `area`; 0 elsewhere.
-cv::Mat shade(const cv::Rect& area, float contrast) {
-  cv::Mat ratio = cv::Mat::zeros(200, 200, CV_32FC1);
-  for (int y = area.y; y < area.y + area.height; ++y)
-    for (int x = area.x; x < area.x + area.width; ++x)
-      ratio.at<float>(y, x) = 0.8f + ((x / 3) % 2 ? contrast : -contrast);
-  return ratio;
+TEST(ShadeBlocks, VarianceIsOverNineBlocks) {
+  ShadeBlocks blocks;
+  blocks.resize({20, 20});
+  blocks.add(8, 8, 255);
+  blocks.add(7, 7, 153);  // 0.6, in the block up and left
+  EXPECT_NEAR(blocks.variance(2, 2), 0.2 * 0.2, 1e-4);
+  EXPECT_NEAR(blocks.variance(1, 1), 0.2 * 0.2, 1e-4);
+  EXPECT_EQ(blocks.variance(3, 3), 0);
+  EXPECT_TRUE(blocks.isEmpty(3, 3));
 }
 
-TEST(EnclosingSides, SeesAsFarAsItsReach) {
-  cv::Mat mask = cv::Mat::zeros(1, 20, CV_8UC1);
-  mask.at<uint8_t>(0, 5) = 255;
-  const cv::Mat sides = enclosingSides(mask, 3);
-  EXPECT_EQ(sides.at<uint8_t>(0, 8), kLeft);
-  EXPECT_EQ(sides.at<uint8_t>(0, 9), 0);
-  EXPECT_EQ(sides.at<uint8_t>(0, 2), kRight);
-  EXPECT_EQ(sides.at<uint8_t>(0, 1), 0);
+TEST(EnclosedBlocks, NeedForegroundBelowAndOnOneMoreSide) {
+  const BitMask enclosed = enclosedBlocks(bodyWithGap(), 100);
+  EXPECT_TRUE(enclosed.at(100 / kSide, 70 / kSide));
+  EXPECT_FALSE(enclosed.at(100 / kSide, 180 / kSide)) << "only above it";
+  EXPECT_FALSE(enclosed.at(100 / kSide, 10 / kSide)) << "only below it";
 }
 
-TEST(EnclosingSides, TellsAboveFromBelow) {
-  const cv::Mat sides = enclosingSides(bodyWithGap(), 100);
-  EXPECT_EQ(sides.at<uint8_t>(70, 100), kLeft | kRight | kBelow);
-  EXPECT_EQ(sides.at<uint8_t>(180, 100), kAbove);
-  EXPECT_EQ(sides.at<uint8_t>(10, 100), kBelow);
+TEST(EnclosedBlocks, SeeAsFarAsTheirReach) {
+  BitMask mask(cv::Size(1200, 400));  // blocks of several words
+  mask.fill(399, 0, 1199, true);
+  mask.fill(200, 400, 403, true);
+  const BitMask enclosed = enclosedBlocks(mask, 80);
+  EXPECT_TRUE(enclosed.at(100 - 80, 50));
+  EXPECT_FALSE(enclosed.at(100 - 81, 50));
+  EXPECT_TRUE(enclosed.at(100 + 80, 50));
+  EXPECT_FALSE(enclosed.at(100 + 81, 50));
 }
 
 TEST(RestoreClothes, UnevenShadeWithinThePersonIsClothes) {
-  cv::Mat mask = bodyWithGap();
-  restoreClothes(shade({85, 40, 30, 60}, 0.06f), &mask);
-  EXPECT_EQ(mask.at<uint8_t>(90, 100), 255);
+  EXPECT_TRUE(restored({85, 40, 30, 60}, 0.06f).at(100, 90));
 }
 
 TEST(RestoreClothes, EvenShadeWithinThePersonStaysShadow) {
-  cv::Mat mask = bodyWithGap();
-  restoreClothes(shade({85, 40, 30, 60}, 0.01f), &mask);
-  EXPECT_EQ(cv::countNonZero(mask != bodyWithGap()), 0);
+  EXPECT_EQ(restored({85, 40, 30, 60}, 0.01f).words(), bodyWithGap().words());
 }
 
 TEST(RestoreClothes, TheSameShadeOnTheFloorStaysShadow) {
-  cv::Mat mask = bodyWithGap();
-  restoreClothes(shade({60, 162, 80, 30}, 0.06f), &mask);
-  EXPECT_EQ(cv::countNonZero(mask != bodyWithGap()), 0);
+  EXPECT_EQ(restored({60, 162, 80, 30}, 0.06f).words(), bodyWithGap().words());
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST(SilhouetteExtractor, WrongImagesAreRefusedInOneSentence) {
   EXPECT_EQ(refusal(&extractor, cv::Mat::zeros(kSize, CV_16UC1)),
             "silhouette: the image must be 8 bit grey or BGR");
   EXPECT_EQ(refusal(&extractor, makeScene(1)),
-            "silhouette: the image is 160 x 120 grey, those before were 160 x 120 BGR");
+            "silhouette: the image is 160 x 120 grey, the background is 160 x 120 BGR");
   EXPECT_NE(refusal(&extractor, cv::Mat::zeros(60, 80, CV_8UC3)), "");
 }
 

@@ -1,64 +1,55 @@
 #pragma once
 
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-#include "markerless_mocap/options/options.h"
+#include "markerless_mocap/silhouette/silhouette_options.h"
 
 namespace markerless_mocap {
 
-/// Settings of one camera's silhouette stage.
-struct SilhouetteOptions {
-  static constexpr const char* kStage = "silhouette";
-  int background_frames = 30;
-  double threshold_sigmas = 3.0;
-  double min_sigma = 4.0;
-  bool compensate_flicker = true;
-  bool remove_shadows = true;
-  double shadow_darkest = 0.6;
-  double shadow_chroma_tolerance = 0.025;
-  int open_radius_px = 1;
-  int close_radius_px = 2;
-  int max_hole_px = 100;
-  int min_blob_px = 200;
-
-  void visit(OptionVisitor& v);
-  /// Throws std::invalid_argument naming key, value and allowed range.
-  void validate() const;
-};
-
-enum class SilhouetteState { kLearning, kReady };
+/// kStale: masks still come, but for a while the background has explained too little of the image
+/// (the camera was moved, the room rearranged, the light switched): it should be learned anew.
+enum class SilhouetteState { kLearning, kReady, kStale };
 
 /// Result of one frame.
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
-  cv::Mat mask;  ///< CV_8UC1, 0 | 255, empty while learning
+  cv::Mat mask;              ///< CV_8UC1, 0 | 255, empty while learning
+  double changed_share = 0;  ///< of the pixels, unlike the background before any clean-up
+  double light_gain = 1;     ///< brightness relative to the background's
 };
 
-/// Background subtraction of one camera (ALGORITHM: per-pixel Gaussian learned from
-/// background-only frames, shadow test, clean-up). Not thread-safe; one object per camera.
+/// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up.
+/// Not thread-safe; one object per camera.
 class SilhouetteExtractor {
  public:
+  /// Throws std::invalid_argument as SilhouetteOptions::validate().
   explicit SilhouetteExtractor(const SilhouetteOptions& options);
+  ~SilhouetteExtractor();
+  SilhouetteExtractor(SilhouetteExtractor&&) noexcept;
+  SilhouetteExtractor& operator=(SilhouetteExtractor&&) noexcept;
+
   /// \param image CV_8UC1 or CV_8UC3 (BGR), same size and type every time; throws
-  ///   std::invalid_argument otherwise. The first `background_frames` images are learned from.
+  ///   std::invalid_argument otherwise. The first `background_frames` images are learned from:
+  ///   the empty scene, or one that people cross.
   SilhouetteResult update(const cv::Mat& image);
-  /// Forgets the background; learning starts anew.
+  /// Back to how it began: the loaded background as it was loaded, or learning.
   void reset();
-  int framesLearned() const { return frames_learned_; }
+  /// Forgets the background, also a loaded one; learning starts anew.
+  void relearn();
+  int framesLearned() const;
+
+  /// Throws std::invalid_argument, in one sentence that names the file, while learning, if it
+  /// cannot be written, or if `model` is OpenCV's, which cannot be saved.
+  void saveBackground(const std::string& path) const;
+  /// Replaces learning. Throws std::invalid_argument, in one sentence that names the file, if it
+  /// holds no background of this `model`.
+  void loadBackground(const std::string& path);
 
  private:
-  void checkImage(const cv::Mat& image) const;
-  void learn(const cv::Mat& image);
-  void finishLearning();
-  cv::Mat extract(const cv::Mat& image) const;
-
-  SilhouetteOptions options_;
-  int frames_learned_ = 0;
-  cv::Size size_;
-  int type_ = -1;                 ///< of the images; -1 before the first
-  cv::Mat sum_, sum_of_squares_;  ///< CV_32FC(n) while learning
-  cv::Mat mean_, inverse_sigma_;  ///< CV_32FC(n) when ready
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Opens, closes, fills holes up to `max_hole_px` and removes blobs under `min_blob_px`.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// Settings of one camera's silhouette stage.
+struct SilhouetteOptions {
+  static constexpr const char* kStage = "silhouette";
+  std::string model = "gaussian";
+  int background_frames = 30;
+  double threshold_sigmas = 3.0;
+  double min_sigma = 4.0;
+  double update_rate = 0.004;
+  bool compensate_flicker = true;
+  bool remove_shadows = true;
+  double shadow_darkest = 0.6;
+  double shadow_chroma_tolerance = 0.025;
+  int open_radius_px = 1;
+  int close_radius_px = 2;
+  int max_hole_px = 100;
+  int min_blob_px = 200;
+  double stale_share = 0.5;
+  int stale_frames = 60;
+
+  void visit(OptionVisitor& v);
+  /// Throws std::invalid_argument naming key, value and allowed range.
+  void validate() const;
+};
+
+}  // namespace markerless_mocap

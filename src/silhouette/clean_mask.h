@@ -1,0 +1,11 @@
+#pragma once
+
+#include "markerless_mocap/silhouette/silhouette_options.h"
+#include "silhouette/bit_mask.h"
+
+namespace markerless_mocap {
+
+/// cleanMask() on bits.
+BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,135 @@
+#include "silhouette/row_kernels.h"
+
+#include <algorithm>
+
+#include "silhouette/background.h"
+#include "silhouette/bit_mask.h"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MOCAP_VECTORISED __attribute__((target_clones("avx2", "default"), optimize("O3")))
+#else
+#define MOCAP_VECTORISED
+#endif
+
+namespace markerless_mocap {
+namespace {
+
+/// Half of kMeanScale: what the product with a gain leaves.
+constexpr int kPredictedScale = Background::kMeanScale / 2;
+
+/// a b / 32768, rounded: one instruction for 16 pixels with AVX2.
+__attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {
+  return int16_t(((int32_t(a) * b >> 14) + 1) >> 1);
+}
+
+__attribute__((always_inline)) inline uint16_t square(uint8_t now, uint16_t mean, uint16_t weight,
+                                                      int16_t gain) {
+  const int16_t off = int16_t(now * kPredictedScale - product(int16_t(mean), gain));
+  const int16_t apart = int16_t(off < 0 ? -off : off);
+  const int16_t far = product(apart, int16_t(weight));
+  const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
+  return uint16_t(near * near);
+}
+
+MOCAP_VECTORISED void squaresOfOne(const uint8_t* __restrict now, const uint16_t* __restrict mean,
+                                   const uint16_t* __restrict weight, int16_t gain, int n,
+                                   uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i) squared[i] = square(now[i], mean[i], weight[i], gain);
+}
+
+MOCAP_VECTORISED void squaresOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
+                                     const uint8_t* __restrict now2,
+                                     const uint16_t* __restrict mean0,
+                                     const uint16_t* __restrict mean1,
+                                     const uint16_t* __restrict mean2,
+                                     const uint16_t* __restrict weight, int16_t gain, int n,
+                                     uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i)
+    squared[i] = uint16_t(square(now0[i], mean0[i], weight[i], gain) +
+                          square(now1[i], mean1[i], weight[i], gain) +
+                          square(now2[i], mean2[i], weight[i], gain));
+}
+
+MOCAP_VECTORISED void flagsAbove(const uint16_t* __restrict value, uint16_t limit, int n,
+                                 uint8_t* __restrict flags) {
+  for (int i = 0; i < n; ++i) flags[i] = value[i] > limit ? 1 : 0;
+}
+
+__attribute__((always_inline)) inline float shadeOf(float cross, float usual, float now,
+                                                    const ShadeLimits& limits) {
+  const float ratio = cross / (usual + 1e-6f);
+  const float off = now - ratio * cross;
+  const float allowed = limits.squared_chroma * ratio * ratio * usual + limits.squared_noise;
+  // As numbers, not branches: those would keep the loop from being vectorised.
+  const int is_shade = (ratio >= limits.darkest) & (ratio < 1) & (off < allowed);
+  return ratio * 255 * float(is_shade);
+}
+
+MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
+                                    const uint8_t* __restrict now2,
+                                    const uint16_t* __restrict mean0,
+                                    const uint16_t* __restrict mean1,
+                                    const uint16_t* __restrict mean2, float scale,
+                                    const ShadeLimits& limits, uint8_t* __restrict ratio) {
+  float shade[64];
+  for (int i = 0; i < 64; ++i) {
+    const float n0 = now0[i], n1 = now1[i], n2 = now2[i];
+    const float m0 = mean0[i] * scale, m1 = mean1[i] * scale, m2 = mean2[i] * scale;
+    shade[i] = shadeOf(n0 * m0 + n1 * m1 + n2 * m2, m0 * m0 + m1 * m1 + m2 * m2,
+                       n0 * n0 + n1 * n1 + n2 * n2, limits);
+  }
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+}
+
+MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint16_t* __restrict mean,
+                                  float scale, const ShadeLimits& limits,
+                                  uint8_t* __restrict ratio) {
+  float shade[64];
+  for (int i = 0; i < 64; ++i) {
+    const float n = now[i], m = mean[i] * scale;
+    shade[i] = shadeOf(n * m, m * m, n * n, limits);
+  }
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+}
+
+}  // namespace
+
+void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,
+                      const uint16_t* weight, int channels, int16_t gain, int n,
+                      uint16_t* squared) {
+  if (channels == 3)
+    squaresOfThree(now[0], now[1], now[2], mean[0], mean[1], mean[2], weight, gain, n, squared);
+  else
+    squaresOfOne(now[0], mean[0], weight, gain, n, squared);
+}
+
+MOCAP_VECTORISED void keepSmaller(const uint16_t* __restrict other, int n,
+                                  uint16_t* __restrict value) {
+  for (int i = 0; i < n; ++i) value[i] = std::min(value[i], other[i]);
+}
+
+void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uint64_t* bits) {
+  flagsAbove(value, limit, n, flags);
+  for (int i = 0; i < n / 64; ++i) bits[i] = packFlags(flags + size_t(64) * i);
+}
+
+void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int channels, float gain,
+                 const ShadeLimits& limits, uint8_t* ratio) {
+  const float scale = gain / Background::kMeanScale;
+  if (channels == 3)
+    shadesOfThree(now[0], now[1], now[2], mean[0], mean[1], mean[2], scale, limits, ratio);
+  else
+    shadesOfOne(now[0], mean[0], scale, limits, ratio);
+}
+
+MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,
+                                int16_t gain, int rate, int n, uint16_t* __restrict mean) {
+  for (int i = 0; i < n; ++i) {
+    const int from = mean[i];
+    const int brighter = std::min((from * gain) >> 14, 255 * Background::kMeanScale);
+    const int to = held[i] ? brighter : now[i] * Background::kMeanScale;
+    mean[i] = uint16_t(from + (((to - from) * rate + 32768) >> 16));
+  }
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+namespace markerless_mocap {
+
+/// The loops that every pixel of every image passes through. They are compiled once for any
+/// processor and once for AVX2; the loader takes the one that fits.
+
+/// Light of an image relative to its background, fixed point: 16384 is the same light.
+constexpr int kGainOne = 16384;
+/// Distances saturate here, so that the sum of three squares fits 16 bits.
+constexpr int kFarthest = 147;
+
+/// Squared scaled distance of n pixels of one row from `gain` x the mean, summed over channels.
+/// \param now, mean one pointer per channel \param squared n values out
+void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,
+                      const uint16_t* weight, int channels, int16_t gain, int n, uint16_t* squared);
+
+void keepSmaller(const uint16_t* other, int n, uint16_t* value);
+
+/// One bit per value, set if it is above `limit`. \param n a multiple of 64 \param flags scratch, n
+void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uint64_t* bits);
+
+struct ShadeLimits {
+  float darkest;         ///< least brightness relative to the background's
+  float squared_chroma;  ///< tolerance of the colour's change, relative, squared
+  float squared_noise;   ///< grey levels, squared
+};
+
+/// Brightness of 64 pixels of one row relative to `gain` x the mean where they are a darker shade
+/// of it, 255 for 1; 0 where they are not.
+void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int channels, float gain,
+                 const ShadeLimits& limits, uint8_t* ratio);
+
+/// Moves n means by `rate` / 65536 of the way to the image, or where `held` is not 0 to `gain` x
+/// themselves.
+void moveMeans(const uint8_t* now, const uint8_t* held, int16_t gain, int rate, int n,
+               uint16_t* mean);
+
+}  // namespace markerless_mocap

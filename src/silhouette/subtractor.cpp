@@ -1,0 +1,96 @@
+#include "silhouette/subtractor.h"
+
+#include "silhouette/background_learner.h"
+#include "silhouette/bit_morphology.h"
+#include "silhouette/clean_mask.h"
+#include "silhouette/light_gain.h"
+#include "silhouette/pixel_test.h"
+#include "silhouette/rim.h"
+#include "silhouette/row_kernels.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Each image renews one row in this many, by so many times the rate.
+constexpr int kUpdateStride = 8;
+/// The background is not renewed this near the person, px: what a mask misses must not melt.
+constexpr int kGuardX = 16, kGuardY = 8;
+
+class ModelSubtractor : public Subtractor {
+ public:
+  ModelSubtractor(const SilhouetteOptions& options, Background background)
+      : options_(options),
+        learner_(options.background_frames, options.compensate_flicker),
+        background_(std::move(background)),
+        test_(options) {
+    if (!background_.empty())
+      background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+  }
+
+  void learn(const cv::Mat& image) override { learner_.add(image); }
+
+  void finishLearning() override {
+    background_ = learner_.learn(modesOf(options_), options_.min_sigma);
+    background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+    learner_ = BackgroundLearner(options_.background_frames, options_.compensate_flicker);
+  }
+
+  Extraction extract(const cv::Mat& image) override {
+    Extraction found;
+    if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
+    const PixelClasses& classes = test_.classify(image, background_, found.light_gain);
+    found.changed_share = double(classes.changed) / double(image.total());
+    found.mask = cleanBits(classes.foreground, options_);
+    refineRim(image, background_, found.light_gain, classes, &found.mask);
+    renew(image, found.light_gain, found.mask, classes.shade);
+    return found;
+  }
+
+  const Background* background() const override { return &background_; }
+
+ private:
+  void renew(const cv::Mat& image, double gain, const BitMask& mask, const BitMask& shade);
+
+  SilhouetteOptions options_;
+  BackgroundLearner learner_;
+  Background background_;
+  PixelTest test_;
+  int next_row_ = 0;  ///< first row that the next image renews
+  std::vector<uint8_t> now_, held_;
+};
+
+/// Means follow the image, so slow drift of the light is learned. Behind the person and in shadows
+/// they follow the light of the whole scene instead.
+void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& mask,
+                            const BitMask& shade) {
+  if (options_.update_rate == 0) return;
+  const int n = background_.stride(), channels = background_.channels();
+  const int rate = int(std::min(1.0, options_.update_rate * kUpdateStride) * 65536 + 0.5);
+  const auto fixed_gain = int16_t(gain * kGainOne + 0.5);
+  const BitMask guarded = dilatedByBox(mask, kGuardX, kGuardY);
+  now_.resize(size_t(3) * n);
+  held_.resize(n);
+  for (int y = next_row_; y < image.rows; y += kUpdateStride) {
+    splitRow(image, y, n, now_.data());
+    for (int x = 0; x < image.cols; ++x) held_[x] = guarded.at(x, y) || shade.at(x, y);
+    for (int c = 0; c < channels; ++c)
+      moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,
+                background_.mean(0, y, c));
+  }
+  next_row_ = (next_row_ + 1) % kUpdateStride;
+}
+
+}  // namespace
+
+int modesOf(const SilhouetteOptions& options) {
+  if (options.model == "gaussian") return 1;
+  return options.model == "mean_shift" ? Background::kMostModes : 0;
+}
+
+std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,
+                                           const Background& background) {
+  if (modesOf(options) == 0) return makeOpenCvSubtractor(options);
+  return std::make_unique<ModelSubtractor>(options, background);
+}
+
+}  // namespace markerless_mocap
