@@ -123,11 +123,8 @@ class ArmPoser {
     const Eigen::Vector3d down_and_out = chest_ * Eigen::Vector3d(-0.35, side_ * 0.5, -0.8);
     const Eigen::Vector3d pole = (1.0 - share_) * bent + share_ * down_and_out;
     const double upper = length(bones_.upper), fore = length(bones_.fore);
-    const Eigen::Vector3d way = target - shoulder;
-    const double farthest = 0.995 * (upper + fore);
-    const Eigen::Vector3d held =
-        way.norm() > farthest ? Eigen::Vector3d(shoulder + way.normalized() * farthest) : target;
-    const LimbBend bend = bendLimb(shoulder, held, upper, fore, pole, kLargestBend);
+    const LimbBend bend = bendLimb(shoulder, easedTarget(shoulder, target, upper + fore), upper,
+                                   fore, pole, kLargestBend);
     const Eigen::Vector3d hinge = pole.cross(bend.end - shoulder);
     const Eigen::Vector3d hinge_at_rest(0.0, 0.0, -side_);
     pose_[bones_.upper] = turnWithHinge(outward(1.0), hinge_at_rest, bend.middle - shoulder, hinge);

@@ -88,7 +88,7 @@ FootTrack::Swing FootTrack::makeSwing(const GaitStep& step, double& off_pitch) c
   }
   if (step.run) {
     off_pitch = -(20.0 + 45.0 * ahead) * kDegree;
-    return {step, 8.0 * ahead * kDegree, (0.035 + 0.12 * ahead) * stature};
+    return {step, 8.0 * ahead * kDegree, (0.035 + 0.1 * ahead) * stature};
   }
   off_pitch = -(9.0 + 42.0 * ahead) * kDegree;
   return {step, (pace > 0.0 ? 26.0 : 30.0) * pace * kDegree, (0.03 + 0.02 * ahead) * stature};

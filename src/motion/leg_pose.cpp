@@ -26,23 +26,13 @@ Eigen::Vector3d kneesAhead(const HumanPose& pose, const FootPose& foot, bool lef
   return ahead.normalized();
 }
 
-/// Where the ankle gets if it should go to `target`: the last hundredth of the leg's length yields
-/// ever more, as a knee that snaps straight looks wooden.
-Eigen::Vector3d eased(const Eigen::Vector3d& hip, const Eigen::Vector3d& target, double leg) {
-  constexpr double kFree = 0.99, kRest = 0.0095;
-  const double distance = (target - hip).norm() / leg;
-  if (distance <= kFree) return target;
-  const double eased = kFree + kRest * std::tanh((distance - kFree) / kRest);
-  return hip + (target - hip) * (eased / distance);
-}
-
 void poseLeg(bool left, const FootPose& foot, const HumanSkeleton& skeleton, HumanPose& pose) {
   const Bone thigh = left ? Bone::kLeftThigh : Bone::kRightThigh;
   const Bone shank = left ? Bone::kLeftShank : Bone::kRightShank;
   const Bone foot_bone = left ? Bone::kLeftFoot : Bone::kRightFoot;
   const Bone toes = left ? Bone::kLeftToes : Bone::kRightToes;
   const Eigen::Vector3d hip = hipJoint(skeleton, pose, thigh);
-  const Eigen::Vector3d ankle = eased(hip, foot.ankle, skeleton.legLength());
+  const Eigen::Vector3d ankle = easedTarget(hip, foot.ankle, skeleton.legLength());
   // Carried along when the leg rises, so that a raised leg's knee points up.
   const Eigen::Vector3d pole =
       Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), ankle - hip) *

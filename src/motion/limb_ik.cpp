@@ -32,6 +32,15 @@ LimbBend bendLimb(const Eigen::Vector3d& root, const Eigen::Vector3d& target, do
   return {root + foot * along + height * aside, root + distance * along};
 }
 
+Eigen::Vector3d easedTarget(const Eigen::Vector3d& root, const Eigen::Vector3d& target,
+                            double length) {
+  constexpr double kFree = 0.99, kRest = 0.0095;
+  const double distance = (target - root).norm() / length;
+  if (distance <= kFree) return target;
+  const double eased = kFree + kRest * std::tanh((distance - kFree) / kRest);
+  return root + (target - root) * (eased / distance);
+}
+
 Eigen::Quaterniond turnWithHinge(const Eigen::Vector3d& from, const Eigen::Vector3d& hinge_from,
                                  const Eigen::Vector3d& to, const Eigen::Vector3d& hinge_to) {
   return Eigen::Quaterniond(hingeFrame(to, hinge_to) * hingeFrame(from, hinge_from).transpose());

@@ -18,9 +18,9 @@ struct MotionMeasures {
   int turn_bone = 0;         ///< that bone
   double turn_time = 0.0;    ///< seconds
   double bend_low = 0.0, bend_high = 0.0;  ///< radians of knees and elbows, below 0 is backwards
-  double side = 0.0;         ///< metres: farthest joint from the origin in |x| or |y|
-  double top = 0.0;          ///< metres: highest joint
-  double sign_jump = 0.0;    ///< smallest scalar product of successive quaternions, 1 is still
+  double side = 0.0;                       ///< metres: farthest joint from the origin in |x| or |y|
+  double top = 0.0;                        ///< metres: highest joint
+  double sign_jump = 0.0;  ///< smallest scalar product of successive quaternions, 1 is still
 };
 
 /// Heel, ball and toe tip in the world, of the flat foot all on z = 0.

@@ -16,6 +16,12 @@ struct LimbBend {
 LimbBend bendLimb(const Eigen::Vector3d& root, const Eigen::Vector3d& target, double upper,
                   double lower, const Eigen::Vector3d& pole, double largest_bend);
 
+/// Where a limb's end should go if it is wanted at `target`: up to 0.99 of the limb's length there,
+/// beyond it yields ever more and never quite straightens the limb, whose middle joint would
+/// otherwise snap. \param length of both bones, metres
+Eigen::Vector3d easedTarget(const Eigen::Vector3d& root, const Eigen::Vector3d& target,
+                            double length);
+
 /// The rotation that turns direction `from` into `to` and the hinge `hinge_from` into `hinge_to`
 /// as well as it can.
 Eigen::Quaterniond turnWithHinge(const Eigen::Vector3d& from, const Eigen::Vector3d& hinge_from,
