@@ -9,7 +9,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr float kSkirting = 0.12f;  // metres high
-constexpr float kGroove = 0.012f;   // metres on one side of the gap between boards
+constexpr float kGroove = 0.006f;   // metres on each side of the gap between boards
 
 uint64_t mixed(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
   return hashBits(seed ^ hashBits(uint64_t(a) * 0x9e3779b97f4a7c15u ^
@@ -116,7 +116,7 @@ std::vector<RoomTexture::Panel> RoomTexture::hangPanels(int wall, float half_len
   return panels;
 }
 
-Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point) const {
+Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point, float blur) const {
   const float along = boards_along_x_ ? point.x() : point.y();
   const float across = boards_along_x_ ? point.y() : point.x();
   const int board = floorOf(across / board_width_);
@@ -128,8 +128,9 @@ Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point) const {
   light += 0.08f * fractalNoise(seed_ + 12, point.x(), point.y(), 1.5f, 3);
   const float from_side = across - float(board) * board_width_;
   const float from_end = along + shift - float(piece) * length;
-  const float in_groove = 1.0f - std::min({from_side, from_end, kGroove}) / kGroove;
-  light *= 1.0f - 0.45f * in_groove;
+  const float to_gap = std::min({from_side, board_width_ - from_side, from_end, length - from_end});
+  const float width = std::max(kGroove, blur);
+  light *= 1.0f - 0.45f * (kGroove / width) * (1.0f - std::min(to_gap / width, 1.0f));
   const float from_middle = point.head<2>().norm() / half_size_.head<2>().minCoeff();
   return wood_ * (light * (1.05f - 0.15f * std::min(from_middle, 1.5f)));
 }
@@ -155,7 +156,8 @@ Eigen::Vector3f RoomTexture::wallColorAt(int wall, float along, float height) co
   return color * light;
 }
 
-Eigen::Vector3f RoomTexture::color(const Eigen::Vector3f& point, int axis, bool upper) const {
+Eigen::Vector3f RoomTexture::color(const Eigen::Vector3f& point, int axis, bool upper,
+                                   float blur) const {
   Eigen::Vector3f color;
   if (axis < 2)
     color = wallColorAt(2 * axis + int(upper), point[1 - axis], point.z());
@@ -163,7 +165,7 @@ Eigen::Vector3f RoomTexture::color(const Eigen::Vector3f& point, int axis, bool 
     color = Eigen::Vector3f::Constant(
         0.78f + 0.03f * fractalNoise(seed_ + 13, point.x(), point.y(), 0.6f, 4));
   else
-    color = floorColor(point);
+    color = floorColor(point, blur);
   return color.cwiseMax(0.0f).cwiseMin(1.0f);
 }
 

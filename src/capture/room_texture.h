@@ -13,7 +13,8 @@ class RoomTexture {
 
   /// Red green blue, 0 to 1, under the room's light. \param axis that the surface is normal to
   /// \param upper whether it is the one of greater coordinate
-  Eigen::Vector3f color(const Eigen::Vector3f& point, int axis, bool upper) const;
+  /// \param blur metres; what is finer is spread over this width
+  Eigen::Vector3f color(const Eigen::Vector3f& point, int axis, bool upper, float blur) const;
   Eigen::Vector3f wallColor() const;
 
  private:
@@ -25,7 +26,7 @@ class RoomTexture {
     float frame;   ///< metres
   };
 
-  Eigen::Vector3f floorColor(const Eigen::Vector3f& point) const;
+  Eigen::Vector3f floorColor(const Eigen::Vector3f& point, float blur) const;
   Eigen::Vector3f wallColorAt(int wall, float along, float height) const;
   std::vector<Panel> hangPanels(int wall, float half_length) const;
 

@@ -11,6 +11,7 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr double kBlur = 1.5e-3;  // of the distance: what a camera can tell apart
 constexpr double kLeastHalf = 1.0, kMostHalf = 50.0, kLeastHeight = 2.0, kMostHeight = 20.0;
 
 void checkSize(const std::string& what, double value, double least, double most) {
@@ -29,9 +30,13 @@ TexturedRoom::TexturedRoom(uint64_t seed, double half_x, double half_y, double h
   checkSize("half size in y", half_y, kLeastHalf, kMostHalf);
   checkSize("height", height, kLeastHeight, kMostHeight);
   const float z = half_size_.z() - 0.05f;
-  lamps_ = {{{0.35f * half_size_.x(), 0.25f * half_size_.y(), z}, 0.5f, 0.12f},
-            {{-0.45f * half_size_.x(), 0.30f * half_size_.y(), z}, 0.3f, 0.15f},
-            {{0.05f * half_size_.x(), -0.50f * half_size_.y(), z}, 0.2f, 0.20f}};
+  const auto hang = [&](float x, float y, float share, float radius) {
+    lamps_.push_back({{x * half_size_.x(), y * half_size_.y(), z}, share, radius});
+  };
+  hang(0.35f, 0.25f, 0.45f, 0.12f);
+  hang(-0.45f, 0.30f, 0.25f, 0.15f);
+  hang(0.05f, -0.50f, 0.15f, 0.20f);
+  hang(0.02f, 0.03f, 0.15f, 0.30f);  // sees what is close about the feet
 }
 
 TexturedRoom TexturedRoom::around(uint64_t seed, const CameraRig& rig) {
@@ -62,7 +67,10 @@ RoomPoint TexturedRoom::at(const Eigen::Vector3d& eye, const Eigen::Vector3d& di
   }
   RoomPoint point;
   point.position = (eye + nearest * direction).cast<float>();
-  point.color = texture_->color(point.position, axis, direction[axis] > 0.0);
+  const double distance = nearest * direction.norm();
+  const double slant = std::abs(direction[axis]) / direction.norm();
+  point.color =
+      texture_->color(point.position, axis, direction[axis] > 0.0, float(kBlur * distance / slant));
   return point;
 }
 
