@@ -28,10 +28,13 @@ class ShadowMap {
   float hiddenShare(const Eigen::Vector3f& vertex) const;
 
  private:
+  class SumTable;
   void findRect(const std::vector<SceneObject>& objects);
   void draw(const SceneObject& object);
   void drawTriangle(const Eigen::Vector3f (&corners)[3]);
   void soften();
+  /// Half the width of the shadow's edge at a texel, texels; 0 where nothing is near.
+  int penumbra(const SumTable& cover, const SumTable& near, int x, int y) const;
 
   Lamp lamp_;
   cv::Rect rect_;
