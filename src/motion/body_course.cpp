@@ -74,11 +74,12 @@ class Course {
   }
 
   void setRunning(const GaitBlock& block, double t, BodyInstant& now) const {
-    if (t < block.times.front() || t > block.times.back()) return;
+    constexpr double kFade = 0.4;  // seconds: running fades, its rhythm must not break off
+    if (t < block.times.front() - kFade || t > block.times.back() + kFade) return;
     const double phase = block.phaseAt(t);
-    if (!script_.path[size_t(block.moveAt(phase))].run) return;
-    now.running = 1.0;
     now.bounce = std::cos(2.0 * M_PI * phase);
+    const bool inside = t >= block.times.front() && t <= block.times.back();
+    if (inside && script_.path[size_t(block.moveAt(phase))].run) now.running = 1.0;
   }
 
   void addLeap(const GaitStep& step, double t, BodyInstant& now) const {
