@@ -1,7 +1,9 @@
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "hull/seen_volume.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
 namespace markerless_mocap {
@@ -14,15 +16,39 @@ Eigen::Vector3d voxelsAlongAxes(const HullOptions& o) {
   return ((o.volume_max - o.volume_min) / o.pitch).array() - 1e-6;
 }
 
+void checkVoxels(double voxels) {
+  if (voxels > kMaxVoxels)
+    throw std::invalid_argument(std::string(HullOptions::kStage) + " has " +
+                                std::to_string(std::llround(voxels / 1e6)) +
+                                " million voxels, allowed are 64 million: make the volume smaller "
+                                "or the pitch larger");
+}
+
 }  // namespace
 
 void HullOptions::visit(OptionVisitor& v) {
-  v.field("volume_min", volume_min, -100, 100, "lowest corner of the volume, m in world");
-  v.field("volume_max", volume_max, -100, 100, "highest corner of the volume, m in world");
+  v.field("volume", volume, {"explicit", "auto"},
+          "where the lattice is: from volume_min to volume_max, or all that three quarters of the "
+          "cameras see above the floor");
+  v.field("volume_min", volume_min, -100, 100, "lowest corner of the explicit volume, m in world");
+  v.field("volume_max", volume_max, -100, 100, "highest corner of the explicit volume, m in world");
+  v.field("floor_height", floor_height, -100, 100,
+          "height of the floor, m in world; the automatic volume begins there");
+  v.field("cut_at_floor", cut_at_floor,
+          "nothing stands below floor_height: takes off what the floor mirrors");
+  v.field("follow", follow,
+          "carve around the last person only; the whole volume while there is none");
+  v.field("follow_margin", follow_margin, 0.1, 5,
+          "distance from the last person within which the next one is looked for, m");
   v.field("pitch", pitch, 0.005, 0.2, "edge of a voxel, m");
   v.field("min_views", min_views, 2, 32, "cameras that must see a voxel");
   v.field("missing_votes_allowed", missing_votes_allowed, 0, 31,
           "cameras that see a voxel and may have it outside their silhouette; below min_views");
+  v.field("camera_trust", camera_trust,
+          "cameras that are trusted less than fully, each as camera=trust: a voxel falls when the "
+          "trust of the cameras against it reaches 1 + missing_votes_allowed; 0 takes the vote");
+  v.field("leave_out_bad_cameras", leave_out_bad_cameras,
+          "find cameras whose mask is full, empty or lacks the person, and leave them out");
   v.field("bridging_votes", bridging_votes, 0, 8,
           "further votes that voxels between two pieces of a body may lack to join them");
   v.field("min_component_litres", min_component_litres, 0, 1000,
@@ -42,11 +68,7 @@ void HullOptions::validate() const {
     throw std::invalid_argument(
         stage + "/missing_votes_allowed is " + std::to_string(missing_votes_allowed) +
         ", allowed is less than min_views, which is " + std::to_string(min_views));
-  const double voxels = voxelsAlongAxes(*this).array().ceil().max(1.0).prod();
-  if (voxels > kMaxVoxels)
-    throw std::invalid_argument(stage + " has " + std::to_string(std::llround(voxels / 1e6)) +
-                                " million voxels, allowed are 64 million: make the volume smaller "
-                                "or the pitch larger");
+  if (volume == "explicit") checkVoxels(voxelsAlongAxes(*this).array().ceil().max(1.0).prod());
 }
 
 VoxelLattice HullOptions::lattice() const {
@@ -55,6 +77,44 @@ VoxelLattice HullOptions::lattice() const {
   lattice.pitch = pitch;
   lattice.size = voxelsAlongAxes(*this).array().ceil().max(1.0).matrix().cast<int>();
   return lattice;
+}
+
+VoxelLattice HullOptions::lattice(const CameraRig& rig) const {
+  if (volume == "explicit") return lattice();
+  const Eigen::AlignedBox3d seen = seenVolume(rig, min_views, floor_height);
+  if (seen.isEmpty())
+    throw std::invalid_argument(std::string(kStage) +
+                                "/volume is auto, but most of the cameras see no place above the "
+                                "floor in common: give volume_min and volume_max");
+  const Eigen::Array3d low = (seen.min().array() / pitch).floor();
+  const Eigen::Array3d high = (seen.max().array() / pitch).ceil();
+  checkVoxels((high - low).prod());
+  VoxelLattice lattice;
+  lattice.origin = low * pitch;
+  lattice.pitch = pitch;
+  lattice.size = (high - low).matrix().cast<int>();
+  return lattice;
+}
+
+std::vector<double> HullOptions::trust(const CameraRig& rig) const {
+  std::vector<double> result(rig.size(), 1.0);
+  for (const std::string& entry : camera_trust) {
+    const size_t equals = entry.rfind('=');
+    double trust = -1;
+    size_t camera = rig.size();
+    if (equals != std::string::npos) {
+      const char* end = entry.data() + entry.size();
+      const auto read = std::from_chars(entry.data() + equals + 1, end, trust);
+      if (read.ec != std::errc() || read.ptr != end) trust = -1;
+      for (size_t c = 0; c < rig.size(); ++c)
+        if (rig[c].name() == entry.substr(0, equals)) camera = c;
+    }
+    if (camera == rig.size() || !(trust >= 0 && trust <= 1))
+      throw std::invalid_argument(std::string(kStage) + "/camera_trust has '" + entry +
+                                  "', allowed is <camera of the rig>=<0 to 1>");
+    result[camera] = trust;
+  }
+  return result;
 }
 
 const char* toString(HullStatus status) {

@@ -1,7 +1,8 @@
 #include "hull/person_selection.h"
 
+#include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
+#include <numeric>
 
 namespace markerless_mocap {
 namespace {
@@ -11,81 +12,119 @@ constexpr double kFullMaskShare = 0.95;
 /// A second component is a second body when it is at least this large.
 constexpr double kSecondBodyShare = 0.4;
 constexpr double kSecondBodyLitres = 15.0;
+/// A component that is seen by less than this share of the cameras that see another one is not
+/// carved well enough to be compared with it.
+constexpr double kPoorlySeenShare = 0.5;
 
 std::string oneDecimal(double value) {
   const long tenths = std::lround(value * 10);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-void appendName(const std::string& name, std::string* names) {
-  *names += (names->empty() ? "'" : ", '") + name + "'";
+double meanViews(const Piece& piece, const CarvingPlan& plan, CameraSet voters) {
+  size_t views = 0;
+  for (const Cell& cell : piece.cells) {
+    const CameraSet all = plan.level(0).sees_all[cell.leaf] & voters;
+    views += size_t(__builtin_popcount(all)) * size_t(__builtin_popcountll(cell.voxels));
+    for (CameraSet part = plan.level(0).sees_some[cell.leaf] & voters & ~all; part != 0;
+         part &= part - 1)
+      views += size_t(
+          __builtin_popcountll(cell.voxels & plan.seen(cell.leaf, size_t(__builtin_ctz(part)))));
+  }
+  return double(views) / double(piece.voxels);
 }
 
 }  // namespace
 
-MaskSurvey surveyMasks(const CameraRig& rig, const std::vector<HullView>& views) {
+MaskSurvey surveyMasks(const CameraRig& rig, const VotingBooth& booth) {
   MaskSurvey result;
-  result.set_pixels.resize(views.size());
-  for (size_t c = 0; c < views.size(); ++c) {
-    if (views[c].mask.empty()) continue;
-    ++result.present;
-    const size_t set = cv::countNonZero(views[c].mask);
-    result.set_pixels[c] = set;
-    if (set == 0) {
-      ++result.empty;
-      appendName(rig[c].name(), &result.empty_names);
-    } else if (double(set) >= kFullMaskShare * double(views[c].mask.total())) {
-      appendName(rig[c].name(), &result.full_names);
-    }
+  result.present = booth.present();
+  for (size_t c = 0; c < rig.size(); ++c) {
+    if ((result.present >> c & 1) == 0) continue;
+    const double set = double(booth.mask(c).setPixels());
+    if (set == 0) result.empty |= 1u << c;
+    if (set >= kFullMaskShare * rig[c].width() * rig[c].height()) result.full |= 1u << c;
   }
   return result;
 }
 
-bool refuseMasks(const MaskSurvey& masks, int min_views, VisualHull* hull) {
-  if (masks.present < size_t(min_views)) {
+std::string namesOf(CameraSet cameras, const CameraRig& rig) {
+  std::string names;
+  for (size_t c = 0; c < rig.size(); ++c)
+    if (cameras >> c & 1) names += (names.empty() ? "'" : ", '") + rig[c].name() + "'";
+  return names;
+}
+
+bool refuseMasks(const MaskSurvey& masks, CameraSet usable, const CameraRig& rig, int min_views,
+                 VisualHull* hull) {
+  if (masks.count() < min_views) {
     hull->status = HullStatus::kNoCameras;
-    hull->reason = std::to_string(masks.present) + " of " +
-                   std::to_string(masks.set_pixels.size()) + " cameras are present, " +
-                   std::to_string(min_views) + " are needed";
+    hull->reason = std::to_string(masks.count()) + " of " + std::to_string(rig.size()) +
+                   " cameras are present, " + std::to_string(min_views) + " are needed";
   } else if (masks.empty == masks.present) {
     hull->status = HullStatus::kEmptyMasks;
-    hull->reason = "the masks of all " + std::to_string(masks.present) + " cameras are empty";
-  } else if (!masks.full_names.empty()) {
+    hull->reason = "the masks of all " + std::to_string(masks.count()) + " cameras are empty";
+  } else if ((masks.full & usable) != 0) {
     hull->status = HullStatus::kFullMask;
-    hull->reason =
-        "the mask of " + masks.full_names + " is full: nobody stands out from the background there";
+    hull->reason = "the mask of " + namesOf(masks.full, rig) +
+                   " is full: nobody stands out from the background there";
   } else {
     return false;
   }
   return true;
 }
 
-std::vector<uint32_t> selectPerson(std::vector<std::vector<uint32_t>> components,
-                                   const HullOptions& options, const MaskSurvey& masks,
-                                   VisualHull* hull) {
-  const double voxel_litres = std::pow(options.pitch * 10, 3);
-  for (const auto& component : components)
-    hull->component_litres.push_back(double(component.size()) * voxel_litres);
-  const std::vector<double>& litres = hull->component_litres;
-  if (litres.empty() || litres[0] < options.min_component_litres) {
-    hull->status = HullStatus::kNobody;
-    hull->reason = litres.empty() ? "the silhouettes meet nowhere in the volume"
-                                  : "the largest component has " + oneDecimal(litres[0]) +
-                                        " litres, a body has at least " +
-                                        oneDecimal(options.min_component_litres);
-    if (!masks.empty_names.empty())
-      hull->reason += "; the mask of " + masks.empty_names + " is empty";
-    return {};
+std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan, CameraSet voters,
+                              double min_component_litres, VisualHull* hull) {
+  const double voxel_litres = std::pow(plan.lattice().pitch * 10, 3);
+  std::vector<HullComponent> components;
+  double most_views = 0;
+  for (const Piece& piece : pieces) {
+    HullComponent component;
+    component.litres = double(piece.voxels) * voxel_litres;
+    component.mean_views = meanViews(piece, plan, voters);
+    if (component.litres >= min_component_litres)
+      most_views = std::max(most_views, component.mean_views);
+    components.push_back(component);
   }
-  if (litres.size() > 1 && litres[1] >= kSecondBodyShare * litres[0] &&
-      litres[1] >= kSecondBodyLitres) {
+  for (HullComponent& component : components)
+    component.poorly_seen = component.mean_views < kPoorlySeenShare * most_views;
+  std::vector<size_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::stable_partition(order.begin(), order.end(),
+                        [&](size_t i) { return !components[i].poorly_seen; });
+  std::vector<Piece> ranked;
+  for (const size_t i : order) {
+    ranked.push_back(std::move(pieces[i]));
+    hull->components.push_back(components[i]);
+  }
+  return ranked;
+}
+
+const Piece* selectPerson(const std::vector<Piece>& pieces, double min_component_litres,
+                          const MaskSurvey& masks, const CameraRig& rig, VisualHull* hull) {
+  const std::vector<HullComponent>& components = hull->components;
+  if (components.empty() || components[0].litres < min_component_litres) {
+    hull->status = HullStatus::kNobody;
+    hull->reason = components.empty()
+                       ? "the silhouettes meet nowhere in the volume"
+                       : "the largest component has " + oneDecimal(components[0].litres) +
+                             " litres, a body has at least " + oneDecimal(min_component_litres);
+    if (masks.empty != 0)
+      hull->reason += "; the mask of " + namesOf(masks.empty, rig) + " is empty";
+    return nullptr;
+  }
+  if (components.size() > 1 && !components[1].poorly_seen &&
+      components[1].litres >= kSecondBodyShare * components[0].litres &&
+      components[1].litres >= kSecondBodyLitres) {
     hull->status = HullStatus::kSeveralBodies;
-    hull->reason = "there are several bodies: components of " + oneDecimal(litres[0]) + " and " +
-                   oneDecimal(litres[1]) + " litres";
-    return {};
+    hull->reason = "there are several bodies: components of " + oneDecimal(components[0].litres) +
+                   " and " + oneDecimal(components[1].litres) + " litres";
+    return nullptr;
   }
   hull->status = HullStatus::kOk;
-  return std::move(components[0]);
+  hull->reason.clear();
+  return &pieces[0];
 }
 
 }  // namespace markerless_mocap

@@ -3,29 +3,34 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/hull/hull_carver.h"
+#include "hull/voting_booth.h"
 
 namespace markerless_mocap {
 
 /// What is remarkable about the masks of the present cameras.
 struct MaskSurvey {
-  size_t present = 0;
-  size_t empty = 0;
-  std::vector<size_t> set_pixels;  ///< per camera, 0 where missing
-  std::string empty_names;         ///< 'a', 'b'
-  std::string full_names;
+  CameraSet present = 0, empty = 0, full = 0;
+
+  int count() const { return __builtin_popcount(present); }
 };
 
-MaskSurvey surveyMasks(const CameraRig& rig, const std::vector<HullView>& views);
+MaskSurvey surveyMasks(const CameraRig& rig, const VotingBooth& booth);
+
+/// 'a', 'b'
+std::string namesOf(CameraSet cameras, const CameraRig& rig);
 
 /// Sets status and reason, and returns true, where the masks alone tell that there is nothing to
-/// carve.
-bool refuseMasks(const MaskSurvey& masks, int min_views, VisualHull* hull);
+/// carve. \param usable cameras whose masks can be carved with
+bool refuseMasks(const MaskSurvey& masks, CameraSet usable, const CameraRig& rig, int min_views,
+                 VisualHull* hull);
 
-/// Chooses the person among components in descending order, and fills status, reason and
-/// component_litres. Empty unless the status is kOk.
-std::vector<uint32_t> selectPerson(std::vector<std::vector<uint32_t>> components,
-                                   const HullOptions& options, const MaskSurvey& masks,
-                                   VisualHull* hull);
+/// Measures the pieces, puts poorly seen ones behind the others, and fills `components`.
+std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan, CameraSet voters,
+                              double min_component_litres, VisualHull* hull);
+
+/// Chooses the person, the first of ranked pieces, and sets status and reason; nullptr unless the
+/// status is kOk.
+const Piece* selectPerson(const std::vector<Piece>& pieces, double min_component_litres,
+                          const MaskSurvey& masks, const CameraRig& rig, VisualHull* hull);
 
 }  // namespace markerless_mocap

@@ -29,10 +29,12 @@ TEST(HullStatus, AllMasksEmpty) {
                  "the masks of all 4 cameras are empty");
 }
 
-TEST(HullStatus, OneMaskEmptyNamesTheCamera) {
+TEST(HullStatus, EmptyMasksAreNamedWhereCamerasAreNotLeftOut) {
   std::vector<HullView> views = renderViews(makeRig(4), {Sphere()});
   views[2].mask.setTo(0);
-  expectUnusable(carve(views), HullStatus::kNobody,
+  HullOptions options = makeOptions();
+  options.leave_out_bad_cameras = false;
+  expectUnusable(carve(views, options), HullStatus::kNobody,
                  "the silhouettes meet nowhere in the volume; the mask of 'cam2' is empty");
 }
 
@@ -52,7 +54,7 @@ TEST(HullStatus, SmallComponentIsNobody) {
   EXPECT_EQ(hull.status, HullStatus::kNobody);
   EXPECT_NE(hull.reason.find("litres, a body has at least 400.0"), std::string::npos)
       << hull.reason;
-  ASSERT_EQ(hull.component_litres.size(), 1u);
+  ASSERT_EQ(hull.components.size(), 1u);
 }
 
 TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
@@ -62,7 +64,7 @@ TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
   EXPECT_EQ(hull.status, HullStatus::kSeveralBodies);
   EXPECT_EQ(hull.reason.find("there are several bodies: components of "), 0u) << hull.reason;
   EXPECT_TRUE(hull.voxels.empty());
-  EXPECT_GE(hull.component_litres.at(1), 15);
+  EXPECT_GE(hull.components.at(1).litres, 15);
 }
 
 /// Two balls and a third that joins them, of 12 cameras; two silhouettes have a gap at the third.
@@ -78,16 +80,16 @@ TEST(HullBridging, GapInTwoSilhouettesDoesNotCutTheBody) {
   HullOptions options = makeOptions();
   options.bridging_votes = 0;
   const VisualHull cut = HullCarver(rig, options).carve(viewsWithAGap(rig));
-  ASSERT_GE(cut.component_litres.size(), 2u);
+  ASSERT_GE(cut.components.size(), 2u);
   options.bridging_votes = 2;
   const VisualHull whole = HullCarver(rig, options).carve(viewsWithAGap(rig));
   EXPECT_EQ(whole.status, HullStatus::kOk);
-  EXPECT_EQ(whole.component_litres.size(), 1u);
+  EXPECT_EQ(whole.components.size(), 1u);
   const VisualHull truth =
       HullCarver(rig, options)
           .carve(renderViews(
               rig, {Sphere{{-0.3, 0, 0}, 0.2}, Sphere{{0.3, 0, 0}, 0.2}, Sphere{{0, 0, 0}, 0.2}}));
-  EXPECT_GT(whole.litres(), cut.component_litres[0] + cut.component_litres[1]);
+  EXPECT_GT(whole.litres(), cut.components[0].litres + cut.components[1].litres);
   EXPECT_LE(whole.litres(), 1.1 * truth.litres());
 }
 
@@ -105,8 +107,8 @@ TEST(HullStatus, BodyWithAThingBesideItIsOneBody) {
   const VisualHull hull =
       carve(renderViews(makeRig(16), {Sphere{{-0.25, 0, 0}, 0.3}, Sphere{{0.35, 0, 0}, 0.12}}));
   ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
-  EXPECT_EQ(hull.component_litres.size(), 2u);
-  EXPECT_NEAR(hull.litres(), hull.component_litres[0], 1e-9);
+  EXPECT_EQ(hull.components.size(), 2u);
+  EXPECT_NEAR(hull.litres(), hull.components[0].litres, 1e-9);
 }
 
 /// The sentence that building or carving is refused with.
@@ -164,7 +166,7 @@ TEST(HullRefusals, Options) {
 }
 
 TEST(HullRefusals, Views) {
-  const HullCarver carver(makeRig(2), makeOptions());
+  HullCarver carver(makeRig(2), makeOptions());
   std::vector<HullView> views = renderViews(makeRig(2), {Sphere()});
   const auto refused = [&](const std::vector<HullView>& v) {
     return refusal([&] { carver.carve(v); });

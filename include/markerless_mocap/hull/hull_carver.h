@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
@@ -13,11 +14,18 @@ namespace markerless_mocap {
 /// Settings of the visual hull stage.
 struct HullOptions {
   static constexpr const char* kStage = "visual_hull";
+  std::string volume = "explicit";
   Eigen::Vector3d volume_min{-1.5, -1.5, 0.0};
   Eigen::Vector3d volume_max{1.5, 1.5, 2.2};
+  double floor_height = 0.0;
+  bool cut_at_floor = false;
+  bool follow = false;
+  double follow_margin = 0.6;
   double pitch = 0.03;
   int min_views = 2;
   int missing_votes_allowed = 0;
+  std::vector<std::string> camera_trust;
+  bool leave_out_bad_cameras = true;
   int bridging_votes = 2;
   double min_component_litres = 1.0;
   double color_vote_distance = 40.0;
@@ -26,8 +34,15 @@ struct HullOptions {
   /// Throws std::invalid_argument naming key, value and allowed range; also for an empty volume or
   /// one of more than 64 million voxels.
   void validate() const;
-  /// The lattice that covers the volume; reaches beyond volume_max by less than a voxel.
+  /// The lattice that covers the explicit volume; reaches beyond volume_max by less than a voxel.
   VoxelLattice lattice() const;
+  /// The lattice for a rig: lattice(), or where `volume` is auto the box of all that most of the
+  /// cameras see above the floor, on multiples of the pitch, so that a voxel keeps its place when
+  /// the rig changes. Throws std::invalid_argument if there is no such box or it is too large.
+  VoxelLattice lattice(const CameraRig& rig) const;
+  /// Trust in each camera of the rig, 0 to 1. Throws std::invalid_argument on an entry of
+  /// camera_trust that is not <camera>=<number> with a camera of the rig and a number of 0 to 1.
+  std::vector<double> trust(const CameraRig& rig) const;
 };
 
 /// One camera's share of an instant. Empty mats: the camera is missing at this instant.
@@ -36,42 +51,35 @@ struct HullView {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
 };
 
-struct Voter;
-
 /// Carves the visual hull of one rig in one volume (Hsiao 2008, 3.1.3; Bakken & Hilton 2012, 3.2).
-/// A voxel is foreground when at least `min_views` cameras see it and all but
-/// `missing_votes_allowed` of those have it in their silhouette. A camera that does not see a voxel
-/// (behind it, or outside its image) has no vote. Where a silhouette with a gap has cut the body in
-/// pieces, they are joined by voxels that lack up to `bridging_votes` more votes.
+/// A voxel is foreground when at least `min_views` cameras see it and those of them that have it
+/// outside their silhouette are trusted with less than 1 + `missing_votes_allowed` together. With
+/// full trust in all cameras these are `missing_votes_allowed` cameras. A camera that does not see
+/// a voxel (behind it, or outside its image) has no vote, nor has one that is trusted with 0. Where
+/// a silhouette with a gap has cut the body in pieces, they are joined by voxels that lack up to
+/// `bridging_votes` more votes. Cameras whose mask is full, or empty or without a part of a person
+/// whom the other cameras agree on, are left out and reported.
 class HullCarver {
  public:
-  /// Builds the projection table. Throws std::invalid_argument: fewer than 2 or more than 32
-  /// cameras, two cameras of one name, `min_views` above the number of cameras, a projection table
-  /// of more than 512 million entries, or a volume of which no voxel is seen by `min_views`.
+  /// Finds where each camera sees each voxel. Throws std::invalid_argument: fewer than 2 or more
+  /// than 32 cameras, two cameras of one name, `min_views` above the number of cameras, more than
+  /// 512 million pairs of voxel and camera, or a volume of which no voxel is seen by `min_views`.
   HullCarver(CameraRig rig, const HullOptions& options);
+  ~HullCarver();
+  HullCarver(HullCarver&&) noexcept;
+  HullCarver& operator=(HullCarver&&) noexcept;
 
+  /// Depends on earlier calls only where `follow` is on. Not for two threads at once.
   /// \param views one per camera of the rig, in its order; throws std::invalid_argument on a wrong
   ///   count, size or type
-  VisualHull carve(const std::vector<HullView>& views) const;
+  VisualHull carve(const std::vector<HullView>& views);
 
-  const CameraRig& rig() const { return rig_; }
-  const VoxelLattice& lattice() const { return lattice_; }
+  const CameraRig& rig() const;
+  const VoxelLattice& lattice() const;
 
  private:
-  void checkRig() const;
-  void buildProjectionTable();
-  void checkViews(const std::vector<HullView>& views) const;
-  /// Components of the foreground, largest first, pieces of one body joined.
-  std::vector<std::vector<uint32_t>> carvePieces(const std::vector<Voter>& voters) const;
-  /// Fills the hull's voxels: indices, views, colours and colour votes.
-  void describeVoxels(const std::vector<HullView>& views, const std::vector<uint32_t>& person,
-                      VisualHull* hull) const;
-
-  CameraRig rig_;
-  HullOptions options_;
-  VoxelLattice lattice_;
-  /// [camera][voxel] pixel offset y * width + x, or -1 where the camera does not see the voxel.
-  std::vector<std::vector<int32_t>> pixel_of_voxel_;
+  class State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace markerless_mocap

@@ -34,14 +34,28 @@ enum class HullStatus {
   kSeveralBodies  ///< a second component is as large as a body
 };
 
+/// A 26-connected component of the foreground.
+struct HullComponent {
+  double litres = 0;
+  double mean_views = 0;       ///< cameras that see a voxel of it, mean
+  bool poorly_seen = false;    ///< few cameras see it, far fewer than another component
+  bool suspect_ghost = false;  ///< without it every silhouette would be explained as well
+};
+
+/// A camera whose mask was found wrong and was not obeyed.
+struct LeftOutCamera {
+  std::string name;
+  std::string reason;  ///< "its mask is empty, the others see somebody before it"
+};
+
 /// What `visual_hull` makes of one instant. Voxels are sorted by index.
 struct VisualHull {
   VoxelLattice lattice;
   std::vector<HullVoxel> voxels;  ///< the person's component(s); empty unless usable
   HullStatus status = HullStatus::kNobody;
-  std::string reason;  ///< one sentence; empty when kOk
-  std::vector<double>
-      component_litres;  ///< 26-connected components before selection, largest first
+  std::string reason;                     ///< one sentence; empty when kOk
+  std::vector<HullComponent> components;  ///< before selection; the largest first, poorly seen last
+  std::vector<LeftOutCamera> cameras_left_out;
 
   double litres() const {
     const double side_dm = lattice.pitch * 10.0;

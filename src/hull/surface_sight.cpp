@@ -1,0 +1,135 @@
+#include "hull/surface_sight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace markerless_mocap {
+namespace {
+
+/// A face looks at a camera when the cosine between its normal and the ray is at least this.
+constexpr double kLeastCosine = 0.3;
+/// Voxels this far behind the nearest one of their cell are still seen, in voxels.
+constexpr double kBehind = 2.0;
+/// Cell of the depth buffer, in voxels as they appear where the piece is nearest.
+constexpr double kCell = 1.25;
+constexpr float kFar = std::numeric_limits<float>::max();
+
+Rgb colorAt(const cv::Mat& image, int x, int y) {
+  const uint8_t* bgr = image.ptr(y) + size_t(x) * size_t(image.channels());
+  return image.channels() == 3 ? Rgb{bgr[2], bgr[1], bgr[0]} : Rgb{bgr[0], bgr[0], bgr[0]};
+}
+
+}  // namespace
+
+SurfaceSight::SurfaceSight(const CameraRig& rig, const CarvingPlan& plan)
+    : plan_(plan), volume_(plan.lattice()), cell_of_leaf_(volume_.count()) {
+  for (const Camera& camera : rig) {
+    Viewpoint v;
+    v.position = camera.position();
+    v.forward = camera.calibration().T_world_camera.linear().col(2);
+    v.focal = std::max(camera.calibration().K(0, 0), camera.calibration().K(1, 1));
+    for (int bit = 0; bit < 64; ++bit)
+      v.depth_in_leaf[bit] = float(plan.lattice().pitch *
+                                   v.forward.dot(Eigen::Vector3d(bit & 3, bit >> 2 & 3, bit >> 4)));
+    viewpoints_.push_back(v);
+  }
+}
+
+void SurfaceSight::set(const Piece& piece) {
+  piece_ = piece;
+  volume_.clear();
+  corners_.clear();
+  for (size_t i = 0; i < piece.cells.size(); ++i) {
+    const Cell& cell = piece.cells[i];
+    corners_.push_back(cornerOf(plan_.lattice(), cell.leaf));
+    const Eigen::Vector3i at = corners_.back() / kLeaf;
+    volume_.set(at.x(), at.y(), at.z(), cell.voxels);
+    cell_of_leaf_[cell.leaf] = uint32_t(i);
+  }
+  after_.resize(piece.cells.size());
+  free_.resize(piece.cells.size());
+  for (size_t i = 0; i < piece.cells.size(); ++i) findNeighbors(i);
+}
+
+void SurfaceSight::findNeighbors(size_t cell) {
+  using namespace leaf_words;
+  const uint64_t word = piece_.cells[cell].voxels;
+  const Eigen::Vector3i& size = volume_.size();
+  const size_t stride[3] = {1, size_t(size.x()), size_t(size.x()) * size_t(size.y())};
+  for (int axis = 0; axis < 3; ++axis) {
+    const size_t leaf = piece_.cells[cell].leaf;
+    const int at = corners_[cell][axis] / kLeaf, far = (kLeaf - 1) * kStep[axis];
+    const uint64_t below = at > 0 ? volume_.word(leaf - stride[axis]) : 0;
+    const uint64_t above = at + 1 < size[axis] ? volume_.word(leaf + stride[axis]) : 0;
+    free_[cell][2 * axis] = word & ~(up(word, axis) | (below & kHighest[axis]) >> far);
+    free_[cell][2 * axis + 1] = word & ~(down(word, axis) | (above & kLowest[axis]) << far);
+    after_[cell][axis] = above != 0 ? int(cell_of_leaf_[leaf + stride[axis]]) : -1;
+  }
+}
+
+uint64_t SurfaceSight::facing(const Viewpoint& viewpoint, size_t cell) const {
+  const VoxelLattice& lattice = plan_.lattice();
+  const Eigen::Vector3d middle =
+      lattice.origin +
+      lattice.pitch * (corners_[cell].cast<double>().array() + kLeaf / 2.0).matrix();
+  const Eigen::Vector3d to_camera = viewpoint.position - middle;
+  const double least = kLeastCosine * to_camera.norm();
+  uint64_t voxels = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (to_camera[axis] < -least) voxels |= free_[cell][2 * axis];
+    if (to_camera[axis] > least) voxels |= free_[cell][2 * axis + 1];
+  }
+  return voxels;
+}
+
+std::vector<SurfaceSight::Candidate> SurfaceSight::candidates(size_t camera) const {
+  const VoxelLattice& lattice = plan_.lattice();
+  const Viewpoint& viewpoint = viewpoints_[camera];
+  std::vector<Candidate> found;
+  for (size_t i = 0; i < corners_.size(); ++i) {
+    const uint64_t voxels = facing(viewpoint, i);
+    if (voxels == 0) continue;
+    const uint32_t leaf = piece_.cells[i].leaf;
+    const Eigen::Vector3d lowest =
+        lattice.origin + lattice.pitch * (corners_[i].cast<double>().array() + 0.5).matrix();
+    const float depth = float(viewpoint.forward.dot(lowest - viewpoint.position));
+    const uint8_t* codes = plan_.codes(leaf, camera);
+    const PixelWindow* end = plan_.windowsEnd(leaf, camera);
+    for (const PixelWindow* w = plan_.windowsBegin(leaf, camera); w != end; ++w)
+      for (uint64_t left = w->voxels & voxels; left != 0; left &= left - 1) {
+        const int bit = __builtin_ctzll(left);
+        found.push_back({uint32_t(64 * i) + uint32_t(bit), uint16_t(w->x + (codes[bit] & 15)),
+                         uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_leaf[bit]});
+      }
+  }
+  return found;
+}
+
+SurfaceView SurfaceSight::look(size_t camera, const cv::Mat& image) const {
+  SurfaceView view;
+  view.seen.assign(corners_.size(), 0);
+  view.rgb.resize(corners_.size() * 64);
+  const std::vector<Candidate> all = candidates(camera);
+  float nearest = kFar;
+  for (const Candidate& c : all) nearest = std::min(nearest, c.depth);
+  const double pitch = plan_.lattice().pitch;
+  const double voxel_px = viewpoints_[camera].focal * pitch / std::max(double(nearest), pitch);
+  const int cell_px = std::max(1, int(std::ceil(kCell * voxel_px)));
+  const int columns = image.cols / cell_px + 1, rows = image.rows / cell_px + 1;
+  std::vector<float> depths(size_t(columns) * size_t(rows), kFar);
+  std::vector<uint32_t> places;
+  places.reserve(all.size());
+  for (const Candidate& c : all) {
+    places.push_back(uint32_t(c.y / cell_px * columns + c.x / cell_px));
+    depths[places.back()] = std::min(depths[places.back()], c.depth);
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (all[i].depth > depths[places[i]] + float(kBehind * pitch)) continue;
+    view.seen[all[i].slot / 64] |= uint64_t(1) << all[i].slot % 64;
+    view.rgb[all[i].slot] = colorAt(image, all[i].x, all[i].y);
+  }
+  return view;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "hull/ballot.h"
+#include "hull/components.h"
+#include "markerless_mocap/hull/hull_carver.h"
+
+namespace markerless_mocap {
+
+/// Cameras as bits.
+using CameraSet = uint32_t;
+
+/// Holds the masks of one instant and carves pieces with any of the cameras.
+class VotingBooth {
+ public:
+  /// Throws std::invalid_argument as HullCarver().
+  VotingBooth(const CameraRig& rig, const HullOptions& options, const VoxelLattice& lattice);
+
+  void takeMasks(const std::vector<HullView>& views);
+
+  /// Components of the foreground by the votes of `voters`, largest first, pieces of one body
+  /// joined. Cameras without a mask or trust have no vote in any case.
+  std::vector<Piece> carve(CameraSet voters, const VoxelBox& window);
+  /// The box in which anything may stand.
+  const VoxelBox& bounds() const { return bounds_; }
+
+  const CarvingPlan& plan() const { return plan_; }
+  const BitMask& mask(size_t camera) const { return masks_[camera]; }
+  CameraSet present() const { return present_; }
+
+ private:
+  const LeafVolume& vote(CameraSet voters, int more_missing, const VoxelBox& window);
+  bool isSeenEnough() const;
+
+  HullOptions options_;
+  CarvingPlan plan_;
+  std::vector<uint32_t> weights_;  ///< trust of each camera in units
+  uint32_t unit_;                  ///< weight of full trust
+  VoxelBox bounds_;
+  std::vector<BitMask> masks_;
+  CameraSet present_ = 0;
+  LeafVolume volume_;
+  ComponentFinder components_;
+};
+
+}  // namespace markerless_mocap
