@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "tools/evaluation_table.h"
+#include "tools/figure_text.h"
 #include "tools/html_text.h"
 #include "tools/svg_plot.h"
 
@@ -14,17 +14,6 @@ namespace {
 
 constexpr const char *kBlue = "#1f5fa8", *kOrange = "#e08a2c", *kGreen = "#2a9d5c";
 constexpr int kBins = 40;
-
-std::string figure(const char* format, double value) {
-  if (!std::isfinite(value)) return "–";
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string percent(double share) {
-  return figure("%.1f %%", 100.0 * share);
-}
 
 std::string colorOf(FrameStatus status) {
   constexpr const char* kColors[] = {"#b9bec4", "#c0392b", "#2a9d5c", "#e0a020"};
@@ -45,22 +34,23 @@ std::string cards(const Evaluation& evaluation) {
   const JointErrors& joints = evaluation.joints;
   const TrackRecord& record = evaluation.record;
   std::string out = "<div class=\"cards\">";
-  out += card(figure("%.1f mm", joints.D_spread.mean), "mean joint error D");
-  out += card(figure("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
-  out += card(figure("%.1f mm", joints.D_spread.max), "largest D of a frame");
-  out += card(percent(1.0 - joints.share_without_estimate), "frames with a pose");
-  out += card(percent(joints.swaps.all), "frames with sides swapped");
-  out += card(figure("%.0f ms", 1e3 * evaluation.delay.seconds), "delay of the motion");
+  out += card(figureText("%.1f mm", joints.D_spread.mean), "mean joint error D");
+  out += card(figureText("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
+  out += card(figureText("%.1f mm", joints.D_spread.max), "largest D of a frame");
+  out += card(percentText(1.0 - joints.share_without_estimate), "frames with a pose");
+  out += card(percentText(joints.share_markers_missing), "joints missing there");
+  out += card(percentText(joints.swaps.all), "frames with sides swapped");
+  out += card(figureText("%.0f ms", 1e3 * evaluation.delay.seconds), "delay of the motion");
   if (evaluation.latency_ms.count > 0)
-    out += card(figure("%.0f ms", evaluation.latency_ms.mean), "mean latency of /pose");
+    out += card(figureText("%.0f ms", evaluation.latency_ms.mean), "mean latency of /pose");
   if (!evaluation.images.instants.empty())
-    out += card(figure("%.3f", meanOfMeans(evaluation.images.body_iou)), "IoU body and masks");
+    out += card(figureText("%.3f", meanOfMeans(evaluation.images.body_iou)), "IoU body and masks");
   out += "</div>\n<p>" + std::to_string(joints.frames) +
          " frames: " + std::to_string(record.tracked) + " tracked, " +
          std::to_string(record.reinitialized) + " reinitialized, " + std::to_string(record.lost) +
          " lost, " + std::to_string(record.missing) + " missing; first pose after " +
-         figure("%.2f s", record.seconds_to_first_pose) + ", longest loss " +
-         figure("%.2f s", record.longest_loss()) + "</p>\n";
+         figureText("%.2f s", record.seconds_to_first_pose) + ", longest loss " +
+         figureText("%.2f s", record.longest_loss()) + "</p>\n";
   for (const std::string& note : evaluation.notes) out += "<p>" + escaped(note) + "</p>\n";
   return out;
 }
@@ -72,7 +62,7 @@ std::string errorOverTime(const Evaluation& evaluation) {
       {"D without constant offsets", kOrange, evaluation.joints.D_unbiased}};
   std::vector<BandCell> cells;
   for (size_t f = 0; f < seconds.size(); ++f)
-    cells.push_back({colorOf(evaluation.statuses[f]), figure("%.3f s: ", seconds[f]) +
+    cells.push_back({colorOf(evaluation.statuses[f]), figureText("%.3f s: ", seconds[f]) +
                                                           toString(evaluation.statuses[f]) + ' ' +
                                                           evaluation.reasons[f]});
   const std::vector<PlotLine> status_key{
@@ -90,7 +80,9 @@ std::string errorPerJoint(const JointErrors& joints) {
       "<table><tr><th>joint</th><th class=n>mean</th><th class=n>without offset</th>"
       "<th class=n>largest</th><th class=n>offset forward</th><th class=n>left</th>"
       "<th class=n>up</th></tr>\n";
-  const auto cell = [](double value) { return "<td class=n>" + figure("%.0f", value) + "</td>"; };
+  const auto cell = [](double value) {
+    return "<td class=n>" + figureText("%.0f", value) + "</td>";
+  };
   for (const MarkerError& marker : joints.markers) {
     rows.push_back({marker.name, {marker.mean_mm, marker.mean_unbiased_mm}});
     table += "<tr><td>" + marker.name + "</td>" + cell(marker.mean_mm) +
@@ -110,12 +102,12 @@ std::string swapsAndTips(const Evaluation& evaluation) {
   const auto row = [&](const std::string& name, const std::string& value) {
     out += "<tr><td>" + name + "</td><td class=n>" + value + "</td></tr>\n";
   };
-  row("frames with swapped sides", percent(swaps.all));
-  row("arms swapped", percent(swaps.arms));
-  row("legs swapped", percent(swaps.legs));
+  row("frames with swapped sides", percentText(swaps.all));
+  row("arms swapped", percentText(swaps.arms));
+  row("legs swapped", percentText(swaps.legs));
   for (const ExtremityError& part : evaluation.extremities) {
-    row(part.name + ", mean error", figure("%.0f mm", part.error_mm.mean));
-    row(part.name + ", right within 150 mm", percent(part.share_right));
+    row(part.name + ", mean error", figureText("%.0f mm", part.error_mm.mean));
+    row(part.name + ", right within 150 mm", percentText(part.share_right));
   }
   return out + "</table>\n";
 }
@@ -133,9 +125,9 @@ std::string overlaps(const Evaluation& evaluation) {
   if (images.instants.empty()) return "";
   std::vector<double> seconds;
   std::vector<PlotLine> lines{
-      {"silhouettes " + figure("%.3f", meanOfMeans(images.mask_iou)), kOrange, {}},
-      {"fitted body " + figure("%.3f", meanOfMeans(images.body_iou)), kBlue, {}},
-      {"hull " + figure("%.3f", images.hull_iou.mean), kGreen, {}}};
+      {"silhouettes " + figureText("%.3f", meanOfMeans(images.mask_iou)), kOrange, {}},
+      {"fitted body " + figureText("%.3f", meanOfMeans(images.body_iou)), kBlue, {}},
+      {"hull " + figureText("%.3f", images.hull_iou.mean), kGreen, {}}};
   for (const InstantOverlap& instant : images.instants) {
     seconds.push_back(double(instant.stamp_ns - evaluation.stamps_ns.front()) * 1e-9);
     lines[0].values.push_back(instant.mask);
@@ -146,8 +138,8 @@ std::string overlaps(const Evaluation& evaluation) {
       "<table><tr><th>camera</th><th class=n>silhouette</th><th class=n>body</th></tr>\n";
   for (size_t c = 0; c < images.cameras.size(); ++c)
     table += "<tr><td>" + escaped(images.cameras[c]) + "</td><td class=n>" +
-             figure("%.3f", images.mask_iou[c].mean) + "</td><td class=n>" +
-             figure("%.3f", images.body_iou[c].mean) + "</td></tr>\n";
+             figureText("%.3f", images.mask_iou[c].mean) + "</td><td class=n>" +
+             figureText("%.3f", images.body_iou[c].mean) + "</td></tr>\n";
   return "<h2>Overlap with the exact masks</h2>\n<p>intersection over union; the hull against the "
          "one carved from the exact masks</p>\n" +
          plotKey(lines) + linePlot(seconds, lines, 1.0, "") + table + "</table>\n";

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "tools/figure_text.h"
 
 namespace markerless_mocap {
 namespace {
-
-/// printf into a string; "-" for a figure that there is none of.
-std::string figure(const char* format, double value) {
-  if (!std::isfinite(value)) return "-";
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string percent(double share) {
-  return figure("%.1f %%", 100.0 * share);
-}
 
 std::string padded(std::string text, size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
@@ -32,13 +21,13 @@ void printD(const JointErrors& joints, std::ostream& out) {
   const Spread& D = joints.D_spread;
   out << "Joint error D, mm\n";
   row(out, "mean",
-      figure("%.1f", D.mean) + "   (" + figure("%.1f", joints.D_mean_unbiased) +
+      figureText("%.1f", D.mean) + "   (" + figureText("%.1f", joints.D_mean_unbiased) +
           " with the constant offset of each joint taken out)");
-  row(out, "median / 95 %", figure("%.1f", D.median) + " / " + figure("%.1f", D.p95));
-  row(out, "largest", figure("%.1f", D.max));
+  row(out, "median / 95 %", figureText("%.1f", D.median) + " / " + figureText("%.1f", D.p95));
+  row(out, "largest", figureText("%.1f", D.max));
   row(out, "swapped sides",
-      "all " + percent(joints.swaps.all) + ", arms " + percent(joints.swaps.arms) + ", legs " +
-          percent(joints.swaps.legs));
+      "all " + percentText(joints.swaps.all) + ", arms " + percentText(joints.swaps.arms) +
+          ", legs " + percentText(joints.swaps.legs));
 }
 
 void printFrames(const Evaluation& evaluation, std::ostream& out) {
@@ -46,28 +35,30 @@ void printFrames(const Evaluation& evaluation, std::ostream& out) {
   out << "Frames " << evaluation.joints.frames << '\n';
   row(out, "with a pose",
       std::to_string(evaluation.joints.frames_estimated) + "   (" +
-          percent(evaluation.joints.share_without_estimate) + " without; " +
-          percent(evaluation.joints.share_markers_missing) + " of the joints missing in the rest)");
+          percentText(evaluation.joints.share_without_estimate) + " without; " +
+          percentText(evaluation.joints.share_markers_missing) +
+          " of the joints missing in the rest)");
   row(out, "status",
       std::to_string(record.tracked) + " tracked, " + std::to_string(record.reinitialized) +
           " reinitialized, " + std::to_string(record.lost) + " lost, " +
           std::to_string(record.missing) + " missing");
-  row(out, "first pose", figure("after %.2f s", record.seconds_to_first_pose));
+  row(out, "first pose", figureText("after %.2f s", record.seconds_to_first_pose));
   row(out, "losses",
       std::to_string(record.losses.size()) +
           (record.losses.empty() ? ""
-                                 : ", the longest " + figure("%.2f s", record.longest_loss())));
+                                 : ", the longest " + figureText("%.2f s", record.longest_loss())));
   const Delay& delay = evaluation.delay;
   row(out, "delay",
       std::isfinite(delay.seconds)
-          ? figure("%.0f ms", 1e3 * delay.seconds) + "   (D " + figure("%.1f", delay.D_now_mm) +
-                " there, " + figure("%.1f", delay.D_shifted_mm) + " with the truth as late)"
+          ? figureText("%.0f ms", 1e3 * delay.seconds) + "   (D " +
+                figureText("%.1f", delay.D_now_mm) + " as it is, " +
+                figureText("%.1f", delay.D_shifted_mm) + " against the truth so much later)"
           : "-");
   const Spread& latency = evaluation.latency_ms;
   if (latency.count > 0)
     row(out, "latency",
-        figure("%.0f ms", latency.mean) + " mean, " + figure("%.0f ms", latency.p95) + " 95 %, " +
-            figure("%.0f ms", latency.max) + " largest");
+        figureText("%.0f ms", latency.mean) + " mean, " + figureText("%.0f ms", latency.p95) +
+            " 95 %, " + figureText("%.0f ms", latency.max) + " largest");
 }
 
 void printMarkers(const JointErrors& joints, std::ostream& out) {
@@ -78,9 +69,9 @@ void printMarkers(const JointErrors& joints, std::ostream& out) {
   for (const MarkerError& marker : joints.markers) {
     const double share = std::isfinite(marker.mean_mm) ? marker.mean_mm / largest : 0.0;
     row(out, marker.name,
-        padded(figure("%.0f", marker.mean_mm), 5) +
-            padded(figure("%.0f", marker.mean_unbiased_mm), 11) +
-            padded(figure("%.0f", marker.max_mm), 8) + "  " +
+        padded(figureText("%.0f", marker.mean_mm), 5) +
+            padded(figureText("%.0f", marker.mean_unbiased_mm), 11) +
+            padded(figureText("%.0f", marker.max_mm), 8) + "  " +
             std::string(size_t(std::lround(28 * share)), '#'));
   }
 }
@@ -89,7 +80,7 @@ void printRest(const Evaluation& evaluation, std::ostream& out) {
   out << "Hands and feet\n";
   for (const ExtremityError& part : evaluation.extremities)
     row(out, part.name,
-        figure("%.0f mm", part.error_mm.mean) + ", right in " + percent(part.share_right));
+        figureText("%.0f mm", part.error_mm.mean) + ", right in " + percentText(part.share_right));
   if (!evaluation.angles.empty()) {
     const auto worst = std::max_element(evaluation.angles.begin(), evaluation.angles.end(),
                                         [](const AngleError& a, const AngleError& b) {
@@ -99,15 +90,15 @@ void printRest(const Evaluation& evaluation, std::ostream& out) {
     for (const AngleError& angle : evaluation.angles) means.push_back(angle.error_deg.mean);
     out << "Joint angles, degrees\n";
     row(out, "mean",
-        figure("%.1f", spreadOf(means).mean) + "   (worst " + worst->joint + ", " +
-            figure("%.1f", worst->error_deg.mean) + ")");
+        figureText("%.1f", spreadOf(means).mean) + "   (worst " + worst->joint + ", " +
+            figureText("%.1f", worst->error_deg.mean) + ")");
   }
   const ImageMeasures& images = evaluation.images;
   if (images.instants.empty()) return;
   out << "Overlap with the exact masks, IoU over " << images.instants.size() << " instants\n";
-  row(out, "silhouettes", figure("%.3f", meanOfMeans(images.mask_iou)));
-  row(out, "fitted body", figure("%.3f", meanOfMeans(images.body_iou)));
-  row(out, "hull", figure("%.3f", images.hull_iou.mean));
+  row(out, "silhouettes", figureText("%.3f", meanOfMeans(images.mask_iou)));
+  row(out, "fitted body", figureText("%.3f", meanOfMeans(images.body_iou)));
+  row(out, "hull", figureText("%.3f", images.hull_iou.mean));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kTileWidth = 320;  // pixels
+constexpr double kRoom = 1.25;   // times what mask and body cover
 const cv::Scalar kBodyColor(60, 200, 60), kMaskColor(40, 40, 230);
 
 cv::Mat backdrop(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask) {
@@ -27,27 +28,51 @@ cv::Mat backdrop(const Camera& camera, const CameraFrame& frame, const cv::Mat& 
 void drawMask(const cv::Mat& mask, cv::Mat* picture) {
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(mask, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
-  cv::drawContours(*picture, outlines, -1, kMaskColor, 2);
+  cv::drawContours(*picture, outlines, -1, kMaskColor, 1, cv::LINE_AA);
+}
+
+/// What mask and body cover and some room around it, as broad for its height as the image.
+cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& body) {
+  const cv::Rect whole({0, 0}, image);
+  cv::Rect shown;
+  if (!mask.empty()) shown |= cv::boundingRect(mask);
+  if (!body.empty()) shown |= cv::boundingRect(body);
+  if (shown.empty()) return whole;
+  const double share = std::min(1.0, kRoom * std::max(double(shown.width) / image.width,
+                                                      double(shown.height) / image.height));
+  const cv::Size size(int(share * image.width), int(share * image.height));
+  const cv::Point middle = (shown.tl() + shown.br()) / 2;
+  return {{std::clamp(middle.x - size.width / 2, 0, image.width - size.width),
+           std::clamp(middle.y - size.height / 2, 0, image.height - size.height)},
+          size};
+}
+
+cv::Mat resized(const cv::Mat& mat, int interpolation) {
+  cv::Mat out;
+  cv::resize(mat, out, {kTileWidth, kTileWidth * mat.rows / mat.cols}, 0, 0, interpolation);
+  return out;
+}
+
+std::string labelOf(const Camera& camera, const cv::Mat& mask, const cv::Mat& body) {
+  if (mask.empty() || body.empty()) return camera.name();
+  char iou[16];
+  std::snprintf(iou, sizeof iou, "  %.2f", maskIou(body, mask));
+  return camera.name() + iou;
 }
 
 cv::Mat tileOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask,
                const cv::Mat& body) {
   cv::Mat picture = backdrop(camera, frame, mask);
-  std::string label = camera.name();
   if (!body.empty()) {
     cv::Mat filled = picture.clone();
     filled.setTo(kBodyColor, body);
     cv::addWeighted(picture, 0.5, filled, 0.5, 0.0, picture);
   }
-  if (!mask.empty()) drawMask(mask, &picture);
-  if (!mask.empty() && !body.empty()) {
-    char iou[16];
-    std::snprintf(iou, sizeof iou, "  %.2f", maskIou(body, mask));
-    label += iou;
-  }
-  cv::Mat tile;
-  cv::resize(picture, tile, {kTileWidth, kTileWidth * picture.rows / picture.cols}, 0, 0,
-             cv::INTER_AREA);
+  const cv::Rect shown = partToShow(picture.size(), mask, body);
+  const bool smaller = shown.width > kTileWidth;
+  cv::Mat tile = resized(picture(shown), smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  if (!mask.empty()) drawMask(resized(mask(shown), cv::INTER_NEAREST), &tile);
+  const std::string label = labelOf(camera, mask, body);
   cv::putText(tile, label, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.55, {0, 0, 0}, 3, cv::LINE_AA);
   cv::putText(tile, label, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.55, {255, 255, 255}, 1,
               cv::LINE_AA);

@@ -1,0 +1,20 @@
+#include "tools/figure_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace markerless_mocap {
+
+std::string figureText(const char* format, double value) {
+  if (!std::isfinite(value)) return "-";
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  const std::string out = text;
+  return out == "-0" ? "0" : out;
+}
+
+std::string percentText(double share) {
+  return figureText("%.1f %%", 100.0 * share);
+}
+
+}  // namespace markerless_mocap
