@@ -62,6 +62,8 @@ std::optional<VoxelGrid> readGrid(const std::string& path) {
 }
 
 HullOptions onLattice(HullOptions rules, const VoxelLattice& lattice) {
+  rules.volume = "explicit";
+  rules.follow = false;  // the person may be anywhere in it
   rules.pitch = lattice.pitch;
   rules.volume_min = lattice.origin;
   rules.volume_max = lattice.origin + lattice.pitch * lattice.size.cast<double>();
@@ -141,7 +143,7 @@ ImageMeasures ImageJudge::measure(const HullOptions& rules,
 void ImageJudge::measureHulls(const HullOptions& rules, ImageMeasures* measures) {
   const std::optional<VoxelGrid> grid = readGrid(results_);
   if (!grid || !hasTrueMasks()) return;
-  const HullCarver carver(recording_.rig(), onLattice(rules, latticeFromMessage(*grid)));
+  HullCarver carver(recording_.rig(), onLattice(rules, latticeFromMessage(*grid)));
   rosbag::Bag bag;
   openForReading(results_, bag);
   std::vector<double> overlaps;

@@ -129,7 +129,7 @@ class EvaluationTest : public ToolTest {
                     int64_t later_ns = 0) const {
     HullOptions hull_options;
     hull_options.pitch = 0.1;
-    const HullCarver carver(rig_, hull_options);
+    HullCarver carver(rig_, hull_options);
     NewBag bag(request_.results);
     ResultWriter writer(&bag, model_, world);
     writer.writeDescription(kBegin, humanUrdf());
