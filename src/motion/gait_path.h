@@ -30,7 +30,7 @@ class GaitPath {
  private:
   double fps_;
   std::vector<double> move_times_;
-  std::vector<double> x_, y_, heading_;  ///< sampled from kLead seconds before the beginning
+  std::vector<double> x_, y_, heading_;  ///< sampled, beginning a second before the motion
 };
 
 }  // namespace markerless_mocap

@@ -54,7 +54,6 @@ inline void measureBends(const HumanPose& pose, MotionMeasures& m) {
   add(hingeBend(pose, Bone::kRightUpperArm, Bone::kRightForearm, -y, z));
 }
 
-/// \param down metres above the floor below which a resting point counts as standing
 inline MotionMeasures measure(const MotionClip& clip, const HumanSkeleton& s) {
   MotionMeasures m;
   m.sign_jump = 1.0;
