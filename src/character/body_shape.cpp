@@ -100,16 +100,17 @@ BodyParts BodyShape::parts(const Vector3d& p) const {
   return parts;
 }
 
-double BodyShape::upper(const BodyParts& parts) const {
-  return smoothUnion(smoothUnion(parts.torso, parts.arm, scaled(0.05)), parts.head, scaled(0.03));
+double BodyShape::torsoAndArm(const BodyParts& parts) const {
+  return smoothUnion(parts.torso, parts.arm, scaled(0.05));
 }
 
-double BodyShape::lower(const BodyParts& parts) const {
+double BodyShape::torsoAndLeg(const BodyParts& parts) const {
   return smoothUnion(smoothUnion(parts.torso, parts.leg, scaled(0.035)), parts.foot, scaled(0.02));
 }
 
 double BodyShape::whole(const BodyParts& parts) const {
-  return std::min(smoothUnion(upper(parts), parts.hand, scaled(0.012)), lower(parts));
+  const double upper = smoothUnion(torsoAndArm(parts), parts.head, scaled(0.03));
+  return std::min(smoothUnion(upper, parts.hand, scaled(0.012)), torsoAndLeg(parts));
 }
 
 }  // namespace markerless_mocap

@@ -24,9 +24,9 @@ class BodyShape {
   BodyShape(const HumanSkeleton& skeleton, const BodyBuild& build);
 
   BodyParts parts(const Eigen::Vector3d& p) const;
-  /// Parts that clothes cover together, their seams filled.
-  double upper(const BodyParts& parts) const;
-  double lower(const BodyParts& parts) const;
+  // Parts together, their seams filled.
+  double torsoAndArm(const BodyParts& parts) const;
+  double torsoAndLeg(const BodyParts& parts) const;
   double whole(const BodyParts& parts) const;
 
   const HumanSkeleton& skeleton() const { return skeleton_; }

@@ -118,10 +118,10 @@ DressedShape::DressedShape(const BodyShape& body, const CharacterOptions& option
 double DressedShape::shirt(const Vector3d& p, const BodyParts& parts) const {
   const HumanSkeleton& s = body_.skeleton();
   const Vector3d neck = s.headOf(Bone::kNeck), elbow = s.headOf(Bone::kLeftForearm);
-  const double round = 0.008;
+  const double round = 0.008, womanly = 1.0 - body_.build().male;
   const double sleeve_end = elbow.y() + (loose_ ? length(.09, .08) : -length(.10, .09));
   const double hem = loose_ ? length(.83, .79) : length(.945, .892);
-  double d = body_.upper(parts) - (loose_ ? 0.008 : 0.006);
+  double d = body_.torsoAndArm(parts) - (loose_ ? 0.008 : 0.007);
   if (loose_) {
     const double chest = length(1.30, 1.225);
     const double cloth = smoothUnion(shirt_->distance(p), sleeve_->distance(p), length(.06, .055));
@@ -129,22 +129,25 @@ double DressedShape::shirt(const Vector3d& p, const BodyParts& parts) const {
                         0.003 * std::sin(41.0 * p.y() - 23.0 * p.x() + 11.0 * p.z());
     d = smoothUnion(smoothIntersection(d, chest - p.z(), 0.05), cloth + fold, 0.03);
   }
-  const double collar = p.z() + 0.5 * (p.x() - neck.x()) - neck.z() + length(.012, .020);
-  d = smoothIntersection(d, collar, round);
+  const double collar = p.z() + 0.5 * (p.x() - neck.x()) - neck.z() - length(.022, .012);
+  const double scoop =
+      ellipsoid(p, neck + Vector3d(length(.045, .045), 0, length(.012, .010)),
+                length(1, .95) * Vector3d(.060, .075 + .01 * womanly, .060 + .02 * womanly));
+  d = smoothIntersection(smoothIntersection(d, collar, round), -scoop, round);
   d = smoothIntersection(d, p.y() - sleeve_end, round);
   return smoothIntersection(d, hem - p.z(), round);
 }
 
 double DressedShape::trousers(const Vector3d& p, const BodyParts& parts) const {
   const double waist = length(1.03, 0.985);
-  double d = body_.lower(parts) - 0.004;
+  double d = body_.torsoAndLeg(parts) - 0.004;
   if (loose_) {
     const double fold = 0.004 * std::sin(29.0 * p.z() + 13.0 * p.x()) +
                         0.003 * std::sin(47.0 * p.z() - 31.0 * p.y());
     const double cloth = smoothIntersection(trouser_->distance(p) + fold, 0.006 - p.y(), 0.008);
     d = smoothUnion(d, cloth, 0.02);
   }
-  d = smoothIntersection(d, length(loose_ ? .035 : .085, loose_ ? .033 : .08) - p.z(), 0.008);
+  d = smoothIntersection(d, length(loose_ ? .030 : .080, loose_ ? .028 : .075) - p.z(), 0.008);
   return smoothIntersection(d, p.z() - waist, 0.008);
 }
 
@@ -168,13 +171,14 @@ double DressedShape::hair(const Vector3d& p, const BodyParts& parts) const {
 std::array<double, kLayerCount> DressedShape::layers(const Vector3d& p) const {
   const Vector3d half(p.x(), std::abs(p.y()), p.z());
   const BodyParts parts = body_.parts(half);
-  const double cuff = length(.10, .095);
+  const double cuff = length(.085, .08);
   std::array<double, kLayerCount> d;
   d[size_t(Layer::kSkin)] = body_.whole(parts);
   d[size_t(Layer::kShirt)] = shirt(half, parts);
   d[size_t(Layer::kTrousers)] = bare_legs_ ? kNone : trousers(half, parts);
   d[size_t(Layer::kSkirt)] = bare_legs_ ? skirt(half) : kNone;
-  d[size_t(Layer::kShoes)] = smoothIntersection(parts.foot - 0.002, half.z() - cuff, 0.01);
+  const double shoe = smoothUnion(parts.foot, parts.leg, length(.03, .028)) - 0.003;
+  d[size_t(Layer::kShoes)] = smoothIntersection(shoe, half.z() - cuff, 0.008);
   d[size_t(Layer::kHair)] = hair(half, parts);
   return d;
 }

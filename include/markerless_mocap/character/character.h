@@ -28,8 +28,9 @@ struct Character {
   ColoredMesh mesh;
   std::vector<VertexWeights> weights;  ///< of each vertex
 
-  /// The mesh's vertices in the world. Linear blend skinning, with the twist of forearm and upper
-  /// arm spread along them. Writes into `vertices` (resized).
+  /// The mesh's vertices in the world: dual quaternion skinning, so that bent and twisted limbs
+  /// keep their girth, with the twist of forearm, upper arm and thigh spread along them. Writes
+  /// into `vertices` (resized).
   void pose(const HumanPose& pose, std::vector<Eigen::Vector3f>& vertices) const;
 };
 
