@@ -123,7 +123,7 @@ double DressedShape::shirt(const Vector3d& p, const BodyParts& parts) const {
   const double hem = loose_ ? length(.83, .79) : length(.945, .892);
   double d = body_.torsoAndArm(parts) - (loose_ ? 0.008 : 0.007);
   if (loose_) {
-    const double chest = length(1.30, 1.225);
+    const double chest = length(1.19, 1.12);
     const double cloth = smoothUnion(shirt_->distance(p), sleeve_->distance(p), length(.06, .055));
     const double fold = 0.004 * std::sin(34.0 * p.z() + 9.0 * p.x() + 4.0 * std::sin(17 * p.y())) +
                         0.003 * std::sin(41.0 * p.y() - 23.0 * p.x() + 11.0 * p.z());

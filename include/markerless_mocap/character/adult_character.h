@@ -5,9 +5,8 @@
 
 namespace markerless_mocap {
 
-/// A person of the given size, sex, weight and dress: one closed surface (or several: a loose shirt
-/// may leave none open either), mirror-symmetric, about 20000 vertices. Same options, same person.
-/// Throws std::invalid_argument if the options do.
+/// A person of the given size, sex, weight and dress as closed, mirror-symmetric surface of about
+/// 20000 vertices. Same options, same person. Throws std::invalid_argument if the options do.
 Character makeCharacter(const CharacterOptions& options);
 
 }  // namespace markerless_mocap
