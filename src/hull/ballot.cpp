@@ -10,9 +10,6 @@
 namespace markerless_mocap {
 namespace {
 
-/// Cameras as bits.
-using Cameras = uint32_t;
-
 class Octree {
  public:
   Octree(const CarvingPlan& plan, const Ballot& ballot, LeafVolume* volume)
@@ -42,12 +39,12 @@ class Octree {
 
   /// \param open cameras that have not decided on a block around this one
   /// \param against weight of those that have decided against it
-  void decide(int level_index, const Eigen::Vector3i& at, Cameras open, uint32_t against) const {
+  void decide(int level_index, const Eigen::Vector3i& at, CameraSet open, uint32_t against) const {
     const int side = kLeaf << level_index;
     if (!window_.meets(at * side, (at.array() + 1).matrix() * side)) return;
     const BlockLevel& level = plan_.level(level_index);
     const size_t block = level.blockAt(at.x(), at.y(), at.z());
-    const Cameras some = level.sees_some[block] & voters_;
+    const CameraSet some = level.sees_some[block] & voters_;
     if (__builtin_popcount(some) < ballot_.min_views) return;
     open &= some;
     if (!ask(level, block, &open, &against)) return;
@@ -63,10 +60,10 @@ class Octree {
 
   /// Asks the open cameras about a block as a whole; takes those that decide out of `open`. False
   /// if no voxel of the block stands.
-  bool ask(const BlockLevel& level, size_t block, Cameras* open, uint32_t* against) const {
+  bool ask(const BlockLevel& level, size_t block, CameraSet* open, uint32_t* against) const {
     const TileBox* tiles = &level.tiles[block * plan_.cameras()];
     for (const uint8_t c : order_) {
-      const Cameras bit = 1u << c;
+      const CameraSet bit = 1u << c;
       if ((*open & bit) == 0) continue;
       const TileCount count = ballot_.masks[c]->count(tiles[c]);
       if (count.any == 0 && (level.sees_all[block] & bit) != 0) {
@@ -80,7 +77,7 @@ class Octree {
     return true;
   }
 
-  void decideLeaf(const Eigen::Vector3i& at, size_t leaf, Cameras open, uint32_t against,
+  void decideLeaf(const Eigen::Vector3i& at, size_t leaf, CameraSet open, uint32_t against,
                   bool views_known) const {
     uint64_t word = leaf_words::inside(window_, at * kLeaf);
     word &= ballot_.limit - against == 1 ? unopposed(leaf, open, word)
@@ -94,7 +91,7 @@ class Octree {
     volume_->set(at.x(), at.y(), at.z(), word);
   }
 
-  uint64_t unopposed(size_t leaf, Cameras open, uint64_t word) const {
+  uint64_t unopposed(size_t leaf, CameraSet open, uint64_t word) const {
     for (const uint8_t c : order_) {
       if ((open >> c & 1) == 0 || ballot_.weights[c] == 0) continue;
       word &= ~objection(leaf, c);
@@ -103,7 +100,7 @@ class Octree {
     return word;
   }
 
-  uint64_t scarcelyOpposed(size_t leaf, Cameras open, uint32_t against) const {
+  uint64_t scarcelyOpposed(size_t leaf, CameraSet open, uint32_t against) const {
     BitCounter counter(against);
     for (const uint8_t c : order_)
       if (open >> c & 1) counter.add(objection(leaf, c), ballot_.weights[c]);
@@ -117,7 +114,7 @@ class Octree {
     return (sees_all ? kAllVoxels : plan_.seen(leaf, camera)) & ~set;
   }
 
-  void descend(int level_index, const Eigen::Vector3i& at, Cameras open, uint32_t against) const {
+  void descend(int level_index, const Eigen::Vector3i& at, CameraSet open, uint32_t against) const {
     const Eigen::Vector3i& size = plan_.level(level_index).size;
     const Eigen::Vector3i low = 2 * at, high = (low.array() + 2).min(size.array());
     for (int z = low.z(); z < high.z(); ++z)
@@ -140,7 +137,7 @@ class Octree {
   const Ballot& ballot_;
   LeafVolume* volume_;
   VoxelBox window_;
-  Cameras voters_ = 0;
+  CameraSet voters_ = 0;
   std::vector<uint8_t> order_;
 };
 

@@ -110,7 +110,8 @@ std::vector<Piece> PieceBridging::bridge(std::vector<Piece> pieces, size_t least
   std::vector<Piece> result;
   for (Piece& piece : pieces) {
     Piece both;
-    if (!result.empty() && piece.voxels >= least_voxels) both = joined(ground, result[0], piece);
+    const bool may_belong = !piece.suspect_ghost && piece.voxels >= least_voxels;
+    if (!result.empty() && may_belong) both = joined(ground, result[0], piece);
     if (both.voxels == 0)
       result.push_back(std::move(piece));
     else

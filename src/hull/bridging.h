@@ -8,8 +8,8 @@
 namespace markerless_mocap {
 
 /// Joins pieces of one body that a lost vote has cut apart. Each further piece of at least
-/// `least_voxels` is joined to the largest one by the voxels on the shortest ways between the two
-/// through `loose` and all pieces, if any are shorter than 0.5 m.
+/// `least_voxels` that is no suspect ghost is joined to the largest one by the voxels on the
+/// shortest ways between the two through `loose` and all pieces, if any are shorter than 0.5 m.
 class PieceBridging {
  public:
   /// What stands in a box when more votes may be missing.

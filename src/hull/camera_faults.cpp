@@ -15,6 +15,8 @@ constexpr int kCamerasAtAGlance = 3;
 /// and by this much further than without any other camera.
 constexpr double kCured = 0.5;
 constexpr double kLead = 0.1;
+/// Leaves with so many voxels of 64 reach all their tiles, others those of their voxels.
+constexpr int kReachesAll = 48;
 
 int columnsOf(const Camera& camera) {
   return (camera.width() + 7) / 8;
@@ -138,6 +140,10 @@ void FaultFinder::reach(size_t camera, const Cell& cell) {
   const CarvingPlan& plan = booth_->plan();
   const int columns = columnsOf(rig_[camera]), rows = int(reached_.size()) / columns;
   const TileBox& leaf = plan.level(0).tiles[cell.leaf * rig_.size() + camera];
+  if (__builtin_popcountll(cell.voxels) >= kReachesAll) {
+    forEachTile(leaf, columns, [&](size_t tile) { reached_[tile] = 1; });
+    return;
+  }
   // Half the way to the next voxel, where that is more than a tile.
   const int half = leaf.x1 == 0 ? 0 : std::max(leaf.x1 - leaf.x0, leaf.y1 - leaf.y0) / kLeaf / 2;
   const uint8_t* codes = plan.codes(cell.leaf, camera);

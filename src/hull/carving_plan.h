@@ -9,6 +9,9 @@
 
 namespace markerless_mocap {
 
+/// Cameras as bits.
+using CameraSet = uint32_t;
+
 /// Voxels of one leaf whose pixels in one camera lie in one window of 16 x 16 pixels.
 struct PixelWindow {
   uint64_t voxels;
@@ -17,9 +20,9 @@ struct PixelWindow {
 
 /// One size of blocks: what each camera sees of each block.
 struct BlockLevel {
-  Eigen::Vector3i size;             ///< blocks
-  std::vector<uint32_t> sees_some;  ///< per block, a bit per camera: it sees at least one voxel
-  std::vector<uint32_t> sees_all;
+  Eigen::Vector3i size;              ///< blocks
+  std::vector<CameraSet> sees_some;  ///< per block: cameras that see at least one voxel
+  std::vector<CameraSet> sees_all;
   std::vector<TileBox> tiles;  ///< [block][camera], tiles of the pixels of the voxels it sees
 
   size_t blockAt(int x, int y, int z) const { return (size_t(z) * size.y() + y) * size.x() + x; }

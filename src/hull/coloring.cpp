@@ -21,39 +21,41 @@ void forEachSlot(uint64_t voxels, size_t cell, Visit visit) {
   for (; voxels != 0; voxels &= voxels - 1) visit(64 * cell + size_t(__builtin_ctzll(voxels)));
 }
 
-/// Sum of colours per slot.
-struct ColorSum {
-  uint16_t rgb[3] = {0, 0, 0};
-  uint16_t count = 0;
+}  // namespace
 
-  void add(const Rgb& color) {
-    for (int c = 0; c < 3; ++c) rgb[c] = uint16_t(rgb[c] + color[c]);
-    ++count;
-  }
-  Rgb mean() const {
-    Rgb color;
-    for (int c = 0; c < 3; ++c) color[c] = uint8_t((rgb[c] + count / 2) / count);
-    return color;
-  }
-};
+HullPainter::HullPainter(const CameraRig& rig, const CarvingPlan& plan, double color_vote_distance)
+    // An integer below a square that may have a fraction is below its ceiling.
+    : limit_(int(std::ceil(color_vote_distance * color_vote_distance))),
+      sight_(rig, plan),
+      views_(rig.size()) {}
 
-std::vector<ColorSum> sumColors(const std::vector<SurfaceView>& views, size_t cells) {
-  std::vector<ColorSum> sums(cells * 64);
-  for (const SurfaceView& view : views)
-    for (size_t cell = 0; cell < view.seen.size(); ++cell)
-      forEachSlot(view.seen[cell], cell, [&](size_t slot) { sums[slot].add(view.rgb[slot]); });
-  return sums;
+void HullPainter::ColorSum::add(const Rgb& color) {
+  for (int c = 0; c < 3; ++c) rgb[c] = uint16_t(rgb[c] + color[c]);
+  ++count;
 }
 
-void setColors(const std::vector<ColorSum>& sums, const std::vector<PieceVoxel>& order,
-               std::vector<HullVoxel>* voxels) {
+Rgb HullPainter::ColorSum::mean() const {
+  Rgb color;
+  for (int c = 0; c < 3; ++c) color[c] = uint8_t((rgb[c] + count / 2) / count);
+  return color;
+}
+
+void HullPainter::sumColors(size_t cells) {
+  sums_.assign(cells * 64, ColorSum());
+  for (const SurfaceView& view : views_)
+    for (size_t cell = 0; cell < view.seen.size(); ++cell)
+      forEachSlot(view.seen[cell], cell, [&](size_t slot) { sums_[slot].add(view.rgb[slot]); });
+}
+
+void HullPainter::setColors(const std::vector<PieceVoxel>& order,
+                            std::vector<HullVoxel>* voxels) const {
   const auto passOn = [&](size_t from, size_t to) {
     const uint32_t a = order[from].index, b = order[to].index;
-    return sums[order[to].slot].count == 0 && (a > b ? a - b : b - a) == 1;
+    return sums_[order[to].slot].count == 0 && (a > b ? a - b : b - a) == 1;
   };
   std::vector<bool> known(order.size());
   for (size_t i = 0; i < order.size(); ++i) {
-    const ColorSum& sum = sums[order[i].slot];
+    const ColorSum& sum = sums_[order[i].slot];
     const bool before = sum.count == 0 && i > 0 && known[i - 1] && passOn(i - 1, i);
     known[i] = sum.count > 0 || before;
     (*voxels)[i].rgb = sum.count > 0 ? sum.mean() : before ? (*voxels)[i - 1].rgb : kGrey;
@@ -65,22 +67,20 @@ void setColors(const std::vector<ColorSum>& sums, const std::vector<PieceVoxel>&
     }
 }
 
-/// Votes of one camera along one axis.
-void addVotes(const SurfaceSight& sight, const SurfaceView& view, int axis, int limit,
-              std::vector<ColorVotes>* votes) {
+void HullPainter::addVotes(const SurfaceView& view, int axis) {
   using namespace leaf_words;
   const int step = kStep[axis], far = (kLeaf - 1) * step;
   for (size_t cell = 0; cell < view.seen.size(); ++cell) {
     const uint64_t seen = view.seen[cell];
     if (seen == 0) continue;
     const auto compare = [&](size_t slot, size_t other) {
-      ColorVotes& of_voxel = (*votes)[slot];
+      ColorVotes& of_voxel = votes_[slot];
       ++of_voxel.possible[axis];
-      if (squaredDistance(view.rgb[slot], view.rgb[other]) < limit) ++of_voxel.votes[axis];
+      if (squaredDistance(view.rgb[slot], view.rgb[other]) < limit_) ++of_voxel.votes[axis];
     };
     forEachSlot(seen & down(seen, axis), cell,
                 [&](size_t slot) { compare(slot, slot + size_t(step)); });
-    const int after = sight.cellAfter(cell, axis);
+    const int after = sight_.cellAfter(cell, axis);
     if (after < 0) continue;
     const uint64_t across = seen & (view.seen[size_t(after)] & kLowest[axis]) << far;
     forEachSlot(across, cell,
@@ -88,24 +88,21 @@ void addVotes(const SurfaceSight& sight, const SurfaceView& view, int axis, int 
   }
 }
 
-}  // namespace
-
-void colorVoxels(SurfaceSight* sight, const Piece& piece, const std::vector<PieceVoxel>& order,
-                 const std::vector<cv::Mat>& images, double color_vote_distance,
-                 std::vector<HullVoxel>* voxels) {
-  sight->set(piece);
-  std::vector<SurfaceView> views(images.size());
+void HullPainter::paint(const Piece& piece, const std::vector<PieceVoxel>& order,
+                        const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels) {
+  sight_.set(piece);
   tbb::parallel_for(size_t(0), images.size(), [&](size_t c) {
-    if (!images[c].empty()) views[c] = sight->look(c, images[c]);
+    if (images[c].empty())
+      views_[c].seen.clear();
+    else
+      sight_.look(c, images[c], &views_[c]);
   });
-  setColors(sumColors(views, piece.cells.size()), order, voxels);
-
-  std::vector<ColorVotes> votes(piece.cells.size() * 64);
-  // Below the limit: an integer below a square that may have a fraction is below its ceiling.
-  const int limit = int(std::ceil(color_vote_distance * color_vote_distance));
-  for (const SurfaceView& view : views)
-    for (int axis = 0; axis < 3; ++axis) addVotes(*sight, view, axis, limit, &votes);
-  for (size_t i = 0; i < order.size(); ++i) (*voxels)[i].color_votes = votes[order[i].slot];
+  sumColors(piece.cells.size());
+  setColors(order, voxels);
+  votes_.assign(piece.cells.size() * 64, ColorVotes());
+  for (const SurfaceView& view : views_)
+    for (int axis = 0; axis < 3; ++axis) addVotes(view, axis);
+  for (size_t i = 0; i < order.size(); ++i) (*voxels)[i].color_votes = votes_[order[i].slot];
 }
 
 }  // namespace markerless_mocap

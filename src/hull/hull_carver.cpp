@@ -82,7 +82,7 @@ class HullCarver::State {
         lattice_(latticeOf(rig_, options_)),
         booth_(rig_, options_, lattice_),
         faults_(rig_, options_.min_views, &booth_),
-        sight_(rig_, booth_.plan()) {}
+        painter_(rig_, booth_.plan(), options_.color_vote_distance) {}
 
   VisualHull carve(const std::vector<HullView>& views);
 
@@ -103,7 +103,7 @@ class HullCarver::State {
   VoxelLattice lattice_;
   VotingBooth booth_;
   FaultFinder faults_;
-  SurfaceSight sight_;
+  HullPainter painter_;
   std::optional<VoxelBox> followed_;  ///< around the last person
 };
 
@@ -164,23 +164,30 @@ void HullCarver::State::describe(const Piece& person, CameraSet voters,
       images[c] = views[c].image;
       any = true;
     }
-  if (any) colorVoxels(&sight_, person, order, images, options_.color_vote_distance, &hull->voxels);
+  if (any) painter_.paint(person, order, images, &hull->voxels);
 }
 
 void HullCarver::State::countViews(const Piece& person, const std::vector<PieceVoxel>& order,
                                    CameraSet voters, std::vector<HullVoxel>* voxels) const {
-  const BlockLevel& leaves = booth_.plan().level(0);
+  const CarvingPlan& plan = booth_.plan();
+  const BlockLevel& leaves = plan.level(0);
+  std::vector<uint8_t> seen_whole;  // cameras that see all of a cell
+  std::vector<CameraSet> seen_in_part;
+  for (const Cell& cell : person.cells) {
+    const CameraSet all = leaves.sees_all[cell.leaf] & voters;
+    seen_whole.push_back(uint8_t(__builtin_popcount(all)));
+    seen_in_part.push_back(leaves.sees_some[cell.leaf] & voters & ~all);
+  }
   for (size_t i = 0; i < order.size(); ++i) {
-    const uint32_t leaf = person.cells[order[i].slot / 64].leaf;
-    const CameraSet all = leaves.sees_all[leaf] & voters;
+    const size_t cell = order[i].slot / 64;
     HullVoxel& voxel = (*voxels)[i];
     voxel.index = order[i].index;
     voxel.rgb = {128, 128, 128};
-    voxel.views = uint8_t(__builtin_popcount(all));
-    for (CameraSet part = leaves.sees_some[leaf] & voters & ~all; part != 0; part &= part - 1)
-      voxel.views = uint8_t(
-          voxel.views +
-          (booth_.plan().seen(leaf, size_t(__builtin_ctz(part))) >> order[i].slot % 64 & 1));
+    voxel.views = seen_whole[cell];
+    for (CameraSet part = seen_in_part[cell]; part != 0; part &= part - 1) {
+      const uint64_t seen = plan.seen(person.cells[cell].leaf, size_t(__builtin_ctz(part)));
+      voxel.views = uint8_t(voxel.views + (seen >> order[i].slot % 64 & 1));
+    }
   }
 }
 

@@ -34,6 +34,11 @@ double meanViews(const Piece& piece, const CarvingPlan& plan, CameraSet voters) 
   return double(views) / double(piece.voxels);
 }
 
+/// Whether nothing speaks against taking the component for a body.
+bool isTrusted(const HullComponent& component) {
+  return !component.poorly_seen && !component.suspect_ghost;
+}
+
 }  // namespace
 
 MaskSurvey surveyMasks(const CameraRig& rig, const VotingBooth& booth) {
@@ -83,6 +88,7 @@ std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan
     HullComponent component;
     component.litres = double(piece.voxels) * voxel_litres;
     component.mean_views = meanViews(piece, plan, voters);
+    component.suspect_ghost = piece.suspect_ghost;
     if (component.litres >= min_component_litres)
       most_views = std::max(most_views, component.mean_views);
     components.push_back(component);
@@ -92,7 +98,7 @@ std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan
   std::vector<size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), size_t(0));
   std::stable_partition(order.begin(), order.end(),
-                        [&](size_t i) { return !components[i].poorly_seen; });
+                        [&](size_t i) { return isTrusted(components[i]); });
   std::vector<Piece> ranked;
   for (const size_t i : order) {
     ranked.push_back(std::move(pieces[i]));
@@ -114,7 +120,7 @@ const Piece* selectPerson(const std::vector<Piece>& pieces, double min_component
       hull->reason += "; the mask of " + namesOf(masks.empty, rig) + " is empty";
     return nullptr;
   }
-  if (components.size() > 1 && !components[1].poorly_seen &&
+  if (components.size() > 1 && isTrusted(components[1]) &&
       components[1].litres >= kSecondBodyShare * components[0].litres &&
       components[1].litres >= kSecondBodyLitres) {
     hull->status = HullStatus::kSeveralBodies;

@@ -24,7 +24,8 @@ std::string namesOf(CameraSet cameras, const CameraRig& rig);
 bool refuseMasks(const MaskSurvey& masks, CameraSet usable, const CameraRig& rig, int min_views,
                  VisualHull* hull);
 
-/// Measures the pieces, puts poorly seen ones behind the others, and fills `components`.
+/// Measures the pieces, puts poorly seen ones and suspects behind the others, and fills
+/// `components`.
 std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan, CameraSet voters,
                               double min_component_litres, VisualHull* hull);
 

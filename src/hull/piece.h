@@ -17,6 +17,7 @@ struct Cell {
 struct Piece {
   std::vector<Cell> cells;
   size_t voxels = 0;
+  bool suspect_ghost = false;
 
   void add(uint32_t leaf, uint64_t bits) {
     cells.push_back({leaf, bits});

@@ -83,10 +83,10 @@ uint64_t SurfaceSight::facing(const Viewpoint& viewpoint, size_t cell) const {
   return voxels;
 }
 
-std::vector<SurfaceSight::Candidate> SurfaceSight::candidates(size_t camera) const {
+void SurfaceSight::findCandidates(size_t camera, SurfaceView* view) const {
   const VoxelLattice& lattice = plan_.lattice();
   const Viewpoint& viewpoint = viewpoints_[camera];
-  std::vector<Candidate> found;
+  view->candidates.clear();
   for (size_t i = 0; i < corners_.size(); ++i) {
     const uint64_t voxels = facing(viewpoint, i);
     if (voxels == 0) continue;
@@ -99,37 +99,37 @@ std::vector<SurfaceSight::Candidate> SurfaceSight::candidates(size_t camera) con
     for (const PixelWindow* w = plan_.windowsBegin(leaf, camera); w != end; ++w)
       for (uint64_t left = w->voxels & voxels; left != 0; left &= left - 1) {
         const int bit = __builtin_ctzll(left);
-        found.push_back({uint32_t(64 * i) + uint32_t(bit), uint16_t(w->x + (codes[bit] & 15)),
-                         uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_leaf[bit]});
+        view->candidates.push_back(
+            {uint32_t(64 * i) + uint32_t(bit), uint16_t(w->x + (codes[bit] & 15)),
+             uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_leaf[bit]});
       }
   }
-  return found;
 }
 
-SurfaceView SurfaceSight::look(size_t camera, const cv::Mat& image) const {
-  SurfaceView view;
-  view.seen.assign(corners_.size(), 0);
-  view.rgb.resize(corners_.size() * 64);
-  const std::vector<Candidate> all = candidates(camera);
+void SurfaceSight::look(size_t camera, const cv::Mat& image, SurfaceView* view) const {
+  findCandidates(camera, view);
   float nearest = kFar;
-  for (const Candidate& c : all) nearest = std::min(nearest, c.depth);
+  for (const SurfaceView::Candidate& c : view->candidates) nearest = std::min(nearest, c.depth);
   const double pitch = plan_.lattice().pitch;
   const double voxel_px = viewpoints_[camera].focal * pitch / std::max(double(nearest), pitch);
   const int cell_px = std::max(1, int(std::ceil(kCell * voxel_px)));
   const int columns = image.cols / cell_px + 1, rows = image.rows / cell_px + 1;
-  std::vector<float> depths(size_t(columns) * size_t(rows), kFar);
-  std::vector<uint32_t> places;
-  places.reserve(all.size());
-  for (const Candidate& c : all) {
-    places.push_back(uint32_t(c.y / cell_px * columns + c.x / cell_px));
-    depths[places.back()] = std::min(depths[places.back()], c.depth);
+  view->depths.assign(size_t(columns) * size_t(rows), kFar);
+  view->places.clear();
+  for (const SurfaceView::Candidate& c : view->candidates) {
+    const uint32_t place = uint32_t(c.y / cell_px * columns + c.x / cell_px);
+    view->places.push_back(place);
+    view->depths[place] = std::min(view->depths[place], c.depth);
   }
-  for (size_t i = 0; i < all.size(); ++i) {
-    if (all[i].depth > depths[places[i]] + float(kBehind * pitch)) continue;
-    view.seen[all[i].slot / 64] |= uint64_t(1) << all[i].slot % 64;
-    view.rgb[all[i].slot] = colorAt(image, all[i].x, all[i].y);
+  view->seen.assign(corners_.size(), 0);
+  view->rgb.resize(corners_.size() * 64);
+  const float behind = float(kBehind * pitch);
+  for (size_t i = 0; i < view->candidates.size(); ++i) {
+    const SurfaceView::Candidate& c = view->candidates[i];
+    if (c.depth > view->depths[view->places[i]] + behind) continue;
+    view->seen[c.slot / 64] |= uint64_t(1) << c.slot % 64;
+    view->rgb[c.slot] = colorAt(image, c.x, c.y);
   }
-  return view;
 }
 
 }  // namespace markerless_mocap

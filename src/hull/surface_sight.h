@@ -15,6 +15,16 @@ using Rgb = std::array<uint8_t, 3>;
 struct SurfaceView {
   std::vector<uint64_t> seen;  ///< voxels per cell
   std::vector<Rgb> rgb;        ///< per slot, valid where seen
+
+  /// Whether the voxel's surface looks at the camera, and where.
+  struct Candidate {
+    uint32_t slot;
+    uint16_t x, y;
+    float depth;  ///< m
+  };
+  std::vector<Candidate> candidates;
+  std::vector<float> depths;     ///< the nearest, per cell of the depth buffer
+  std::vector<uint32_t> places;  ///< cell of the depth buffer, per candidate
 };
 
 /// Which cameras see the surface of a hull: a camera sees a voxel when a free face of it looks at
@@ -26,7 +36,8 @@ class SurfaceSight {
 
   /// The hull that the following looks are at.
   void set(const Piece& piece);
-  SurfaceView look(size_t camera, const cv::Mat& image) const;
+  /// Memory of the last view is used again.
+  void look(size_t camera, const cv::Mat& image, SurfaceView* view) const;
   /// Position in the piece of the cell one leaf further along the axis; -1: it has none there.
   int cellAfter(size_t cell, int axis) const { return after_[cell][axis]; }
 
@@ -37,16 +48,9 @@ class SurfaceSight {
     double focal;             ///< px
     float depth_in_leaf[64];  ///< m, over that of the leaf's lowest voxel
   };
-  /// A voxel whose surface looks at the camera.
-  struct Candidate {
-    uint32_t slot;
-    uint16_t x, y;
-    float depth;
-  };
-
   void findNeighbors(size_t cell);
   uint64_t facing(const Viewpoint& viewpoint, size_t cell) const;
-  std::vector<Candidate> candidates(size_t camera) const;
+  void findCandidates(size_t camera, SurfaceView* view) const;
 
   const CarvingPlan& plan_;
   std::vector<Viewpoint> viewpoints_;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hull/bridging.h"
+#include "hull/ghosts.h"
 
 namespace markerless_mocap {
 namespace {
@@ -27,7 +28,8 @@ VoxelBox boundsOf(const HullOptions& options, const VoxelLattice& lattice) {
 
 VotingBooth::VotingBooth(const CameraRig& rig, const HullOptions& options,
                          const VoxelLattice& lattice)
-    : options_(options),
+    : rig_(rig),
+      options_(options),
       plan_(rig, lattice),
       bounds_(boundsOf(options, lattice)),
       masks_(rig.size()),
@@ -85,11 +87,14 @@ std::vector<Piece> VotingBooth::carve(CameraSet voters, const VoxelBox& window) 
   const size_t least =
       std::max<size_t>(1, size_t(std::ceil(options_.min_component_litres / voxel_litres)));
   std::vector<Piece> pieces = components_.find(vote(voters, 0, window), lattice);
+  markGhosts(rig_, plan_, masks_, voters & present_, &pieces);
+  std::stable_partition(pieces.begin(), pieces.end(),
+                        [](const Piece& piece) { return !piece.suspect_ghost; });
   double litres = 0;
   for (const Piece& piece : pieces) litres += double(piece.voxels) * voxel_litres;
   if (litres > kMostLitresOfOneBody) return pieces;
   for (int more = 1; more <= options_.bridging_votes; ++more) {
-    if (pieces.size() < 2 || pieces[1].voxels < least) break;
+    if (pieces.size() < 2 || pieces[1].suspect_ghost || pieces[1].voxels < least) break;
     const PieceBridging bridging(lattice, [&](const VoxelBox& box) -> const LeafVolume& {
       return vote(voters, more, {box.low.cwiseMax(window.low), box.high.cwiseMin(window.high)});
     });

@@ -8,19 +8,16 @@
 
 namespace markerless_mocap {
 
-/// Cameras as bits.
-using CameraSet = uint32_t;
-
 /// Holds the masks of one instant and carves pieces with any of the cameras.
 class VotingBooth {
  public:
-  /// Throws std::invalid_argument as HullCarver().
+  /// Throws std::invalid_argument as HullCarver(). The rig must live as long.
   VotingBooth(const CameraRig& rig, const HullOptions& options, const VoxelLattice& lattice);
 
   void takeMasks(const std::vector<HullView>& views);
 
-  /// Components of the foreground by the votes of `voters`, largest first, pieces of one body
-  /// joined. Cameras without a mask or trust have no vote in any case.
+  /// Components of the foreground by the votes of `voters`, largest first, suspect ghosts last,
+  /// pieces of one body joined. Cameras without a mask or trust have no vote in any case.
   std::vector<Piece> carve(CameraSet voters, const VoxelBox& window);
   /// The box in which anything may stand.
   const VoxelBox& bounds() const { return bounds_; }
@@ -33,6 +30,7 @@ class VotingBooth {
   const LeafVolume& vote(CameraSet voters, int more_missing, const VoxelBox& window);
   bool isSeenEnough() const;
 
+  const CameraRig& rig_;
   HullOptions options_;
   CarvingPlan plan_;
   std::vector<uint32_t> weights_;  ///< trust of each camera in units

@@ -83,7 +83,8 @@ TEST(SurfaceSight, SeesAroundWhatStandsBeforeAndNotThrough) {
   SurfaceSight sight(rig, plan);
   const Piece piece = plates(lattice);
   sight.set(piece);
-  const SurfaceView view = sight.look(0, flat({0, 0, 0}));
+  SurfaceView view;
+  sight.look(0, flat({0, 0, 0}), &view);
   std::vector<bool> seen(lattice.count());
   int seen_on_wall = 0;
   for (const PieceVoxel& voxel : inLatticeOrder(piece, lattice))

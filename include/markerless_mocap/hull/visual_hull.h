@@ -39,7 +39,7 @@ struct HullComponent {
   double litres = 0;
   double mean_views = 0;       ///< cameras that see a voxel of it, mean
   bool poorly_seen = false;    ///< few cameras see it, far fewer than another component
-  bool suspect_ghost = false;  ///< without it every silhouette would be explained as well
+  bool suspect_ghost = false;  ///< without it the others would explain every silhouette as well
 };
 
 /// A camera whose mask was found wrong and was not obeyed.
@@ -54,7 +54,7 @@ struct VisualHull {
   std::vector<HullVoxel> voxels;  ///< the person's component(s); empty unless usable
   HullStatus status = HullStatus::kNobody;
   std::string reason;                     ///< one sentence; empty when kOk
-  std::vector<HullComponent> components;  ///< before selection; the largest first, poorly seen last
+  std::vector<HullComponent> components;  ///< before selection: largest first, poorly seen ones and suspects last
   std::vector<LeftOutCamera> cameras_left_out;
 
   double litres() const {
