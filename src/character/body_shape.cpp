@@ -41,9 +41,9 @@ double BodyShape::torso(const Vector3d& p) const {
   // Breast or chest muscle.
   d = smoothUnion(d,
                   ellipsoid(p,
-                            Vector3d(scaled(.050 + .020 * breast), build_.length(.080, .076),
+                            Vector3d(scaled(.050 + .013 * breast), build_.length(.080, .076),
                                      chest - scaled(.012 * breast)),
-                            at(.058 + .022 * breast, .072 - .004 * breast, .058 + .008 * breast)),
+                            at(.058 + .017 * breast, .072 - .004 * breast, .058 + .008 * breast)),
                   scaled(0.03));
   // Buttock.
   const double round = 1.0 + 0.25 * fat;

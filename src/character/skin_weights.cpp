@@ -109,8 +109,13 @@ class ShareField {
     const Vector3d &ankle = joint(Bone::kLeftFoot), &ball = joint(Bone::kLeftToes);
     if (layer == Layer::kSkirt) {  // between the legs it follows both
       const double left = ramp(q.y(), 0.0, scaled(0.14));
-      shares[int(Bone::kLeftThigh)] += share * left;
-      shares[int(Bone::kRightThigh)] += share * (1.0 - left);
+      // Over a bent knee the hem hangs down.
+      const double hem =
+          0.6 * ramp(joint(Bone::kLeftShank).z() + scaled(0.05) - q.z(), 0.0, scaled(0.10));
+      shares[int(Bone::kLeftThigh)] += share * (1.0 - hem) * left;
+      shares[int(Bone::kRightThigh)] += share * (1.0 - hem) * (1.0 - left);
+      shares[int(Bone::kLeftShank)] += share * hem * left;
+      shares[int(Bone::kRightShank)] += share * hem * (1.0 - left);
       return;
     }
     const double shank = ramp(joint(Bone::kLeftShank).z() - q.z(), 0.0, scaled(0.05));
