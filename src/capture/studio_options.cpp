@@ -3,26 +3,34 @@
 namespace markerless_mocap {
 
 void StudioOptions::visit(OptionVisitor& v) {
-  v.field("cameras", cameras, 2, 32, "cameras, named cam0, cam1, ...");
-  v.field("overhead", overhead, "the last camera hangs above the centre instead of in the ring");
-  v.field("width", width, 16, 8192, "image width, pixels");
-  v.field("height", height, 16, 8192, "image height, pixels");
-  v.field("horizontal_view_deg", horizontal_view_deg, 10, 140, "horizontal field of view, degrees");
-  v.field("ring_radius", ring_radius, 1, 20, "horizontal distance of the ring from the centre, m");
-  v.field("ring_height", ring_height, 0.1, 10, "height of the ring above the floor, m");
-  v.field("overhead_height", overhead_height, 2.5, 20,
-          "height of the overhead camera above the floor, m");
-  v.field("distortion_k1", distortion_k1, -0.2, 0.2, "first radial distortion coefficient");
+  v.field(
+      "motion", motion, {},
+      "what the person does: name of a file in config/motions, or path of a .yaml or .bvh file");
+  v.field("motion_start", motion_start, 0, 3600, "seconds of the motion that are left out");
+  v.field("bend_radius", bend_radius, -20, 20,
+          "the way over the floor is wound up on a circle of this radius, m; negative: to the "
+          "right; 0: as it is");
+  v.field("duration", duration, 0, 3600,
+          "length of the motion after the empty room, s; 0: once through; longer: over and over");
+  v.field("stage", stage, 0.5, 20,
+          "no joint may go further from the centre in x or y than this, m");
+  v.field(
+      "rig", rig, {},
+      "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file; cameras are named "
+      "cam0, cam1, ...");
+  v.field("width", width, 16, 8192, "image width, pixels; a rig file has its own");
+  v.field("height", height, 16, 8192, "image height, pixels; a rig file has its own");
+  v.field("distortion_k1", distortion_k1, -0.2, 0.2,
+          "first radial distortion coefficient; random8 and rig files have their own");
   v.field("fps", fps, 1, 240, "instants per second");
-  v.field("duration", duration, 0.1, 3600, "length of the motion after the empty room, s");
   v.field("background_frames", background_frames, 0, 10000,
           "instants of the empty room at the start");
-  v.field("stature", stature, 0.5, 2.5, "of the person, m");
-  v.field("walk_radius", walk_radius, 0.2, 10, "radius of the circle that is walked, m");
-  v.field("walk_speed", walk_speed, 0, 1.5, "of the person, m/s");
-  v.field("noise_levels", noise_levels, 0, 40,
-          "standard deviation of the sensor noise, grey levels of 255");
-  v.field("seed", seed, 0, 1000000000, "of the sensor noise");
+  v.field("seed", seed, 0, 1000000000, "of the room, the random rig and all troubles");
+  v.field("character_file", character_file, {},
+          "rigged character (.glb, .gltf, .dae, .fbx) in place of the package's own; its stature "
+          "counts, bones are found by name");
+  character.visit(v);
+  troubles.visit(v);
 }
 
 void StudioOptions::validate() const {

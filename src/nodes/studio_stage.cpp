@@ -1,15 +1,17 @@
 #include "nodes/studio_stage.h"
 
 #include <ros/master.h>
+#include <ros/package.h>
 #include <ros/param.h>
 #include <rosgraph_msgs/Clock.h>
-#include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
 
+#include "markerless_mocap/capture/truth.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "markerless_mocap/ros/pose_conversions.h"
+#include "markerless_mocap/ros/truth_conversions.h"
 #include "nodes/body_description.h"
 #include "nodes/publish_shared.h"
 
@@ -18,8 +20,15 @@ namespace {
 
 constexpr int64_t kClockStart = 1000'000'000'000;  // nanoseconds
 
-std::string opticalFrame(const Camera& camera) {
-  return camera.name() + "_optical";
+StudioFiles packageFiles(const StudioNodeOptions& options) {
+  return {readUrdfTemplate(options.urdf_template),
+          ros::package::getPath("markerless_mocap") + "/config/motions"};
+}
+
+std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
+  std::vector<CameraCalibration> out;
+  for (const Camera& camera : rig) out.push_back(camera.calibration());
+  return out;
 }
 
 }  // namespace
@@ -28,7 +37,7 @@ StudioStage::StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private
                          const StudioOptions& options, const StudioNodeOptions& node_options)
     : handle_(handle),
       node_options_(node_options),
-      studio_(readUrdfTemplate(node_options.urdf_template), node_options.body_id, options),
+      studio_(options, packageFiles(node_options), node_options.body_id),
       status_(handle, private_handle, "virtual studio") {
   ros::param::set("/human_description_" + node_options_.body_id, studio_.urdf());
   advertise(handle);
@@ -41,19 +50,18 @@ void StudioStage::advertise(ros::NodeHandle& handle) {
   for (const Camera& camera : studio_.rig()) {
     images_.push_back(handle.advertise<sensor_msgs::Image>(camera.name() + "/image_raw", 4));
     infos_.push_back(handle.advertise<sensor_msgs::CameraInfo>(camera.name() + "/camera_info", 4));
+    masks_.push_back(
+        handle.advertise<sensor_msgs::Image>("ground_truth/" + camera.name() + "/silhouette", 4));
   }
-  truth_ = handle.advertise<sensor_msgs::JointState>("ground_truth/joint_states", 4);
+  joints_ = handle.advertise<JointPositions>("ground_truth/joints", 4);
+  joint_states_ = handle.advertise<sensor_msgs::JointState>("ground_truth/joint_states", 4);
   if (node_options_.clock) clock_ = handle.advertise<rosgraph_msgs::Clock>("/clock", 4);
 }
 
 void StudioStage::publishRig() {
-  std::vector<geometry_msgs::TransformStamped> transforms;
-  for (const Camera& camera : studio_.rig()) {
-    transforms.push_back(tf2::eigenToTransform(camera.calibration().T_world_camera));
-    transforms.back().header.frame_id = node_options_.world_frame;
-    transforms.back().child_frame_id = opticalFrame(camera);
-  }
-  static_broadcaster_.sendTransform(transforms);
+  static_broadcaster_.sendTransform(
+      transformsOf(calibrationsOf(studio_.rig()), ros::Time(0), node_options_.world_frame)
+          .transforms);
 }
 
 bool StudioStage::isAwaited() const {
@@ -91,24 +99,33 @@ void StudioStage::publish(const StudioInstant& instant, const ros::Time& stamp) 
   std_msgs::Header header;
   header.stamp = stamp;
   for (size_t i = 0; i < images_.size(); ++i) {
-    header.frame_id = opticalFrame(studio_.rig()[i]);
-    sensor_msgs::CameraInfo info = messageFromCalibration(studio_.rig()[i].calibration());
-    info.header = header;
-    infos_[i].publish(info);
-    publishShared(images_[i], messageFromMat(instant.images[i], header));
+    header.frame_id = opticalFrame(studio_.rig()[i].name());
+    publishCamera(i, instant, header);
   }
   header.frame_id = node_options_.world_frame;
   if (instant.person) publishTruth(instant, header);
 }
 
+void StudioStage::publishCamera(size_t i, const StudioInstant& instant,
+                                const std_msgs::Header& header) {
+  if (masks_[i].getNumSubscribers() > 0)
+    publishShared(masks_[i], messageFromMat(instant.masks[i], header));
+  if (instant.images[i].empty()) return;
+  sensor_msgs::CameraInfo info = messageFromCalibration(studio_.rig()[i].calibration());
+  info.header = header;
+  infos_[i].publish(info);
+  publishShared(images_[i], messageFromMat(instant.images[i], header));
+}
+
 void StudioStage::publishTruth(const StudioInstant& instant, const std_msgs::Header& header) {
+  joints_.publish(messageFromPoints(truthNames(), instant.points, header));
+  joint_states_.publish(messageFromAngles(studio_.body(), instant.body.angles, header));
   BodyPose pose;
   pose.status = PoseStatus::kTracked;
   pose.T_world_body = instant.body.T_world_body;
   pose.angles = instant.body.angles;
   pose.part_seen.fill(true);
-  truth_.publish(jointStateFromPose(studio_.model(), pose, header));
-  broadcaster_.sendTransform(linkTransforms(studio_.model(), pose, header));
+  broadcaster_.sendTransform(linkTransforms(studio_.body(), pose, header));
 }
 
 }  // namespace markerless_mocap

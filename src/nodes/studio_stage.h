@@ -26,6 +26,7 @@ class StudioStage {
   bool isAwaited() const;
   void tick();
   void publish(const StudioInstant& instant, const ros::Time& stamp);
+  void publishCamera(size_t camera, const StudioInstant& instant, const std_msgs::Header& header);
   void publishTruth(const StudioInstant& instant, const std_msgs::Header& header);
 
   ros::NodeHandle handle_;
@@ -33,8 +34,8 @@ class StudioStage {
   VirtualStudio studio_;
   StageStatus status_;
   int next_ = 0;
-  std::vector<ros::Publisher> images_, infos_;  ///< by camera
-  ros::Publisher clock_, truth_;
+  std::vector<ros::Publisher> images_, infos_, masks_;  ///< by camera
+  ros::Publisher clock_, joints_, joint_states_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::WallTimer timer_;

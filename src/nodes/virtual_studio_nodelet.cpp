@@ -9,7 +9,8 @@
 
 namespace markerless_mocap {
 
-/// A film of a rendered person: images, camera_info, tf and `ground_truth/joint_states`.
+/// A film of a rendered person: images, camera_info, tf, `ground_truth/joints`, `joint_states` and
+/// `<camera>/silhouette`.
 class VirtualStudioNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

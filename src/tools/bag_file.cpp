@@ -18,13 +18,14 @@ void openForReading(const std::string& path, rosbag::Bag& bag) {
   }
 }
 
-NewBag::NewBag(std::string path) : path_(std::move(path)), active_path_(path_ + ".active") {
+NewBag::NewBag(std::string path, rosbag::CompressionType compression)
+    : path_(std::move(path)), active_path_(path_ + ".active") {
   try {
     bag_.open(active_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException&) {
     throw std::runtime_error("cannot write " + active_path_);
   }
-  bag_.setCompression(rosbag::compression::LZ4);
+  bag_.setCompression(compression);
 }
 
 NewBag::~NewBag() {

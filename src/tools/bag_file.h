@@ -12,11 +12,11 @@ namespace markerless_mocap {
 void openForReading(const std::string& path, rosbag::Bag& bag);
 
 /// A bag that gets its name only when it is whole: written to <path>.active, renamed by commit().
-/// Without commit() nothing is left behind. Chunks are compressed by LZ4.
+/// Without commit() nothing is left behind.
 class NewBag {
  public:
   /// Throws std::runtime_error if the file cannot be written.
-  explicit NewBag(std::string path);
+  explicit NewBag(std::string path, rosbag::CompressionType compression = rosbag::compression::LZ4);
   ~NewBag();
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;

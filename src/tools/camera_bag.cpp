@@ -23,8 +23,8 @@ void checkSize(const CameraCalibration& camera, const cv::Mat& pixels) {
 }  // namespace
 
 CameraBag::CameraBag(const std::string& path, std::vector<CameraCalibration> cameras,
-                     int jpeg_quality)
-    : cameras_(std::move(cameras)), jpeg_quality_(jpeg_quality), bag_(path) {
+                     int jpeg_quality, rosbag::CompressionType compression)
+    : cameras_(std::move(cameras)), jpeg_quality_(jpeg_quality), bag_(path, compression) {
   for (const CameraCalibration& camera : cameras_) camera.validate();
 }
 

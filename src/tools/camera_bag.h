@@ -17,7 +17,8 @@ class CameraBag {
   /// \param cameras complete calibrations, metres, z up; throws std::invalid_argument if one is not
   ///   valid
   /// \param jpeg_quality 1 to 100; 0: raw images
-  CameraBag(const std::string& path, std::vector<CameraCalibration> cameras, int jpeg_quality);
+  CameraBag(const std::string& path, std::vector<CameraCalibration> cameras, int jpeg_quality,
+            rosbag::CompressionType compression = rosbag::compression::LZ4);
 
   /// To be called once, before the first instant.
   void writeTransforms(int64_t stamp_ns);
@@ -25,6 +26,8 @@ class CameraBag {
   ///   Throws std::invalid_argument if their size is not the camera's.
   void write(int64_t stamp_ns, size_t camera, const cv::Mat& image, const cv::Mat& mask);
   void commit() { bag_.commit(); }
+  /// For what else belongs into the recording.
+  NewBag& bag() { return bag_; }
 
  private:
   void writeImage(const std::string& name, const std_msgs::Header& header, const cv::Mat& image);

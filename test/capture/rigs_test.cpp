@@ -41,7 +41,7 @@ TEST(RigsTest, everyCameraOfEveryRigSeesTheWholeStage) {
 }
 
 TEST(RigsTest, aTallPersonWithRaisedArmsIsInViewAnywhereOnTheStage) {
-  for (const std::string& kind : {"ring8", "ring7_overhead", "ring4", "ceiling4"})
+  for (const char* kind : {"ring8", "ring7_overhead", "ring4", "ceiling4"})
     for (const Camera& camera : makeRig(planOf(kind)))
       for (const double x : {-0.9, 0.0, 0.9})
         for (const double y : {-0.9, 0.0, 0.9})

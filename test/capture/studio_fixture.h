@@ -8,7 +8,7 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "markerless_mocap/capture/studio_options.h"
+#include "markerless_mocap/capture/virtual_studio.h"
 
 namespace markerless_mocap {
 
@@ -23,9 +23,13 @@ inline std::shared_ptr<const BodyModel> human() {
       BodyModel::fromUrdf(fillUrdfTemplate(humanTemplate(), "person1", proportions), "person1"));
 }
 
+inline StudioFiles packageFiles() {
+  return {humanTemplate(), std::string(MOCAP_SOURCE_DIR) + "/config/motions"};
+}
+
 inline StudioOptions smallStudio() {
   StudioOptions options;
-  options.cameras = 4;
+  options.rig = "ring4";
   options.width = 160;
   options.height = 120;
   options.background_frames = 3;

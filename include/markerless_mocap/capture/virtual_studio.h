@@ -8,36 +8,50 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/capture/body_motion.h"
-#include "markerless_mocap/capture/renderer.h"
+#include "markerless_mocap/capture/body_state.h"
 #include "markerless_mocap/capture/studio_options.h"
 
 namespace markerless_mocap {
 
-/// All cameras at one instant, with the truth.
-struct StudioInstant {
-  int64_t time_ns = 0;          ///< since the first instant
-  std::vector<cv::Mat> images;  ///< by camera, CV_8UC3 BGR, with sensor noise
-  std::vector<cv::Mat> masks;   ///< by camera, CV_8UC1, 0 | 255, exact
-  bool person = false;          ///< false while the room is empty; then there is no truth below
-  BodyState body;
-  std::vector<Eigen::Vector3d> markers;  ///< markerPositions(), world metres
+/// Files of the package that the studio needs.
+struct StudioFiles {
+  std::string urdf_template;   ///< text of urdf/human.urdf.in
+  std::string motions_folder;  ///< path of config/motions
 };
 
-/// A body's own shape, moving before a ring of cameras in a room. Each instant is a function of its
+/// All cameras at one instant, with the truth.
+struct StudioInstant {
+  int64_t time_ns = 0;               ///< since the first instant
+  std::vector<cv::Mat> images;       ///< by camera, CV_8UC3 BGR; empty where dropped
+  std::vector<cv::Mat> silhouettes;  ///< by camera, CV_8UC1, 0 | 255; damaged; empty where dropped
+  std::vector<cv::Mat> masks;        ///< by camera, CV_8UC1, 0 | 255, exact
+  bool person = false;  ///< false while the room is empty; then there is no truth below
+  BodyState body;       ///< of body()
+  std::vector<Eigen::Vector3d> points;  ///< of truthNames(), world metres
+};
+
+class StudioCast;
+class StudioCameras;
+
+/// A dressed person, moving before a rig of cameras in a room. Each instant is a function of its
 /// index alone, so any can be asked for, from any thread, and the same options give the same bytes.
 class VirtualStudio {
  public:
-  /// \param urdf_template text of urdf/human.urdf.in
-  /// \param body_id of the person
-  /// Throws std::invalid_argument on bad options, template or id.
-  VirtualStudio(const std::string& urdf_template, const std::string& body_id,
-                const StudioOptions& options);
+  /// \param body_id of the URDF body that is driven by the person
+  /// Throws std::invalid_argument or std::runtime_error with one sentence on bad options, files or
+  /// id and when the motion leaves the stage.
+  VirtualStudio(const StudioOptions& options, const StudioFiles& files, const std::string& body_id);
+  ~VirtualStudio();
 
   const StudioOptions& options() const { return options_; }
-  const CameraRig& rig() const { return rig_; }
-  const BodyModel& model() const { return *model_; }
-  const std::string& urdf() const { return urdf_; }
+  /// The cameras as their calibration tells them, off by calibration_error_px.
+  const CameraRig& rig() const;
+  /// Where the cameras really are.
+  const CameraRig& trueRig() const;
+  /// The URDF body that the person drives.
+  const BodyModel& body() const;
+  const std::string& urdf() const;
+  double stature() const;  ///< of the person, metres
   /// Empty-room instants and those of the motion.
   int instantCount() const;
   /// \param index from 0; the first `background_frames` show the empty room, beyond
@@ -45,12 +59,11 @@ class VirtualStudio {
   StudioInstant render(int index) const;
 
  private:
+  void film(int index, double seconds, StudioInstant* instant) const;
+
   StudioOptions options_;
-  std::string urdf_;
-  std::shared_ptr<const BodyModel> model_;
-  WalkAndWave motion_;
-  CameraRig rig_;
-  std::vector<ViewRenderer> renderers_;  ///< by camera
+  std::unique_ptr<const StudioCameras> cameras_;
+  std::unique_ptr<const StudioCast> cast_;
 };
 
 }  // namespace markerless_mocap

@@ -1,0 +1,92 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "tools/body_file.h"
+#include "tools/progress.h"
+#include "tools/render_capture.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The run ends by itself, so that it can remove what it has begun to write; a second signal ends
+/// it at once.
+void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+struct Arguments {
+  RenderOptions render;
+  std::string config, motion, rig, urdf_template;
+  std::vector<std::string> changes;
+  bool quiet = false;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  RenderOptions& render = arguments->render;
+  app.add_option("output", render.output, "bag to write; replaced if it exists")->required();
+  app.add_option("--config", arguments->config, "YAML file with a section virtual_studio");
+  app.add_option("--motion", arguments->motion,
+                 "name of a motion in config/motions, or path of a .yaml or .bvh file");
+  app.add_option("--rig", arguments->rig,
+                 "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
+  app.add_option("--set", arguments->changes, "KEY=VALUE of the section, may be given repeatedly");
+  app.add_option("--images", render.images, "raw, jpeg or none")->capture_default_str();
+  app.add_option("--jpeg-quality", render.jpeg_quality, "1 to 100")->capture_default_str();
+  app.add_flag("--masks", render.masks, "write <camera>/silhouette too, spoilt by mask_damage");
+  app.add_option("--compression", render.compression, "of the bag: lz4 or none")
+      ->capture_default_str();
+  app.add_option("--rig-out", render.rig_out, "rig file to write");
+  app.add_option("--id", render.body_id, "id of the true body")->capture_default_str();
+  app.add_option("--urdf-template", arguments->urdf_template, "in place of the package's own body");
+  app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
+}
+
+std::vector<std::pair<std::string, std::string>> changesOf(const Arguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> changes;
+  for (const std::string& text : arguments.changes) {
+    const size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0)
+      throw std::invalid_argument("--set is given \"" + text + "\", allowed is KEY=VALUE");
+    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return changes;
+}
+
+void run(Arguments* arguments) {
+  RenderOptions& render = arguments->render;
+  render.studio = readStudioOptions(arguments->config, changesOf(*arguments));
+  if (!arguments->motion.empty()) render.studio.motion = arguments->motion;
+  if (!arguments->rig.empty()) render.studio.rig = arguments->rig;
+  const std::string& urdf = arguments->urdf_template;
+  render.files.urdf_template = readText(urdf.empty() ? packageFile("urdf/human.urdf.in") : urdf);
+  render.files.motions_folder = packageFile("config/motions");
+  render.interrupted = [] { return interrupted != 0; };
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
+  const RenderSummary summary = renderCapture(render, notes, errorsGoToTerminal());
+  if (notes) print(summary, *notes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Films a virtual person into a bag, with the ground truth.", "render_capture");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(&arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "render_capture: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}
