@@ -16,6 +16,14 @@ std::array<uint64_t, 256> makeByteTable() {
   return table;
 }
 
+/// Without the processor's own instruction, which not every one has.
+uint64_t countBits(uint64_t word) {
+  word -= word >> 1 & 0x5555555555555555u;
+  word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
+  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+  return word * 0x0101010101010101u >> 56;
+}
+
 uint64_t bitsUpTo(int last) {
   return last == 63 ? ~uint64_t(0) : (uint64_t(1) << (last + 1)) - 1;
 }
@@ -44,14 +52,17 @@ BitMask BitMask::fromMat(const cv::Mat& mask) {
   return bits;
 }
 
-cv::Mat BitMask::toMat() const {
+void unpackBits(const uint64_t* bits, int n, uint8_t* bytes) {
   static const std::array<uint64_t, 256> kBytes = makeByteTable();
+  const auto eight = [&](int i) { return &kBytes[bits[i >> 6] >> (i & 63) & 255]; };
+  int i = 0;
+  for (; i + 8 <= n; i += 8) std::memcpy(bytes + i, eight(i), 8);
+  if (i < n) std::memcpy(bytes + i, eight(i), n - i);
+}
+
+cv::Mat BitMask::toMat() const {
   cv::Mat mask(rows_, cols_, CV_8UC1);
-  for (int y = 0; y < rows_; ++y) {
-    uint8_t* out = mask.ptr(y);
-    for (int x = 0; x < cols_; x += 8)
-      std::memcpy(out + x, &kBytes[row(y)[x >> 6] >> (x & 63) & 255], std::min(8, cols_ - x));
-  }
+  for (int y = 0; y < rows_; ++y) unpackBits(row(y), cols_, mask.ptr(y));
   return mask;
 }
 
@@ -74,13 +85,9 @@ uint64_t BitMask::tailBits() const {
   return bitsUpTo((cols_ - 1) & 63);
 }
 
-bool BitMask::isEmptyRow(int y) const {
-  return std::all_of(row(y), row(y) + row_words_, [](uint64_t word) { return word == 0; });
-}
-
 size_t BitMask::count() const {
   size_t set = 0;
-  for (const uint64_t word : words_) set += __builtin_popcountll(word);
+  for (const uint64_t word : words_) set += countBits(word);
   return set;
 }
 

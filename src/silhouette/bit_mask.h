@@ -34,7 +34,6 @@ class BitMask {
   void fill(int y, int first, int last, bool value);
   /// The valid bits of a row's last word.
   uint64_t tailBits() const;
-  bool isEmptyRow(int y) const;
   size_t count() const;
 
  private:
@@ -44,6 +43,9 @@ class BitMask {
 
 /// Packs 64 flags, 0 | 1, into a word.
 uint64_t packFlags(const uint8_t* flags);
+
+/// The reverse: n bytes, 0 | 255.
+void unpackBits(const uint64_t* bits, int n, uint8_t* bytes);
 
 /// Calls `visit(x)` for each set bit of a word whose lowest bit is pixel `x0`.
 template <class VisitT>

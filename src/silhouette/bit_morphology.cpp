@@ -6,27 +6,50 @@
 namespace markerless_mocap {
 namespace {
 
-/// out |= in moved right and left by `s` pixels. `out` is not `in`.
-void orMoved(const uint64_t* in, int words, int s, uint64_t* out) {
-  const int far = s >> 6, near = s & 63;
-  for (int i = 0; i + far < words; ++i) {
-    out[i + far] |= in[i] << near;
-    out[i] |= in[i + far] >> near;
+/// Rows and words of a row that hold anything; empty if last < first.
+struct Box {
+  int first_row, last_row, first_word, last_word;
+};
+
+Box boxOf(const BitMask& mask) {
+  Box box{mask.rows(), -1, mask.rowWords(), -1};
+  for (int y = 0; y < mask.rows(); ++y) {
+    const uint64_t* row = mask.row(y);
+    for (int i = 0; i < mask.rowWords(); ++i) {
+      if (!row[i]) continue;
+      box.first_row = std::min(box.first_row, y);
+      box.last_row = y;
+      box.first_word = std::min(box.first_word, i);
+      box.last_word = std::max(box.last_word, i);
+    }
   }
-  if (near == 0) return;
-  for (int i = 0; i + far + 1 < words; ++i) {
-    out[i + far + 1] |= in[i] >> (64 - near);
-    out[i] |= in[i + far + 1] << (64 - near);
+  return box;
+}
+
+Box grown(Box box, int pixels, const BitMask& mask) {
+  box.first_row = std::max(0, box.first_row - pixels);
+  box.last_row = std::min(mask.rows() - 1, box.last_row + pixels);
+  box.first_word = std::max(0, box.first_word - (pixels + 63) / 64);
+  box.last_word = std::min(mask.rowWords() - 1, box.last_word + (pixels + 63) / 64);
+  return box;
+}
+
+/// row |= itself moved right and left by `step` < 64 pixels; a word lies before and behind it.
+void orMoved(int words, int step, uint64_t* row) {
+  uint64_t left = row[-1];
+  for (int i = 0; i < words; ++i) {
+    const uint64_t here = row[i], right = row[i + 1];
+    row[i] = here | here << step | left >> (64 - step) | here >> step | right << (64 - step);
+    left = here;
   }
 }
 
-/// Dilates a row by `width` pixels to both sides; `row` and `scratch` hold `words` words.
-void widenRow(int width, int words, uint64_t* row, uint64_t* scratch) {
+/// Dilates a row by `width` pixels to both sides.
+void widenRow(int width, int words, uint64_t* row) {
   // Moving by one more than the reach leaves no gap, also where the image's border cut half off.
   for (int reach = 0; reach < width;) {
-    const int step = std::min(reach + 1, width - reach);
-    std::copy(row, row + words, scratch);
-    orMoved(scratch, words, step, row);
+    const int step = std::min({reach + 1, width - reach, 63});
+    orMoved(words, step, row);
     reach += step;
   }
 }
@@ -40,31 +63,42 @@ std::vector<int> diskWidths(int radius) {
   return widths;
 }
 
-BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
-  const int words = mask.rowWords(), radius = int(widths.size()) / 2;
-  BitMask out(cv::Size(mask.cols(), mask.rows()));
-  std::vector<uint64_t> wide(words), scratch(words);
-  for (int y = 0; y < mask.rows(); ++y) {
-    if (mask.isEmptyRow(y)) continue;
-    std::copy(mask.row(y), mask.row(y) + words, wide.begin());
+/// Calls `apply(y + dy, words of row y widened by the disk's row dy)` for every row of the box.
+/// \param inverse whether the background is widened instead
+template <class ApplyT>
+void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const Box& box,
+                    bool inverse, const ApplyT& apply) {
+  const int words = box.last_word - box.first_word + 1, radius = int(widths.size()) / 2;
+  if (box.last_row < box.first_row) return;
+  std::vector<uint64_t> padded(words + 2, 0);
+  uint64_t* wide = padded.data() + 1;
+  for (int y = box.first_row; y <= box.last_row; ++y) {
+    const uint64_t* row = mask.row(y) + box.first_word;
+    for (int i = 0; i < words; ++i) wide[i] = inverse ? ~row[i] : row[i];
+    if (inverse && box.last_word == mask.rowWords() - 1) wide[words - 1] &= mask.tailBits();
+    if (std::all_of(wide, wide + words, [](uint64_t word) { return word == 0; })) continue;
     // From the tips inward the disk only becomes wider.
     for (int dy = radius, reach = 0; dy >= 0; --dy) {
-      const int width = widths[dy + radius];
-      widenRow(width - reach, words, wide.data(), scratch.data());
-      reach = width;
-      for (const int to : {y - dy, y + dy})
-        if (to >= 0 && to < mask.rows())
-          for (int i = 0; i < words; ++i) out.row(to)[i] |= wide[i];
+      widenRow(widths[dy + radius] - reach, words, wide);
+      reach = widths[dy + radius];
+      apply(y - dy, wide);
+      if (dy > 0) apply(y + dy, wide);
     }
   }
-  for (int y = 0; y < out.rows(); ++y) out.row(y)[words - 1] &= out.tailBits();
-  return out;
 }
 
-BitMask inverted(const BitMask& mask) {
-  BitMask out = mask;
-  for (uint64_t& word : out.words()) word = ~word;
-  for (int y = 0; y < out.rows(); ++y) out.row(y)[out.rowWords() - 1] &= out.tailBits();
+BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
+  BitMask out(cv::Size(mask.cols(), mask.rows()));
+  const int radius = std::max(int(widths.size()) / 2, widths[widths.size() / 2]);
+  const Box box = grown(boxOf(mask), radius, mask);
+  const int words = box.last_word - box.first_word + 1;
+  forEachWidened(mask, widths, box, false, [&](int y, const uint64_t* wide) {
+    if (y < 0 || y >= out.rows()) return;
+    uint64_t* row = out.row(y) + box.first_word;
+    for (int i = 0; i < words; ++i) row[i] |= wide[i];
+  });
+  for (int y = box.first_row; y <= box.last_row; ++y)
+    out.row(y)[out.rowWords() - 1] &= out.tailBits();
   return out;
 }
 
@@ -75,11 +109,26 @@ BitMask dilated(const BitMask& mask, int radius) {
 }
 
 BitMask eroded(const BitMask& mask, int radius) {
-  return radius == 0 ? mask : inverted(dilated(inverted(mask), radius));
+  BitMask out = mask;
+  const Box inner = boxOf(mask);
+  if (radius == 0 || inner.last_row < 0) return out;
+  const Box box = grown(inner, radius, mask);
+  const int words = box.last_word - box.first_word + 1;
+  forEachWidened(mask, diskWidths(radius), box, true, [&](int y, const uint64_t* wide) {
+    if (y < inner.first_row || y > inner.last_row) return;
+    uint64_t* row = out.row(y) + box.first_word;
+    for (int i = 0; i < words; ++i) row[i] &= ~wide[i];
+  });
+  return out;
 }
 
-BitMask dilatedByBox(const BitMask& mask, int dx, int dy) {
-  return dilatedRows(mask, std::vector<int>(2 * dy + 1, dx));
+void nearRow(const BitMask& mask, int y, int dx, int dy, std::vector<uint64_t>* row) {
+  const int words = mask.rowWords();
+  row->assign(words + 2, 0);
+  uint64_t* near = row->data() + 1;
+  for (int v = std::max(0, y - dy); v <= std::min(mask.rows() - 1, y + dy); ++v)
+    for (int i = 0; i < words; ++i) near[i] |= mask.row(v)[i];
+  widenRow(dx, words, near);
 }
 
 }  // namespace markerless_mocap

@@ -9,7 +9,8 @@ namespace markerless_mocap {
 BitMask dilated(const BitMask& mask, int radius);
 BitMask eroded(const BitMask& mask, int radius);
 
-/// With a rectangle of half sizes `dx`, `dy`.
-BitMask dilatedByBox(const BitMask& mask, int dx, int dy);
+/// One row of the mask dilated by a rectangle of half sizes `dx`, `dy`: words 1 to rowWords() of
+/// `row`, bits right of the image undefined.
+void nearRow(const BitMask& mask, int y, int dx, int dy, std::vector<uint64_t>* row);
 
 }  // namespace markerless_mocap

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <opencv2/core/hal/hal.hpp>
 
 #include "silhouette/row_kernels.h"
 
@@ -21,9 +20,8 @@ MeanRows meanRows(const Background& background, int mode, int y) {
 }  // namespace
 
 void splitRow(const cv::Mat& image, int y, int stride, uint8_t* planes) {
-  uint8_t* channels[] = {planes, planes + stride, planes + 2 * stride};
   if (image.channels() == 3)
-    cv::hal::split8u(image.ptr(y), channels, image.cols, 3);
+    splitThree(image.ptr(y), image.cols, stride, planes);
   else
     std::memcpy(planes, image.ptr(y), image.cols);
 }

@@ -1,95 +1,161 @@
 #include "silhouette/rim.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "silhouette/bit_morphology.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// Where the person's own colour is looked for, pixels from the rim.
-constexpr int kNearest = 2, kFurthest = 3;
-/// Squared contrast of person and background under which noise would decide, grey levels, per
-/// channel.
-constexpr float kLeastContrast = 150;
-constexpr int kSides[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+/// Half the width of what is decided anew, px: blur and chroma subsampling reach so far.
+constexpr int kReach = 2;
+/// The second round starts from a better idea of what is inside.
+constexpr int kRounds = 2;
+/// Side of the blocks in which colours are summed, px.
+constexpr int kSide = 4;
+/// Squared contrast of person and background, per channel, under which noise would decide.
+constexpr float kLeastContrast = 50;
+/// Where a block lies.
+constexpr uint8_t kFar = 0, kNearRim = 1, kOnRim = 2;
 
-class RimTest {
- public:
-  RimTest(const cv::Mat& image, const Background& background, double gain,
-          const PixelClasses& classes)
-      : image_(image),
-        background_(background),
-        scale_(float(gain / Background::kMeanScale)),
-        classes_(classes) {}
+/// The four bits of a block's row.
+unsigned nibble(const BitMask& mask, int x, int y) {
+  return unsigned(mask.row(y)[x >> 6] >> (x & 63)) & 15u;
+}
 
-  /// +1 if the pixel is rather person than background, -1 if not, 0 if it cannot be told.
-  int side(int x, int y, const BitMask& inner, const BitMask& outer) const {
-    float person[3] = {}, shade = 0;
-    int inside = 0, outside = 0;
-    for (const auto& step : kSides)
-      for (int k = kNearest; k <= kFurthest; ++k) {
-        const int u = x + k * step[0], v = y + k * step[1];
-        if (u < 0 || v < 0 || u >= image_.cols || v >= image_.rows) continue;
-        if (inner.at(u, v)) {
-          addColor(u, v, person);
-          ++inside;
-        } else if (!outer.at(u, v)) {
-          shade += shadeAt(u, v);
-          ++outside;
-        }
-      }
-    if (inside == 0) return 0;
-    for (float& value : person) value /= float(inside);
-    return compare(x, y, person, outside > 0 ? shade / float(outside) : 1.0f);
-  }
-
- private:
-  void addColor(int x, int y, float* sum) const {
-    const int channels = image_.channels();
-    const uint8_t* pixel = image_.ptr(y) + size_t(x) * channels;
-    for (int c = 0; c < channels; ++c) sum[c] += pixel[c];
-  }
-
-  float shadeAt(int x, int y) const {
-    return classes_.shade.at(x, y)
-               ? float(classes_.ratio[size_t(y) * background_.stride() + x]) / 255
-               : 1.0f;
-  }
-
-  int compare(int x, int y, const float* person, float shade) const {
-    const int channels = image_.channels();
-    const uint8_t* pixel = image_.ptr(y) + size_t(x) * channels;
-    float along = 0, contrast = 0;
-    for (int c = 0; c < channels; ++c) {
-      const float usual = float(background_.mean(0, y, c)[x]) * scale_ * shade;
-      const float whole = person[c] - usual;
-      along += (float(pixel[c]) - usual) * whole;
-      contrast += whole * whole;
-    }
-    if (contrast < kLeastContrast * float(channels)) return 0;
-    return 2 * along > contrast ? 1 : -1;
-  }
-
-  const cv::Mat& image_;
-  const Background& background_;
-  float scale_;
-  const PixelClasses& classes_;
-};
+float countOf(unsigned nibble) {
+  constexpr uint8_t kCounts[] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+  return kCounts[nibble];
+}
 
 }  // namespace
 
-void refineRim(const cv::Mat& image, const Background& background, double gain,
-               const PixelClasses& classes, BitMask* mask) {
-  const RimTest test(image, background, gain, classes);
-  for (int round = 0; round < 2; ++round) {
-    const BitMask inner = eroded(*mask, 1), outer = dilated(*mask, 1);
-    const BitMask before = *mask;
-    for (int y = 0; y < image.rows; ++y)
-      for (int i = 0; i < mask->rowWords(); ++i)
-        forEachBit(outer.row(y)[i] & ~inner.row(y)[i], 64 * i, [&](int x) {
-          const int side = test.side(x, y, inner, outer);
-          if (side != 0 && (side > 0) != before.at(x, y)) mask->flip(x, y);
-        });
+void RimRefiner::refine(const cv::Mat& image, const Background& background, double gain,
+                        const PixelClasses& classes, BitMask* mask) {
+  const Scene scene{image, background, float(gain), classes};
+  columns_ = (image.cols + kSide - 1) / kSide;
+  rows_ = (image.rows + kSide - 1) / kSide;
+  stride_ = columns_ * kSide;
+  share_.resize(size_t(stride_) * image.rows);
+  for (int i = 0; i < kRounds; ++i) round(scene, mask);
+}
+
+void RimRefiner::round(const Scene& scene, BitMask* mask) {
+  core_ = eroded(*mask, 1);
+  outer_ = dilated(*mask, kReach);
+  band_ = eroded(*mask, kReach);
+  for (size_t i = 0; i < band_.words().size(); ++i)
+    band_.words()[i] = outer_.words()[i] & ~band_.words()[i];
+  findBlocks();
+  for (const Block& block : blocks_) {
+    sumBlock(scene, block.column, block.row);
+    presetBlock(*mask, block.column, block.row);
   }
+  for (const Block& block : blocks_)
+    if (kind_[size_t(block.row) * columns_ + block.column] == kOnRim)
+      estimateBlock(scene, around(block.column, block.row), block.column, block.row);
+  smooth(mask);
+}
+
+void RimRefiner::findBlocks() {
+  kind_.assign(size_t(columns_) * rows_, kFar);
+  blocks_.clear();
+  const auto mark = [this](int column, int row, uint8_t kind) {
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
+    uint8_t& known = kind_[size_t(row) * columns_ + column];
+    if (known == kFar) blocks_.push_back({column, row});
+    known = std::max(known, kind);
+  };
+  for (int y = 0; y < band_.rows(); ++y)
+    for (int i = 0; i < band_.rowWords(); ++i)
+      for (uint64_t word = band_.row(y)[i]; word;) {
+        const int nth = __builtin_ctzll(word) / kSide;
+        word &= ~(uint64_t(15) << (kSide * nth));
+        const int column = i * (64 / kSide) + nth, row = y / kSide;
+        if (kind_[size_t(row) * columns_ + column] == kOnRim) continue;
+        for (int v = row - 1; v <= row + 1; ++v)
+          for (int u = column - 1; u <= column + 1; ++u) mark(u, v, kNearRim);
+        mark(column, row, kOnRim);
+      }
+  sums_.resize(kind_.size());
+}
+
+void RimRefiner::presetBlock(const BitMask& mask, int column, int row) {
+  for (int y = row * kSide; y < std::min((row + 1) * kSide, mask.rows()); ++y) {
+    const uint64_t bits = nibble(mask, column * kSide, y);
+    unpackBits(&bits, kSide, &share_[size_t(y) * stride_ + column * kSide]);
+  }
+}
+
+void RimRefiner::sumBlock(const Scene& scene, int column, int row) {
+  Sums& sums = sums_[size_t(row) * columns_ + column];
+  sums = Sums();
+  const int channels = scene.image.channels(), x0 = column * kSide;
+  const unsigned valid = scene.image.cols - x0 >= kSide ? 15u : (1u << (scene.image.cols - x0)) - 1;
+  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
+    forEachBit(nibble(core_, x0, y), x0, [&](int x) {
+      const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;
+      for (int c = 0; c < channels; ++c) sums.color[c] += pixel[c];
+      ++sums.inside;
+    });
+    const unsigned outside = ~nibble(outer_, x0, y) & valid;
+    const unsigned shade = outside & nibble(scene.classes.shade, x0, y);
+    sums.outside += countOf(outside);
+    sums.light += countOf(outside & ~shade);
+    forEachBit(shade, x0, [&](int x) {
+      sums.light += float(scene.classes.ratio[size_t(y) * scene.background.stride() + x]) / 255;
+    });
+  }
+}
+
+RimRefiner::Sums RimRefiner::around(int column, int row) const {
+  Sums sum;
+  for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y)
+    for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
+      const Sums& one = sums_[size_t(y) * columns_ + x];
+      for (int c = 0; c < 3; ++c) sum.color[c] += one.color[c];
+      sum.inside += one.inside;
+      sum.light += one.light;
+      sum.outside += one.outside;
+    }
+  return sum;
+}
+
+void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int column, int row) {
+  if (around.inside == 0) return;
+  const int channels = scene.image.channels(), x0 = column * kSide;
+  const float light = around.outside > 0 ? around.light / around.outside : 1.0f;
+  const float scale = scene.gain * light / Background::kMeanScale;
+  float person[3];
+  for (int c = 0; c < 3; ++c) person[c] = around.color[c] / around.inside;
+  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y)
+    forEachBit(nibble(band_, x0, y), x0, [&](int x) {
+      const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;
+      float apart = 0, contrast = 0;
+      for (int c = 0; c < channels; ++c) {
+        const float usual = float(scene.background.mean(0, y, c)[x]) * scale;
+        apart += (float(pixel[c]) - usual) * (float(pixel[c]) - usual);
+        contrast += (person[c] - usual) * (person[c] - usual);
+      }
+      if (contrast < kLeastContrast * float(channels)) return;
+      share_[size_t(y) * stride_ + x] =
+          uint8_t(std::min(255.0f, 255 * std::sqrt(apart / contrast)));
+    });
+}
+
+/// The outline is smooth: a pixel is the person's if more than half of its surroundings are.
+void RimRefiner::smooth(BitMask* mask) const {
+  constexpr int kHalf = 255 * 25 / 2;
+  const auto line = [](const uint8_t* at) { return at[-1] + 3 * at[0] + at[1]; };
+  for (int y = 1; y + 1 < mask->rows(); ++y)
+    for (int i = 0; i < mask->rowWords(); ++i)
+      forEachBit(band_.row(y)[i], 64 * i, [&](int x) {
+        if (x == 0 || x + 1 == mask->cols()) return;
+        const uint8_t* at = &share_[size_t(y) * stride_ + x];
+        const bool is_person = line(at - stride_) + 3 * line(at) + line(at + stride_) > kHalf;
+        if (is_person != mask->at(x, y)) mask->flip(x, y);
+      });
 }
 
 }  // namespace markerless_mocap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "silhouette/background.h"
 #include "silhouette/pixel_test.h"
@@ -10,7 +11,47 @@ namespace markerless_mocap {
 /// Sets the silhouette's rim to where an image is half person, half background: blur and chroma
 /// subsampling smear the outline over its neighbours. What the person looks like is taken from just
 /// inside, the background from its model and the shadow just outside.
-void refineRim(const cv::Mat& image, const Background& background, double gain,
-               const PixelClasses& classes, BitMask* mask);
+class RimRefiner {
+ public:
+  /// \param gain light of the image relative to the background's \param classes of the image
+  void refine(const cv::Mat& image, const Background& background, double gain,
+              const PixelClasses& classes, BitMask* mask);
+
+ private:
+  /// What lies near a block of pixels.
+  struct Sums {
+    float color[3] = {};  ///< of the person's pixels
+    float inside = 0;     ///< how many
+    float light = 0;      ///< brightness of the background's pixels, relative to their model
+    float outside = 0;    ///< how many
+  };
+  struct Block {
+    int column, row;
+  };
+  struct Scene {
+    const cv::Mat& image;
+    const Background& background;
+    float gain;
+    const PixelClasses& classes;
+  };
+
+  void round(const Scene& scene, BitMask* mask);
+  void findBlocks();
+  void sumBlock(const Scene& scene, int column, int row);
+  /// The pixels' share of the person as the mask has it, into share_.
+  void presetBlock(const BitMask& mask, int column, int row);
+  /// The pixels' share of the person, 255 = all, into share_.
+  void estimateBlock(const Scene& scene, const Sums& around, int column, int row);
+  Sums around(int column, int row) const;
+  void smooth(BitMask* mask) const;
+
+  BitMask core_, band_, outer_;
+  std::vector<Sums> sums_;      ///< a block each
+  std::vector<uint8_t> kind_;   ///< a block each
+  std::vector<Block> blocks_;   ///< those near the rim or on it
+  std::vector<uint8_t> share_;  ///< a pixel each
+  int columns_ = 0, rows_ = 0;  ///< of blocks
+  int stride_ = 0;              ///< of share_
+};
 
 }  // namespace markerless_mocap

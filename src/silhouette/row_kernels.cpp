@@ -1,6 +1,7 @@
 #include "silhouette/row_kernels.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "silhouette/background.h"
 #include "silhouette/bit_mask.h"
@@ -29,6 +30,15 @@ __attribute__((always_inline)) inline uint16_t square(uint8_t now, uint16_t mean
   const int16_t far = product(apart, int16_t(weight));
   const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
   return uint16_t(near * near);
+}
+
+MOCAP_VECTORISED void splitInto(const uint8_t* __restrict row, int n, uint8_t* __restrict plane0,
+                                uint8_t* __restrict plane1, uint8_t* __restrict plane2) {
+  for (int i = 0; i < n; ++i) {
+    plane0[i] = row[3 * i];
+    plane1[i] = row[3 * i + 1];
+    plane2[i] = row[3 * i + 2];
+  }
 }
 
 MOCAP_VECTORISED void squaresOfOne(const uint8_t* __restrict now, const uint16_t* __restrict mean,
@@ -93,6 +103,11 @@ MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint16_t*
 }
 
 }  // namespace
+
+// OpenCV's split writes past the cache, from where the next loop would have to wait for it.
+void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes) {
+  splitInto(row, n, planes, planes + stride, planes + 2 * size_t(stride));
+}
 
 void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,
                       const uint16_t* weight, int channels, int16_t gain, int n,

@@ -12,6 +12,9 @@ constexpr int kGainOne = 16384;
 /// Distances saturate here, so that the sum of three squares fits 16 bits.
 constexpr int kFarthest = 147;
 
+/// One row of n pixels, BGR one after the other, into three planes that lie `stride` bytes apart.
+void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes);
+
 /// Squared scaled distance of n pixels of one row from `gain` x the mean, summed over channels.
 /// \param now, mean one pointer per channel \param squared n values out
 void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,

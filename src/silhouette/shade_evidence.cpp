@@ -121,7 +121,7 @@ BitMask enclosedBlocks(const BitMask& mask, int reach) {
 
 void restoreClothes(const BitMask& shade, const ShadeBlocks& blocks, BitMask* foreground) {
   // Without specks, which would enclose shadows.
-  const BitMask solid = dilatedByBox(eroded(*foreground, 1), 1, 1);
+  const BitMask solid = eroded(*foreground, 1);
   const int reach = int(kReach * shade.cols()) / ShadeBlocks::kSide;
   const BitMask enclosed = enclosedBlocks(solid, reach);
   BitMask clothes(cv::Size(blocks.cols(), blocks.rows()));

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 /// Each image renews one row in this many, by so many times the rate.
-constexpr int kUpdateStride = 8;
+constexpr int kUpdateStride = 16;
 /// The background is not renewed this near the person, px: what a mask misses must not melt.
 constexpr int kGuardX = 16, kGuardY = 8;
 
@@ -41,7 +41,7 @@ class ModelSubtractor : public Subtractor {
     const PixelClasses& classes = test_.classify(image, background_, found.light_gain);
     found.changed_share = double(classes.changed) / double(image.total());
     found.mask = cleanBits(classes.foreground, options_);
-    refineRim(image, background_, found.light_gain, classes, &found.mask);
+    rim_.refine(image, background_, found.light_gain, classes, &found.mask);
     renew(image, found.light_gain, found.mask, classes.shade);
     return found;
   }
@@ -55,8 +55,10 @@ class ModelSubtractor : public Subtractor {
   BackgroundLearner learner_;
   Background background_;
   PixelTest test_;
+  RimRefiner rim_;
   int next_row_ = 0;  ///< first row that the next image renews
   std::vector<uint8_t> now_, held_;
+  std::vector<uint64_t> guarded_;
 };
 
 /// Means follow the image, so slow drift of the light is learned. Behind the person and in shadows
@@ -67,12 +69,13 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
   const int n = background_.stride(), channels = background_.channels();
   const int rate = int(std::min(1.0, options_.update_rate * kUpdateStride) * 65536 + 0.5);
   const auto fixed_gain = int16_t(gain * kGainOne + 0.5);
-  const BitMask guarded = dilatedByBox(mask, kGuardX, kGuardY);
   now_.resize(size_t(3) * n);
   held_.resize(n);
   for (int y = next_row_; y < image.rows; y += kUpdateStride) {
     splitRow(image, y, n, now_.data());
-    for (int x = 0; x < image.cols; ++x) held_[x] = guarded.at(x, y) || shade.at(x, y);
+    nearRow(mask, y, kGuardX, kGuardY, &guarded_);
+    for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shade.row(y)[i];
+    unpackBits(&guarded_[1], image.cols, held_.data());
     for (int c = 0; c < channels; ++c)
       moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,
                 background_.mean(0, y, c));

@@ -51,7 +51,13 @@ TEST_P(BitMaskOfWidth, MorphologyIsOpenCvs) {
   }
   cv::Mat expected;
   cv::dilate(mask_, expected, cv::Mat::ones(5, 81, CV_8UC1));
-  EXPECT_TRUE(same(dilatedByBox(bits_, 40, 2), expected));
+  BitMask near = bits_;
+  std::vector<uint64_t> row;
+  for (int y = 0; y < near.rows(); ++y) {
+    nearRow(bits_, y, 40, 2, &row);
+    std::copy(row.begin() + 1, row.end() - 1, near.row(y));
+  }
+  EXPECT_TRUE(same(near, expected));
 }
 
 TEST_P(BitMaskOfWidth, BlobsAndHolesAreOpenCvsComponents) {

@@ -19,7 +19,7 @@ struct SilhouetteOptions {
   double shadow_darkest = 0.6;
   double shadow_chroma_tolerance = 0.025;
   int open_radius_px = 1;
-  int close_radius_px = 2;
+  int close_radius_px = 1;
   int max_hole_px = 100;
   int min_blob_px = 200;
   double stale_share = 0.5;
