@@ -24,6 +24,18 @@ AssemblerOptions assemblerOptions(const HullNodeOptions& node) {
   return options;
 }
 
+/// "hull of 2000 voxels without camera 'a': its mask is full; 2 components are suspect ghosts"
+std::string sentenceOn(const VisualHull& hull) {
+  std::string sentence = "hull of " + std::to_string(hull.voxels.size()) + " voxels";
+  for (const LeftOutCamera& camera : hull.cameras_left_out)
+    sentence += " without camera '" + camera.name + "': " + camera.reason + ";";
+  if (!hull.cameras_left_out.empty()) sentence.pop_back();
+  const auto ghosts = std::count_if(hull.components.begin(), hull.components.end(),
+                                    [](const HullComponent& c) { return c.suspect_ghost; });
+  if (ghosts > 0) sentence += "; " + std::to_string(ghosts) + " components are suspect ghosts";
+  return sentence;
+}
+
 }  // namespace
 
 HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -109,15 +121,23 @@ void HullStage::process(const Assembler::Instant& instant) {
   try {
     prepareCarver(header);
     hull = carver_->carve(viewsOf(instant));
-    if (hull.status == HullStatus::kOk)
-      status_.good("hull of " + std::to_string(hull.voxels.size()) + " voxels");
-    else
-      status_.problem(hull.reason);
+    reportHull(hull);
   } catch (const std::exception& error) {
     hull = VisualHull();
     status_.problem(error.what());
   }
   publishShared(points_, messageFromHull(hull, header));
+}
+
+void HullStage::reportHull(const VisualHull& hull) {
+  for (const LeftOutCamera& camera : hull.cameras_left_out)
+    status_.count("instants without camera " + camera.name);
+  if (hull.status != HullStatus::kOk)
+    status_.problem(hull.reason);
+  else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost)
+    status_.good(sentenceOn(hull));
+  else
+    status_.waiting(sentenceOn(hull));
 }
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {

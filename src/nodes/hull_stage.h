@@ -36,6 +36,8 @@ class HullStage {
   void drain();
   bool waitsForImages(const Assembler::Instant& instant) const;
   void process(const Assembler::Instant& instant);
+  /// Says how an instant went, and which cameras were left out of it.
+  void reportHull(const VisualHull& hull);
   /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
   void prepareCarver(const std_msgs::Header& header);
   std::vector<HullView> viewsOf(const Assembler::Instant& instant) const;
