@@ -26,9 +26,9 @@ const std::vector<BoneWords>& sidedWords() {
       {Bone::kLeftFoot, {"ankle", "foot"}},
       {Bone::kLeftToes, {"toebase", "toes", "toe", "ball", "foot"}},
       {Bone::kLeftUpperArm,
-       {"upperarm", "uparm", "armupper", "humerus", "arm", "shldr", "shoulder"}},
+       {"upperarm", "uparm", "uarm", "armupper", "humerus", "arm", "shldr", "shoulder"}},
       {Bone::kLeftForearm,
-       {"forearm", "lowerarm", "loarm", "lowarm", "armlower", "radius", "elbow"}},
+       {"forearm", "farm", "lowerarm", "loarm", "lowarm", "armlower", "radius", "elbow"}},
       {Bone::kLeftHand, {"wrist", "hand"}},
       {Bone::kLeftClavicle, {"clavicle", "collar", "collarbone", "shoulder", "scapula"}}};
   return rows;

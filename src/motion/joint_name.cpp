@@ -41,19 +41,25 @@ bool isHelper(const std::string& token) {
   return isOneOf(kHelpers, token);
 }
 
-bool isPrefix(const std::string& token) {
-  constexpr std::array<const char*, 15> kPrefixes{
+bool saysNothing(const std::string& token) {
+  constexpr std::array<const char*, 16> kFillers{
       "mixamorig", "bip", "character", "def", "org", "cc", "valve", "biped",
-      "bone",      "jnt", "b",         "j",   "jt",  "bn", "bend"};
+      "bone",      "jnt", "b",         "j",   "jt",  "bn", "bend",  "c"};
+  return isOneOf(kFillers, token);
+}
+
+// Behind the bone's own word these belong to it: "ToeBase".
+bool isPrefix(const std::string& token) {
+  constexpr std::array<const char*, 6> kPrefixes{"base", "armature", "rig", "avg", "m", "f"};
   return isOneOf(kPrefixes, token);
 }
 
 // All in lower case the side sticks to the word: "lhand", "leftupleg".
 void splitSide(JointName& parsed) {
-  constexpr std::array<const char*, 22> kSided{
+  constexpr std::array<const char*, 24> kSided{
       "femur",    "tibia", "foot",    "toes",     "clavicle", "humerus", "radius", "wrist",
       "hand",     "thigh", "shin",    "collar",   "shldr",    "forearm", "upleg",  "leg",
-      "shoulder", "arm",   "toebase", "upperarm", "lowerarm", "hip"};
+      "shoulder", "arm",   "toebase", "upperarm", "lowerarm", "hip",     "uarm",   "farm"};
   for (const char* side : {"left", "right", "l", "r"}) {
     const std::string prefix = side;
     if (parsed.word.compare(0, prefix.size(), prefix) == 0 &&
@@ -84,7 +90,7 @@ JointName parseJointName(const std::string& name) {
       parsed.side = 'r';
     } else if (isHelper(token)) {
       parsed.helper = true;
-    } else if (!isPrefix(token)) {
+    } else if (!saysNothing(token) && !(parsed.word.empty() && isPrefix(token))) {
       parsed.word += token;
     }
   }
