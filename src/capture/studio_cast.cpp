@@ -14,12 +14,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 /// Directions, seen from the centre, in which the other person and the chair are.
-constexpr double kOtherBearing = 2.2, kChairBearing = -0.9;
+constexpr double kOtherBearing = 2.2, kChairBearing = kPi;
 constexpr double kOtherPhase = 0.43;  // of the motion's period
-
-Character characterOf(const StudioOptions& options) {
-  return makeCharacter(options.character);
-}
 
 /// Somebody else: another sex, stature and look.
 CharacterOptions otherThan(CharacterOptions character) {
@@ -75,7 +71,7 @@ StudioCast::StudioCast(const StudioOptions& options, const StudioFiles& files,
     camouflage(wall, float(options.troubles.camouflage), &character);
     return Actor{std::move(character), EndlessMotion(std::move(clip))};
   };
-  actors_.push_back(actorOf(characterOf(options)));
+  actors_.push_back(actorOf(makeCharacter(options.character)));
   if (const double distance = options.troubles.second_person; distance > 0.0) {
     actors_.push_back(actorOf(makeCharacter(otherThan(options.character))));
     actors_.back().phase = kOtherPhase * actors_.back().motion.period();

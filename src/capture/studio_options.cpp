@@ -26,9 +26,6 @@ void StudioOptions::visit(OptionVisitor& v) {
   v.field("background_frames", background_frames, 0, 10000,
           "instants of the empty room at the start");
   v.field("seed", seed, 0, 1000000000, "of the room, the random rig and all troubles");
-  v.field("character_file", character_file, {},
-          "rigged character (.glb, .gltf, .dae, .fbx) in place of the package's own; its stature "
-          "counts, bones are found by name");
   character.visit(v);
   troubles.visit(v);
 }

@@ -20,8 +20,10 @@ void TroubleOptions::visit(OptionVisitor& v) {
   v.field("exposure_ms", exposure_ms, 0, 200, "how long the shutter is open, ms");
   v.field("second_person", second_person, 0, 10,
           "another person acts this far from the centre, m; 0: nobody");
-  v.field("chair", chair, 0, 10,
-          "a chair stands this far from the centre, also in the empty room, m; 0: none");
+  v.field(
+      "chair", chair, 0, 10,
+      "a chair stands this far behind the centre, at -x, also in the empty room, m; 0: none; 0.4 "
+      "is where sit_couch sits");
 }
 
 }  // namespace markerless_mocap
