@@ -7,7 +7,7 @@ file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 
 # Messages, conversions, nodelets with their executables, tools.
 find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
-  rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs tf2_msgs tf2_ros tf2_eigen
+  rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs std_srvs tf2_msgs tf2_ros tf2_eigen
   cv_bridge diagnostic_updater)
 find_package(hri_msgs QUIET)
 

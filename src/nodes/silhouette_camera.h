@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 
 #include <cstdint>
+#include <mutex>
 
 #include "markerless_mocap/camera/instant_assembler.h"
 #include "markerless_mocap/ros/node_options.h"
@@ -20,15 +21,24 @@ class SilhouetteCamera {
                    const std::string& camera, const SilhouetteOptions& options,
                    const SilhouetteNodeOptions& node_options);
 
+  /// Both throw std::invalid_argument with the reason why not.
+  void learnBackground();
+  void saveBackground();
+
  private:
   void receive(const CameraImage& image);
   void process(const CameraImage& image);
-  cv::Mat maskOf(const CameraImage& image);
+  void publishMask(const cv::Mat& mask, const CameraImage& image);
+  void publishSilhouette(const CameraImage& image);
+  void loadBackground();
+  std::string backgroundFile() const;
+  void checkInput() const;
   void reportSilence();
 
   std::string camera_;
   std::string topic_;
   SilhouetteNodeOptions node_options_;
+  std::mutex mutex_;  ///< of the extractor: services come beside images
   SilhouetteExtractor extractor_;
   InstantAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
   StageStatus status_;

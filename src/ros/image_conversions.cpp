@@ -10,13 +10,23 @@ namespace markerless_mocap {
 
 namespace encodings = sensor_msgs::image_encodings;
 
+namespace {
+
+bool isBayer8(const std::string& encoding) {
+  return encoding == encodings::BAYER_RGGB8 || encoding == encodings::BAYER_BGGR8 ||
+         encoding == encodings::BAYER_GBRG8 || encoding == encodings::BAYER_GRBG8;
+}
+
+}  // namespace
+
 cv::Mat matFromMessage(const sensor_msgs::Image& message) {
-  const bool known = encodings::isMono(message.encoding) || encodings::isColor(message.encoding) ||
-                     encodings::isBayer(message.encoding);
-  if (!known)
-    throw std::invalid_argument("image of frame \"" + message.header.frame_id +
-                                "\" has the encoding \"" + message.encoding +
-                                "\", allowed are mono8, bgr8, rgb8 and what converts to them");
+  const bool usable = encodings::isMono(message.encoding) || encodings::isColor(message.encoding) ||
+                      isBayer8(message.encoding);
+  if (!usable)
+    throw std::invalid_argument(
+        "image of frame \"" + message.header.frame_id + "\" has the encoding \"" +
+        message.encoding +
+        "\", allowed are mono8, bgr8, rgb8, bayer_....8 and what converts to them");
   const bool grey = encodings::isMono(message.encoding);
   try {
     return cv_bridge::toCvCopy(message, grey ? encodings::MONO8 : encodings::BGR8)->image;

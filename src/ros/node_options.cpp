@@ -42,6 +42,9 @@ void SilhouetteNodeOptions::visit(OptionVisitor& v) {
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("input", input, {"image", "mask"},
           "mask: the images are masks already (non-zero = person) and pass through");
+  v.field("background_folder", background_folder, {},
+          "folder of the backgrounds, c.background for camera c: read at the start instead of "
+          "learning where the file is there, written by the service save_background; empty: none");
 }
 
 void SilhouetteNodeOptions::validate() const {

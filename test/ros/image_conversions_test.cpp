@@ -61,6 +61,33 @@ TEST(ImageConversions, UnknownEncodingIsNamedWithTheCamera) {
       << sentence;
 }
 
+/// A picture of one colour as a sensor behind that pattern of filters sees it.
+sensor_msgs::Image mosaic(const std::string& encoding, const std::string& filters) {
+  cv::Mat raw(8, 8, CV_8UC1);
+  for (int y = 0; y < raw.rows; ++y)
+    for (int x = 0; x < raw.cols; ++x) {
+      const char filter = filters[size_t(2 * (y % 2) + x % 2)];
+      raw.at<uchar>(y, x) = filter == 'r' ? 200 : filter == 'g' ? 100 : 50;
+    }
+  sensor_msgs::Image message = messageFromMat(raw, header());
+  message.encoding = encoding;
+  return message;
+}
+
+TEST(ImageConversions, BayerPatternsBecomeBlueGreenRed) {
+  for (const std::string filters : {"rggb", "bggr", "gbrg", "grbg"}) {
+    const cv::Mat image = matFromMessage(mosaic("bayer_" + filters + "8", filters));
+    ASSERT_EQ(image.type(), CV_8UC3) << filters;
+    EXPECT_EQ(image.at<cv::Vec3b>(4, 4), cv::Vec3b(50, 100, 200)) << filters;
+    EXPECT_EQ(image.at<cv::Vec3b>(3, 4), cv::Vec3b(50, 100, 200)) << filters;
+  }
+}
+
+TEST(ImageConversions, BayerOf16BitsIsRefused) {
+  const std::string sentence = sentenceOf([] { matFromMessage(mosaic("bayer_rggb16", "rggb")); });
+  EXPECT_NE(sentence.find("\"bayer_rggb16\", allowed are"), std::string::npos) << sentence;
+}
+
 TEST(ImageConversions, TruncatedDataIsRefused) {
   sensor_msgs::Image message = messageFromMat(colorPixels(), header());
   message.data.resize(5);

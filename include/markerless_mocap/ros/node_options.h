@@ -13,6 +13,7 @@ struct SilhouetteNodeOptions {
   std::vector<std::string> cameras;
   std::string image_transport = "raw";
   std::string input = "image";
+  std::string background_folder;
 
   void visit(OptionVisitor& v);
   void validate() const;
