@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "motion/placement_smoothing.h"
+#include "motion/sampled_signal.h"
 
 namespace markerless_mocap {
 namespace {
@@ -92,8 +92,8 @@ MotionClip bent(const MotionClip& clip, double radius) {
     x.push_back(pose.hips.x());
     y.push_back(pose.hips.y());
   }
-  const std::vector<double> smooth_x = gaussianMean(x, kSway * clip.fps),
-                            smooth_y = gaussianMean(y, kSway * clip.fps);
+  const std::vector<double> smooth_x = smoothed(x, kSway * clip.fps),
+                            smooth_y = smoothed(y, kSway * clip.fps);
   MotionClip out = clip;
   double yaw = 0.0;
   for (size_t i = 1; i < out.poses.size(); ++i) {

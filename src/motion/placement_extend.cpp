@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "markerless_mocap/motion/placement.h"
-#include "motion/placement_smoothing.h"
 
 namespace markerless_mocap {
 namespace {
@@ -19,6 +18,11 @@ constexpr double kSpeedWeight = 0.08;   // seconds: so much of the speed's diffe
 constexpr double kAlike = 0.2;          // radians, mean of the bones: nearer poses only fade
 constexpr double kFade = 0.25;          // seconds to either side
 constexpr double kBridge = 0.6;         // seconds
+
+/// 0 to 1 with no speed at either end.
+double easedShare(double share) {
+  return share * share * (3.0 - 2.0 * share);
+}
 
 Quaterniond heading(const HumanPose& pose) {
   const Vector3d forward = pose[Bone::kHips] * Vector3d::UnitX();

@@ -28,9 +28,10 @@ MotionClip centred(const MotionClip& clip);
 /// right if negative; throws if less than 0.1 m
 MotionClip bent(const MotionClip& clip, double radius);
 
-/// Puts the lowest point of the soles on z = 0 whenever the person stands. In flight (both soles
-/// more than 5 cm above their lowest of half a second before and after) the height is carried over
-/// from take-off to landing.
+/// Puts the lower foot on z = 0 whenever the person stands; toes that would reach into the floor
+/// bend up, and nothing sinks deeper than some 3 mm. In flight (both feet more than 5 cm above
+/// their lowest of half a second before and after) the height is carried over from take-off to
+/// landing.
 MotionClip onFloor(const MotionClip& clip, const HumanSkeleton& skeleton);
 
 /// Height of the lowest point of the soles: heel, ball and toe tip of each foot, which are on z = 0
