@@ -35,7 +35,7 @@ UprightRig uprightRig(const std::string& path) {
     for (Vector3d& place : rig.places) place = R * place;
     for (Eigen::Vector3f& vertex : rig.mesh.vertices)
       vertex = (R * vertex.cast<double>()).cast<float>();
-    upright.bones = withLowSpine(upright.bones, rig.places);
+    upright.bones = withTrunkByHeight(upright.bones, rig.places);
     return upright;
   }
   throw std::invalid_argument(path +

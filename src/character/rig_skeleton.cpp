@@ -1,6 +1,7 @@
 #include "character/rig_skeleton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace markerless_mocap {
@@ -49,12 +50,15 @@ class Placer {
   Vector3d& head(Bone bone) { return skeleton_.head[size_t(bone)]; }
   Vector3d& tail(Bone bone) { return skeleton_.tail[size_t(bone)]; }
 
-  /// From hips to crown, by heights between the nearest that the rig tells of.
+  /// From hips to crown, by heights between the nearest that the rig tells of. Joints that do not
+  /// rise above the one below count as not told of.
   void placeTrunk() {
     const Vector3d shoulders = 0.5 * (head(Bone::kLeftUpperArm) + head(Bone::kRightUpperArm));
+    constexpr double kLeast = 0.01;  // of the legs
     for (Bone bone : {Bone::kSpine, Bone::kChest, Bone::kNeck, Bone::kHead}) {
-      if (bones_.has(bone)) continue;
       const Bone below = Bone(int(bone) - 1);
+      if (bones_.has(bone) && head(bone).z() > head(below).z() + kLeast * stance_.leg_length)
+        continue;
       double z_below = adult_.headOf(below).z(), z_above = adult_.headOf(Bone::kLeftUpperArm).z();
       Vector3d from = head(below), to = shoulders;
       const double z = adult_.headOf(bone).z();
@@ -143,15 +147,25 @@ HumanSkeleton rigSkeleton(const BoneMap& bones, const RigStance& stance,
   return Placer(bones, stance, measures).placed();
 }
 
-BoneMap withLowSpine(BoneMap bones, const std::vector<Vector3d>& places) {
-  // An adult's lower ribs are 0.56 of the way from hips to shoulders, the lumbar spine 0.2.
-  constexpr double kBetween = 0.4;
-  if (bones.has(Bone::kSpine) || !bones.has(Bone::kChest)) return bones;
-  const auto height = [&](Bone bone) { return places[size_t(bones[bone])].z(); };
-  const double hips = 0.5 * (height(Bone::kLeftThigh) + height(Bone::kRightThigh));
-  const double shoulders = 0.5 * (height(Bone::kLeftUpperArm) + height(Bone::kRightUpperArm));
-  if (height(Bone::kChest) < hips + kBetween * (shoulders - hips))
-    std::swap(bones.joint[size_t(Bone::kSpine)], bones.joint[size_t(Bone::kChest)]);
+BoneMap withTrunkByHeight(BoneMap bones, const std::vector<Vector3d>& places) {
+  // Shares of the way from hips to shoulders, see HumanSkeleton::adult().
+  constexpr double kSpineHeight = 0.2, kChestHeight = 0.56;
+  const auto middle = [&](Bone left) {
+    return 0.5 * (places[size_t(bones[left])].z() + places[size_t(bones[mirrorOf(left)])].z());
+  };
+  const double hips = middle(Bone::kLeftThigh), trunk = middle(Bone::kLeftUpperArm) - hips;
+  const auto missing = [&](int joint, double height) {
+    return std::abs((places[size_t(joint)].z() - hips) / trunk - height);
+  };
+  int& spine = bones.joint[size_t(Bone::kSpine)];
+  int& chest = bones.joint[size_t(Bone::kChest)];
+  spine = chest = -1;
+  for (int joint : bones.spine) {
+    if (spine < 0 || missing(joint, kSpineHeight) < missing(spine, kSpineHeight)) spine = joint;
+    if (chest < 0 || missing(joint, kChestHeight) < missing(chest, kChestHeight)) chest = joint;
+  }
+  if (spine >= 0 && spine == chest)
+    (missing(spine, kSpineHeight) < missing(chest, kChestHeight) ? chest : spine) = -1;
   return bones;
 }
 

@@ -14,14 +14,13 @@ struct RigMeasures {
   std::vector<int> bone_of_vertex;  ///< that carries most of it, -1 where nothing does
 };
 
+/// Takes those joints of the rig's spine for spine and chest that sit where an adult's do; of a rig
+/// with a single one the other is missing then. \param places in world axes
+BoneMap withTrunkByHeight(BoneMap bones, const std::vector<Eigen::Vector3d>& places);
+
 /// Joints of HumanPose as the rig stands. Bones that the rig does not have are placed between their
 /// neighbours by an adult's proportions; crown, finger tips and toes are taken from the vertices.
-/// \param bones spine and chest of a rig with a single spine joint may be exchanged by
-/// trunkBones() before
 HumanSkeleton rigSkeleton(const BoneMap& bones, const RigStance& stance,
                           const RigMeasures& measures);
-
-/// A single joint of the spine that sits low is the spine, not the chest.
-BoneMap withLowSpine(BoneMap bones, const std::vector<Eigen::Vector3d>& places);
 
 }  // namespace markerless_mocap
