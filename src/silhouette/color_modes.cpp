@@ -8,8 +8,8 @@ namespace {
 
 /// Of the noise.
 constexpr float kKernelSigmas = 4;
-/// Share of the samples that a further mode needs.
-constexpr double kFewestShare = 0.1;
+/// Share of the samples that a further mode needs: people who cross have less.
+constexpr double kFewestShare = 0.3;
 constexpr int kMostShifts = 10;
 
 float squaredDistance(const float* a, const float* b, int channels) {

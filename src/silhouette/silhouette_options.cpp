@@ -12,8 +12,10 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "a pixel further from the background is foreground, standard deviations");
   v.field("min_sigma", min_sigma, 0.5, 50,
           "least standard deviation of a background pixel, grey levels");
-  v.field("update_rate", update_rate, 0, 0.1,
-          "share of each image in the background where no person is; 0: it stays as learned");
+  v.field(
+      "update_rate", update_rate, 0, 0.1,
+      "share of each image in the background; 0: it stays as learned. Where a person is it only "
+      "follows the light, but mog2 and knn learn people too");
   v.field("compensate_flicker", compensate_flicker,
           "divide each image by the change of light estimated over the background");
   v.field("remove_shadows", remove_shadows,
@@ -27,8 +29,9 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
   v.field("max_hole_px", max_hole_px, 0, 1000000, "holes up to this area are filled, px");
   v.field("min_blob_px", min_blob_px, 0, 1000000, "blobs below this area are removed, px");
   v.field("stale_share", stale_share, 0, 1,
-          "the background is stale when more of the image than this share differs from it");
-  v.field("stale_frames", stale_frames, 1, 100000, "for so many images in a row");
+          "more of the image than this share differs from a background that is stale");
+  v.field("stale_frames", stale_frames, 1, 100000,
+          "the background is stale after so many such images in a row");
 }
 
 void SilhouetteOptions::validate() const {

@@ -2,52 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
+
+#include "silhouette/scene.h"
 
 namespace markerless_mocap {
 namespace {
-
-const cv::Size kSize(160, 120);
-const cv::Rect kPerson(60, 30, 30, 70);
-
-/// A textured empty scene; `channels` 1 or 3.
-cv::Mat makeScene(int channels) {
-  cv::Mat scene(kSize, CV_8UC(channels));
-  cv::RNG random(7);
-  random.fill(scene, cv::RNG::UNIFORM, 90, 160);
-  cv::blur(scene, scene, {5, 5});
-  return scene;
-}
-
-cv::Mat withNoise(const cv::Mat& scene, int seed) {
-  cv::Mat noise(scene.size(), CV_16SC(scene.channels())), out;
-  cv::RNG random(seed);
-  random.fill(noise, cv::RNG::NORMAL, 0, 2);
-  cv::add(scene, noise, out, cv::noArray(), scene.type());
-  return out;
-}
-
-SilhouetteExtractor learned(const cv::Mat& scene, const SilhouetteOptions& options = {}) {
-  SilhouetteExtractor extractor(options);
-  for (int i = 0; i < options.background_frames; ++i) extractor.update(withNoise(scene, i));
-  return extractor;
-}
-
-cv::Mat withPerson(cv::Mat scene) {
-  scene(kPerson).setTo(scene.channels() == 3 ? cv::Scalar(200, 30, 30) : cv::Scalar(230));
-  return scene;
-}
-
-cv::Mat exactMask() {
-  cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
-  mask(kPerson).setTo(255);
-  return mask;
-}
-
-double iou(const cv::Mat& a, const cv::Mat& b) {
-  return double(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
-}
 
 class SilhouetteOf : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(GreyAndColor, SilhouetteOf, testing::Values(1, 3));
