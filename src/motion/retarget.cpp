@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/motion/bone_names.h"
+#include "markerless_mocap/motion/limb_ik.h"
 #include "markerless_mocap/motion/rig_stance.h"
 
 namespace markerless_mocap {
@@ -57,6 +58,7 @@ class Retargeter {
     pose.hips = scale_ * 0.5 * (place(source, Bone::kLeftThigh) + place(source, Bone::kRightThigh));
     poseTrunk(source, pose);
     for (int b = int(Bone::kLeftClavicle); b < kBoneCount; ++b) poseLimb(source, Bone(b), pose);
+    for (Bone thigh : {Bone::kLeftThigh, Bone::kRightThigh}) placeAnkle(source, thigh, pose);
     return pose;
   }
 
@@ -100,6 +102,21 @@ class Retargeter {
     const Vector3d now = pose[bone] * (skeleton_.tailOf(bone) - skeleton_.headOf(bone));
     pose[bone] =
         Quaterniond::FromTwoVectors(now, place(source, next) - place(source, bone)) * pose[bone];
+  }
+
+  /// Standing feet would slide if the knee divided another leg elsewhere: the ankle keeps its
+  /// place under the hip joint, scaled, and the knee its side.
+  void placeAnkle(const BvhPose& source, Bone thigh, HumanPose& pose) const {
+    constexpr double kForwardIfStraight = 0.005;  // of the thigh: straight knees bend to the front
+    const Bone shank = Bone(int(thigh) + 1), foot = Bone(int(thigh) + 2);
+    const Vector3d upper = pose[thigh] * (skeleton_.tailOf(thigh) - skeleton_.headOf(thigh));
+    const Vector3d lower = pose[shank] * (skeleton_.tailOf(shank) - skeleton_.headOf(shank));
+    const Vector3d ankle = scale_ * (place(source, foot) - place(source, thigh));
+    const Vector3d pole =
+        upper + kForwardIfStraight * upper.norm() * (pose[thigh] * Vector3d::UnitX());
+    const LimbBend leg = bendLimb(Vector3d::Zero(), ankle, upper.norm(), lower.norm(), pole, M_PI);
+    pose[thigh] = Quaterniond::FromTwoVectors(upper, leg.middle) * pose[thigh];
+    pose[shank] = Quaterniond::FromTwoVectors(lower, leg.end - leg.middle) * pose[shank];
   }
 
   const BvhMotion& motion_;

@@ -104,8 +104,8 @@ TEST(Retarget, theFilesAxesAndUnitDoNotMatter) {
 
 TEST(Retarget, anotherPersonsLimbsPointAsInTheFile) {
   BvhRig rig;
-  rig.skeleton = HumanSkeleton::adult(1.95, 1.0);
-  const HumanSkeleton small = HumanSkeleton::adult(1.5, 0.0);
+  rig.skeleton = HumanSkeleton::adult(1.95, 0.5);
+  const HumanSkeleton small = HumanSkeleton::adult(1.5, 0.5);
   const std::vector<HumanPose> poses = walking(rig.skeleton, 40);
   const MotionClip clip = retarget(rig.motion(poses), small, "walk.bvh");
   ASSERT_EQ(clip.poses.size(), poses.size());
@@ -119,6 +119,40 @@ TEST(Retarget, anotherPersonsLimbsPointAsInTheFile) {
             << boneName(bone) << " in frame " << f;
     for (Bone bone : {Bone::kHips, Bone::kSpine, Bone::kChest, Bone::kHead})
       EXPECT_NEAR(clip.poses[f][bone].angularDistance(poses[f][bone]), 0.0, 1e-6);
+  }
+}
+
+/// Knees higher, the hip joints and ankles where they were.
+HumanSkeleton withShortThighs() {
+  HumanSkeleton skeleton = HumanSkeleton::adult(1.75, 0.5);
+  for (Bone thigh : {Bone::kLeftThigh, Bone::kRightThigh}) {
+    const Bone shank = Bone(int(thigh) + 1);
+    skeleton.tail[size_t(thigh)].z() += 0.08;
+    skeleton.head[size_t(shank)].z() += 0.08;
+  }
+  return skeleton;
+}
+
+TEST(Retarget, anklesKeepTheirPlacesWhereverTheKneesAre) {
+  BvhRig rig;
+  rig.skeleton = withShortThighs();
+  const HumanSkeleton other = HumanSkeleton::adult(1.75, 0.5);
+  const double ratio = other.legLength() / rig.skeleton.legLength();
+  const std::vector<HumanPose> poses = walking(rig.skeleton, 40);
+  const MotionClip clip = retarget(rig.motion(poses), other, "walk.bvh");
+  for (size_t f = 0; f < poses.size(); ++f) {
+    const PerBone<Vector3d> was = jointPositions(rig.skeleton, poses[f]),
+                            is = jointPositions(other, clip.poses[f]);
+    for (const auto& [hip, foot] : {std::make_pair(Bone::kLeftThigh, Bone::kLeftFoot),
+                                    std::make_pair(Bone::kRightThigh, Bone::kRightFoot)})
+      EXPECT_NEAR(
+          (is[size_t(foot)] - is[size_t(hip)] - ratio * (was[size_t(foot)] - was[size_t(hip)]))
+              .norm(),
+          0.0, 1e-6);
+    // The knees bend to the front.
+    const Vector3d bend =
+        clip.poses[f][Bone::kLeftThigh].conjugate() * along(other, clip.poses[f], Bone::kLeftShank);
+    EXPECT_LT(bend.x(), 0.0);
   }
 }
 
