@@ -32,6 +32,7 @@ BvhText::BvhText(std::istream& stream, std::string name) : name_(std::move(name)
   std::string line;
   for (size_t number = 1; std::getline(stream, line); ++number) {
     last_line_ = number;
+    if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // UTF-8's mark
     // "Frames:12" and "Frames : 12" read the same; elsewhere a colon belongs to a joint's name.
     const size_t start = line.find_first_not_of(" \t");
     const bool colon_is_word =

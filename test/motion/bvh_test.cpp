@@ -126,7 +126,7 @@ TEST(Bvh, readsAnySpacingLineEndAndCase) {
       "zrotation Xrotation Yrotation Joint Knee{ offset 0 -4 0 CHANNELS 3 Zrotation Xrotation "
       "Yrotation END SITE{OFFSET 0 -3 1}}}\nmotion\nframes : 1\n\nFRAME  TIME:.025\n\n"
       "  1\t2 3.  9e1 0 -0 0 +90 0  \n\n";
-  for (const std::string& text : {windows, odd}) {
+  for (const std::string& text : {windows, odd, "\xEF\xBB\xBF" + windows}) {
     const BvhMotion motion = read(text);
     EXPECT_EQ(motion.joints[1].name, "Knee");
     EXPECT_DOUBLE_EQ(motion.frame_time, plain.frame_time);
