@@ -29,7 +29,7 @@ void checkVoxels(double voxels) {
 void HullOptions::visit(OptionVisitor& v) {
   v.field("volume", volume, {"explicit", "auto"},
           "where the lattice is: from volume_min to volume_max, or all that three quarters of the "
-          "cameras see above the floor");
+          "cameras see above the floor, and as many must see a voxel");
   v.field("volume_min", volume_min, -100, 100, "lowest corner of the explicit volume, m in world");
   v.field("volume_max", volume_max, -100, 100, "highest corner of the explicit volume, m in world");
   v.field("floor_height", floor_height, -100, 100,

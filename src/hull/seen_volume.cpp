@@ -17,11 +17,15 @@ bool isSeen(const CameraRig& rig, const Eigen::Vector3d& place, int wanted) {
 
 }  // namespace
 
+int enoughViews(int cameras) {
+  return int(std::ceil(0.75 * cameras));
+}
+
 Eigen::AlignedBox3d seenVolume(const CameraRig& rig, int min_views, double floor_height) {
   Eigen::AlignedBox3d cameras;
   for (const Camera& camera : rig) cameras.extend(camera.position());
   const Eigen::Vector2d middle = cameras.center().head<2>();
-  const int wanted = std::max(min_views, int(std::ceil(0.75 * double(rig.size()))));
+  const int wanted = std::max(min_views, enoughViews(int(rig.size())));
   const int reach = int(kReach / kStep), layers = int(std::lround(kHeight / kStep));
   Eigen::AlignedBox3d seen;
   for (int k = 0; k < layers; ++k)

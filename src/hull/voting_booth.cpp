@@ -8,6 +8,7 @@
 
 #include "hull/bridging.h"
 #include "hull/ghosts.h"
+#include "hull/seen_volume.h"
 
 namespace markerless_mocap {
 namespace {
@@ -72,8 +73,14 @@ const LeafVolume& VotingBooth::vote(CameraSet voters, int more_missing, const Vo
     const bool votes = (voters & present_) >> c & 1 && weights_[c] > 0;
     ballot.masks.push_back(votes ? &masks_[c] : nullptr);
   }
+  int min_views = options_.min_views;
+  if (options_.volume == "auto") {
+    const auto voting =
+        ballot.masks.size() - size_t(std::count(ballot.masks.begin(), ballot.masks.end(), nullptr));
+    min_views = std::max(min_views, enoughViews(int(voting)));
+  }
   // As many more cameras must see a voxel as may miss it.
-  ballot.min_views = options_.min_views + more_missing;
+  ballot.min_views = min_views + more_missing;
   ballot.limit = unit_ * uint32_t(1 + options_.missing_votes_allowed + more_missing);
   ballot.window.low = window.low.cwiseMax(bounds_.low);
   ballot.window.high = window.high.cwiseMin(bounds_.high);
