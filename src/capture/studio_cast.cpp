@@ -8,6 +8,7 @@
 #include "markerless_mocap/capture/furniture.h"
 #include "markerless_mocap/capture/truth.h"
 #include "markerless_mocap/character/adult_character.h"
+#include "markerless_mocap/character/imported_character.h"
 
 namespace markerless_mocap {
 namespace {
@@ -23,6 +24,11 @@ CharacterOptions otherThan(CharacterOptions character) {
   character.stature += character.stature > 1.7 ? -0.1 : 0.1;
   character.look_seed += 1;
   return character;
+}
+
+Character leadOf(const StudioOptions& options) {
+  if (options.character_file.empty()) return makeCharacter(options.character);
+  return importCharacter(options.character_file, options.character.stature);
 }
 
 /// What head, neck and hands carry keeps its colour: the rest is dressed.
@@ -71,7 +77,7 @@ StudioCast::StudioCast(const StudioOptions& options, const StudioFiles& files,
     camouflage(wall, float(options.troubles.camouflage), &character);
     return Actor{std::move(character), EndlessMotion(std::move(clip))};
   };
-  actors_.push_back(actorOf(makeCharacter(options.character)));
+  actors_.push_back(actorOf(leadOf(options)));
   if (const double distance = options.troubles.second_person; distance > 0.0) {
     actors_.push_back(actorOf(makeCharacter(otherThan(options.character))));
     actors_.back().phase = kOtherPhase * actors_.back().motion.period();

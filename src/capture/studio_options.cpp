@@ -26,6 +26,9 @@ void StudioOptions::visit(OptionVisitor& v) {
   v.field("background_frames", background_frames, 0, 10000,
           "instants of the empty room at the start");
   v.field("seed", seed, 0, 1000000000, "of the room, the random rig and all troubles");
+  v.field("character_file", character_file, {},
+          "path of a rigged character (glTF, Collada, FBX) in place of the generated person; only "
+          "`stature` of the keys below is then used");
   character.visit(v);
   troubles.visit(v);
 }

@@ -23,6 +23,7 @@ struct StudioOptions {
   double fps = 30.0;
   int background_frames = 30;
   int seed = 1;
+  std::string character_file;
   CharacterOptions character;
   TroubleOptions troubles;
 
