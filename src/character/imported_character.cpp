@@ -1,6 +1,7 @@
 #include "markerless_mocap/character/imported_character.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>

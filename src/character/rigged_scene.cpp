@@ -3,10 +3,10 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <Eigen/Geometry>
+#include <algorithm>
+
 #include <assimp/Importer.hpp>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -27,14 +27,14 @@ class Merger {
         path_(path),
         nodes_(scene),
         colors_(scene, path),
-        R_joint_(pose == RestPose::kBind ? nodes_.bindTransforms() : nodes_.nodeTransforms()) {}
+        T_joint_(pose == RestPose::kBind ? nodes_.bindTransforms() : nodes_.nodeTransforms()) {}
 
   RiggedMesh merged() {
     for (unsigned m = 0; m < scene_.mNumMeshes; ++m)
       if (scene_.mMeshes[m]->HasBones()) addSkinned(*scene_.mMeshes[m]);
     addHanging(*scene_.mRootNode);
     result_.joints = nodes_.joints();
-    for (const Matrix4d& transform : R_joint_)
+    for (const Matrix4d& transform : T_joint_)
       result_.places.push_back(transform.topRightCorner<3, 1>());
     turnOutward();
     requireFinite();
@@ -47,7 +47,7 @@ class Merger {
     std::vector<std::vector<JointWeight>> weights(mesh.mNumVertices);
     std::vector<double> sums(mesh.mNumVertices, 0.0);
     const auto transformOf = [&](const aiBone& bone) -> Matrix4d {
-      return R_joint_[nodes_.jointOf(bone)] * matrixOf(bone.mOffsetMatrix);
+      return T_joint_[nodes_.jointOf(bone)] * matrixOf(bone.mOffsetMatrix);
     };
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
       const aiBone& bone = *mesh.mBones[b];
@@ -73,7 +73,7 @@ class Merger {
       const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]];
       if (mesh.HasBones()) continue;
       const Matrix4d transform =
-          R_joint_[*joint] * nodes_.nodeTransforms()[*joint].inverse() * nodeTransform(node);
+          T_joint_[*joint] * nodes_.nodeTransforms()[*joint].inverse() * nodeTransform(node);
       append(mesh, std::vector<Matrix4d>(mesh.mNumVertices, transform),
              std::vector<std::vector<JointWeight>>(mesh.mNumVertices, {{*joint, 1.0f}}),
              transform.topLeftCorner<3, 3>().determinant() < 0.0);
@@ -132,7 +132,7 @@ class Merger {
   const std::string& path_;
   NodeJoints nodes_;
   MaterialColors colors_;
-  std::vector<Matrix4d> R_joint_;
+  std::vector<Matrix4d> T_joint_;
   RiggedMesh result_;
 };
 
