@@ -159,7 +159,7 @@ TEST(TroublesTest, secondPersonIsSeenButIsNotTheTruth) {
 }
 
 TEST(TroublesTest, chairHidesAndIsThereFromTheBeginning) {
-  const StudioOptions options = with(&TroubleOptions::chair, 0.5);
+  const StudioOptions options = with(&TroubleOptions::chair, 0.15);
   const StudioInstant plain = studio(easyStudio()).render(0), empty = studio(options).render(0);
   double changed = 0.0;
   for (size_t i = 0; i < 4; ++i)
