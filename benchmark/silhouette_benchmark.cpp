@@ -44,7 +44,7 @@ class Film {
     const cv::Point2d at(size_.width * (0.3 + 0.05 * camera) + 6 * unit_ * instant,
                          size_.height * 0.3);
     cv::Mat image = rooms_[camera].clone(), shade(size_, CV_32FC1, 1.0f);
-    part(at, {70, 320}, {110, 25}, 0.6, &shade);
+    part(at, {70, 320}, {110, 25}, 0.75, &shade);
     cv::GaussianBlur(shade, shade, {0, 0}, 4 * unit_);
     cv::cvtColor(shade, shade, cv::COLOR_GRAY2BGR);
     cv::multiply(image, shade, image, 1, CV_8UC3);

@@ -101,10 +101,14 @@ std::vector<ColorMode> findColorModes(std::vector<float> values, int channels, d
                                       int most) {
   Samples samples(std::move(values), channels);
   const int all = samples.count();
-  const float kernel = kKernelSigmas * std::max(float(min_sigma), samples.noise());
-  const float reach = kernel * kernel * channels / 2;
   const ColorMode whole = samples.meanNear(samples.at(0), 1e30f);
+  const auto reach_of = [=](float noise) {
+    return kKernelSigmas * kKernelSigmas * noise * noise * float(channels) / 2;
+  };
   // Nearly all pixels of a scene without people: one colour.
+  float reach = reach_of(float(min_sigma));
+  if (samples.meanNear(whole.mean, reach).count == all) return {whole};
+  reach = std::max(reach, reach_of(samples.noise()));
   if (samples.meanNear(whole.mean, reach).count == all) return {whole};
   std::vector<ColorMode> modes;
   while (int(modes.size()) < most && samples.count() > 0) {

@@ -1,9 +1,11 @@
 #include "silhouette/pixel_test.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 
+#include "silhouette/bit_morphology.h"
 #include "silhouette/row_kernels.h"
 
 namespace markerless_mocap {
@@ -19,11 +21,11 @@ MeanRows meanRows(const Background& background, int mode, int y) {
 
 }  // namespace
 
-void splitRow(const cv::Mat& image, int y, int stride, uint8_t* planes) {
+void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
   if (image.channels() == 3)
-    splitThree(image.ptr(y), image.cols, stride, planes);
+    splitThree(image.ptr(y) + 3 * size_t(first), count, stride, planes);
   else
-    std::memcpy(planes, image.ptr(y), image.cols);
+    std::memcpy(planes, image.ptr(y) + first, count);
 }
 
 PixelTest::PixelTest(const SilhouetteOptions& options) : options_(options) {}
@@ -45,8 +47,12 @@ const PixelClasses& PixelTest::classify(const cv::Mat& image, const Background& 
                                         double gain) {
   prepare(background);
   for (int y = 0; y < image.rows; ++y) classifyRow(image, background, gain, y);
+  // Noise is not worth a closer look: it would not outlive the opening that follows.
+  const int radius = options_.open_radius_px;
+  classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
   classes_.changed = classes_.foreground.count();
   if (!options_.remove_shadows) return classes_;
+  for (int y = 0; y < image.rows; ++y) findShades(image, background, gain, y);
   for (size_t i = 0; i < classes_.shade.words().size(); ++i)
     classes_.foreground.words()[i] &= ~classes_.shade.words()[i];
   restoreClothes(classes_.shade, blocks_, &classes_.foreground);
@@ -57,7 +63,7 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
                             int y) {
   const int n = background.stride(), channels = background.channels();
   const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
-  splitRow(image, y, n, now_.data());
+  splitRow(image, y, 0, image.cols, n, now_.data());
   const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
   for (int mode = 0; mode < background.modes(); ++mode) {
     const MeanRows mean = meanRows(background, mode, y);
@@ -67,23 +73,24 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
   }
   packAbove(squared_.data(), Background::kLimit * Background::kLimit, n, flags_.data(),
             classes_.foreground.row(y));
-  if (options_.remove_shadows) findShades(background, gain, y);
 }
 
-void PixelTest::findShades(const Background& background, double gain, int y) {
+void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y) {
+  constexpr int kWord = 64;
   const int n = background.stride();
   const float chroma = float(options_.shadow_chroma_tolerance), noise = float(options_.min_sigma);
   const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma, noise * noise};
-  for (int i = 0; i < n / 64; ++i) {
+  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
+  for (int i = 0; i < n / kWord; ++i) {
     const uint64_t changed = classes_.foreground.row(y)[i];
     if (!changed) continue;
-    const int x = 64 * i;
-    const uint8_t* now[] = {&now_[x], &now_[n + x], &now_[2 * size_t(n) + x]};
+    const int x = kWord * i;
+    splitRow(image, y, x, std::min(kWord, image.cols - x), kWord, now_.data());
     MeanRows mean = meanRows(background, 0, y);
     for (int c = 0; c < background.channels(); ++c) mean[c] += x;
     uint8_t* ratio = &classes_.ratio[size_t(y) * n + x];
     shadeRatios(now, mean.data(), background.channels(), float(gain), limits, ratio);
-    for (int k = 0; k < 64; ++k) flags_[k] = ratio[k] > 0;
+    for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
     const uint64_t shade = packFlags(flags_.data()) & changed;
     classes_.shade.row(y)[i] = shade;
     forEachBit(shade, x, [&](int at) { blocks_.add(at, y, classes_.ratio[size_t(y) * n + at]); });

@@ -15,7 +15,7 @@ struct PixelClasses {
   BitMask foreground;          ///< far from the background and no shadow
   BitMask shade;               ///< a darker shade of the background
   std::vector<uint8_t> ratio;  ///< where `shade`: brightness relative to the background's, 255 = 1
-  size_t changed = 0;          ///< pixels far from the background
+  size_t changed = 0;          ///< pixels far from the background, without specks
 };
 
 /// Tells foreground from background and shadow. A shadow is darker than its background, of the same
@@ -30,7 +30,7 @@ class PixelTest {
  private:
   void prepare(const Background& background);
   void classifyRow(const cv::Mat& image, const Background& background, double gain, int y);
-  void findShades(const Background& background, double gain, int y);
+  void findShades(const cv::Mat& image, const Background& background, double gain, int y);
 
   SilhouetteOptions options_;
   PixelClasses classes_;
@@ -39,7 +39,7 @@ class PixelTest {
   std::vector<uint16_t> squared_, other_;
 };
 
-/// One row of an image, channel after channel; `channels * stride` bytes.
-void splitRow(const cv::Mat& image, int y, int stride, uint8_t* planes);
+/// `count` pixels of a row, channel after channel, `stride` bytes apart.
+void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes);
 
 }  // namespace markerless_mocap

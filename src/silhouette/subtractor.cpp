@@ -72,7 +72,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
   now_.resize(size_t(3) * n);
   held_.resize(n);
   for (int y = next_row_; y < image.rows; y += kUpdateStride) {
-    splitRow(image, y, n, now_.data());
+    splitRow(image, y, 0, image.cols, n, now_.data());
     nearRow(mask, y, kGuardX, kGuardY, &guarded_);
     for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shade.row(y)[i];
     unpackBits(&guarded_[1], image.cols, held_.data());

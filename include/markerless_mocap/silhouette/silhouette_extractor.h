@@ -16,7 +16,7 @@ enum class SilhouetteState { kLearning, kReady, kStale };
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
   cv::Mat mask;              ///< CV_8UC1, 0 | 255, empty while learning
-  double changed_share = 0;  ///< of the pixels, unlike the background before any clean-up
+  double changed_share = 0;  ///< of the pixels, unlike the background, shadows included
   double light_gain = 1;     ///< brightness relative to the background's
 };
 
