@@ -1,7 +1,8 @@
 /// Carving against the loops that one would write first: over all voxels and cameras, and stopping
 /// at the first camera that misses, each with a projection by Eigen and with a table of pixels that
 /// was made beforehand. All is told in one run, over the same masks: the ratio to packAndVote is
-/// the result, and `voxels` must be the same. Arguments: voxels along an edge of 2 m, threads.
+/// the result. `voxels` must be those of the table; Eigen's single matrix may round one of them to
+/// the next pixel. Arguments: voxels along an edge of 2 m, threads.
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

@@ -53,8 +53,9 @@ struct VisualHull {
   VoxelLattice lattice;
   std::vector<HullVoxel> voxels;  ///< the person's component(s); empty unless usable
   HullStatus status = HullStatus::kNobody;
-  std::string reason;                     ///< one sentence; empty when kOk
-  std::vector<HullComponent> components;  ///< before selection: largest first, poorly seen ones and suspects last
+  std::string reason;  ///< one sentence; empty when kOk
+  std::vector<HullComponent>
+      components;  ///< before selection: largest first, poorly seen ones and suspects last
   std::vector<LeftOutCamera> cameras_left_out;
 
   double litres() const {
