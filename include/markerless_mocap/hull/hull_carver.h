@@ -52,13 +52,14 @@ struct HullView {
 };
 
 /// Carves the visual hull of one rig in one volume (Hsiao 2008, 3.1.3; Bakken & Hilton 2012, 3.2).
-/// A voxel is foreground when at least `min_views` cameras see it and those of them that have it
-/// outside their silhouette are trusted with less than 1 + `missing_votes_allowed` together. With
-/// full trust in all cameras these are `missing_votes_allowed` cameras. A camera that does not see
-/// a voxel (behind it, or outside its image) has no vote, nor has one that is trusted with 0. Where
-/// a silhouette with a gap has cut the body in pieces, they are joined by voxels that lack up to
-/// `bridging_votes` more votes. Cameras whose mask is full, or empty or without a part of a person
-/// whom the other cameras agree on, are left out and reported.
+/// A voxel is foreground when at least `min_views` cameras see it (in an automatic volume also
+/// three quarters of those with a mask) and those of them that have it outside their silhouette are
+/// trusted with less than 1 + `missing_votes_allowed` together. With full trust in all cameras
+/// these are `missing_votes_allowed` cameras. A camera that does not see a voxel (behind it, or
+/// outside its image) has no vote, nor has one that is trusted with 0. Where a silhouette with a
+/// gap has cut the body in pieces, they are joined by voxels that lack up to `bridging_votes` more
+/// votes. Cameras whose mask is full, or empty or without a part of a person whom the other cameras
+/// agree on, are left out and reported.
 class HullCarver {
  public:
   /// Finds where each camera sees each voxel. Throws std::invalid_argument: fewer than 2 or more
