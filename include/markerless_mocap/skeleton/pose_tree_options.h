@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// Settings of the pose tree stage.
+struct PoseTreeOptions {
+  static constexpr const char* kStage = "pose_tree";
+  std::string labelling = "ranking";
+  double prune_ratio = 0.08;
+  double least_rank = 0.0;
+  double least_validity = 0.5;
+  bool follow_labels = false;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+}  // namespace markerless_mocap
