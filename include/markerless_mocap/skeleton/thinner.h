@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/skeleton/curve_skeleton.h"
+
+namespace markerless_mocap {
+
+/// Thins a hull to its curve skeleton. The largest 26-component is kept (of equals the one with the
+/// lowest voxel), its cavities are filled, and it is peeled in parallel by critical kernels
+/// (Bertrand & Couprie 2006; 2015 for the symmetric scheme that keeps isthmuses): whether a voxel
+/// goes depends on its surroundings alone, never on an order, so a mirrored hull is peeled to the
+/// mirrored remains. What is two voxels wide then loses a side, direction by direction. The
+/// skeleton has the components and tunnels of the filled component, and no simple voxel but ends
+/// (voxels with one neighbour).
+///
+/// The memory of a call is used again by the next: one thinner per thread. The first thinner of a
+/// process fills a table of all neighbourhoods (8 MB).
+class Thinner {
+ public:
+  Thinner();
+  ~Thinner();
+  Thinner(Thinner&&) noexcept;
+  Thinner& operator=(Thinner&&) noexcept;
+
+  /// \param voxels linear indices in the lattice, ascending
+  /// Nothing in, nothing out. Throws std::invalid_argument on an index that is beyond the lattice
+  /// or does not ascend.
+  CurveSkeleton thin(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels);
+  CurveSkeleton thin(const VisualHull& hull);
+
+ private:
+  class Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+/// For one hull alone.
+CurveSkeleton thinToCurves(const VisualHull& hull);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,134 @@
+#include "markerless_mocap/skeleton/thinner.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "skeleton/bit_volume_components.h"
+#include "skeleton/cavity_filling.h"
+#include "skeleton/simple_point.h"
+#include "skeleton/thinning_scheme.h"
+
+namespace markerless_mocap {
+namespace {
+
+struct Corners {
+  Eigen::Vector3i low, high;
+};
+
+/// Calls visit(x, y, z) for each index; divides once per row only.
+template <class Visit>
+void forEachVoxel(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels, Visit visit) {
+  uint32_t row_begin = 0, row_end = 0;
+  int y = 0, z = 0;
+  for (uint32_t index : voxels) {
+    if (index >= row_end) {
+      const uint32_t row = index / uint32_t(lattice.size.x());
+      row_begin = row * uint32_t(lattice.size.x());
+      row_end = row_begin + uint32_t(lattice.size.x());
+      y = int(row % uint32_t(lattice.size.y()));
+      z = int(row / uint32_t(lattice.size.y()));
+    }
+    visit(int(index - row_begin), y, z);
+  }
+}
+
+void check(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+  if (voxels.empty()) return;
+  if (voxels.back() >= lattice.count()) {
+    throw std::invalid_argument("voxel " + std::to_string(voxels.back()) +
+                                " is beyond the lattice of " + std::to_string(lattice.count()));
+  }
+  if (std::adjacent_find(voxels.begin(), voxels.end(), std::greater_equal<>()) != voxels.end())
+    throw std::invalid_argument("voxels to thin must be in ascending order, each once");
+}
+
+Corners cornersOf(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+  Corners corners{lattice.size, Eigen::Vector3i::Zero()};
+  forEachVoxel(lattice, voxels, [&](int x, int y, int z) {
+    corners.low = corners.low.cwiseMin(Eigen::Vector3i(x, y, z));
+    corners.high = corners.high.cwiseMax(Eigen::Vector3i(x, y, z));
+  });
+  return corners;
+}
+
+}  // namespace
+
+class Thinner::Workspace {
+ public:
+  CurveSkeleton thin(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+    check(lattice, voxels);
+    CurveSkeleton skeleton;
+    skeleton.lattice = lattice;
+    if (voxels.empty()) return skeleton;
+    load(lattice, voxels);
+    const DroppedComponents dropped = components_.keep(box_, &object_);
+    skeleton.components_dropped = dropped.components;
+    skeleton.voxels_dropped = dropped.voxels;
+    skeleton.voxels_filled = cavities_.fill(box_, &object_);
+    peeling_.peel(box_, &object_);
+    sides_.thin(box_, &object_);
+    unload(lattice, &skeleton.voxels);
+    return skeleton;
+  }
+
+  std::vector<uint32_t> voxels;
+
+ private:
+  void load(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+    const Corners corners = cornersOf(lattice, voxels);
+    low_ = corners.low;
+    const Eigen::Vector3i size = corners.high - corners.low + Eigen::Vector3i::Ones();
+    box_ = BitBox(size.x(), size.y(), size.z());
+    object_.assign(box_.words, 0);
+    forEachVoxel(lattice, voxels, [&](int x, int y, int z) {
+      setBit(&object_, box_.bitOf(x - low_.x(), y - low_.y(), z - low_.z()));
+    });
+  }
+
+  void unload(const VoxelLattice& lattice, std::vector<uint32_t>* voxels) const {
+    for (int z = 0; z < box_.nz; ++z) {
+      for (int y = 0; y < box_.ny; ++y) {
+        const size_t row = box_.wordOf(y + 1, z + 1);
+        for (size_t w = 0; w < box_.row; ++w) {
+          for (uint64_t left = object_[row + w]; left != 0; left &= left - 1) {
+            const int x = int(w) * 64 + __builtin_ctzll(left) - 1;
+            voxels->push_back(lattice.index(x + low_.x(), y + low_.y(), z + low_.z()));
+          }
+        }
+      }
+    }
+  }
+
+  Eigen::Vector3i low_;
+  BitBox box_;
+  BitWords object_;
+  LargestComponent components_;
+  CavityFiller cavities_;
+  SymmetricPeeling peeling_;
+  SideThinning sides_;
+};
+
+Thinner::Thinner() : workspace_(std::make_unique<Workspace>()) {
+  SimplePointTable::shared();
+}
+Thinner::~Thinner() = default;
+Thinner::Thinner(Thinner&&) noexcept = default;
+Thinner& Thinner::operator=(Thinner&&) noexcept = default;
+
+CurveSkeleton Thinner::thin(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+  return workspace_->thin(lattice, voxels);
+}
+
+CurveSkeleton Thinner::thin(const VisualHull& hull) {
+  std::vector<uint32_t>& voxels = workspace_->voxels;
+  voxels.clear();
+  for (const HullVoxel& voxel : hull.voxels) voxels.push_back(voxel.index);
+  return workspace_->thin(hull.lattice, voxels);
+}
+
+CurveSkeleton thinToCurves(const VisualHull& hull) {
+  return Thinner().thin(hull);
+}
+
+}  // namespace markerless_mocap
