@@ -10,6 +10,7 @@ namespace markerless_mocap {
 struct PoseTreeOptions {
   static constexpr const char* kStage = "pose_tree";
   std::string labelling = "ranking";
+  std::string side_rule = "offsets";
   double prune_ratio = 0.08;
   double least_rank = 0.0;
   double least_validity = 0.5;

@@ -1,0 +1,76 @@
+#include "skeleton/tree_parts.h"
+
+#include <algorithm>
+
+namespace markerless_mocap {
+namespace {
+
+std::vector<std::vector<int32_t>> openedLinks(const TreeGraph& graph, const LabelChoice& choice) {
+  std::vector<std::vector<int32_t>> links(graph.size());
+  const auto join = [&](int32_t a, int32_t b) {
+    for (const auto& [c, d] : choice.cuts)
+      if ((a == c && b == d) || (a == d && b == c)) return;
+    links[size_t(a)].push_back(b);
+    links[size_t(b)].push_back(a);
+  };
+  for (size_t node = 1; node < graph.size(); ++node) join(int32_t(node), graph.parents[node]);
+  for (const auto& [a, b] : graph.loop_edges) join(a, b);
+  return links;
+}
+
+/// Names the nodes from `node` upwards until one that is called `stop`; returns that one, or -1
+/// above the root.
+int32_t nameUpwards(int32_t node, TreePart part, TreePart stop, std::vector<TreeNode>* nodes) {
+  while (node >= 0 && (*nodes)[size_t(node)].part != stop) {
+    (*nodes)[size_t(node)].part = part;
+    node = (*nodes)[size_t(node)].parent;
+  }
+  return node;
+}
+
+}  // namespace
+
+PlantedTree plantTree(const TreeGraph& graph, const LabelChoice& choice) {
+  PlantedTree tree;
+  const std::vector<std::vector<int32_t>> links = openedLinks(graph, choice);
+  std::vector<int32_t> place(graph.size(), -1), order{std::max(0, choice.ends[0])};
+  place[size_t(order[0])] = 0;
+  tree.nodes.push_back({graph.positions[size_t(order[0])], -1, TreePart::kNone});
+  for (size_t i = 0; i < order.size(); ++i) {
+    for (const int32_t to : links[size_t(order[i])]) {
+      if (place[size_t(to)] >= 0) continue;
+      place[size_t(to)] = int32_t(order.size());
+      order.push_back(to);
+      tree.nodes.push_back({graph.positions[size_t(to)], int32_t(i), TreePart::kNone});
+    }
+  }
+  const auto placeOf = [&](int32_t node) { return node < 0 ? -1 : place[size_t(node)]; };
+  for (size_t i = 0; i < tree.ends.size(); ++i) tree.ends[i] = placeOf(choice.ends[i]);
+  tree.origin = placeOf(choice.origin);
+  return tree;
+}
+
+bool nameParts(PlantedTree* tree) {
+  const auto name = [&](LimbEnd end, TreePart stop) {
+    return nameUpwards(tree->ends[size_t(end)], partOf(end), stop, &tree->nodes);
+  };
+  name(LimbEnd::kHand1, TreePart::kNeck);
+  const int32_t shoulders = name(LimbEnd::kHand2, partOf(LimbEnd::kHand1));
+  nameUpwards(shoulders, TreePart::kNeck, TreePart::kNeck, &tree->nodes);
+  name(LimbEnd::kFoot1, TreePart::kNeck);
+  const int32_t hips = name(LimbEnd::kFoot2, partOf(LimbEnd::kFoot1));
+  nameUpwards(hips, TreePart::kTorso, TreePart::kNeck, &tree->nodes);
+  tree->origin = shoulders;
+  return hips >= 0 && tree->nodes[size_t(hips)].part == TreePart::kTorso;
+}
+
+std::vector<Eigen::Vector3d> limbPath(const PlantedTree& tree, LimbEnd end) {
+  std::vector<Eigen::Vector3d> path;
+  for (int32_t node = tree.ends[size_t(end)];
+       node >= 0 && tree.nodes[size_t(node)].part == partOf(end);
+       node = tree.nodes[size_t(node)].parent)
+    path.push_back(tree.nodes[size_t(node)].position);
+  return path;
+}
+
+}  // namespace markerless_mocap
