@@ -43,11 +43,11 @@ FaultFinder::FaultFinder(const CameraRig& rig, int min_views, VotingBooth* booth
   const BlockLevel& leaves = plan.level(0);
   for (size_t c = 0; c < rig.size(); ++c) {
     const int columns = columnsOf(rig[c]);
-    looks_in_.emplace_back(size_t(columns) * size_t((rig[c].height() + 7) / 8), false);
+    looks_in_.emplace_back(size_t(columns) * size_t((rig[c].height() + 7) / 8), uint8_t(0));
     for (size_t leaf = 0; leaf < leaves.sees_some.size(); ++leaf)
       if (__builtin_popcount(leaves.sees_some[leaf]) >= min_views)
         forEachTile(leaves.tiles[leaf * rig.size() + c], columns,
-                    [&](size_t tile) { looks_in_[c][tile] = true; });
+                    [&](size_t tile) { looks_in_[c][tile] = 1; });
   }
 }
 
@@ -87,9 +87,11 @@ void FaultFinder::leaveOutEmpty(const MaskSurvey& masks, const VoxelBox& window,
 
 void FaultFinder::leaveOutContradicted(const MaskSurvey& masks, const VoxelBox& window,
                                        Result* result) {
-  if (unexplained(result->pieces, result->voters, kCamerasAtAGlance) < kDoubt) return;
+  // What reaches too few tiles finds too much unexplained: where that is little, all is well.
+  for (const Reach how : {Reach::kRoughly, Reach::kExactly})
+    if (unexplained(result->pieces, result->voters, kCamerasAtAGlance, how) < kDoubt) return;
   const int all = int(rig_.size());
-  const double with_all = unexplained(result->pieces, result->voters, all);
+  const double with_all = unexplained(result->pieces, result->voters, all, Reach::kExactly);
   const CameraSet gone = masks.present & ~result->voters;
   double least = 1, second = 1;
   CameraSet suspect = 0;
@@ -98,7 +100,7 @@ void FaultFinder::leaveOutContradicted(const MaskSurvey& masks, const VoxelBox& 
     const CameraSet one = 1u << c;
     if ((result->voters & one) == 0 || !mayLeaveOut(gone | one, masks.present)) continue;
     std::vector<Piece> pieces = booth_->carve(result->voters & ~one, window);
-    const double share = unexplained(pieces, result->voters & ~one, all);
+    const double share = unexplained(pieces, result->voters & ~one, all, Reach::kExactly);
     second = std::min(second, std::max(share, least));
     if (share >= least) continue;
     least = share;
@@ -110,30 +112,39 @@ void FaultFinder::leaveOutContradicted(const MaskSurvey& masks, const VoxelBox& 
   result->pieces = std::move(without_suspect);
 }
 
-double FaultFinder::unexplained(const std::vector<Piece>& pieces, CameraSet voters, int most) {
+double FaultFinder::unexplained(const std::vector<Piece>& pieces, CameraSet voters, int most,
+                                Reach how) {
   std::vector<double> shares;
   for (size_t c = 0; c < rig_.size() && int(shares.size()) < most; ++c)
-    if (voters >> c & 1) shares.push_back(unexplainedIn(c, pieces));
+    if (voters >> c & 1) shares.push_back(unexplainedIn(c, pieces, how));
   if (shares.empty()) return 0;
   const auto middle = shares.begin() + int(shares.size() / 2);
   std::nth_element(shares.begin(), middle, shares.end());
   return *middle;
 }
 
-double FaultFinder::unexplainedIn(size_t camera, const std::vector<Piece>& pieces) {
-  const int columns = columnsOf(rig_[camera]);
+double FaultFinder::unexplainedIn(size_t camera, const std::vector<Piece>& pieces, Reach how) {
+  const int columns = columnsOf(rig_[camera]), rows = int(looks_in_[camera].size()) / columns;
   reached_.assign(looks_in_[camera].size(), 0);
   for (const Piece& piece : pieces)
-    for (const Cell& cell : piece.cells) reach(camera, cell);
+    for (const Cell& cell : piece.cells)
+      how == Reach::kRoughly ? reachRoughly(camera, cell) : reach(camera, cell);
+  const BitMask& mask = booth_->mask(camera);
   size_t set = 0, left = 0;
-  for (size_t tile = 0; tile < reached_.size(); ++tile) {
-    if (!looks_in_[camera][tile] ||
-        booth_->mask(camera).tile(int(tile) % columns, int(tile) / columns) == 0)
-      continue;
-    ++set;
-    left += reached_[tile] == 0;
-  }
+  for (int x = 0; x < columns; ++x)
+    for (int y = 0; y < rows; ++y) {
+      const size_t tile = size_t(y) * size_t(columns) + size_t(x);
+      const bool counts = mask.tile(x, y) != 0 && looks_in_[camera][tile] != 0;
+      set += counts;
+      left += counts && reached_[tile] == 0;
+    }
   return set == 0 ? 0 : double(left) / double(set);
+}
+
+void FaultFinder::reachRoughly(size_t camera, const Cell& cell) {
+  const TileBox& leaf = booth_->plan().level(0).tiles[cell.leaf * rig_.size() + camera];
+  if (__builtin_popcountll(cell.voxels) < kReachesAll && leaf.count() != 1) return;
+  forEachTile(leaf, columnsOf(rig_[camera]), [&](size_t tile) { reached_[tile] = 1; });
 }
 
 void FaultFinder::reach(size_t camera, const Cell& cell) {

@@ -95,8 +95,12 @@ class HullCarver::State {
   /// Fills the hull's voxels: indices, views, colours and colour votes.
   void describe(const Piece& person, CameraSet voters, const std::vector<HullView>& views,
                 VisualHull* hull);
-  void countViews(const Piece& person, const std::vector<PieceVoxel>& order, CameraSet voters,
-                  std::vector<HullVoxel>* voxels) const;
+  /// How many cameras see all of a cell, and which others see some of it.
+  struct CellViews {
+    uint8_t whole;
+    CameraSet in_part;
+  };
+  std::vector<CellViews> viewsOf(const Piece& person, CameraSet voters) const;
 
   CameraRig rig_;
   HullOptions options_;
@@ -154,9 +158,21 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
 
 void HullCarver::State::describe(const Piece& person, CameraSet voters,
                                  const std::vector<HullView>& views, VisualHull* hull) {
-  const std::vector<PieceVoxel> order = inLatticeOrder(person, lattice_);
-  hull->voxels.resize(order.size());
-  countViews(person, order, voters, &hull->voxels);
+  const std::vector<CellViews> cell_views = viewsOf(person, voters);
+  hull->voxels.resize(person.voxels);
+  HullVoxel* next = hull->voxels.data();
+  forEachInLatticeOrder(person, lattice_, [&](uint32_t index, uint32_t slot) {
+    const size_t cell = slot / 64;
+    HullVoxel& voxel = *next++;
+    voxel.index = index;
+    voxel.rgb = {128, 128, 128};
+    voxel.views = cell_views[cell].whole;
+    for (CameraSet part = cell_views[cell].in_part; part != 0; part &= part - 1) {
+      const uint64_t seen =
+          booth_.plan().seen(person.cells[cell].leaf, size_t(__builtin_ctz(part)));
+      voxel.views = uint8_t(voxel.views + (seen >> slot % 64 & 1));
+    }
+  });
   std::vector<cv::Mat> images(views.size());
   bool any = false;
   for (size_t c = 0; c < views.size(); ++c)
@@ -164,31 +180,20 @@ void HullCarver::State::describe(const Piece& person, CameraSet voters,
       images[c] = views[c].image;
       any = true;
     }
-  if (any) painter_.paint(person, order, images, &hull->voxels);
+  if (any) painter_.paint(person, inLatticeOrder(person, lattice_), images, &hull->voxels);
 }
 
-void HullCarver::State::countViews(const Piece& person, const std::vector<PieceVoxel>& order,
-                                   CameraSet voters, std::vector<HullVoxel>* voxels) const {
-  const CarvingPlan& plan = booth_.plan();
-  const BlockLevel& leaves = plan.level(0);
-  std::vector<uint8_t> seen_whole;  // cameras that see all of a cell
-  std::vector<CameraSet> seen_in_part;
+std::vector<HullCarver::State::CellViews> HullCarver::State::viewsOf(const Piece& person,
+                                                                     CameraSet voters) const {
+  const BlockLevel& leaves = booth_.plan().level(0);
+  std::vector<CellViews> views;
+  views.reserve(person.cells.size());
   for (const Cell& cell : person.cells) {
     const CameraSet all = leaves.sees_all[cell.leaf] & voters;
-    seen_whole.push_back(uint8_t(__builtin_popcount(all)));
-    seen_in_part.push_back(leaves.sees_some[cell.leaf] & voters & ~all);
+    views.push_back(
+        {uint8_t(__builtin_popcount(all)), leaves.sees_some[cell.leaf] & voters & ~all});
   }
-  for (size_t i = 0; i < order.size(); ++i) {
-    const size_t cell = order[i].slot / 64;
-    HullVoxel& voxel = (*voxels)[i];
-    voxel.index = order[i].index;
-    voxel.rgb = {128, 128, 128};
-    voxel.views = seen_whole[cell];
-    for (CameraSet part = seen_in_part[cell]; part != 0; part &= part - 1) {
-      const uint64_t seen = plan.seen(person.cells[cell].leaf, size_t(__builtin_ctz(part)));
-      voxel.views = uint8_t(voxel.views + (seen >> order[i].slot % 64 & 1));
-    }
-  }
+  return views;
 }
 
 HullCarver::HullCarver(CameraRig rig, const HullOptions& options)

@@ -29,8 +29,8 @@ __attribute__((target("avx2"))) inline WindowHalves loadWindow(const BitMask& ma
   return {joined(a, b), joined(b, c)};
 }
 
-__attribute__((target("avx2"))) uint64_t setInWindowAvx2(const BitMask& mask, int x, int y,
-                                                         const uint8_t* codes) {
+__attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const BitMask& mask, int x, int y,
+                                                                const uint8_t* codes) {
   const WindowHalves halves = loadWindow(mask, x, y);
   const __m256i left = _mm256_broadcastsi128_si256(halves.left);
   const __m256i right = _mm256_broadcastsi128_si256(halves.right);
@@ -51,38 +51,44 @@ __attribute__((target("avx2"))) uint64_t setInWindowAvx2(const BitMask& mask, in
   }
   return result;
 }
-#endif
 
-using WindowTest = uint64_t (*)(const BitMask&, int, int, const uint8_t*);
-
-WindowTest fastestTest() {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return setInWindowAvx2;
-#endif
-  return setInWindowPlainly;
+__attribute__((target("avx2"))) uint64_t setInWindowsAvx2(const BitMask& mask,
+                                                          const PixelWindow* begin,
+                                                          const PixelWindow* end,
+                                                          const uint8_t* codes) {
+  uint64_t set = 0;
+  for (const PixelWindow* w = begin; w != end; ++w)
+    set |= w->voxels & setInWindowAvx2(mask, w->x, w->y, codes);
+  return set;
 }
+
+const bool kHasAvx2 = __builtin_cpu_supports("avx2");
+#endif
 
 }  // namespace
 
-uint64_t setInWindowPlainly(const BitMask& mask, int x, int y, const uint8_t* codes) {
-  uint64_t result = 0;
-  for (int v = 0; v < 64; ++v)
-    result |= uint64_t(mask.at(x + (codes[v] & 15), y + (codes[v] >> 4))) << v;
-  return result;
+uint64_t setInWindowsPlainly(const BitMask& mask, const PixelWindow* begin, const PixelWindow* end,
+                             const uint8_t* codes) {
+  uint64_t set = 0;
+  for (const PixelWindow* w = begin; w != end; ++w)
+    for (uint64_t left = w->voxels; left != 0; left &= left - 1) {
+      const int v = __builtin_ctzll(left);
+      set |= uint64_t(mask.at(w->x + (codes[v] & 15), w->y + (codes[v] >> 4))) << v;
+    }
+  return set;
 }
 
-uint64_t setInWindow(const BitMask& mask, int x, int y, const uint8_t* codes) {
-  static const WindowTest test = fastestTest();
-  return test(mask, x, y, codes);
+uint64_t setInWindows(const BitMask& mask, const PixelWindow* begin, const PixelWindow* end,
+                      const uint8_t* codes) {
+#ifdef __x86_64__
+  if (kHasAvx2) return setInWindowsAvx2(mask, begin, end, codes);
+#endif
+  return setInWindowsPlainly(mask, begin, end, codes);
 }
 
 uint64_t setInLeaf(const CarvingPlan& plan, const BitMask& mask, size_t leaf, size_t camera) {
-  const uint8_t* codes = plan.codes(leaf, camera);
-  uint64_t set = 0;
-  const PixelWindow* end = plan.windowsEnd(leaf, camera);
-  for (const PixelWindow* w = plan.windowsBegin(leaf, camera); w != end; ++w)
-    set |= w->voxels & setInWindow(mask, w->x, w->y, codes);
-  return set;
+  return setInWindows(mask, plan.windowsBegin(leaf, camera), plan.windowsEnd(leaf, camera),
+                      plan.codes(leaf, camera));
 }
 
 }  // namespace markerless_mocap

@@ -4,30 +4,21 @@
 #include <limits>
 
 namespace markerless_mocap {
-namespace {
 
-/// Cells [begin, end) whose leaves are of one row along x, and that row's place.
-struct CellRow {
-  size_t begin, end;
-  int y, z;  ///< leaves
-};
-
-std::vector<CellRow> rowsOf(const Piece& piece, const Eigen::Vector3i& size) {
+std::vector<CellRow> rowsOf(const Piece& piece, const Eigen::Vector3i& leaves) {
   std::vector<CellRow> rows;
   uint32_t row_end = 0;  // first leaf of the next row
   for (size_t i = 0; i < piece.cells.size(); ++i) {
     const uint32_t leaf = piece.cells[i].leaf;
     if (rows.empty() || leaf >= row_end) {
-      const uint32_t row = leaf / uint32_t(size.x());
-      row_end = (row + 1) * uint32_t(size.x());
-      rows.push_back({i, i, int(row % uint32_t(size.y())), int(row / uint32_t(size.y()))});
+      const uint32_t row = leaf / uint32_t(leaves.x());
+      row_end = (row + 1) * uint32_t(leaves.x());
+      rows.push_back({i, i, int(row % uint32_t(leaves.y())), int(row / uint32_t(leaves.y()))});
     }
     rows.back().end = i + 1;
   }
   return rows;
 }
-
-}  // namespace
 
 Eigen::Vector3i cornerOf(const VoxelLattice& lattice, uint32_t leaf) {
   const Eigen::Vector3i size = leavesOf(lattice);
@@ -36,28 +27,11 @@ Eigen::Vector3i cornerOf(const VoxelLattice& lattice, uint32_t leaf) {
 }
 
 std::vector<PieceVoxel> inLatticeOrder(const Piece& piece, const VoxelLattice& lattice) {
-  const Eigen::Vector3i size = leavesOf(lattice);
-  const std::vector<CellRow> rows = rowsOf(piece, size);
   std::vector<PieceVoxel> voxels;
   voxels.reserve(piece.voxels);
-  const auto list_line = [&](const CellRow& row, int y, int z) {
-    const uint32_t line = lattice.index(0, kLeaf * row.y + y, kLeaf * row.z + z);
-    const uint32_t row_start = uint32_t((row.z * size.y() + row.y) * size.x());
-    const int shift = 4 * y + 16 * z;
-    for (size_t c = row.begin; c < row.end; ++c) {
-      const uint32_t x = kLeaf * (piece.cells[c].leaf - row_start);
-      for (uint32_t bits = piece.cells[c].voxels >> shift & 15; bits != 0; bits &= bits - 1) {
-        const uint32_t i = uint32_t(__builtin_ctz(bits));
-        voxels.push_back({line + x + i, uint32_t(64 * c) + uint32_t(shift) + i});
-      }
-    }
-  };
-  for (size_t begin = 0, end; begin < rows.size(); begin = end) {
-    for (end = begin; end < rows.size() && rows[end].z == rows[begin].z;) ++end;
-    for (int z = 0; z < kLeaf; ++z)
-      for (size_t row = begin; row < end; ++row)
-        for (int y = 0; y < kLeaf; ++y) list_line(rows[row], y, z);
-  }
+  forEachInLatticeOrder(piece, lattice, [&](uint32_t index, uint32_t slot) {
+    voxels.push_back({index, slot});
+  });
   return voxels;
 }
 

@@ -200,8 +200,11 @@ TEST(LeafTest, VectorsTestAsTheLoop) {
   for (int i = 0; i < 500; ++i) {
     uint8_t codes[64];
     for (uint8_t& code : codes) code = uint8_t(random());
-    const int x = int(random() % 160), y = int(random() % 120);
-    ASSERT_EQ(setInWindow(bits, x, y, codes), setInWindowPlainly(bits, x, y, codes));
+    const uint64_t in_first = uint64_t(random()) << 32 | random();
+    const PixelWindow windows[] = {{in_first, uint16_t(random() % 160), uint16_t(random() % 120)},
+                                   {~in_first, uint16_t(random() % 160), uint16_t(random() % 120)}};
+    ASSERT_EQ(setInWindows(bits, windows, windows + 2, codes),
+              setInWindowsPlainly(bits, windows, windows + 2, codes));
   }
 }
 
