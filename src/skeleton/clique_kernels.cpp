@@ -6,13 +6,32 @@
 namespace markerless_mocap::clique_kernels {
 namespace {
 
-/// The word with each voxel's neighbour at x + 1, and at x - 1, in its place.
-MOCAP_INLINE uint64_t next(const uint64_t* a) {
-  return a[0] >> 1 | a[1] << 63;
+/// Rows of one word need no bits of the words beside them.
+template <bool kOneWord, class Word>
+MOCAP_INLINE uint64_t next(Word at) {
+  return kOneWord ? at(0) >> 1 : at(0) >> 1 | at(1) << 63;
 }
-MOCAP_INLINE uint64_t previous(const uint64_t* a) {
-  return a[0] << 1 | a[-1] >> 63;
+template <bool kOneWord, class Word>
+MOCAP_INLINE uint64_t previous(Word at) {
+  return kOneWord ? at(0) << 1 : at(0) << 1 | at(-1) >> 63;
 }
+
+/// The words of one or several rows together.
+struct Row {
+  const uint64_t* a;
+  MOCAP_INLINE uint64_t operator()(ptrdiff_t i) const { return a[i]; }
+};
+struct TwoRows {
+  const uint64_t *a, *b;
+  MOCAP_INLINE uint64_t operator()(ptrdiff_t i) const { return a[i] | b[i]; }
+};
+struct Square {
+  const uint64_t* a;
+  ptrdiff_t s, t;
+  MOCAP_INLINE uint64_t operator()(ptrdiff_t i) const {
+    return a[i] | a[i + s] | a[i + t] | a[i + s + t];
+  }
+};
 
 struct Verdict {
   uint64_t critical, joining;
@@ -30,199 +49,237 @@ MOCAP_INLINE Verdict ringVerdict(uint64_t a, uint64_t ab, uint64_t b, uint64_t b
   return {several | ~some, several};
 }
 
-MOCAP_INLINE void store(Verdict verdict, uint64_t among, size_t i, uint64_t* critical,
-                        uint64_t* joining, Found* found) {
-  critical[i] = verdict.critical & among;
-  joining[i] = verdict.joining & among;
-  found->critical |= critical[i];
-  found->joining |= joining[i];
-}
-
+template <bool kOneWord>
 MOCAP_INLINE uint64_t columnX(const uint64_t* at) {
-  return at[0] | next(at);
+  return at[0] | next<kOneWord>(Row{at});
 }
 
-MOCAP_WIDEST void pairsAlongX(Strides s, const uint64_t* __restrict object,
+template <bool kOneWord>
+MOCAP_INLINE void pairsAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                               const uint64_t* __restrict candidates, size_t begin, size_t end,
                               uint64_t* __restrict critical, uint64_t* __restrict joining,
                               Found* found) {
-  Found here;
-  const ptrdiff_t y = s.row, z = s.plane;
+  Found all;
   for (size_t i = begin; i < end; ++i) {
     const uint64_t* o = object + i;
-    const Verdict verdict =
-        ringVerdict(columnX(o + y), columnX(o + y + z), columnX(o + z), columnX(o + z - y),
-                    columnX(o - y), columnX(o - y - z), columnX(o - z), columnX(o + y - z));
-    store(verdict, candidates[i] & next(candidates + i), i, critical, joining, &here);
+    const Verdict verdict = ringVerdict(columnX<kOneWord>(o + y), columnX<kOneWord>(o + y + z),
+                                        columnX<kOneWord>(o + z), columnX<kOneWord>(o + z - y),
+                                        columnX<kOneWord>(o - y), columnX<kOneWord>(o - y - z),
+                                        columnX<kOneWord>(o - z), columnX<kOneWord>(o + y - z));
+    const uint64_t among = candidates[i] & next<kOneWord>(Row{candidates + i});
+    critical[i] = verdict.critical & among;
+    joining[i] = verdict.joining & among;
+    all.critical |= critical[i];
+    all.joining |= joining[i];
   }
-  found->critical |= here.critical;
-  found->joining |= here.joining;
+  found->critical |= all.critical;
+  found->joining |= all.joining;
 }
 
 /// Pairs along y with `along` the stride of rows and `across` of planes; along z the reverse.
-MOCAP_WIDEST void pairsAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
+template <bool kOneWord>
+MOCAP_INLINE void pairsAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
                              const uint64_t* __restrict candidates, size_t begin, size_t end,
                              uint64_t* __restrict critical, uint64_t* __restrict joining,
                              Found* found) {
-  Found here;
+  Found all;
   for (size_t i = begin; i < end; ++i) {
     const uint64_t *o = object + i, *p = o + along;
-    const uint64_t* const up = o + across;
-    const uint64_t* const up_p = p + across;
-    const uint64_t* const down = o - across;
-    const uint64_t* const down_p = p - across;
-    const Verdict verdict = ringVerdict(next(o) | next(p), next(up) | next(up_p), up[0] | up_p[0],
-                                        previous(up) | previous(up_p), previous(o) | previous(p),
-                                        previous(down) | previous(down_p), down[0] | down_p[0],
-                                        next(down) | next(down_p));
-    store(verdict, candidates[i] & candidates[ptrdiff_t(i) + along], i, critical, joining, &here);
+    const TwoRows here{o, p}, up{o + across, p + across}, down{o - across, p - across};
+    const Verdict verdict = ringVerdict(next<kOneWord>(here), next<kOneWord>(up), up(0),
+                                        previous<kOneWord>(up), previous<kOneWord>(here),
+                                        previous<kOneWord>(down), down(0), next<kOneWord>(down));
+    const uint64_t among = candidates[i] & candidates[ptrdiff_t(i) + along];
+    critical[i] = verdict.critical & among;
+    joining[i] = verdict.joining & among;
+    all.critical |= critical[i];
+    all.joining |= joining[i];
   }
-  found->critical |= here.critical;
-  found->joining |= here.joining;
+  found->critical |= all.critical;
+  found->joining |= all.joining;
 }
 
-/// Of 2 x 2 voxels around an edge; `ahead` and `behind` are where one of the block's neighbours at
-/// the edge's two ends is. A clique of candidates shares the edge alone if it holds a diagonal.
-MOCAP_INLINE void edgeVerdict(const uint64_t (&voxel)[4], const uint64_t (&stays)[4],
-                              uint64_t ahead, uint64_t behind, size_t i, uint64_t* critical,
-                              uint64_t* joining, Found* found) {
-  const uint64_t diagonal = (voxel[0] & voxel[3]) | (voxel[1] & voxel[2]);
-  const uint64_t among = diagonal & ~(stays[0] | stays[1] | stays[2] | stays[3]);
-  store({~(ahead ^ behind), ahead & behind}, among, i, critical, joining, found);
-}
-
-MOCAP_INLINE uint64_t anyAt(const uint64_t* a, ptrdiff_t s, ptrdiff_t t) {
-  return a[0] | a[s] | a[t] | a[s + t];
-}
-
-MOCAP_WIDEST void edgesAlongX(Strides s, const uint64_t* __restrict object,
+/// The edge's two ends are its neighbours along x. A clique shares the edge alone if it holds a
+/// diagonal of the block.
+template <bool kOneWord>
+MOCAP_INLINE void edgesAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                               const uint64_t* __restrict candidates, size_t begin, size_t end,
                               uint64_t* __restrict critical, uint64_t* __restrict joining,
                               Found* found) {
-  Found here;
-  const ptrdiff_t y = s.row, z = s.plane;
+  Found all;
   for (size_t i = begin; i < end; ++i) {
     const uint64_t *o = object + i, *c = candidates + i;
-    const uint64_t any = anyAt(o, y, z);
-    const uint64_t ahead = any >> 1 | anyAt(o + 1, y, z) << 63;
-    const uint64_t behind = any << 1 | anyAt(o - 1, y, z) >> 63;
-    edgeVerdict({o[0], o[y], o[z], o[y + z]},
-                {o[0] & ~c[0], o[y] & ~c[y], o[z] & ~c[z], o[y + z] & ~c[y + z]}, ahead, behind, i,
-                critical, joining, &here);
+    const uint64_t stays =
+        (o[0] & ~c[0]) | (o[y] & ~c[y]) | (o[z] & ~c[z]) | (o[y + z] & ~c[y + z]);
+    const uint64_t among = ((o[0] & o[y + z]) | (o[y] & o[z])) & ~stays;
+    const Square block{o, y, z};
+    const uint64_t ahead = next<kOneWord>(block), behind = previous<kOneWord>(block);
+    critical[i] = among & ~(ahead ^ behind);
+    joining[i] = among & ahead & behind;
+    all.critical |= critical[i];
+    all.joining |= joining[i];
   }
-  found->critical |= here.critical;
-  found->joining |= here.joining;
+  found->critical |= all.critical;
+  found->joining |= all.joining;
 }
 
 /// Edges along y with `along` the stride of rows and `across` of planes; along z the reverse.
-MOCAP_WIDEST void edgesAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
+template <bool kOneWord>
+MOCAP_INLINE void edgesAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
                              const uint64_t* __restrict candidates, size_t begin, size_t end,
                              uint64_t* __restrict critical, uint64_t* __restrict joining,
                              Found* found) {
-  Found here;
+  Found all;
   for (size_t i = begin; i < end; ++i) {
     const uint64_t *o = object + i, *p = o + across;
     const uint64_t *c = candidates + i, *d = c + across;
-    const uint64_t ahead = columnX(o + along) | columnX(p + along);
-    const uint64_t behind = columnX(o - along) | columnX(p - along);
-    const uint64_t o_next = next(o), p_next = next(p);
-    edgeVerdict({o[0], o_next, p[0], p_next},
-                {o[0] & ~c[0], o_next & ~next(c), p[0] & ~d[0], p_next & ~next(d)}, ahead, behind,
-                i, critical, joining, &here);
+    const auto staying = [&](ptrdiff_t w) { return (o[w] & ~c[w]) | (p[w] & ~d[w]); };
+    const uint64_t stays = staying(0) | next<kOneWord>(staying);
+    const uint64_t diagonal = (o[0] & next<kOneWord>(Row{p})) | (p[0] & next<kOneWord>(Row{o}));
+    const uint64_t among = diagonal & ~stays;
+    const TwoRows front{o + along, p + along}, back{o - along, p - along};
+    const uint64_t ahead = front(0) | next<kOneWord>(front);
+    const uint64_t behind = back(0) | next<kOneWord>(back);
+    critical[i] = among & ~(ahead ^ behind);
+    joining[i] = among & ahead & behind;
+    all.critical |= critical[i];
+    all.joining |= joining[i];
   }
-  found->critical |= here.critical;
-  found->joining |= here.joining;
+  found->critical |= all.critical;
+  found->joining |= all.joining;
 }
 
-/// Voxels of the pairs and of the edges' blocks.
-MOCAP_INLINE uint64_t inPairs(Strides s, const uint64_t* x, const uint64_t* y, const uint64_t* z) {
-  return x[0] | previous(x) | y[0] | y[-s.row] | z[0] | z[-s.plane];
+/// Around a corner: a clique shares it alone if it has voxels on both sides along every axis.
+template <bool kOneWord>
+MOCAP_INLINE void cornersOf(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
+                            const uint64_t* __restrict candidates, size_t begin, size_t end,
+                            uint64_t* __restrict critical, Found* found) {
+  uint64_t all = 0;
+  for (size_t i = begin; i < end; ++i) {
+    const uint64_t *o = object + i, *c = candidates + i;
+    const Square block{o, y, z};
+    const TwoRows low_y{o, o + z}, high_y{o + y, o + y + z}, low_z{o, o + y},
+        high_z{o + z, o + y + z};
+    const uint64_t both_x = block(0) & next<kOneWord>(block);
+    const uint64_t both_y =
+        (low_y(0) | next<kOneWord>(low_y)) & (high_y(0) | next<kOneWord>(high_y));
+    const uint64_t both_z =
+        (low_z(0) | next<kOneWord>(low_z)) & (high_z(0) | next<kOneWord>(high_z));
+    const auto staying = [&](ptrdiff_t w) {
+      return (o[w] & ~c[w]) | (o[w + y] & ~c[w + y]) | (o[w + z] & ~c[w + z]) |
+             (o[w + y + z] & ~c[w + y + z]);
+    };
+    critical[i] = both_x & both_y & both_z & ~(staying(0) | next<kOneWord>(staying));
+    all |= critical[i];
+  }
+  found->critical |= all;
 }
-MOCAP_INLINE uint64_t inEdges(Strides s, const uint64_t* x, const uint64_t* y, const uint64_t* z) {
-  const uint64_t across_x = anyAt(x, -s.row, -s.plane);
-  const uint64_t across_y = y[0] | previous(y) | y[-s.plane] | previous(y - s.plane);
-  const uint64_t across_z = z[0] | previous(z) | z[-s.row] | previous(z - s.row);
-  return across_x | across_y | across_z;
+
+/// Voxels of the pairs, and of the blocks around edges and corners.
+MOCAP_INLINE uint64_t inPairs(ptrdiff_t row, ptrdiff_t plane, const uint64_t* x, const uint64_t* y,
+                              const uint64_t* z) {
+  return x[0] | previous<false>(Row{x}) | y[0] | y[-row] | z[0] | z[-plane];
+}
+MOCAP_INLINE uint64_t inEdges(ptrdiff_t row, ptrdiff_t plane, const uint64_t* x, const uint64_t* y,
+                              const uint64_t* z) {
+  const TwoRows along_y{y, y - plane}, along_z{z, z - row};
+  return Square{x, -row, -plane}(0) | along_y(0) | previous<false>(along_y) | along_z(0) |
+         previous<false>(along_z);
+}
+
+MOCAP_WIDEST void pairsOneWord(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
+                               const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
+  if (axis == 0) pairsAlongX<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 1) pairsAlong<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 2) pairsAlong<true>(z, y, o, c, begin, end, to.critical, to.joining, found);
+}
+MOCAP_WIDEST void pairsManyWords(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
+                                 const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
+  if (axis == 0) pairsAlongX<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 1) pairsAlong<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 2) pairsAlong<false>(z, y, o, c, begin, end, to.critical, to.joining, found);
+}
+MOCAP_WIDEST void edgesOneWord(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
+                               const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
+  if (axis == 0) edgesAlongX<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 1) edgesAlong<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 2) edgesAlong<true>(z, y, o, c, begin, end, to.critical, to.joining, found);
+}
+MOCAP_WIDEST void edgesManyWords(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
+                                 const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
+  if (axis == 0) edgesAlongX<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 1) edgesAlong<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
+  if (axis == 2) edgesAlong<false>(z, y, o, c, begin, end, to.critical, to.joining, found);
+}
+MOCAP_WIDEST void cornersOneWord(ptrdiff_t y, ptrdiff_t z, size_t begin, size_t end,
+                                 const uint64_t* o, const uint64_t* c, uint64_t* to, Found* found) {
+  cornersOf<true>(y, z, o, c, begin, end, to, found);
+}
+MOCAP_WIDEST void cornersManyWords(ptrdiff_t y, ptrdiff_t z, size_t begin, size_t end,
+                                   const uint64_t* o, const uint64_t* c, uint64_t* to,
+                                   Found* found) {
+  cornersOf<false>(y, z, o, c, begin, end, to, found);
 }
 
 }  // namespace
 
-void pairs(int axis, Strides s, const uint64_t* object, const uint64_t* candidates, size_t begin,
-           size_t end, uint64_t* critical, uint64_t* joining, Found* found) {
-  if (axis == 0) {
-    pairsAlongX(s, object, candidates, begin, end, critical, joining, found);
-    return;
-  }
-  const bool y = axis == 1;
-  pairsAlong(y ? s.row : s.plane, y ? s.plane : s.row, object, candidates, begin, end, critical,
-             joining, found);
+void pairs(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
+           const uint64_t* candidates, Cliques cliques, Found* found) {
+  (box.row == 1 ? pairsOneWord : pairsManyWords)(ptrdiff_t(box.row), ptrdiff_t(box.plane), axis,
+                                                 begin, end, object, candidates, cliques, found);
 }
 
-void edges(int axis, Strides s, const uint64_t* object, const uint64_t* candidates, size_t begin,
-           size_t end, uint64_t* critical, uint64_t* joining, Found* found) {
-  if (axis == 0) {
-    edgesAlongX(s, object, candidates, begin, end, critical, joining, found);
-    return;
-  }
-  const bool y = axis == 1;
-  edgesAlong(y ? s.row : s.plane, y ? s.plane : s.row, object, candidates, begin, end, critical,
-             joining, found);
+void edges(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
+           const uint64_t* candidates, Cliques cliques, Found* found) {
+  (box.row == 1 ? edgesOneWord : edgesManyWords)(ptrdiff_t(box.row), ptrdiff_t(box.plane), axis,
+                                                 begin, end, object, candidates, cliques, found);
 }
 
-MOCAP_WIDEST void corners(Strides s, const uint64_t* __restrict object,
-                          const uint64_t* __restrict candidates, size_t begin, size_t end,
-                          uint64_t* __restrict critical, Found* found) {
-  uint64_t any_found = 0;
-  const ptrdiff_t y = s.row, z = s.plane;
-  for (size_t i = begin; i < end; ++i) {
-    const uint64_t *o = object + i, *c = candidates + i;
-    const uint64_t any = anyAt(o, y, z);
-    const uint64_t spans_x = any & (any >> 1 | anyAt(o + 1, y, z) << 63);
-    const uint64_t spans_y = (columnX(o) | columnX(o + z)) & (columnX(o + y) | columnX(o + y + z));
-    const uint64_t spans_z = (columnX(o) | columnX(o + y)) & (columnX(o + z) | columnX(o + y + z));
-    const auto stays = [&](ptrdiff_t at) {
-      return (o[at] & ~c[at]) | (o[at + y] & ~c[at + y]) | (o[at + z] & ~c[at + z]) |
-             (o[at + y + z] & ~c[at + y + z]);
-    };
-    const uint64_t here = stays(0);
-    const uint64_t one_stays = here | here >> 1 | stays(1) << 63;
-    critical[i] = spans_x & spans_y & spans_z & ~one_stays;
-    any_found |= critical[i];
-  }
-  found->critical |= any_found;
+void corners(const BitBox& box, size_t begin, size_t end, const uint64_t* object,
+             const uint64_t* candidates, uint64_t* critical, Found* found) {
+  (box.row == 1 ? cornersOneWord : cornersManyWords)(
+      ptrdiff_t(box.row), ptrdiff_t(box.plane), begin, end, object, candidates, critical, found);
 }
 
-MOCAP_WIDEST void clearPairs(Strides s, const BitWords (&cliques)[3], size_t begin, size_t end,
-                             uint64_t* __restrict voxels) {
-  const uint64_t *x = cliques[0].data(), *y = cliques[1].data(), *z = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) voxels[i] &= ~inPairs(s, x + i, y + i, z + i);
+MOCAP_WIDEST void clearPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
+                             size_t end, uint64_t* __restrict candidates) {
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
+  for (size_t i = begin; i < end; ++i) candidates[i] &= ~inPairs(y, z, a + i, b + i, c + i);
 }
 
-MOCAP_WIDEST void addPairs(Strides s, const BitWords (&cliques)[3], size_t begin, size_t end,
+MOCAP_WIDEST void addPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
+                           size_t end, const uint64_t* __restrict candidates,
                            uint64_t* __restrict voxels) {
-  const uint64_t *x = cliques[0].data(), *y = cliques[1].data(), *z = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) voxels[i] |= inPairs(s, x + i, y + i, z + i);
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
+  for (size_t i = begin; i < end; ++i)
+    voxels[i] |= candidates[i] & inPairs(y, z, a + i, b + i, c + i);
 }
 
-MOCAP_WIDEST void clearEdges(Strides s, const BitWords (&cliques)[3], size_t begin, size_t end,
-                             uint64_t* __restrict voxels) {
-  const uint64_t *x = cliques[0].data(), *y = cliques[1].data(), *z = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) voxels[i] &= ~inEdges(s, x + i, y + i, z + i);
+MOCAP_WIDEST void clearEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
+                             size_t end, uint64_t* __restrict candidates) {
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
+  for (size_t i = begin; i < end; ++i) candidates[i] &= ~inEdges(y, z, a + i, b + i, c + i);
 }
 
-MOCAP_WIDEST void addEdges(Strides s, const uint64_t* __restrict object,
-                           const BitWords (&cliques)[3], size_t begin, size_t end,
+MOCAP_WIDEST void addEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
+                           size_t end, const uint64_t* __restrict candidates,
                            uint64_t* __restrict voxels) {
-  const uint64_t *x = cliques[0].data(), *y = cliques[1].data(), *z = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) voxels[i] |= object[i] & inEdges(s, x + i, y + i, z + i);
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
+  for (size_t i = begin; i < end; ++i)
+    voxels[i] |= candidates[i] & inEdges(y, z, a + i, b + i, c + i);
 }
 
-MOCAP_WIDEST void clearCorners(Strides s, const uint64_t* __restrict cliques, size_t begin,
-                               size_t end, uint64_t* __restrict voxels) {
+MOCAP_WIDEST void clearCorners(const BitBox& box, const BitWords& cliques, size_t begin, size_t end,
+                               uint64_t* __restrict candidates) {
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  const uint64_t* a = cliques.data();
   for (size_t i = begin; i < end; ++i) {
-    const uint64_t* c = cliques + i;
-    const uint64_t any = anyAt(c, -s.row, -s.plane);
-    voxels[i] &= ~(any | any << 1 | anyAt(c - 1, -s.row, -s.plane) >> 63);
+    const Square block{a + i, -y, -z};
+    candidates[i] &= ~(block(0) | previous<false>(block));
   }
 }
 

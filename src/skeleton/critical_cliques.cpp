@@ -4,70 +4,71 @@
 
 namespace markerless_mocap {
 
+using clique_kernels::Cliques;
 using clique_kernels::Found;
-using clique_kernels::Strides;
 
-CriticalCliques::CriticalCliques(const BitBox& box) : box_(box) {
+void CriticalCliques::resize(const BitBox& box) {
+  box_ = box;
+  words_ = WordSet(box.words);
   for (int axis = 0; axis < 3; ++axis) {
     critical_[axis].assign(box.words, 0);
     joining_[axis].assign(box.words, 0);
   }
 }
 
-void CriticalCliques::keepPairs(const WordSpans& spans, const BitWords& object,
-                                BitWords* candidates, BitWords* isthmuses) {
-  const Strides strides{ptrdiff_t(box_.row), ptrdiff_t(box_.plane)};
-  Found found;
-  for (const auto& [begin, end] : spans) {
-    for (int axis = 0; axis < 3; ++axis) {
-      clique_kernels::pairs(axis, strides, object.data(), candidates->data(), begin, end,
-                            critical_[axis].data(), joining_[axis].data(), &found);
-    }
+void CriticalCliques::listSpans(const WordSet& candidate_words) {
+  words_.clear();
+  for (size_t by : {size_t(0), box_.row, box_.plane, box_.plane + box_.row}) {
+    words_.addBefore(candidate_words, by);
+    if (box_.row > 1) words_.addBefore(candidate_words, by + 1);
   }
+  words_.list(&spans_);
+}
+
+void CriticalCliques::keepPairs(const BitWords& object, BitWords* candidates, BitWords* isthmuses) {
+  Found found;
+  for (const auto& [begin, end] : spans_)
+    for (int axis = 0; axis < 3; ++axis)
+      clique_kernels::pairs(box_, axis, begin, end, object.data(), candidates->data(),
+                            {critical_[axis].data(), joining_[axis].data()}, &found);
   if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans) {
-    clique_kernels::clearPairs(strides, critical_, begin, end, candidates->data());
+  for (const auto& [begin, end] : spans_) {
     if (found.joining != 0)
-      clique_kernels::addPairs(strides, joining_, begin, end, isthmuses->data());
+      clique_kernels::addPairs(box_, joining_, begin, end, candidates->data(), isthmuses->data());
+    clique_kernels::clearPairs(box_, critical_, begin, end, candidates->data());
   }
 }
 
-void CriticalCliques::keepEdges(const WordSpans& spans, const BitWords& object,
-                                BitWords* candidates, BitWords* isthmuses) {
-  const Strides strides{ptrdiff_t(box_.row), ptrdiff_t(box_.plane)};
+void CriticalCliques::keepEdges(const BitWords& object, BitWords* candidates, BitWords* isthmuses) {
   Found found;
-  for (const auto& [begin, end] : spans) {
-    for (int axis = 0; axis < 3; ++axis) {
-      clique_kernels::edges(axis, strides, object.data(), candidates->data(), begin, end,
-                            critical_[axis].data(), joining_[axis].data(), &found);
-    }
-  }
+  for (const auto& [begin, end] : spans_)
+    for (int axis = 0; axis < 3; ++axis)
+      clique_kernels::edges(box_, axis, begin, end, object.data(), candidates->data(),
+                            {critical_[axis].data(), joining_[axis].data()}, &found);
   if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans) {
+  for (const auto& [begin, end] : spans_) {
     if (found.joining != 0)
-      clique_kernels::addEdges(strides, object.data(), joining_, begin, end, isthmuses->data());
-    clique_kernels::clearEdges(strides, critical_, begin, end, candidates->data());
+      clique_kernels::addEdges(box_, joining_, begin, end, candidates->data(), isthmuses->data());
+    clique_kernels::clearEdges(box_, critical_, begin, end, candidates->data());
   }
 }
 
-void CriticalCliques::keepCorners(const WordSpans& spans, const BitWords& object,
-                                  BitWords* candidates) {
-  const Strides strides{ptrdiff_t(box_.row), ptrdiff_t(box_.plane)};
+void CriticalCliques::keepCorners(const BitWords& object, BitWords* candidates) {
   Found found;
-  for (const auto& [begin, end] : spans) {
-    clique_kernels::corners(strides, object.data(), candidates->data(), begin, end,
+  for (const auto& [begin, end] : spans_)
+    clique_kernels::corners(box_, begin, end, object.data(), candidates->data(),
                             critical_[0].data(), &found);
-  }
   if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans)
-    clique_kernels::clearCorners(strides, critical_[0].data(), begin, end, candidates->data());
+  for (const auto& [begin, end] : spans_)
+    clique_kernels::clearCorners(box_, critical_[0], begin, end, candidates->data());
 }
 
-void CriticalCliques::keep(const WordSpans& spans, const BitWords& object, BitWords* candidates,
-                           BitWords* isthmuses) {
-  keepPairs(spans, object, candidates, isthmuses);
-  keepEdges(spans, object, candidates, isthmuses);
-  keepCorners(spans, object, candidates);
+void CriticalCliques::keep(const WordSet& candidate_words, const BitWords& object,
+                           BitWords* candidates, BitWords* isthmuses) {
+  listSpans(candidate_words);
+  keepPairs(object, candidates, isthmuses);
+  keepEdges(object, candidates, isthmuses);
+  keepCorners(object, candidates);
 }
 
 }  // namespace markerless_mocap

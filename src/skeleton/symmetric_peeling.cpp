@@ -19,84 +19,109 @@ __attribute__((target_clones("avx2", "default"))) void findBorder(ptrdiff_t y, p
   }
 }
 
+bool isEnd(uint32_t around) {
+  return (around & (around - 1)) == 0;
+}
+
 }  // namespace
 
-void SymmetricPeeling::resize(const BitBox& box) {
-  cliques_ = CriticalCliques(box);
-  border_.assign(box.words, 0);
-  candidates_.assign(box.words, 0);
-  kept_.assign(box.words, 0);
+void SymmetricPeeling::begin(const BitBox& box, int persistence, const BitWords& object) {
+  cliques_.resize(box);
+  for (BitWords* words : {&border_, &candidates_, &kept_, &isthmuses_, &seen_})
+    words->assign(box.words, 0);
+  fresh_.assign(size_t(persistence), {});
+  candidate_words_ = object_words_ = WordSet(box.words);
+  for (size_t i = 0; i < box.words; ++i)
+    if (object[i] != 0) object_words_.add(i);
 }
 
-void SymmetricPeeling::listSpans(const BitBox& box, const BitWords& object) {
-  rows_.assign(size_t(box.nz + 2), {box.ny + 2, -1});
-  for (int z = 1; z <= box.nz; ++z) {
-    auto& [first, last] = rows_[size_t(z)];
-    for (int y = 1; y <= box.ny; ++y) {
-      const auto row = object.begin() + ptrdiff_t(box.wordOf(y, z));
-      if (std::all_of(row, row + ptrdiff_t(box.row), [](uint64_t word) { return word == 0; }))
-        continue;
-      first = std::min(first, y);
-      last = y;
-    }
-  }
-  next_spans_.clear();
-  for (int z = 0; z <= box.nz; ++z) {
-    const int first = std::min(rows_[size_t(z)].first, rows_[size_t(z) + 1].first) - 1;
-    const int last = std::max(rows_[size_t(z)].second, rows_[size_t(z) + 1].second);
-    if (last >= 0) next_spans_.emplace_back(box.wordOf(first, z), box.wordOf(last + 1, z));
-  }
-}
-
-void SymmetricPeeling::judgeBorder(const BitBox& box, const BitWords& object) {
-  const SimplePointTable& simple = SimplePointTable::shared();
-  for (const auto& [begin, end] : spans_) {
+void SymmetricPeeling::listBorder(const BitBox& box, const BitWords& object) {
+  border_voxels_.clear();
+  surroundings_.clear();
+  object_words_.list(&object_spans_);
+  for (const auto& [begin, end] : object_spans_) {
     findBorder(ptrdiff_t(box.row), ptrdiff_t(box.plane), object.data(), kept_.data(), begin, end,
                border_.data());
     for (size_t i = begin; i < end; ++i) {
-      uint64_t removable = 0, kept = 0;
       for (uint64_t left = border_[i]; left != 0; left &= left - 1) {
-        const uint64_t bit = left & -left;
-        const uint32_t around =
-            neighborhood(box, object.data(), i * 64 + size_t(__builtin_ctzll(left))) & ~kCenterBit;
-        if ((around & (around - 1)) == 0) {
-          kept |= bit;
-        } else if (simple(around)) {
-          removable |= bit;
-        } else if (objectComponents(around) > 1) {
-          kept |= bit;
-        }
+        const size_t bit = i * 64 + size_t(__builtin_ctzll(left));
+        border_voxels_.push_back(bit);
+        surroundings_.push_back(neighborhood(box, object.data(), bit) & ~kCenterBit);
       }
-      candidates_[i] = removable;
-      kept_[i] |= kept;
     }
+  }
+}
+
+void SymmetricPeeling::judgeBorder() {
+  const SimplePointTable& simple = SimplePointTable::shared();
+  not_simple_.resize(border_voxels_.size());
+  size_t hard = 0;
+  for (size_t n = 0; n < border_voxels_.size(); ++n) {
+    const bool removable = simple(surroundings_[n]);
+    candidates_[border_voxels_[n] / 64] |= uint64_t(removable) << (border_voxels_[n] % 64);
+    not_simple_[hard] = n;
+    hard += removable ? 0 : 1;
+  }
+  not_simple_.resize(hard);
+  for (size_t n : not_simple_)
+    if (objectComponents(surroundings_[n]) > 1) setBit(&isthmuses_, border_voxels_[n]);
+}
+
+void SymmetricPeeling::keepEnds() {
+  for (size_t n = 0; n < border_voxels_.size(); ++n) {
+    if (!isEnd(surroundings_[n])) continue;
+    clearBit(&candidates_, border_voxels_[n]);
+    setBit(&kept_, border_voxels_[n]);
   }
 }
 
 bool SymmetricPeeling::removeCandidates(BitWords* object) {
   uint64_t removed = 0;
-  for (const auto& [begin, end] : spans_) {
+  object_words_.clear();
+  for (const auto& [begin, end] : object_spans_) {
     for (size_t i = begin; i < end; ++i) {
-      (*object)[i] &= ~candidates_[i];
       removed |= candidates_[i];
+      (*object)[i] &= ~candidates_[i];
+      candidates_[i] = 0;
+      if ((*object)[i] != 0) object_words_.add(i);
     }
   }
   return removed != 0;
 }
 
-void SymmetricPeeling::peel(const BitBox& box, BitWords* object) {
-  resize(box);
-  listSpans(box, *object);
-  spans_ = next_spans_;
-  BitWords before;
-  do {
-    // Rows that a round has emptied are gone over once more, so that nothing of it is left there.
-    listSpans(box, *object);
-    before = kept_;
-    judgeBorder(box, *object);
-    cliques_.keep(spans_, *object, &candidates_, &kept_);
-    spans_.swap(next_spans_);
-  } while (removeCandidates(object) || kept_ != before);
+bool SymmetricPeeling::settleIsthmuses(const BitWords& object) {
+  std::rotate(fresh_.begin(), fresh_.end() - 1, fresh_.end());
+  fresh_.front().clear();
+  for (const auto& [begin, end] : object_spans_) {
+    for (size_t i = begin; i < end; ++i) {
+      if (const uint64_t fresh = isthmuses_[i] & ~seen_[i]; fresh != 0) {
+        fresh_.front().push_back({i, fresh});
+        seen_[i] |= fresh;
+      }
+      isthmuses_[i] = 0;
+    }
+  }
+  const bool some =
+      std::any_of(fresh_.begin(), fresh_.end(), [](const auto& f) { return !f.empty(); });
+  for (const Bits& old : fresh_.back()) kept_[old.word] |= old.bits & object[old.word];
+  return some;
+}
+
+void SymmetricPeeling::peel(const BitBox& box, int persistence, BitWords* object) {
+  begin(box, persistence, *object);
+  bool changed = true;
+  for (int round = 0; changed; ++round) {
+    listBorder(box, *object);
+    judgeBorder();
+    if (round == 0) keepEnds();
+    candidate_words_.clear();
+    for (const auto& [begin, end] : object_spans_)
+      for (size_t i = begin; i < end; ++i)
+        if (candidates_[i] != 0) candidate_words_.add(i);
+    cliques_.keep(candidate_words_, *object, &candidates_, &isthmuses_);
+    changed = removeCandidates(object);
+    changed |= settleIsthmuses(*object);
+  }
 }
 
 }  // namespace markerless_mocap

@@ -1,6 +1,7 @@
 #include "markerless_mocap/skeleton/thinner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -56,6 +57,13 @@ Corners cornersOf(const VoxelLattice& lattice, const std::vector<uint32_t>& voxe
 
 class Thinner::Workspace {
  public:
+  explicit Workspace(double persistence) : persistence_(persistence) {
+    if (!(persistence >= 0.0) || std::isinf(persistence)) {
+      throw std::invalid_argument("the thinner's persistence must be >= 0 and finite, not " +
+                                  std::to_string(persistence));
+    }
+  }
+
   CurveSkeleton thin(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
     check(lattice, voxels);
     CurveSkeleton skeleton;
@@ -66,7 +74,7 @@ class Thinner::Workspace {
     skeleton.components_dropped = dropped.components;
     skeleton.voxels_dropped = dropped.voxels;
     skeleton.voxels_filled = cavities_.fill(box_, &object_);
-    peeling_.peel(box_, &object_);
+    peeling_.peel(box_, roundsIn(lattice.pitch), &object_);
     sides_.thin(box_, &object_);
     unload(lattice, &skeleton.voxels);
     return skeleton;
@@ -75,6 +83,10 @@ class Thinner::Workspace {
   std::vector<uint32_t> voxels;
 
  private:
+  int roundsIn(double pitch) const {
+    return int(std::clamp(std::round(persistence_ / pitch), 1.0, 1000.0));
+  }
+
   void load(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
     const Corners corners = cornersOf(lattice, voxels);
     low_ = corners.low;
@@ -100,6 +112,7 @@ class Thinner::Workspace {
     }
   }
 
+  double persistence_;
   Eigen::Vector3i low_;
   BitBox box_;
   BitWords object_;
@@ -109,7 +122,7 @@ class Thinner::Workspace {
   SideThinning sides_;
 };
 
-Thinner::Thinner() : workspace_(std::make_unique<Workspace>()) {
+Thinner::Thinner(double persistence) : workspace_(std::make_unique<Workspace>(persistence)) {
   SimplePointTable::shared();
 }
 Thinner::~Thinner() = default;

@@ -19,7 +19,13 @@ namespace markerless_mocap {
 /// process fills a table of all neighbourhoods (8 MB).
 class Thinner {
  public:
-  Thinner();
+  static constexpr double kPersistence = 0.04;
+
+  /// \param persistence metres, >= 0, finite: a curve is kept where it stands out of the body so
+  /// far
+  ///   after the peeling has laid it bare. Bumps that are lower leave no spur; ends of limbs are
+  ///   shorter by as much.
+  explicit Thinner(double persistence = kPersistence);
   ~Thinner();
   Thinner(Thinner&&) noexcept;
   Thinner& operator=(Thinner&&) noexcept;
