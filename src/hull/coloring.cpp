@@ -15,6 +15,14 @@ int squaredDistance(const Rgb& a, const Rgb& b) {
   return sum;
 }
 
+/// 2^19 / count and one more, for up to 32 cameras.
+constexpr std::array<uint32_t, 33> inverses() {
+  std::array<uint32_t, 33> table{};
+  for (uint32_t count = 1; count < table.size(); ++count) table[count] = (1u << 19) / count + 1;
+  return table;
+}
+constexpr std::array<uint32_t, 33> kInverse = inverses();
+
 /// Calls visit(slot) for the voxels of a cell.
 template <class Visit>
 void forEachSlot(uint64_t voxels, size_t cell, Visit visit) {
@@ -35,8 +43,10 @@ void HullPainter::ColorSum::add(const Rgb& color) {
 }
 
 Rgb HullPainter::ColorSum::mean() const {
+  // Rounded division by multiplication: sums stay below 2^13 and counts below 2^6.
+  const uint32_t inverse = kInverse[count];
   Rgb color;
-  for (int c = 0; c < 3; ++c) color[c] = uint8_t((rgb[c] + count / 2) / count);
+  for (int c = 0; c < 3; ++c) color[c] = uint8_t((rgb[c] + count / 2u) * inverse >> 19);
   return color;
 }
 

@@ -159,13 +159,14 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
 void HullCarver::State::describe(const Piece& person, CameraSet voters,
                                  const std::vector<HullView>& views, VisualHull* hull) {
   const std::vector<CellViews> cell_views = viewsOf(person, voters);
-  hull->voxels.resize(person.voxels);
+  HullVoxel unpainted;
+  unpainted.rgb = {128, 128, 128};
+  hull->voxels.assign(person.voxels, unpainted);
   HullVoxel* next = hull->voxels.data();
   forEachInLatticeOrder(person, lattice_, [&](uint32_t index, uint32_t slot) {
     const size_t cell = slot / 64;
     HullVoxel& voxel = *next++;
     voxel.index = index;
-    voxel.rgb = {128, 128, 128};
     voxel.views = cell_views[cell].whole;
     for (CameraSet part = cell_views[cell].in_part; part != 0; part &= part - 1) {
       const uint64_t seen =

@@ -15,11 +15,6 @@ constexpr double kBehind = 2.0;
 constexpr double kCell = 1.25;
 constexpr float kFar = std::numeric_limits<float>::max();
 
-Rgb colorAt(const cv::Mat& image, int x, int y) {
-  const uint8_t* bgr = image.ptr(y) + size_t(x) * size_t(image.channels());
-  return image.channels() == 3 ? Rgb{bgr[2], bgr[1], bgr[0]} : Rgb{bgr[0], bgr[0], bgr[0]};
-}
-
 }  // namespace
 
 SurfaceSight::SurfaceSight(const CameraRig& rig, const CarvingPlan& plan)
@@ -83,52 +78,84 @@ uint64_t SurfaceSight::facing(const Viewpoint& viewpoint, size_t cell) const {
   return voxels;
 }
 
-void SurfaceSight::findCandidates(size_t camera, SurfaceView* view) const {
+float SurfaceSight::depthOf(const Viewpoint& viewpoint, size_t cell) const {
   const VoxelLattice& lattice = plan_.lattice();
+  const Eigen::Vector3d lowest =
+      lattice.origin + lattice.pitch * (corners_[cell].cast<double>().array() + 0.5).matrix();
+  return float(viewpoint.forward.dot(lowest - viewpoint.position));
+}
+
+void SurfaceSight::findCandidates(size_t camera, SurfaceView* view) const {
   const Viewpoint& viewpoint = viewpoints_[camera];
-  view->candidates.clear();
+  view->facing.resize(corners_.size());
+  size_t count = 0;
   for (size_t i = 0; i < corners_.size(); ++i) {
-    const uint64_t voxels = facing(viewpoint, i);
-    if (voxels == 0) continue;
+    view->facing[i] = facing(viewpoint, i);
+    count += size_t(__builtin_popcountll(view->facing[i]));
+    if (view->facing[i] != 0) __builtin_prefetch(plan_.codes(piece_.cells[i].leaf, camera));
+  }
+  view->candidates.resize(count);
+  SurfaceView::Candidate* next = view->candidates.data();
+  for (size_t i = 0; i < corners_.size(); ++i) {
+    if (view->facing[i] == 0) continue;
     const uint32_t leaf = piece_.cells[i].leaf;
-    const Eigen::Vector3d lowest =
-        lattice.origin + lattice.pitch * (corners_[i].cast<double>().array() + 0.5).matrix();
-    const float depth = float(viewpoint.forward.dot(lowest - viewpoint.position));
+    const float depth = depthOf(viewpoint, i);
     const uint8_t* codes = plan_.codes(leaf, camera);
     const PixelWindow* end = plan_.windowsEnd(leaf, camera);
     for (const PixelWindow* w = plan_.windowsBegin(leaf, camera); w != end; ++w)
-      for (uint64_t left = w->voxels & voxels; left != 0; left &= left - 1) {
+      for (uint64_t left = w->voxels & view->facing[i]; left != 0; left &= left - 1) {
         const int bit = __builtin_ctzll(left);
-        view->candidates.push_back(
-            {uint32_t(64 * i) + uint32_t(bit), uint16_t(w->x + (codes[bit] & 15)),
-             uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_leaf[bit]});
+        *next++ = {uint32_t(64 * i) + uint32_t(bit), uint16_t(w->x + (codes[bit] & 15)),
+                   uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_leaf[bit]};
       }
+  }
+  // A camera may face voxels that it does not see.
+  view->candidates.resize(size_t(next - view->candidates.data()));
+}
+
+void SurfaceSight::fillDepths(const Viewpoint& viewpoint, const cv::Mat& image,
+                              SurfaceView* view) const {
+  float nearest = kFar;
+  for (const SurfaceView::Candidate& c : view->candidates) nearest = std::min(nearest, c.depth);
+  const double pitch = plan_.lattice().pitch;
+  const double voxel_px = viewpoint.focal * pitch / std::max(double(nearest), pitch);
+  const uint32_t cell_px = uint32_t(std::max(1, int(std::ceil(kCell * voxel_px))));
+  const uint32_t columns = uint32_t(image.cols) / cell_px + 1;
+  const uint32_t rows = uint32_t(image.rows) / cell_px + 1;
+  view->depths.assign(size_t(columns) * size_t(rows), kFar);
+  view->places.resize(view->candidates.size());
+  const size_t pixel_bytes = image.elemSize();
+  // Division of 16 bit by multiplication.
+  const uint64_t inverse = (uint64_t(1) << 32) / cell_px + 1;
+  for (size_t i = 0; i < view->candidates.size(); ++i) {
+    const SurfaceView::Candidate& c = view->candidates[i];
+    const uint32_t place = uint32_t(c.y * inverse >> 32) * columns + uint32_t(c.x * inverse >> 32);
+    view->places[i] = place;
+    __builtin_prefetch(image.data + c.y * image.step[0] + c.x * pixel_bytes);
+    view->depths[place] = std::min(view->depths[place], c.depth);
   }
 }
 
 void SurfaceSight::look(size_t camera, const cv::Mat& image, SurfaceView* view) const {
   findCandidates(camera, view);
-  float nearest = kFar;
-  for (const SurfaceView::Candidate& c : view->candidates) nearest = std::min(nearest, c.depth);
-  const double pitch = plan_.lattice().pitch;
-  const double voxel_px = viewpoints_[camera].focal * pitch / std::max(double(nearest), pitch);
-  const int cell_px = std::max(1, int(std::ceil(kCell * voxel_px)));
-  const int columns = image.cols / cell_px + 1, rows = image.rows / cell_px + 1;
-  view->depths.assign(size_t(columns) * size_t(rows), kFar);
-  view->places.clear();
-  for (const SurfaceView::Candidate& c : view->candidates) {
-    const uint32_t place = uint32_t(c.y / cell_px * columns + c.x / cell_px);
-    view->places.push_back(place);
-    view->depths[place] = std::min(view->depths[place], c.depth);
-  }
+  fillDepths(viewpoints_[camera], image, view);
+  if (image.channels() == 3)
+    paintSeen<3>(image, view);
+  else
+    paintSeen<1>(image, view);
+}
+
+template <int kChannels>
+void SurfaceSight::paintSeen(const cv::Mat& image, SurfaceView* view) const {
   view->seen.assign(corners_.size(), 0);
   view->rgb.resize(corners_.size() * 64);
-  const float behind = float(kBehind * pitch);
+  const float behind = float(kBehind * plan_.lattice().pitch);
   for (size_t i = 0; i < view->candidates.size(); ++i) {
     const SurfaceView::Candidate& c = view->candidates[i];
     if (c.depth > view->depths[view->places[i]] + behind) continue;
     view->seen[c.slot / 64] |= uint64_t(1) << c.slot % 64;
-    view->rgb[c.slot] = colorAt(image, c.x, c.y);
+    const uint8_t* bgr = image.data + c.y * image.step[0] + size_t(c.x) * kChannels;
+    view->rgb[c.slot] = {bgr[kChannels - 1], bgr[kChannels / 2], bgr[0]};
   }
 }
 

@@ -22,6 +22,7 @@ struct SurfaceView {
     uint16_t x, y;
     float depth;  ///< m
   };
+  std::vector<uint64_t> facing;  ///< voxels per cell
   std::vector<Candidate> candidates;
   std::vector<float> depths;     ///< the nearest, per cell of the depth buffer
   std::vector<uint32_t> places;  ///< cell of the depth buffer, per candidate
@@ -50,7 +51,11 @@ class SurfaceSight {
   };
   void findNeighbors(size_t cell);
   uint64_t facing(const Viewpoint& viewpoint, size_t cell) const;
+  float depthOf(const Viewpoint& viewpoint, size_t cell) const;  ///< m, of the lowest voxel
   void findCandidates(size_t camera, SurfaceView* view) const;
+  void fillDepths(const Viewpoint& viewpoint, const cv::Mat& image, SurfaceView* view) const;
+  template <int kChannels>
+  void paintSeen(const cv::Mat& image, SurfaceView* view) const;
 
   const CarvingPlan& plan_;
   std::vector<Viewpoint> viewpoints_;
