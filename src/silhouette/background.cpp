@@ -12,6 +12,8 @@ namespace {
 /// First bytes of a file; numbers follow as the machine has them, little endian on all of ours.
 constexpr char kMagic[] = "markerless_mocap background 1\n";
 constexpr int kLargestSide = 16384;
+/// One pixel in so many is asked for the usual noise.
+constexpr size_t kNoiseStep = 61;
 
 struct FileHead {
   char magic[sizeof(kMagic)];
@@ -49,6 +51,11 @@ void Background::setThreshold(double threshold_sigmas, double min_sigma) {
       const double limit = threshold_sigmas * std::max(min_sigma, sigma_[i] / double(kMeanScale));
       weight_[i] = uint16_t(std::min(largest, std::round(kLimit * kWeightScale / limit)));
     }
+  std::vector<uint16_t> sample;
+  for (size_t i = 0; i < sigma_.size() / modes_; i += kNoiseStep)
+    if (weight_[i] > 0) sample.push_back(sigma_[i]);
+  std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
+  noise_ = std::max(min_sigma, sample[sample.size() / 2] / double(kMeanScale));
 }
 
 void Background::save(const std::string& path) const {

@@ -39,7 +39,10 @@ class Background {
   /// kLimit * kWeightScale over the threshold in grey levels; 0 right of the image.
   const uint16_t* weight(int mode, int y) const { return &weight_[offset(mode, y)]; }
 
-  /// Makes the weights from the standard deviations.
+  /// Usual standard deviation of a pixel, all channels together, at least `min_sigma`, grey levels.
+  double noise() const { return noise_; }
+
+  /// Makes the weights and the noise from the standard deviations.
   void setThreshold(double threshold_sigmas, double min_sigma);
 
   /// Throws std::invalid_argument, in one sentence that names the file, if it cannot be written.
@@ -53,6 +56,7 @@ class Background {
 
   cv::Size size_;
   int channels_ = 0, modes_ = 0, stride_ = 0;
+  double noise_ = 0;
   std::vector<uint16_t> mean_, sigma_, weight_;
 };
 

@@ -10,6 +10,8 @@ namespace {
 /// Compared pixels; enough for a thousandth.
 constexpr double kSamples = 2500;
 constexpr int kFewest = 50;
+/// So many times further apart than on a square grid are its rows, and nearer its columns.
+constexpr int kRowsApart = 2;
 // Dark pixels are mostly noise, bright ones clip.
 constexpr float kDarkest = 25, kBrightest = 230;
 /// Ratios further from the median are people and shadows.
@@ -25,10 +27,12 @@ float median(std::vector<float>* values) {
 template <class UsualT>
 std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_at) {
   const int channels = image.channels();
-  const int step = std::max(2, int(std::sqrt(image.total() / kSamples)));
+  // Few rows of many pixels: memory comes in rows.
+  const int step = std::max(2, int(std::sqrt(image.total() / kSamples) / kRowsApart));
+  const int row_step = step * kRowsApart * kRowsApart;
   std::vector<float> ratios;
-  ratios.reserve(size_t(image.cols / step + 1) * (image.rows / step + 1));
-  for (int y = step / 2; y < image.rows; y += step)
+  ratios.reserve(size_t(image.cols / step + 1) * (image.rows / row_step + 1));
+  for (int y = row_step / 2; y < image.rows; y += row_step)
     for (int x = step / 2; x < image.cols; x += step) {
       const uint8_t* now = image.ptr(y) + size_t(x) * channels;
       float sum_now = 0, sum_usual = 0;

@@ -11,6 +11,10 @@
 namespace markerless_mocap {
 namespace {
 
+/// A shade's squared distance from its background's colour that noise may cause, in variances: two
+/// of the three channels' directions are free, of which nine in ten stay within.
+constexpr float kNoiseVariances = 4.6f;
+
 using MeanRows = std::array<const uint16_t*, 3>;
 
 MeanRows meanRows(const Background& background, int mode, int y) {
@@ -78,8 +82,9 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
 void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y) {
   constexpr int kWord = 64;
   const int n = background.stride();
-  const float chroma = float(options_.shadow_chroma_tolerance), noise = float(options_.min_sigma);
-  const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma, noise * noise};
+  const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
+  const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
+                           kNoiseVariances * noise * noise};
   const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
   for (int i = 0; i < n / kWord; ++i) {
     const uint64_t changed = classes_.foreground.row(y)[i];

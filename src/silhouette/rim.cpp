@@ -10,8 +10,6 @@ namespace {
 
 /// Half the width of what is decided anew, px: blur and chroma subsampling reach so far.
 constexpr int kReach = 2;
-/// The second round starts from a better idea of what is inside.
-constexpr int kRounds = 2;
 /// Side of the blocks in which colours are summed, px.
 constexpr int kSide = 4;
 /// Squared contrast of person and background, per channel, under which noise would decide.
@@ -38,10 +36,6 @@ void RimRefiner::refine(const cv::Mat& image, const Background& background, doub
   rows_ = (image.rows + kSide - 1) / kSide;
   stride_ = columns_ * kSide;
   share_.resize(size_t(stride_) * image.rows);
-  for (int i = 0; i < kRounds; ++i) round(scene, mask);
-}
-
-void RimRefiner::round(const Scene& scene, BitMask* mask) {
   core_ = eroded(*mask, 1);
   outer_ = dilated(*mask, kReach);
   band_ = eroded(*mask, kReach);

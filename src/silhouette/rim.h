@@ -35,7 +35,6 @@ class RimRefiner {
     const PixelClasses& classes;
   };
 
-  void round(const Scene& scene, BitMask* mask);
   void findBlocks();
   void sumBlock(const Scene& scene, int column, int row);
   /// The pixels' share of the person as the mask has it, into share_.

@@ -138,12 +138,14 @@ void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int cha
 }
 
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,
-                                int16_t gain, int rate, int n, uint16_t* __restrict mean) {
+                                int16_t gain, int16_t rate, int n, uint16_t* __restrict mean) {
+  constexpr int16_t kBrightest = 255 * kPredictedScale;
   for (int i = 0; i < n; ++i) {
-    const int from = mean[i];
-    const int brighter = std::min((from * gain) >> 14, 255 * Background::kMeanScale);
-    const int to = held[i] ? brighter : now[i] * Background::kMeanScale;
-    mean[i] = uint16_t(from + (((to - from) * rate + 32768) >> 16));
+    const int16_t from = int16_t(mean[i]), lit = product(from, gain);
+    const int16_t brighter = int16_t(2 * (lit < kBrightest ? lit : kBrightest));
+    const int16_t seen = int16_t(now[i] * Background::kMeanScale);
+    const int16_t to = held[i] ? brighter : seen;
+    mean[i] = uint16_t(from + product(int16_t(to - from), rate));
   }
 }
 

@@ -36,9 +36,9 @@ struct ShadeLimits {
 void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int channels, float gain,
                  const ShadeLimits& limits, uint8_t* ratio);
 
-/// Moves n means by `rate` / 65536 of the way to the image, or where `held` is not 0 to `gain` x
+/// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
 /// themselves.
-void moveMeans(const uint8_t* now, const uint8_t* held, int16_t gain, int rate, int n,
+void moveMeans(const uint8_t* now, const uint8_t* held, int16_t gain, int16_t rate, int n,
                uint16_t* mean);
 
 }  // namespace markerless_mocap

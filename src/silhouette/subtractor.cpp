@@ -67,7 +67,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
                             const BitMask& shade) {
   if (options_.update_rate == 0) return;
   const int n = background_.stride(), channels = background_.channels();
-  const int rate = int(std::min(1.0, options_.update_rate * kUpdateStride) * 65536 + 0.5);
+  const auto rate = int16_t(std::min(1.0, options_.update_rate * kUpdateStride) * 32767 + 0.5);
   const auto fixed_gain = int16_t(gain * kGainOne + 0.5);
   now_.resize(size_t(3) * n);
   held_.resize(n);
