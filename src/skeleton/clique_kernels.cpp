@@ -176,110 +176,127 @@ MOCAP_INLINE void cornersOf(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict
 }
 
 /// Voxels of the pairs, and of the blocks around edges and corners.
-MOCAP_INLINE uint64_t inPairs(ptrdiff_t row, ptrdiff_t plane, const uint64_t* x, const uint64_t* y,
-                              const uint64_t* z) {
-  return x[0] | previous<false>(Row{x}) | y[0] | y[-row] | z[0] | z[-plane];
+MOCAP_INLINE uint64_t inPairs(ptrdiff_t y, ptrdiff_t z, const uint64_t* along_x,
+                              const uint64_t* along_y, const uint64_t* along_z) {
+  return along_x[0] | previous<false>(Row{along_x}) | along_y[0] | along_y[-y] | along_z[0] |
+         along_z[-z];
 }
-MOCAP_INLINE uint64_t inEdges(ptrdiff_t row, ptrdiff_t plane, const uint64_t* x, const uint64_t* y,
-                              const uint64_t* z) {
-  const TwoRows along_y{y, y - plane}, along_z{z, z - row};
-  return Square{x, -row, -plane}(0) | along_y(0) | previous<false>(along_y) | along_z(0) |
-         previous<false>(along_z);
+MOCAP_INLINE uint64_t inEdges(ptrdiff_t y, ptrdiff_t z, const uint64_t* along_x,
+                              const uint64_t* along_y, const uint64_t* along_z) {
+  const TwoRows across_y{along_y, along_y - z}, across_z{along_z, along_z - y};
+  return Square{along_x, -y, -z}(0) | across_y(0) | previous<false>(across_y) | across_z(0) |
+         previous<false>(across_z);
 }
 
-MOCAP_WIDEST void pairsOneWord(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
-                               const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
-  if (axis == 0) pairsAlongX<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 1) pairsAlong<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 2) pairsAlong<true>(z, y, o, c, begin, end, to.critical, to.joining, found);
+template <bool kOneWord>
+MOCAP_INLINE Found pairs(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                         const uint64_t* candidates, CliqueWords* cliques) {
+  Found found;
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  for (const auto& [begin, end] : spans) {
+    pairsAlongX<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[0].data(),
+                          cliques->joining[0].data(), &found);
+    pairsAlong<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[1].data(),
+                         cliques->joining[1].data(), &found);
+    pairsAlong<kOneWord>(z, y, object, candidates, begin, end, cliques->critical[2].data(),
+                         cliques->joining[2].data(), &found);
+  }
+  return found;
 }
-MOCAP_WIDEST void pairsManyWords(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
-                                 const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
-  if (axis == 0) pairsAlongX<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 1) pairsAlong<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 2) pairsAlong<false>(z, y, o, c, begin, end, to.critical, to.joining, found);
+
+template <bool kOneWord>
+MOCAP_INLINE Found edges(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                         const uint64_t* candidates, CliqueWords* cliques) {
+  Found found;
+  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
+  for (const auto& [begin, end] : spans) {
+    edgesAlongX<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[0].data(),
+                          cliques->joining[0].data(), &found);
+    edgesAlong<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[1].data(),
+                         cliques->joining[1].data(), &found);
+    edgesAlong<kOneWord>(z, y, object, candidates, begin, end, cliques->critical[2].data(),
+                         cliques->joining[2].data(), &found);
+  }
+  return found;
 }
-MOCAP_WIDEST void edgesOneWord(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
-                               const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
-  if (axis == 0) edgesAlongX<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 1) edgesAlong<true>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 2) edgesAlong<true>(z, y, o, c, begin, end, to.critical, to.joining, found);
+
+template <bool kOneWord>
+MOCAP_INLINE Found corners(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                           const uint64_t* candidates, CliqueWords* cliques) {
+  Found found;
+  for (const auto& [begin, end] : spans)
+    cornersOf<kOneWord>(ptrdiff_t(box.row), ptrdiff_t(box.plane), object, candidates, begin, end,
+                        cliques->critical[0].data(), &found);
+  return found;
 }
-MOCAP_WIDEST void edgesManyWords(ptrdiff_t y, ptrdiff_t z, int axis, size_t begin, size_t end,
-                                 const uint64_t* o, const uint64_t* c, Cliques to, Found* found) {
-  if (axis == 0) edgesAlongX<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 1) edgesAlong<false>(y, z, o, c, begin, end, to.critical, to.joining, found);
-  if (axis == 2) edgesAlong<false>(z, y, o, c, begin, end, to.critical, to.joining, found);
-}
-MOCAP_WIDEST void cornersOneWord(ptrdiff_t y, ptrdiff_t z, size_t begin, size_t end,
-                                 const uint64_t* o, const uint64_t* c, uint64_t* to, Found* found) {
-  cornersOf<true>(y, z, o, c, begin, end, to, found);
-}
-MOCAP_WIDEST void cornersManyWords(ptrdiff_t y, ptrdiff_t z, size_t begin, size_t end,
-                                   const uint64_t* o, const uint64_t* c, uint64_t* to,
-                                   Found* found) {
-  cornersOf<false>(y, z, o, c, begin, end, to, found);
+
+/// `members` tells the voxels of the cliques at a word. Candidates that join are added to
+/// `isthmuses` before those of critical cliques are cleared.
+template <class Members>
+MOCAP_INLINE void takeOut(const WordSpans& spans, bool joining, const CliqueWords& cliques,
+                          Members members, uint64_t* __restrict candidates,
+                          uint64_t* __restrict isthmuses) {
+  const uint64_t* const c[3] = {cliques.critical[0].data(), cliques.critical[1].data(),
+                                cliques.critical[2].data()};
+  const uint64_t* const j[3] = {cliques.joining[0].data(), cliques.joining[1].data(),
+                                cliques.joining[2].data()};
+  for (const auto& [begin, end] : spans) {
+    if (joining)
+      for (size_t i = begin; i < end; ++i)
+        isthmuses[i] |= candidates[i] & members(j[0] + i, j[1] + i, j[2] + i);
+    for (size_t i = begin; i < end; ++i) candidates[i] &= ~members(c[0] + i, c[1] + i, c[2] + i);
+  }
 }
 
 }  // namespace
 
-void pairs(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
-           const uint64_t* candidates, Cliques cliques, Found* found) {
-  (box.row == 1 ? pairsOneWord : pairsManyWords)(ptrdiff_t(box.row), ptrdiff_t(box.plane), axis,
-                                                 begin, end, object, candidates, cliques, found);
+MOCAP_WIDEST Found findPairs(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                             const uint64_t* candidates, CliqueWords* cliques) {
+  return box.row == 1 ? pairs<true>(box, spans, object, candidates, cliques)
+                      : pairs<false>(box, spans, object, candidates, cliques);
 }
 
-void edges(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
-           const uint64_t* candidates, Cliques cliques, Found* found) {
-  (box.row == 1 ? edgesOneWord : edgesManyWords)(ptrdiff_t(box.row), ptrdiff_t(box.plane), axis,
-                                                 begin, end, object, candidates, cliques, found);
+MOCAP_WIDEST Found findEdges(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                             const uint64_t* candidates, CliqueWords* cliques) {
+  return box.row == 1 ? edges<true>(box, spans, object, candidates, cliques)
+                      : edges<false>(box, spans, object, candidates, cliques);
 }
 
-void corners(const BitBox& box, size_t begin, size_t end, const uint64_t* object,
-             const uint64_t* candidates, uint64_t* critical, Found* found) {
-  (box.row == 1 ? cornersOneWord : cornersManyWords)(
-      ptrdiff_t(box.row), ptrdiff_t(box.plane), begin, end, object, candidates, critical, found);
+MOCAP_WIDEST Found findCorners(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                               const uint64_t* candidates, CliqueWords* cliques) {
+  return box.row == 1 ? corners<true>(box, spans, object, candidates, cliques)
+                      : corners<false>(box, spans, object, candidates, cliques);
 }
 
-MOCAP_WIDEST void clearPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
-                             size_t end, uint64_t* __restrict candidates) {
+MOCAP_WIDEST void takeOutPairs(const BitBox& box, const WordSpans& spans,
+                               const CliqueWords& cliques, bool joining, uint64_t* candidates,
+                               uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
-  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) candidates[i] &= ~inPairs(y, z, a + i, b + i, c + i);
+  const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
+    return inPairs(y, z, a, b, c);
+  };
+  takeOut(spans, joining, cliques, members, candidates, isthmuses);
 }
 
-MOCAP_WIDEST void addPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
-                           size_t end, const uint64_t* __restrict candidates,
-                           uint64_t* __restrict voxels) {
+MOCAP_WIDEST void takeOutEdges(const BitBox& box, const WordSpans& spans,
+                               const CliqueWords& cliques, bool joining, uint64_t* candidates,
+                               uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
-  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
-  for (size_t i = begin; i < end; ++i)
-    voxels[i] |= candidates[i] & inPairs(y, z, a + i, b + i, c + i);
+  const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
+    return inEdges(y, z, a, b, c);
+  };
+  takeOut(spans, joining, cliques, members, candidates, isthmuses);
 }
 
-MOCAP_WIDEST void clearEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
-                             size_t end, uint64_t* __restrict candidates) {
+MOCAP_WIDEST void takeOutCorners(const BitBox& box, const WordSpans& spans,
+                                 const CliqueWords& cliques, uint64_t* __restrict candidates) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
-  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
-  for (size_t i = begin; i < end; ++i) candidates[i] &= ~inEdges(y, z, a + i, b + i, c + i);
-}
-
-MOCAP_WIDEST void addEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin,
-                           size_t end, const uint64_t* __restrict candidates,
-                           uint64_t* __restrict voxels) {
-  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
-  const uint64_t *a = cliques[0].data(), *b = cliques[1].data(), *c = cliques[2].data();
-  for (size_t i = begin; i < end; ++i)
-    voxels[i] |= candidates[i] & inEdges(y, z, a + i, b + i, c + i);
-}
-
-MOCAP_WIDEST void clearCorners(const BitBox& box, const BitWords& cliques, size_t begin, size_t end,
-                               uint64_t* __restrict candidates) {
-  const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
-  const uint64_t* a = cliques.data();
-  for (size_t i = begin; i < end; ++i) {
-    const Square block{a + i, -y, -z};
-    candidates[i] &= ~(block(0) | previous<false>(block));
+  const uint64_t* corner = cliques.critical[0].data();
+  for (const auto& [begin, end] : spans) {
+    for (size_t i = begin; i < end; ++i) {
+      const Square block{corner + i, -y, -z};
+      candidates[i] &= ~(block(0) | previous<false>(block));
+    }
   }
 }
 

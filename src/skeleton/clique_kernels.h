@@ -1,15 +1,18 @@
 #pragma once
 
 #include "skeleton/bit_volume.h"
+#include "skeleton/word_set.h"
 
 /// Cliques of many voxels at once, a bit per voxel. A clique is named by the first voxel, with the
 /// lowest coordinates, of the block of 2, 2 x 2 or 2 x 2 x 2 voxels that share its face, edge or
-/// corner; the axis of a pair is across its face, that of an edge along it. All work on words
-/// [begin, end).
+/// corner; the axis of a pair is across its face, that of an edge along it. Words beyond the spans
+/// are not written.
 namespace markerless_mocap::clique_kernels {
 
-struct Cliques {
-  uint64_t *critical, *joining;
+/// By axis; corners under axis 0.
+struct CliqueWords {
+  BitWords critical[3];
+  BitWords joining[3];  ///< critical, with two sides of the object around
 };
 
 /// Or of all words that were found.
@@ -18,24 +21,19 @@ struct Found {
 };
 
 /// Cliques that consist of candidates.
-void pairs(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
-           const uint64_t* candidates, Cliques cliques, Found* found);
-void edges(const BitBox& box, int axis, size_t begin, size_t end, const uint64_t* object,
-           const uint64_t* candidates, Cliques cliques, Found* found);
-void corners(const BitBox& box, size_t begin, size_t end, const uint64_t* object,
-             const uint64_t* candidates, uint64_t* critical, Found* found);
+Found findPairs(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                const uint64_t* candidates, CliqueWords* cliques);
+Found findEdges(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                const uint64_t* candidates, CliqueWords* cliques);
+Found findCorners(const BitBox& box, const WordSpans& spans, const uint64_t* object,
+                  const uint64_t* candidates, CliqueWords* cliques);
 
-/// Clears in `candidates` the voxels of the cliques, by axis.
-void clearPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin, size_t end,
-                uint64_t* candidates);
-void clearEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin, size_t end,
-                uint64_t* candidates);
-void clearCorners(const BitBox& box, const BitWords& cliques, size_t begin, size_t end,
-                  uint64_t* candidates);
-/// Adds to `voxels` the candidates in the cliques.
-void addPairs(const BitBox& box, const BitWords (&cliques)[3], size_t begin, size_t end,
-              const uint64_t* candidates, uint64_t* voxels);
-void addEdges(const BitBox& box, const BitWords (&cliques)[3], size_t begin, size_t end,
-              const uint64_t* candidates, uint64_t* voxels);
+/// Clears the candidates in cliques; adds those in joining ones to `isthmuses` if `joining`.
+void takeOutPairs(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
+                  bool joining, uint64_t* candidates, uint64_t* isthmuses);
+void takeOutEdges(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
+                  bool joining, uint64_t* candidates, uint64_t* isthmuses);
+void takeOutCorners(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
+                    uint64_t* candidates);
 
 }  // namespace markerless_mocap::clique_kernels

@@ -1,18 +1,15 @@
 #include "skeleton/critical_cliques.h"
 
-#include "skeleton/clique_kernels.h"
-
 namespace markerless_mocap {
 
-using clique_kernels::Cliques;
-using clique_kernels::Found;
+using namespace clique_kernels;
 
 void CriticalCliques::resize(const BitBox& box) {
   box_ = box;
   words_ = WordSet(box.words);
   for (int axis = 0; axis < 3; ++axis) {
-    critical_[axis].assign(box.words, 0);
-    joining_[axis].assign(box.words, 0);
+    cliques_.critical[axis].assign(box.words, 0);
+    cliques_.joining[axis].assign(box.words, 0);
   }
 }
 
@@ -25,50 +22,16 @@ void CriticalCliques::listSpans(const WordSet& candidate_words) {
   words_.list(&spans_);
 }
 
-void CriticalCliques::keepPairs(const BitWords& object, BitWords* candidates, BitWords* isthmuses) {
-  Found found;
-  for (const auto& [begin, end] : spans_)
-    for (int axis = 0; axis < 3; ++axis)
-      clique_kernels::pairs(box_, axis, begin, end, object.data(), candidates->data(),
-                            {critical_[axis].data(), joining_[axis].data()}, &found);
-  if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans_) {
-    if (found.joining != 0)
-      clique_kernels::addPairs(box_, joining_, begin, end, candidates->data(), isthmuses->data());
-    clique_kernels::clearPairs(box_, critical_, begin, end, candidates->data());
-  }
-}
-
-void CriticalCliques::keepEdges(const BitWords& object, BitWords* candidates, BitWords* isthmuses) {
-  Found found;
-  for (const auto& [begin, end] : spans_)
-    for (int axis = 0; axis < 3; ++axis)
-      clique_kernels::edges(box_, axis, begin, end, object.data(), candidates->data(),
-                            {critical_[axis].data(), joining_[axis].data()}, &found);
-  if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans_) {
-    if (found.joining != 0)
-      clique_kernels::addEdges(box_, joining_, begin, end, candidates->data(), isthmuses->data());
-    clique_kernels::clearEdges(box_, critical_, begin, end, candidates->data());
-  }
-}
-
-void CriticalCliques::keepCorners(const BitWords& object, BitWords* candidates) {
-  Found found;
-  for (const auto& [begin, end] : spans_)
-    clique_kernels::corners(box_, begin, end, object.data(), candidates->data(),
-                            critical_[0].data(), &found);
-  if (found.critical == 0) return;
-  for (const auto& [begin, end] : spans_)
-    clique_kernels::clearCorners(box_, critical_[0], begin, end, candidates->data());
-}
-
 void CriticalCliques::keep(const WordSet& candidate_words, const BitWords& object,
                            BitWords* candidates, BitWords* isthmuses) {
   listSpans(candidate_words);
-  keepPairs(object, candidates, isthmuses);
-  keepEdges(object, candidates, isthmuses);
-  keepCorners(object, candidates);
+  uint64_t *const left = candidates->data(), *const joining = isthmuses->data();
+  const Found pairs = findPairs(box_, spans_, object.data(), left, &cliques_);
+  if (pairs.critical != 0) takeOutPairs(box_, spans_, cliques_, pairs.joining != 0, left, joining);
+  const Found edges = findEdges(box_, spans_, object.data(), left, &cliques_);
+  if (edges.critical != 0) takeOutEdges(box_, spans_, cliques_, edges.joining != 0, left, joining);
+  const Found corners = findCorners(box_, spans_, object.data(), left, &cliques_);
+  if (corners.critical != 0) takeOutCorners(box_, spans_, cliques_, left);
 }
 
 }  // namespace markerless_mocap

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "skeleton/bit_volume.h"
-#include "skeleton/word_set.h"
+#include "skeleton/clique_kernels.h"
 
 namespace markerless_mocap {
 
@@ -23,15 +22,11 @@ class CriticalCliques {
 
  private:
   void listSpans(const WordSet& candidate_words);
-  void keepPairs(const BitWords& object, BitWords* candidates, BitWords* isthmuses);
-  void keepEdges(const BitWords& object, BitWords* candidates, BitWords* isthmuses);
-  void keepCorners(const BitWords& object, BitWords* candidates);
 
   BitBox box_;
-  WordSet words_;    ///< where the first voxel of a clique of candidates may be
-  WordSpans spans_;  ///< the same
-  /// By axis, at the first voxel of a clique: critical; joining two sides. Old beyond `spans_`.
-  BitWords critical_[3], joining_[3];
+  WordSet words_;                        ///< where the first voxel of a clique of candidates may be
+  WordSpans spans_;                      ///< the same
+  clique_kernels::CliqueWords cliques_;  ///< of other rounds beyond the spans
 };
 
 }  // namespace markerless_mocap

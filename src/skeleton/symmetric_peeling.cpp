@@ -31,80 +31,84 @@ void SymmetricPeeling::begin(const BitBox& box, int persistence, const BitWords&
     words->assign(box.words, 0);
   fresh_.assign(size_t(persistence), {});
   candidate_words_ = object_words_ = WordSet(box.words);
-  for (size_t i = 0; i < box.words; ++i)
-    if (object[i] != 0) object_words_.add(i);
+  size_t voxels = 0;
+  for (size_t i = 0; i < box.words; ++i) {
+    if (object[i] == 0) continue;
+    object_words_.add(i);
+    voxels += size_t(__builtin_popcountll(object[i]));
+  }
+  border_voxels_.resize(voxels);
 }
 
 void SymmetricPeeling::listBorder(const BitBox& box, const BitWords& object) {
-  border_voxels_.clear();
-  surroundings_.clear();
+  BorderVoxel* voxel = border_voxels_.data();
+  candidate_words_.clear();
   object_words_.list(&object_spans_);
   for (const auto& [begin, end] : object_spans_) {
     findBorder(ptrdiff_t(box.row), ptrdiff_t(box.plane), object.data(), kept_.data(), begin, end,
                border_.data());
     for (size_t i = begin; i < end; ++i) {
-      for (uint64_t left = border_[i]; left != 0; left &= left - 1) {
-        const size_t bit = i * 64 + size_t(__builtin_ctzll(left));
-        border_voxels_.push_back(bit);
-        surroundings_.push_back(neighborhood(box, object.data(), bit) & ~kCenterBit);
+      if (border_[i] == 0) continue;
+      candidate_words_.add(i);
+      for (uint64_t left = border_[i]; left != 0; left &= left - 1, ++voxel) {
+        voxel->bit = uint32_t(i * 64) + uint32_t(__builtin_ctzll(left));
+        voxel->around = neighborhood(box, object.data(), voxel->bit) & ~kCenterBit;
       }
     }
   }
+  border_count_ = size_t(voxel - border_voxels_.data());
 }
 
 void SymmetricPeeling::judgeBorder() {
   const SimplePointTable& simple = SimplePointTable::shared();
-  not_simple_.resize(border_voxels_.size());
   size_t hard = 0;
-  for (size_t n = 0; n < border_voxels_.size(); ++n) {
-    const bool removable = simple(surroundings_[n]);
-    candidates_[border_voxels_[n] / 64] |= uint64_t(removable) << (border_voxels_[n] % 64);
-    not_simple_[hard] = n;
+  for (size_t n = 0; n < border_count_; ++n) {
+    const BorderVoxel voxel = border_voxels_[n];
+    const bool removable = simple(voxel.around);
+    candidates_[voxel.bit / 64] |= uint64_t(removable) << (voxel.bit % 64);
+    border_voxels_[hard] = voxel;  // those that are not simple, from the front
     hard += removable ? 0 : 1;
   }
-  not_simple_.resize(hard);
-  for (size_t n : not_simple_)
-    if (objectComponents(surroundings_[n]) > 1) setBit(&isthmuses_, border_voxels_[n]);
+  for (size_t n = 0; n < hard; ++n)
+    if (objectComponents(border_voxels_[n].around) > 1) setBit(&isthmuses_, border_voxels_[n].bit);
 }
 
 void SymmetricPeeling::keepEnds() {
-  for (size_t n = 0; n < border_voxels_.size(); ++n) {
-    if (!isEnd(surroundings_[n])) continue;
-    clearBit(&candidates_, border_voxels_[n]);
-    setBit(&kept_, border_voxels_[n]);
+  size_t others = 0;
+  for (size_t n = 0; n < border_count_; ++n) {
+    const BorderVoxel voxel = border_voxels_[n];
+    border_voxels_[others] = voxel;
+    if (isEnd(voxel.around)) {
+      setBit(&kept_, voxel.bit);
+    } else {
+      ++others;
+    }
   }
+  border_count_ = others;
 }
 
-bool SymmetricPeeling::removeCandidates(BitWords* object) {
+bool SymmetricPeeling::finishRound(BitWords* object) {
   uint64_t removed = 0;
-  object_words_.clear();
-  for (const auto& [begin, end] : object_spans_) {
+  std::rotate(fresh_.begin(), fresh_.end() - 1, fresh_.end());
+  fresh_.front().clear();
+  candidate_words_.list(&candidate_spans_);
+  for (const auto& [begin, end] : candidate_spans_) {
     for (size_t i = begin; i < end; ++i) {
       removed |= candidates_[i];
       (*object)[i] &= ~candidates_[i];
       candidates_[i] = 0;
-      if ((*object)[i] != 0) object_words_.add(i);
-    }
-  }
-  return removed != 0;
-}
-
-bool SymmetricPeeling::settleIsthmuses(const BitWords& object) {
-  std::rotate(fresh_.begin(), fresh_.end() - 1, fresh_.end());
-  fresh_.front().clear();
-  for (const auto& [begin, end] : object_spans_) {
-    for (size_t i = begin; i < end; ++i) {
-      if (const uint64_t fresh = isthmuses_[i] & ~seen_[i]; fresh != 0) {
+      if ((*object)[i] == 0) object_words_.remove(i);
+      if (isthmuses_[i] == 0) continue;
+      if (const uint64_t fresh = isthmuses_[i] & ~seen_[i]; fresh != 0)
         fresh_.front().push_back({i, fresh});
-        seen_[i] |= fresh;
-      }
+      seen_[i] |= isthmuses_[i];
       isthmuses_[i] = 0;
     }
   }
-  const bool some =
+  const bool waiting =
       std::any_of(fresh_.begin(), fresh_.end(), [](const auto& f) { return !f.empty(); });
-  for (const Bits& old : fresh_.back()) kept_[old.word] |= old.bits & object[old.word];
-  return some;
+  for (const Bits& old : fresh_.back()) kept_[old.word] |= old.bits & (*object)[old.word];
+  return removed != 0 || waiting;
 }
 
 void SymmetricPeeling::peel(const BitBox& box, int persistence, BitWords* object) {
@@ -112,15 +116,10 @@ void SymmetricPeeling::peel(const BitBox& box, int persistence, BitWords* object
   bool changed = true;
   for (int round = 0; changed; ++round) {
     listBorder(box, *object);
-    judgeBorder();
     if (round == 0) keepEnds();
-    candidate_words_.clear();
-    for (const auto& [begin, end] : object_spans_)
-      for (size_t i = begin; i < end; ++i)
-        if (candidates_[i] != 0) candidate_words_.add(i);
+    judgeBorder();
     cliques_.keep(candidate_words_, *object, &candidates_, &isthmuses_);
-    changed = removeCandidates(object);
-    changed |= settleIsthmuses(*object);
+    changed = finishRound(object);
   }
 }
 

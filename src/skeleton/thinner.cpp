@@ -17,38 +17,36 @@ struct Corners {
   Eigen::Vector3i low, high;
 };
 
-/// Calls visit(x, y, z) for each index; divides once per row only.
+/// Calls visit(begin, end, x of begin, y, z) for the voxels of each row.
 template <class Visit>
-void forEachVoxel(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels, Visit visit) {
-  uint32_t row_begin = 0, row_end = 0;
-  int y = 0, z = 0;
-  for (uint32_t index : voxels) {
-    if (index >= row_end) {
-      const uint32_t row = index / uint32_t(lattice.size.x());
-      row_begin = row * uint32_t(lattice.size.x());
-      row_end = row_begin + uint32_t(lattice.size.x());
-      y = int(row % uint32_t(lattice.size.y()));
-      z = int(row / uint32_t(lattice.size.y()));
-    }
-    visit(int(index - row_begin), y, z);
+void forEachRow(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels, Visit visit) {
+  const auto nx = uint32_t(lattice.size.x()), ny = uint32_t(lattice.size.y());
+  for (auto begin = voxels.begin(); begin != voxels.end();) {
+    const uint32_t row = *begin / nx, next_row = (row + 1) * nx;
+    auto end = begin + 1;
+    while (end != voxels.end() && *end < next_row) ++end;
+    visit(begin, end, int(*begin - row * nx), int(row % ny), int(row / ny));
+    begin = end;
   }
 }
 
 void check(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
-  if (voxels.empty()) return;
   if (voxels.back() >= lattice.count()) {
     throw std::invalid_argument("voxel " + std::to_string(voxels.back()) +
                                 " is beyond the lattice of " + std::to_string(lattice.count()));
   }
-  if (std::adjacent_find(voxels.begin(), voxels.end(), std::greater_equal<>()) != voxels.end())
+  bool ascending = true;
+  for (size_t i = 1; i < voxels.size(); ++i) ascending &= voxels[i - 1] < voxels[i];
+  if (!ascending)
     throw std::invalid_argument("voxels to thin must be in ascending order, each once");
 }
 
 Corners cornersOf(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
   Corners corners{lattice.size, Eigen::Vector3i::Zero()};
-  forEachVoxel(lattice, voxels, [&](int x, int y, int z) {
+  forEachRow(lattice, voxels, [&](auto begin, auto end, int x, int y, int z) {
     corners.low = corners.low.cwiseMin(Eigen::Vector3i(x, y, z));
-    corners.high = corners.high.cwiseMax(Eigen::Vector3i(x, y, z));
+    const int last = x + int(*(end - 1) - *begin);
+    corners.high = corners.high.cwiseMax(Eigen::Vector3i(last, y, z));
   });
   return corners;
 }
@@ -65,10 +63,10 @@ class Thinner::Workspace {
   }
 
   CurveSkeleton thin(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
-    check(lattice, voxels);
     CurveSkeleton skeleton;
     skeleton.lattice = lattice;
     if (voxels.empty()) return skeleton;
+    check(lattice, voxels);
     load(lattice, voxels);
     const DroppedComponents dropped = components_.keep(box_, &object_);
     skeleton.components_dropped = dropped.components;
@@ -93,8 +91,20 @@ class Thinner::Workspace {
     const Eigen::Vector3i size = corners.high - corners.low + Eigen::Vector3i::Ones();
     box_ = BitBox(size.x(), size.y(), size.z());
     object_.assign(box_.words, 0);
-    forEachVoxel(lattice, voxels, [&](int x, int y, int z) {
-      setBit(&object_, box_.bitOf(x - low_.x(), y - low_.y(), z - low_.z()));
+    forEachRow(lattice, voxels, [&](auto begin, auto end, int x, int y, int z) {
+      const size_t first = box_.bitOf(x - low_.x(), y - low_.y(), z - low_.z()) - *begin;
+      size_t word = (first + *begin) / 64;
+      uint64_t bits = 0;
+      for (auto voxel = begin; voxel != end; ++voxel) {
+        const size_t bit = first + *voxel;
+        if (bit / 64 != word) {
+          object_[word] = bits;
+          bits = 0;
+          word = bit / 64;
+        }
+        bits |= uint64_t(1) << (bit % 64);
+      }
+      object_[word] = bits;
     });
   }
 

@@ -17,26 +17,28 @@ class SymmetricPeeling {
     size_t word;
     uint64_t bits;
   };
+  struct BorderVoxel {
+    uint32_t bit;     ///< its place in the array
+    uint32_t around;  ///< its neighbourhood, without itself
+  };
   void begin(const BitBox& box, int persistence, const BitWords& object);
-  /// Fills `border_voxels_` and `surroundings_`.
   void listBorder(const BitBox& box, const BitWords& object);
-  /// Splits the border into candidates, and isthmuses.
+  /// Splits the border into candidates, isthmuses, and others.
   void judgeBorder();
   void keepEnds();
-  bool removeCandidates(BitWords* object);
-  /// Keeps isthmuses that have persisted. False if there are none, nor any that may yet.
-  bool settleIsthmuses(const BitWords& object);
+  /// Removes the candidates and keeps isthmuses that have persisted. False if there were no
+  /// candidates and there are no isthmuses that may yet persist.
+  bool finishRound(BitWords* object);
 
   CriticalCliques cliques_;
   BitWords border_, candidates_, kept_, isthmuses_;
   BitWords seen_;  ///< all that were isthmuses
-  WordSet object_words_, candidate_words_;
-  WordSpans object_spans_;
-  std::vector<size_t> border_voxels_;   ///< places of bits
-  std::vector<uint32_t> surroundings_;  ///< of each, without itself
-  std::vector<size_t> not_simple_;      ///< numbers of border voxels
-  std::vector<std::vector<Bits>>
-      fresh_;  ///< isthmuses by the round they were first seen, youngest first
+  WordSet object_words_;
+  WordSet candidate_words_;  ///< words that may hold candidates
+  WordSpans object_spans_, candidate_spans_;
+  std::vector<BorderVoxel> border_voxels_;  ///< the first border_count_ are of this round
+  size_t border_count_ = 0;
+  std::vector<std::vector<Bits>> fresh_;  ///< isthmuses by the round they came up in, last first
 };
 
 /// Removes simple voxels, direction by direction, until no simple voxel but ends is left.

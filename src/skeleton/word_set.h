@@ -19,6 +19,7 @@ class WordSet {
   explicit WordSet(size_t words) : bits_(words / 64 + 2, 0) {}
 
   void clear() { bits_.assign(bits_.size(), 0); }
+  void remove(size_t word) { bits_[word / 64] &= ~(uint64_t(1) << (word % 64)); }
   void add(size_t word) { bits_[word / 64] |= uint64_t(1) << (word % 64); }
   /// Adds the words that lie `by` before those of the set.
   void addBefore(const WordSet& other, size_t by) {
@@ -28,7 +29,7 @@ class WordSet {
       if (shift != 0) bits_[i] |= other.bits_[i + skip + 1] << (64 - shift);
     }
   }
-  /// Spans of four words and multiples that hold the set.
+  /// Spans of four words and multiples that hold the set; gaps of four words are bridged.
   void list(WordSpans* spans) const {
     spans->clear();
     for (size_t i = 0; i < bits_.size(); ++i) {
@@ -36,8 +37,8 @@ class WordSet {
       fours = (fours | fours >> 2) & 0x1111111111111111u;
       for (; fours != 0; fours &= fours - 1) {
         const size_t begin = i * 64 + size_t(__builtin_ctzll(fours));
-        if (!spans->empty() && spans->back().second == begin) {
-          spans->back().second += 4;
+        if (!spans->empty() && begin <= spans->back().second + 4) {
+          spans->back().second = begin + 4;
         } else {
           spans->emplace_back(begin, begin + 4);
         }
