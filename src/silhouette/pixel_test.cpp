@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "silhouette/bit_morphology.h"
+#include "silhouette/changed_bits.h"
 #include "silhouette/row_kernels.h"
 
 namespace markerless_mocap {
@@ -14,8 +15,6 @@ namespace {
 /// A shade's squared distance from its background's colour that noise may cause, in variances: two
 /// of the three channels' directions are free, of which nine in ten stay within.
 constexpr float kNoiseVariances = 4.6f;
-
-using MeanRows = std::array<const uint16_t*, 3>;
 
 MeanRows meanRows(const Background& background, int mode, int y) {
   MeanRows rows{};
@@ -67,6 +66,16 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
                             int y) {
   const int n = background.stride(), channels = background.channels();
   const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
+  constexpr uint16_t kSquaredLimit = Background::kLimit * Background::kLimit;
+  uint64_t* bits = classes_.foreground.row(y);
+  if (channels == 3) {
+    std::array<ModeRow, Background::kMostModes> modes;
+    for (int mode = 0; mode < background.modes(); ++mode)
+      modes[mode] = {meanRows(background, mode, y), background.weight(mode, y)};
+    if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
+                    kSquaredLimit, bits))
+      return;
+  }
   splitRow(image, y, 0, image.cols, n, now_.data());
   const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
   for (int mode = 0; mode < background.modes(); ++mode) {
@@ -75,8 +84,7 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
                      mode == 0 ? squared_.data() : other_.data());
     if (mode > 0) keepSmaller(other_.data(), n, squared_.data());
   }
-  packAbove(squared_.data(), Background::kLimit * Background::kLimit, n, flags_.data(),
-            classes_.foreground.row(y));
+  packAbove(squared_.data(), kSquaredLimit, n, flags_.data(), bits);
 }
 
 void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y) {

@@ -17,6 +17,7 @@ namespace {
 
 /// Half of kMeanScale: what the product with a gain leaves.
 constexpr int kPredictedScale = Background::kMeanScale / 2;
+static_assert(kPredictedScale == 1 << kPredictedBits);
 
 /// a b / 32768, rounded: one instruction for 16 pixels with AVX2.
 __attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {

@@ -9,6 +9,8 @@ namespace markerless_mocap {
 
 /// Light of an image relative to its background, fixed point: 16384 is the same light.
 constexpr int kGainOne = 16384;
+/// Fixed point of a mean times a gain: bits below a grey level.
+constexpr int kPredictedBits = 6;
 /// Distances saturate here, so that the sum of three squares fits 16 bits.
 constexpr int kFarthest = 147;
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace markerless_mocap {
+
+/// A pointer per channel.
+using MeanRows = std::array<const uint16_t*, 3>;
+
+/// One row of a usual colour of each pixel, as Background holds it.
+struct ModeRow {
+  MeanRows mean;
+  const uint16_t* weight;
+};
+
+/// One bit for each of the row's pixels, set if its squared scaled distance from `gain` x each of
+/// the modes' means, summed over channels, is above `limit`. The loop that every colour pixel
+/// passes through: from the image's bytes to bits without leaving the registers.
+/// \param bgr 3 x cols bytes \param bits (cols + 63) / 64 words
+/// \return whether the processor can; else nothing is done
+bool changedBits(const uint8_t* bgr, int cols, const ModeRow* modes, int mode_count, int16_t gain,
+                 uint16_t limit, uint64_t* bits);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,75 @@
+#include "silhouette/changed_bits.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "silhouette/background.h"
+#include "silhouette/bit_mask.h"
+#include "silhouette/row_kernels.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr uint16_t kLimit = Background::kLimit * Background::kLimit;
+
+/// Two colours per pixel, near and far from those of an image, at widths within and across words.
+class ChangedBits : public testing::TestWithParam<int> {
+ protected:
+  ChangedBits() : now_(3 * stride_), bgr_(1, width_, CV_8UC3) {
+    cv::RNG random(width_);
+    random.fill(bgr_, cv::RNG::UNIFORM, 0, 256);
+    for (int mode = 0; mode < 2; ++mode) {
+      mean_[mode].assign(3 * stride_, 0);
+      weight_[mode].assign(stride_, 0);
+      for (int x = 0; x < width_; ++x) {
+        weight_[mode][x] = uint16_t(random.uniform(0, 32768));
+        for (int c = 0; c < 3; ++c) {
+          const int apart = random.uniform(-30, 31), grey = bgr_.at<cv::Vec3b>(0, x)[c] + apart;
+          mean_[mode][c * stride_ + x] =
+              uint16_t(std::clamp(grey, 0, 255) * Background::kMeanScale - (apart > 0));
+        }
+      }
+      rows_[mode] = {{&mean_[mode][0], &mean_[mode][stride_], &mean_[mode][2 * stride_]},
+                     weight_[mode].data()};
+    }
+  }
+
+  /// Loop by loop.
+  std::vector<uint64_t> expected(int modes, int16_t gain) {
+    splitThree(bgr_.ptr(), width_, int(stride_), now_.data());
+    const uint8_t* now[] = {&now_[0], &now_[stride_], &now_[2 * stride_]};
+    std::vector<uint16_t> least(stride_, 65535), squared(stride_);
+    for (int mode = 0; mode < modes; ++mode) {
+      squaredDistances(now, rows_[mode].mean.data(), rows_[mode].weight, 3, gain, int(stride_),
+                       squared.data());
+      keepSmaller(squared.data(), int(stride_), least.data());
+    }
+    std::vector<uint8_t> flags(stride_);
+    std::vector<uint64_t> bits(stride_ / 64);
+    packAbove(least.data(), kLimit, int(stride_), flags.data(), bits.data());
+    return bits;
+  }
+
+  int width_ = GetParam();
+  size_t stride_ = size_t(width_ + 63) / 64 * 64;
+  std::vector<uint8_t> now_;
+  cv::Mat bgr_;
+  std::vector<uint16_t> mean_[2], weight_[2];
+  ModeRow rows_[2];
+};
+INSTANTIATE_TEST_SUITE_P(Widths, ChangedBits, testing::Values(1, 16, 63, 64, 100, 320, 333));
+
+TEST_P(ChangedBits, AreThoseOfTheSeparateLoops) {
+  std::vector<uint64_t> bits(stride_ / 64);
+  for (const int modes : {1, 2})
+    for (const double gain : {0.5, 1.0, 1.99}) {
+      const auto fixed = int16_t(gain * kGainOne);
+      if (!changedBits(bgr_.ptr(), width_, rows_, modes, fixed, kLimit, bits.data()))
+        GTEST_SKIP() << "the processor has no AVX2";
+      EXPECT_EQ(bits, expected(modes, fixed)) << modes << " modes, gain " << gain;
+    }
+}
+
+}  // namespace
+}  // namespace markerless_mocap
