@@ -7,13 +7,12 @@
 
 namespace markerless_mocap {
 
-/// Thins a hull to its curve skeleton. The largest 26-component is kept (of equals the one with the
-/// lowest voxel), its cavities are filled, and it is peeled in parallel by critical kernels
-/// (Bertrand & Couprie 2006; 2015 for the symmetric scheme that keeps isthmuses): whether a voxel
-/// goes depends on its surroundings alone, never on an order, so a mirrored hull is peeled to the
-/// mirrored remains. What is two voxels wide then loses a side, direction by direction. The
-/// skeleton has the components and tunnels of the filled component, and no simple voxel but ends
-/// (voxels with one neighbour).
+/// Thins a hull to its curve skeleton. The largest 26-component is kept, its cavities are filled,
+/// and it is peeled in parallel by critical kernels (Bertrand & Couprie 2006; 2015 for the
+/// symmetric scheme that keeps isthmuses): whether a voxel goes depends on its surroundings alone,
+/// never on an order, so a mirrored hull is peeled to the mirrored remains. What is two voxels wide
+/// then loses a side, direction by direction. The skeleton has the components and tunnels of the
+/// filled component, and no simple voxel but ends (voxels with one neighbour).
 ///
 /// The memory of a call is used again by the next: one thinner per thread. The first thinner of a
 /// process fills a table of all neighbourhoods (8 MB).
