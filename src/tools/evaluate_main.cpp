@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <fstream>
 #include <iostream>
 
@@ -8,6 +7,7 @@
 #include "tools/evaluation_page.h"
 #include "tools/evaluation_table.h"
 #include "tools/progress.h"
+#include "tools/run_tool.h"
 
 namespace {
 
@@ -62,11 +62,5 @@ int main(int argc, char** argv) {
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);
-  try {
-    run(&arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "evaluate: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return runTool("evaluate", [&] { run(&arguments); });
 }

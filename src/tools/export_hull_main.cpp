@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 
 #include "tools/export_hull.h"
+#include "tools/run_tool.h"
 
 int main(int argc, char** argv) {
   CLI::App app("Writes hulls of a bag as point clouds for other programs.", "export_hull");
@@ -19,11 +19,7 @@ int main(int argc, char** argv) {
   app.add_flag("--all", what.all, "one file per instant, its stamp in the name");
   app.add_flag("--ascii", what.ascii, "text in place of binary numbers");
   CLI11_PARSE(app, argc, argv);
-  try {
+  return markerless_mocap::runTool("export_hull", [&] {
     for (const std::string& file : markerless_mocap::exportHulls(what)) std::cout << file << '\n';
-  } catch (const std::exception& error) {
-    std::cerr << "export_hull: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,13 +1,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <string>
 
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/fitting/pose_tracker.h"
 #include "tools/body_file.h"
+#include "tools/run_tool.h"
 
 namespace markerless_mocap {
 namespace {
@@ -30,12 +30,8 @@ int main(int argc, char** argv) {
   app.add_option("--id", id, "suffix of links and joints");
   app.add_option("--config", config, "configuration; its pose_fitting/stature is used");
   CLI11_PARSE(app, argc, argv);
-  try {
+  return runTool("human_urdf", [&] {
     const auto proportions = BodyProportions::fromStature(statureOf(config));
     std::cout << fillUrdfTemplate(readText(file), id, proportions);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "human_urdf: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

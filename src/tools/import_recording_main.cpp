@@ -1,11 +1,10 @@
-#include "markerless_mocap/camera/rig_file.h"
-#include "tools/import_recording.h"
-
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 
+#include "markerless_mocap/camera/rig_file.h"
+#include "tools/import_recording.h"
 #include "tools/progress.h"
+#include "tools/run_tool.h"
 
 namespace {
 
@@ -85,17 +84,13 @@ int main(int argc, char** argv) {
   const CLI::App* matrices = describeMatrices(app, &arguments);
   describeVideos(app, &arguments);
   CLI11_PARSE(app, argc, argv);
-  std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
-  try {
+  return runTool("import_recording", [&] {
+    std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
     const bool terminal = errorsGoToTerminal();
     const ImportResult result =
         matrices->parsed() ? importMatrices(arguments.matrices, arguments.options, notes, terminal)
                            : importVideos(arguments.videos, arguments.options, notes, terminal);
     if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
     if (notes) print(result, *notes);
-  } catch (const std::exception& error) {
-    std::cerr << "import_recording: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,24 +1,14 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <exception>
 #include <iostream>
 #include <optional>
 
 #include "tools/offline_run.h"
 #include "tools/progress.h"
+#include "tools/run_tool.h"
 
 namespace {
 
 using namespace markerless_mocap;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The run ends by itself, so that it can remove what it has begun to write; a second signal ends
-/// it at once.
-void interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 struct Arguments {
   OfflineOptions run;
@@ -57,9 +47,7 @@ void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
   if (arguments->stature) options.pipeline.fitting.stature = *arguments->stature;
-  options.interrupted = [] { return interrupted != 0; };
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  options.interrupted = catchInterruptions();
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
   if (notes) summary.print(*notes);
@@ -72,11 +60,5 @@ int main(int argc, char** argv) {
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);
-  try {
-    run(&arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "mocap_offline: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return runTool("mocap_offline", [&] { run(&arguments); });
 }

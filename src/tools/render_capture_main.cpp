@@ -1,25 +1,15 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 
 #include "tools/body_file.h"
 #include "tools/progress.h"
 #include "tools/render_capture.h"
+#include "tools/run_tool.h"
 
 namespace {
 
 using namespace markerless_mocap;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The run ends by itself, so that it can remove what it has begun to write; a second signal ends
-/// it at once.
-void interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 struct Arguments {
   RenderOptions render;
@@ -67,9 +57,7 @@ void run(Arguments* arguments) {
   const std::string& urdf = arguments->urdf_template;
   render.files.urdf_template = readText(urdf.empty() ? packageFile("urdf/human.urdf.in") : urdf);
   render.files.motions_folder = packageFile("config/motions");
-  render.interrupted = [] { return interrupted != 0; };
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  render.interrupted = catchInterruptions();
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RenderSummary summary = renderCapture(render, notes, errorsGoToTerminal());
   if (notes) print(summary, *notes);
@@ -82,11 +70,5 @@ int main(int argc, char** argv) {
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);
-  try {
-    run(&arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "render_capture: " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return runTool("render_capture", [&] { run(&arguments); });
 }

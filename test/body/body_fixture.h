@@ -7,6 +7,7 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 
@@ -21,17 +22,6 @@ inline std::string humanUrdf(double stature_m = 1.75) {
 
 inline BodyModel human(double stature_m = 1.75) {
   return BodyModel::fromUrdf(humanUrdf(stature_m), "person1");
-}
-
-/// The sentence of the std::invalid_argument that `call` throws; empty if it throws none.
-template <class Call>
-std::string sentenceOf(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

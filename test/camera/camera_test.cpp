@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -169,12 +170,7 @@ template <class Spoil>
 std::string refusal(Spoil spoil) {
   CameraCalibration calibration = makeCalibration();
   spoil(calibration);
-  try {
-    Camera camera(calibration);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
+  return sentenceOf([&] { Camera camera(calibration); });
 }
 
 TEST(CameraCalibration, RefusalsNameCameraAndFault) {

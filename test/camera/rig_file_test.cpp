@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -36,12 +37,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string sentenceFor(const std::string& text) {
-  try {
-    rigFromText(text, "rig.yaml");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return sentenceOf([&] { rigFromText(text, "rig.yaml"); });
 }
 
 std::string sentenceForCamera(const std::string& what, const std::string& with) {

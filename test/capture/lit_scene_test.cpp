@@ -8,6 +8,7 @@
 
 #include "capture/mesh_fixture.h"
 #include "capture/shadow_map.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -15,12 +16,7 @@ namespace {
 const TexturedRoom kRoom(1, 5, 5, 3.2);
 
 std::string refusal(const SceneObject& object, double strength = 0.5) {
-  try {
-    LitScene(kRoom, {object}, strength);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return sentenceOf([&] { LitScene(kRoom, {object}, strength); });
 }
 
 TEST(ShadowMapTest, shadowFallsOnTheSideAwayFromTheLamp) {

@@ -9,6 +9,7 @@
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/capture/virtual_studio.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 
@@ -35,16 +36,6 @@ inline StudioOptions smallStudio() {
   options.background_frames = 3;
   options.duration = 2.0;
   return options;
-}
-
-template <class Call>
-std::string sentenceOf(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace markerless_mocap

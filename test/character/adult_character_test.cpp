@@ -4,6 +4,7 @@
 
 #include <map>
 #include <stdexcept>
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -75,12 +76,7 @@ float halfWidth(const ColoredMesh& mesh, float below, float above) {
 }
 
 std::string refusal(const CharacterOptions& options) {
-  try {
-    makeCharacter(options);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "accepted";
+  return sentenceOf([&] { makeCharacter(options); });
 }
 
 TEST(MakeCharacter, IsClosedInAllClothes) {

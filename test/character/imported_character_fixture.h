@@ -11,6 +11,7 @@
 
 #include "character/imported_character_scene.h"
 #include "markerless_mocap/character/imported_character.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 
@@ -49,14 +50,9 @@ class Imported : public testing::Test {
   }
 
   std::string faultOf(const std::string& path, double stature = kStature) const {
-    try {
-      importCharacter(path, stature);
-    } catch (const std::invalid_argument& fault) {
-      const std::string sentence = fault.what();
-      EXPECT_EQ(sentence.rfind(path + ": ", 0), 0u) << sentence;
-      return sentence.substr(std::min(path.size() + 2, sentence.size()));
-    }
-    return "none";
+    const std::string sentence = sentenceOf([&] { importCharacter(path, stature); });
+    EXPECT_EQ(sentence.rfind(path + ": ", 0), 0u) << sentence;
+    return sentence.substr(std::min(path.size() + 2, sentence.size()));
   }
 
  private:

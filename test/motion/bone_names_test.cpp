@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "named_rig.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -290,12 +291,7 @@ TEST(BoneNames, whatIsNotNeededMayBeMissing) {
 }
 
 std::string faultOf(const std::string& lines) {
-  try {
-    mapBones(rig(lines), "rig.bvh");
-  } catch (const std::invalid_argument& fault) {
-    return fault.what();
-  }
-  return "none";
+  return sentenceOf([&] { mapBones(rig(lines), "rig.bvh"); });
 }
 
 TEST(BoneNames, missingBonesAreListedWithTheNamesThereAre) {

@@ -4,6 +4,7 @@
 
 #include "motion/gait_foot.h"
 #include "motion/motion_measures.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -112,14 +113,8 @@ TEST(FootTrack, gesturesMayNotMeetSteps) {
       "{seconds: 4, start: {}, path: [{go: 1, seconds: 3}], tracks: {}, feet: [{foot: left, keys: "
       "[[1, 0, 0, 0, 0], [1.5, 0.1, 0, 0.1, 0], [2, 0, 0, 0, 0]]}]}",
       "kick.yaml");
-  try {
-    performMotion(script, person());
-    FAIL();
-  } catch (const std::invalid_argument& fault) {
-    EXPECT_NE(std::string(fault.what()).find("kick.yaml/feet: the left foot's gesture"),
-              std::string::npos)
-        << fault.what();
-  }
+  const std::string sentence = sentenceOf([&] { performMotion(script, person()); });
+  EXPECT_EQ(sentence.find("kick.yaml/feet: the left foot's gesture"), 0u) << sentence;
 }
 
 }  // namespace

@@ -3,17 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 std::string faultOf(const std::string& text) {
-  try {
-    parseMotionScript(text, "m.yaml");
-  } catch (const std::invalid_argument& fault) {
-    return fault.what();
-  }
-  return "no fault";
+  return sentenceOf([&] { parseMotionScript(text, "m.yaml"); });
 }
 
 const std::string kHead = "seconds: 4\nstart: {x: 0.5, y: -0.5, heading: 180}\n";
@@ -90,12 +86,8 @@ TEST(MotionScript, saysWhatIsWrongWithFeet) {
 
 TEST(MotionScript, saysWhatIsWrongWithFiles) {
   EXPECT_EQ(faultOf("a: [1\nb: 2\n").substr(0, 21), "m.yaml is no YAML in ");
-  try {
-    readMotionScript("/nowhere/dance.yaml");
-    FAIL();
-  } catch (const std::invalid_argument& fault) {
-    EXPECT_STREQ(fault.what(), "the motion /nowhere/dance.yaml cannot be read");
-  }
+  EXPECT_EQ(sentenceOf([] { readMotionScript("/nowhere/dance.yaml"); }),
+            "the motion /nowhere/dance.yaml cannot be read");
 }
 
 }  // namespace

@@ -8,22 +8,13 @@
 #include <stdexcept>
 
 #include "placement_walk.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-template <typename Call>
-std::string faultOf(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& fault) {
-    return fault.what();
-  }
-  return "none";
-}
 
 TEST(Placement, cutsTimes) {
   const MotionClip clip = walk(4.0), piece = cut(clip, 1.0, 2.0);
@@ -37,11 +28,11 @@ TEST(Placement, cutsTimes) {
 
 TEST(Placement, cutsOutsideTheMotionAreRefused) {
   const MotionClip clip = walk(4.0);
-  EXPECT_EQ(faultOf([&] { cut(clip, 4.5, 1.0); }),
+  EXPECT_EQ(sentenceOf([&] { cut(clip, 4.5, 1.0); }),
             "start is 4.5 s, allowed is 0 to the motion's 4 s");
-  EXPECT_EQ(faultOf([&] { cut(clip, -1.0, 1.0); }),
+  EXPECT_EQ(sentenceOf([&] { cut(clip, -1.0, 1.0); }),
             "start is -1 s, allowed is 0 to the motion's 4 s");
-  EXPECT_EQ(faultOf([&] { cut(clip, 1.0, 0.0); }), "duration is 0 s, allowed is more than 0");
+  EXPECT_EQ(sentenceOf([&] { cut(clip, 1.0, 0.0); }), "duration is 0 s, allowed is more than 0");
 }
 
 TEST(Placement, resamples) {
@@ -53,7 +44,7 @@ TEST(Placement, resamples) {
     EXPECT_NEAR((clip.poses[i].hips - truth.hips).norm(), 0.0, 1e-3);
     EXPECT_NEAR(angleBetween(clip.poses[i], truth), 0.0, 3e-3);
   }
-  EXPECT_EQ(faultOf([] { resampled(walk(1.0), 0.0); }), "fps is 0, allowed is more than 0");
+  EXPECT_EQ(sentenceOf([] { resampled(walk(1.0), 0.0); }), "fps is 0, allowed is more than 0");
 }
 
 TEST(Placement, turnsAboutTheWorldsAxis) {
@@ -99,7 +90,7 @@ TEST(Placement, bendingWindsAStraightPathOnACircle) {
 }
 
 TEST(Placement, tooTightBendsAreRefused) {
-  EXPECT_EQ(faultOf([] { bent(walk(1.0), 0.05); }),
+  EXPECT_EQ(sentenceOf([] { bent(walk(1.0), 0.05); }),
             "the radius to bend the path by is 0.05 m, allowed is 0.1 m or more to either side");
 }
 
@@ -273,13 +264,13 @@ TEST(Placement, leavingAVolumeIsToldWithPlaceTimeAndRemedy) {
 TEST(Placement, clipsWithoutPosesAreRefused) {
   const MotionClip none{30.0, {}};
   const std::string sentence = "the motion has no poses";
-  EXPECT_EQ(faultOf([&] { cut(none, 0.0, 1.0); }), sentence);
-  EXPECT_EQ(faultOf([&] { resampled(none, 30.0); }), sentence);
-  EXPECT_EQ(faultOf([&] { turned(none, 1.0); }), sentence);
-  EXPECT_EQ(faultOf([&] { centred(none); }), sentence);
-  EXPECT_EQ(faultOf([&] { bent(none, 1.0); }), sentence);
-  EXPECT_EQ(faultOf([&] { onFloor(none, person()); }), sentence);
-  EXPECT_EQ(faultOf([&] { extended(none, 1.0); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { cut(none, 0.0, 1.0); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { resampled(none, 30.0); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { turned(none, 1.0); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { centred(none); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { bent(none, 1.0); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { onFloor(none, person()); }), sentence);
+  EXPECT_EQ(sentenceOf([&] { extended(none, 1.0); }), sentence);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -34,12 +35,7 @@ SampleOptions load(const std::string& yaml) {
 
 /// The sentence a YAML text is refused with, or "" if it is taken.
 std::string refusal(const std::string& yaml) {
-  try {
-    load(yaml);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
+  return sentenceOf([&] { load(yaml); });
 }
 
 TEST(Options, EmptyMapKeepsDefaults) {
@@ -94,8 +90,7 @@ TEST(Options, DescriberWritesOneRowPerField) {
   options.visit(describer);
   const std::string rows = describer.rows();
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6);
-  EXPECT_NE(rows.find("| `pitch` | 0.03 | 0.005 to 0.2 | edge of a voxel, m |"),
-            std::string::npos);
+  EXPECT_NE(rows.find("| `pitch` | 0.03 | 0.005 to 0.2 | edge of a voxel, m |"), std::string::npos);
 }
 
 }  // namespace

@@ -3,17 +3,13 @@
 #include <stdexcept>
 
 #include "markerless_mocap/pipeline/pipeline.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 std::string refusal(const std::string& yaml) {
-  try {
-    loadPipelineOptions(YAML::Load(yaml));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return sentenceOf([&] { loadPipelineOptions(YAML::Load(yaml)); });
 }
 
 TEST(PipelineOptions, EmptyConfigurationKeepsDefaults) {
@@ -24,10 +20,12 @@ TEST(PipelineOptions, EmptyConfigurationKeepsDefaults) {
 TEST(PipelineOptions, EachSectionReachesItsStage) {
   const PipelineOptions options = loadPipelineOptions(
       YAML::Load("{silhouette: {background_frames: 7}, visual_hull: {pitch: 0.05}, "
-                 "body_segmentation: {modes: 6}, pose_fitting: {stature: 1.6}}"));
+                 "body_segmentation: {modes: 6}, pose_tree: {prune_ratio: 0.1}, pose_fitting: "
+                 "{stature: 1.6}}"));
   EXPECT_EQ(options.silhouette.background_frames, 7);
   EXPECT_EQ(options.hull.pitch, 0.05);
   EXPECT_EQ(options.segmentation.modes, 6);
+  EXPECT_EQ(options.pose_tree.prune_ratio, 0.1);
   EXPECT_EQ(options.fitting.stature, 1.6);
 }
 

@@ -7,7 +7,7 @@
 
 #include "markerless_mocap/ros/camera_markers.h"
 #include "ros/sample_camera.h"
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

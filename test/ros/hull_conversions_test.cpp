@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "ros/sample_camera.h"
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

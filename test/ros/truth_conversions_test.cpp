@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "markerless_mocap/body/body_urdf.h"
-#include "ros/sentence_of.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {

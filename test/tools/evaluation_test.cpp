@@ -115,7 +115,7 @@ TEST_F(EvaluationTest, SkippedSecondsAreLeftOut) {
   EXPECT_EQ(found.joints.frames, size_t(kFrames - 10));
   EXPECT_LT(found.joints.D_spread.max, kSameTransforms_mm);
   request_.skip = 60;
-  EXPECT_EQ(refusalOf([&] { judged(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
             "nothing is left to judge: the truth lasts less than the time to skip");
 }
 
@@ -157,29 +157,29 @@ TEST_F(EvaluationTest, WithoutExactMasksJointsAreJudgedAndANoteSaysSo) {
 }
 
 TEST_F(EvaluationTest, FaultsAreOneSentenceEach) {
-  EXPECT_EQ(refusalOf([&] { judged(); }), "there is no bag " + request_.truth);
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }), "there is no bag " + request_.truth);
   writeResults(nothing);
   request_.truth = request_.results;
-  EXPECT_EQ(refusalOf([&] { judged(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
             request_.results + " has no ground truth: no topic /ground_truth/joints");
   request_.truth = path("truth.bag");
   writeTruth();
   request_.results = request_.truth;
-  EXPECT_EQ(refusalOf([&] { judged(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
             request_.truth + " has no results: neither a frame body_<id> in tf nor /pose");
   request_.results = path("results.bag");
   request_.body_id = "person2";
-  EXPECT_EQ(refusalOf([&] { judged(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
             request_.results + " has no body person2, it has person1");
 }
 
 TEST_F(EvaluationTest, OtherWorldsAndOtherTimesAreRefused) {
   writeTruth();
   writeResults(nothing, "map");
-  EXPECT_EQ(refusalOf([&] { judged(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
             "the results are in the frame map, the truth in world: they cannot be compared");
   writeResults(nothing, "world", 3600 * int64_t(1000000000));
-  EXPECT_EQ(refusalOf([&] { judged(); })
+  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); })
                 .rfind("truth and results do not overlap in time: the "
                        "truth lasts from 1600000000.00 s to "
                        "1600000001.56 s, the results from 16000036",

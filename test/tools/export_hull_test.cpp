@@ -98,7 +98,7 @@ TEST_F(ExportHull, BadCallsAreRefused) {
   const auto refused = [&](auto change) {
     HullExport what = what_;
     change(what);
-    return refusalOf([&] { exportHulls(what); });
+    return sentenceOf<std::exception>([&] { exportHulls(what); });
   };
   EXPECT_EQ(refused([](HullExport& w) { w.output = "hull.obj"; }),
             "output is hull.obj, allowed are names that end in .pcd or .ply");

@@ -108,14 +108,15 @@ TEST_F(ImportMatrices, MillimetresBecomeMetres) {
 TEST_F(ImportMatrices, MissingImageOfOneCameraIsToldAndLeavesNoBag) {
   writeRecording();
   std::filesystem::remove(path("cam02_0001.png"));
-  EXPECT_EQ(refusalOf([&] { import(); }), "cam2 has 1 images or masks, cam0 has 2");
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+            "cam2 has 1 images or masks, cam0 has 2");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
 TEST_F(ImportMatrices, ImageOfAnotherSizeLeavesNoBag) {
   writeRecording();
   cv::imwrite(path("cam03_0001.png"), cv::Mat::zeros(20, 20, CV_8UC3));
-  EXPECT_EQ(refusalOf([&] { import(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
             "an image or mask of cam3 is 20 x 20 pixels, the first one was 80 x 60");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
@@ -123,9 +124,9 @@ TEST_F(ImportMatrices, ImageOfAnotherSizeLeavesNoBag) {
 
 TEST_F(ImportMatrices, PatternWithoutNumberOrFilesIsTold) {
   input_.matrices = path("cam.xml");
-  EXPECT_NE(refusalOf([&] { import(); }).find("has no %d"), std::string::npos);
+  EXPECT_NE(sentenceOf<std::exception>([&] { import(); }).find("has no %d"), std::string::npos);
   input_.matrices = path("cam%d.xml");
-  EXPECT_EQ(refusalOf([&] { import(); }), "no file matches " + input_.matrices);
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }), "no file matches " + input_.matrices);
 }
 
 class ProjectionFile : public ToolTest {};
@@ -153,11 +154,11 @@ TEST_F(ProjectionFile, WrongContentIsToldWithTheFile) {
   writeText("other.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</a></opencv_storage>");
   writeText("broken.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</b>");
   for (const char* name : {"short.txt", "words.txt"})
-    EXPECT_EQ(refusalOf([&] { readProjection(path(name)); }),
+    EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path(name)); }),
               path(name) + " does not hold the twelve numbers of a 3x4 matrix");
-  EXPECT_EQ(refusalOf([&] { readProjection(path("other.xml")); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path("other.xml")); }),
             path("other.xml") + " has no 3x4 matrix");
-  EXPECT_EQ(refusalOf([&] { readProjection(path("broken.xml")); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path("broken.xml")); }),
             path("broken.xml") + " is not well-formed");
 }
 
@@ -170,7 +171,7 @@ TEST(WorldChange, UpAxisGoesToZWithoutMirroring) {
     EXPECT_TRUE((R * axis).isApprox(Eigen::Vector3d::UnitZ(), 1e-12)) << up;
     EXPECT_NEAR(R.determinant(), 1.0, 1e-12) << up;
   }
-  EXPECT_EQ(refusalOf([] {
+  EXPECT_EQ(sentenceOf<std::exception>([] {
               WorldChange{1.0, "up"}.validate();
             }),
             "up is \"up\", allowed is one of x, -x, y, -y, z, -z");

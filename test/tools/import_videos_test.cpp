@@ -90,11 +90,12 @@ TEST_F(ImportVideos, RigFileStandsForTheCalibrations) {
   EXPECT_EQ(rigText(result.cameras), rigText(ring));
   ring[2].width = 90;
   writeRig(path("rig.yaml"), ring);
-  EXPECT_EQ(refusalOf([&] { import(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
             "the video of cam2 is 80 x 60 pixels, the rig " + input_.rig + " has 90 x 60");
   ring.resize(2);
   writeRig(path("rig.yaml"), ring);
-  EXPECT_EQ(refusalOf([&] { import(); }), "camera cam2 is not in the rig " + input_.rig);
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+            "camera cam2 is not in the rig " + input_.rig);
 }
 
 TEST_F(ImportVideos, BackgroundComesFirstAtTheVideosPace) {
@@ -140,23 +141,25 @@ TEST_F(ImportVideos, ShorterVideoIsRemarkedOn) {
 }
 
 TEST_F(ImportVideos, MissingPiecesAreToldAndLeaveNoBag) {
-  EXPECT_EQ(refusalOf([&] { import(); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
             "no folder in " + input_.folder + " has a video video.avi");
   writeRecording();
   input_.background_frames = 9;
   EXPECT_EQ(
-      refusalOf([&] { import(); }),
+      sentenceOf<std::exception>([&] { import(); }),
       "the background video of cam0 ends 5 frames too early: ask for fewer background frames");
   std::filesystem::remove(path("cam1/config.xml"));
-  EXPECT_EQ(refusalOf([&] { import(); }), "cannot read " + path("cam1/config.xml"));
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+            "cannot read " + path("cam1/config.xml"));
   std::filesystem::remove(path("cam1/background.avi"));
-  EXPECT_EQ(refusalOf([&] { import(); }), "there is no video " + path("cam1/background.avi"));
+  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+            "there is no video " + path("cam1/background.avi"));
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
 TEST_F(ImportVideos, CalibrationWithoutAnEntryNamesIt) {
   writeText("half.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</a></opencv_storage>");
-  EXPECT_EQ(refusalOf([&] { readCalibration(path("half.xml")); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { readCalibration(path("half.xml")); }),
             path("half.xml") + " has no matrix CameraMatrix");
 }
 

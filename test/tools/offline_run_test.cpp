@@ -70,7 +70,8 @@ TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
   EXPECT_EQ(counts["/tf_static"], 1);
   EXPECT_EQ(counts["/hull/grid"], 1);
   EXPECT_EQ(counts["/humans/bodies/person1/human_description"], 1);
-  for (const char* topic : {"/hull/points", "/segmentation/points", "/segmentation/parts", "/pose"})
+  for (const char* topic :
+       {"/hull/points", "/segmentation/points", "/segmentation/parts", "/pose_tree", "/pose"})
     EXPECT_EQ(counts[topic], 3) << topic;
   EXPECT_EQ(counts["/tf"], summary.poses());
   EXPECT_EQ(counts["/humans/bodies/person1/joint_states"], summary.poses());
@@ -122,7 +123,7 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
 
 TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
   writeBag(2);
-  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "the recording ends while the background is being learned, after 2 instants");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
@@ -133,7 +134,7 @@ TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
   bag.writeTransforms(kSecond);
   for (int i = 0; i < 4; ++i) bag.write(kSecond, i, smallImage(true), smallMask());
   bag.commit();
-  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "the recording ends while the background is being learned, after 1 instants; its "
             "silhouettes need --use-masks");
   options_.recording.use_masks = true;
@@ -143,18 +144,18 @@ TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
 TEST_F(OfflineRun, InputIsNotOverwritten) {
   writeBag();
   options_.output = options_.input;
-  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "input and output are the same file " + options_.input);
 }
 
 TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
   writeBag();
   options_.urdf_template = path("none.urdf");
-  EXPECT_EQ(refusalOf([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "cannot read " + options_.urdf_template);
   writeText("broken.urdf", "<robot>");
   options_.urdf_template = path("broken.urdf");
-  EXPECT_NE(refusalOf([&] { runOffline(options_, nullptr, false); }), "");
+  EXPECT_NE(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }), "");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
@@ -182,14 +183,14 @@ TEST_F(OfflineRun, ReportIsOnePageWithPicturesOfItsOwn) {
 TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
   writeText("typo.yaml", "visual_hull: {pich: 0.02}\n");
   EXPECT_EQ(
-      refusalOf([&] { readConfiguration(path("typo.yaml")); }),
+      sentenceOf<std::exception>([&] { readConfiguration(path("typo.yaml")); }),
       path("typo.yaml") + ": visual_hull/pich is not an option (value 0.02), did you mean pitch?");
   writeText("broken.yaml", "visual_hull: {pitch: [\n");
-  EXPECT_EQ(refusalOf([&] {
+  EXPECT_EQ(sentenceOf<std::exception>([&] {
               readConfiguration(path("broken.yaml"));
             }).find(path("broken.yaml") + " is no YAML: "),
             0u);
-  EXPECT_EQ(refusalOf([&] { readConfiguration(path("none.yaml")); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
             "cannot read the configuration " + path("none.yaml"));
 }
 

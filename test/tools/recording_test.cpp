@@ -54,7 +54,7 @@ class RecordingTest : public ToolTest {
   }
 
   std::string refusal(const std::string& name, const RecordingOptions& options = {}) const {
-    return refusalOf([&] { Recording recording(path(name), options); });
+    return sentenceOf<std::exception>([&] { Recording recording(path(name), options); });
   }
 
   static std::vector<RecordedInstant> allOf(Recording& recording) {
@@ -89,7 +89,8 @@ TEST_F(RecordingTest, StartAndDurationAreSecondsAfterTheFirstImage) {
   EXPECT_EQ(instants.front().stamp_ns, kSecond + 3 * kSecond / 10);
   options.start = 5.0;
   Recording late(path("in.bag"), options);
-  EXPECT_EQ(refusalOf([&] { allOf(late); }), "the start lies after the end of the recording");
+  EXPECT_EQ(sentenceOf<std::exception>([&] { allOf(late); }),
+            "the start lies after the end of the recording");
 }
 
 TEST_F(RecordingTest, ChosenCamerasKeepTheirOrder) {

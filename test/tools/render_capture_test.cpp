@@ -156,7 +156,8 @@ TEST_F(RenderCaptureTest, rigGoesOutAsToldAndComesInAgain) {
 
 TEST_F(RenderCaptureTest, nothingIsLeftOfAnInterruptedRun) {
   options_.interrupted = [] { return true; };
-  EXPECT_EQ(refusalOf([&] { render(); }), "interrupted, " + options_.output + " is not written");
+  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+            "interrupted, " + options_.output + " is not written");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
@@ -171,18 +172,20 @@ TEST_F(RenderCaptureTest, optionsComeFromFileAndChanges) {
 }
 
 TEST_F(RenderCaptureTest, badInputIsNamed) {
-  EXPECT_EQ(refusalOf([] {
+  EXPECT_EQ(sentenceOf<std::exception>([] {
               readStudioOptions("", {{"sead", "3"}});
             }),
             "virtual_studio/sead is not an option (value 3), did you mean seed?");
   writeText("other.yaml", "hull:\n  a: 3\n");
-  EXPECT_EQ(refusalOf([&] { readStudioOptions(path("other.yaml"), {}); }),
+  EXPECT_EQ(sentenceOf<std::exception>([&] { readStudioOptions(path("other.yaml"), {}); }),
             path("other.yaml") + " has no section virtual_studio");
   options_.images = "png";
-  EXPECT_EQ(refusalOf([&] { render(); }), "images is \"png\", allowed are raw, jpeg and none");
+  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+            "images is \"png\", allowed are raw, jpeg and none");
   options_.images = "raw";
   options_.compression = "bz2";
-  EXPECT_EQ(refusalOf([&] { render(); }), "compression is \"bz2\", allowed are lz4 and none");
+  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+            "compression is \"bz2\", allowed are lz4 and none");
   EXPECT_TRUE(std::filesystem::exists(path("other.yaml")));
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
+#include "sentence_of.h"
 
 namespace markerless_mocap {
 
@@ -43,17 +44,6 @@ class ToolTest : public ::testing::Test {
 
   std::filesystem::path folder_;
 };
-
-/// What a call refuses with; empty if it does not refuse.
-template <class Call>
-std::string refusalOf(const Call& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
-}
 
 /// Four cameras of 80 x 60 pixels on a ring of 3 m at 1 m height that look at its middle.
 inline std::vector<CameraCalibration> ringOfFour() {

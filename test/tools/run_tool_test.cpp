@@ -1,0 +1,36 @@
+#include "tools/run_tool.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+TEST(RunTool, SaysWhyTheWorkCouldNotBeDone) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(runTool("tool", [] { throw std::runtime_error("there is no bag"); }), 1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "tool: there is no bag\n");
+}
+
+TEST(RunTool, IsSilentWhenAllIsWell) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(runTool("tool", [] {}), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(RunTool, TheFirstSignalAsksAndTheSecondEnds) {
+  EXPECT_EXIT(
+      {
+        const auto interrupted = catchInterruptions();
+        if (interrupted()) std::_Exit(1);
+        std::raise(SIGINT);
+        if (!interrupted()) std::_Exit(2);
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+}  // namespace
+}  // namespace markerless_mocap
