@@ -15,13 +15,15 @@ Box boxOf(const BitMask& mask) {
   Box box{mask.rows(), -1, mask.rowWords(), -1};
   for (int y = 0; y < mask.rows(); ++y) {
     const uint64_t* row = mask.row(y);
-    for (int i = 0; i < mask.rowWords(); ++i) {
-      if (!row[i]) continue;
-      box.first_row = std::min(box.first_row, y);
-      box.last_row = y;
-      box.first_word = std::min(box.first_word, i);
-      box.last_word = std::max(box.last_word, i);
-    }
+    uint64_t any = 0;
+    for (int i = 0; i < mask.rowWords(); ++i) any |= row[i];
+    if (!any) continue;
+    box.first_row = std::min(box.first_row, y);
+    box.last_row = y;
+    for (int i = 0; i < box.first_word; ++i)
+      if (row[i]) box.first_word = i;
+    for (int i = mask.rowWords() - 1; i > box.last_word; --i)
+      if (row[i]) box.last_word = i;
   }
   return box;
 }
@@ -87,6 +89,35 @@ void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const B
   }
 }
 
+/// The disk of radius 1 is a cross: each pixel and its four neighbours are joined by `joined`.
+/// \param outside what the pixels beyond the image count as
+template <class JoinT>
+BitMask crossed(const BitMask& mask, const Box& box, uint64_t outside, const JoinT& joined) {
+  const int words = mask.rowWords();
+  BitMask out(cv::Size(mask.cols(), mask.rows()));
+  const std::vector<uint64_t> beyond(words, outside);
+  for (int y = box.first_row; y <= box.last_row; ++y) {
+    const uint64_t* row = mask.row(y);
+    const uint64_t* above = y > 0 ? mask.row(y - 1) : beyond.data();
+    const uint64_t* below = y + 1 < mask.rows() ? mask.row(y + 1) : beyond.data();
+    // Bits right of the image are 0 in the mask.
+    const auto at = [&](int i) {
+      if (i < 0 || i >= words) return outside;
+      return i == words - 1 ? row[i] | (outside & ~mask.tailBits()) : row[i];
+    };
+    uint64_t left = at(box.first_word - 1), here = at(box.first_word);
+    for (int i = box.first_word; i <= box.last_word; ++i) {
+      const uint64_t right = at(i + 1);
+      const uint64_t sides = joined(here << 1 | left >> 63, here >> 1 | right << 63);
+      out.row(y)[i] = joined(joined(row[i], sides), joined(above[i], below[i]));
+      left = here;
+      here = right;
+    }
+    out.row(y)[words - 1] &= mask.tailBits();
+  }
+  return out;
+}
+
 BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
   BitMask out(cv::Size(mask.cols(), mask.rows()));
   const int radius = std::max(int(widths.size()) / 2, widths[widths.size() / 2]);
@@ -105,10 +136,15 @@ BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
 }  // namespace
 
 BitMask dilated(const BitMask& mask, int radius) {
+  if (radius == 1)
+    return crossed(mask, grown(boxOf(mask), 1, mask), 0,
+                   [](uint64_t a, uint64_t b) { return a | b; });
   return radius == 0 ? mask : dilatedRows(mask, diskWidths(radius));
 }
 
 BitMask eroded(const BitMask& mask, int radius) {
+  if (radius == 1)
+    return crossed(mask, boxOf(mask), ~uint64_t(0), [](uint64_t a, uint64_t b) { return a & b; });
   BitMask out = mask;
   const Box inner = boxOf(mask);
   if (radius == 0 || inner.last_row < 0) return out;

@@ -1,7 +1,9 @@
 #include "silhouette/rim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "silhouette/bit_morphology.h"
 
@@ -22,10 +24,47 @@ unsigned nibble(const BitMask& mask, int x, int y) {
   return unsigned(mask.row(y)[x >> 6] >> (x & 63)) & 15u;
 }
 
-float countOf(unsigned nibble) {
+unsigned countOf(unsigned nibble) {
   constexpr uint8_t kCounts[] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   return kCounts[nibble];
 }
+
+/// The bytes, 0 | 255, of each nibble's four pixels of three channels, in two words.
+using ByteMasks = std::array<std::array<uint64_t, 2>, 16>;
+
+ByteMasks makeByteMasks() {
+  ByteMasks masks{};
+  for (int nibble = 0; nibble < 16; ++nibble)
+    for (int i = 0; i < 3 * kSide; ++i)
+      if (nibble >> i / 3 & 1) masks[nibble][i / 8] |= uint64_t(255) << (8 * (i % 8));
+  return masks;
+}
+
+/// Sums the chosen pixels of a block's rows byte by byte: bytes are widened to 16 bits, every other
+/// one to a word. The words are little endian, as the masks of bits are.
+class ByteSums {
+ public:
+  /// \param bytes 3 kSide
+  void add(const uint8_t* bytes, unsigned nibble) {
+    static const ByteMasks kMasks = makeByteMasks();
+    uint64_t words[2] = {};
+    std::memcpy(words, bytes, 3 * kSide);
+    for (int i = 0; i < 2; ++i) {
+      const uint64_t chosen = words[i] & kMasks[nibble][i];
+      sums_[2 * i] += chosen & kEven;
+      sums_[2 * i + 1] += chosen >> 8 & kEven;
+    }
+  }
+  void addTo(uint16_t* color) const {
+    for (int i = 0; i < 3 * kSide; ++i)
+      color[i % 3] =
+          uint16_t(color[i % 3] + (sums_[i / 8 * 2 + i % 2] >> (16 * (i % 8 / 2)) & 0xffff));
+  }
+
+ private:
+  static constexpr uint64_t kEven = 0x00ff00ff00ff00ffu;
+  uint64_t sums_[4] = {};
+};
 
 }  // namespace
 
@@ -86,21 +125,32 @@ void RimRefiner::sumBlock(const Scene& scene, int column, int row) {
   Sums& sums = sums_[size_t(row) * columns_ + column];
   sums = Sums();
   const int channels = scene.image.channels(), x0 = column * kSide;
-  const unsigned valid = scene.image.cols - x0 >= kSide ? 15u : (1u << (scene.image.cols - x0)) - 1;
+  const bool is_whole = scene.image.cols - x0 >= kSide;
+  const unsigned valid = is_whole ? 15u : (1u << (scene.image.cols - x0)) - 1;
+  ByteSums bytes;
+  unsigned insiders = 0, outsiders = 0, light = 0;
   for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
-    forEachBit(nibble(core_, x0, y), x0, [&](int x) {
-      const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;
-      for (int c = 0; c < channels; ++c) sums.color[c] += pixel[c];
-      ++sums.inside;
-    });
+    const unsigned inside = nibble(core_, x0, y);
+    const uint8_t* row = scene.image.ptr(y);
+    if (channels == 3 && is_whole)
+      bytes.add(row + size_t(3) * x0, inside);
+    else
+      forEachBit(inside, x0, [&](int x) {
+        for (int c = 0; c < channels; ++c) sums.color[c] += row[x * channels + c];
+      });
+    insiders += countOf(inside);
     const unsigned outside = ~nibble(outer_, x0, y) & valid;
     const unsigned shade = outside & nibble(scene.classes.shade, x0, y);
-    sums.outside += countOf(outside);
-    sums.light += countOf(outside & ~shade);
+    outsiders += countOf(outside);
+    light += 255 * countOf(outside & ~shade);
     forEachBit(shade, x0, [&](int x) {
-      sums.light += float(scene.classes.ratio[size_t(y) * scene.background.stride() + x]) / 255;
+      light += scene.classes.ratio[size_t(y) * scene.background.stride() + x];
     });
   }
+  bytes.addTo(sums.color);
+  sums.inside = uint16_t(insiders);
+  sums.outside = uint16_t(outsiders);
+  sums.light = uint16_t(light);
 }
 
 RimRefiner::Sums RimRefiner::around(int column, int row) const {
@@ -119,10 +169,11 @@ RimRefiner::Sums RimRefiner::around(int column, int row) const {
 void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int column, int row) {
   if (around.inside == 0) return;
   const int channels = scene.image.channels(), x0 = column * kSide;
-  const float light = around.outside > 0 ? around.light / around.outside : 1.0f;
+  const float light =
+      around.outside > 0 ? float(around.light) / (255 * float(around.outside)) : 1.0f;
   const float scale = scene.gain * light / Background::kMeanScale;
   float person[3];
-  for (int c = 0; c < 3; ++c) person[c] = around.color[c] / around.inside;
+  for (int c = 0; c < 3; ++c) person[c] = float(around.color[c]) / around.inside;
   for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y)
     forEachBit(nibble(band_, x0, y), x0, [&](int x) {
       const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;

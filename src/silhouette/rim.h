@@ -18,12 +18,12 @@ class RimRefiner {
               const PixelClasses& classes, BitMask* mask);
 
  private:
-  /// What lies near a block of pixels.
+  /// What lies in a block of pixels or near it: 144 bytes fit.
   struct Sums {
-    float color[3] = {};  ///< of the person's pixels
-    float inside = 0;     ///< how many
-    float light = 0;      ///< brightness of the background's pixels, relative to their model
-    float outside = 0;    ///< how many
+    uint16_t color[3] = {};  ///< of the person's pixels
+    uint16_t inside = 0;     ///< how many
+    uint16_t light = 0;      ///< brightness of the background's pixels, 255 as in their model
+    uint16_t outside = 0;    ///< how many
   };
   struct Block {
     int column, row;
