@@ -91,7 +91,8 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   VoxelGraph voxels;
   voxels.pitch = hull.lattice.pitch;
   const std::vector<uint32_t> all = voxelsByIndex(hull);
-  const NodeGrid grid(cellsOf(hull, all));
+  const std::vector<Eigen::Vector3i> cells = cellsOf(hull, all);
+  const NodeGrid grid(cells);
   std::vector<Edge> edges = faceEdges(hull, all, grid, use_color_votes);
   WeightedGraph whole = graphOfEdges(all.size(), edges);
   const std::vector<Edge> bridges = bridgeEdges(grid, connectedComponents(whole));
@@ -99,6 +100,7 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
     edges.insert(edges.end(), bridges.begin(), bridges.end());
     whole = graphOfEdges(all.size(), edges);
   }
+  for (const Eigen::Vector3i& c : cells) whole.cell.emplace_back(c.x(), c.y(), c.z());
   const std::vector<uint32_t> kept = largestComponent(whole);
   for (uint32_t i = 0, next = 0; i < all.size(); ++i) {
     const bool keep = next < kept.size() && kept[next] == i;

@@ -76,6 +76,7 @@ WeightedGraph subgraph(const WeightedGraph& graph, const std::vector<uint32_t>& 
   for (uint32_t i = 0; i < nodes.size(); ++i) place[nodes[i]] = i;
   WeightedGraph part;
   part.row_start.reserve(nodes.size() + 1);
+  if (!graph.cell.empty()) part.cell.reserve(nodes.size());
   for (const uint32_t node : nodes) {
     for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
       if (place[graph.neighbor[e]] == kNone) continue;
@@ -83,6 +84,7 @@ WeightedGraph subgraph(const WeightedGraph& graph, const std::vector<uint32_t>& 
       part.weight.push_back(graph.weight[e]);
     }
     part.row_start.push_back(uint32_t(part.neighbor.size()));
+    if (!graph.cell.empty()) part.cell.push_back(graph.cell[node]);
   }
   return part;
 }

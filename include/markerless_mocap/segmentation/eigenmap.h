@@ -14,6 +14,7 @@ struct Eigenmap {
   /// scaled so that coordinates do not depend on the number of nodes. The largest entry of each
   /// column is positive.
   Eigen::MatrixXd vectors;
+  Eigen::VectorXd residuals{};  ///< |L u - lambda D u| / (lambda |D u|) in the norm of D^-1
 };
 
 /// \param graph connected

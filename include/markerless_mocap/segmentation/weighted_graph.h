@@ -6,12 +6,30 @@
 
 namespace markerless_mocap {
 
+/// Place of a node on a lattice; coordinates count modulo 2^16.
+class LatticeCell {
+ public:
+  LatticeCell(int i, int j, int k)
+      : packed_(uint64_t(uint16_t(i)) | uint64_t(uint16_t(j)) << 16 | uint64_t(uint16_t(k)) << 32) {
+  }
+  /// The cell of a lattice of twice the pitch that it lies in.
+  LatticeCell block() const { return LatticeCell((packed_ >> 1) & 0x7fff7fff7fff); }
+  bool operator==(const LatticeCell& other) const { return packed_ == other.packed_; }
+
+ private:
+  explicit LatticeCell(uint64_t packed) : packed_(packed) {}
+
+  uint64_t packed_;
+};
+
 /// Undirected weighted graph in compressed rows. Each edge stands in the rows of both its ends with
 /// the same weight; weights are > 0; no node is its own neighbour.
 struct WeightedGraph {
   std::vector<uint32_t> row_start{0};  ///< node i's edges are [row_start[i], row_start[i + 1])
   std::vector<uint32_t> neighbor;
   std::vector<double> weight;
+  /// Of each node, or empty. Edges join near cells; what is solved on the graph is solved faster.
+  std::vector<LatticeCell> cell;
 
   size_t nodeCount() const { return row_start.size() - 1; }
 };
