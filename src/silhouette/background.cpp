@@ -13,7 +13,7 @@ namespace {
 constexpr char kMagic[] = "markerless_mocap background 1\n";
 constexpr int kLargestSide = 16384;
 /// One pixel in so many is asked for the usual noise.
-constexpr size_t kNoiseStep = 61;
+constexpr int kNoiseStep = 61;
 
 struct FileHead {
   char magic[sizeof(kMagic)];
@@ -41,19 +41,40 @@ Background::Background(const cv::Size& size, int channels, int modes)
       stride_((size.width + 63) / 64 * 64),
       mean_(size_t(modes) * size.height * stride_ * channels, 0),
       sigma_(size_t(modes) * size.height * stride_, 0),
-      weight_(sigma_.size(), 0) {}
+      coarse_(sigma_.size() * (channels + 1), 0) {}
+
+ModeRow Background::coarse(int mode, int y) const {
+  const uint8_t* row = &coarse_[coarseOffset(mode, y)];
+  ModeRow coarse{{}, row + size_t(channels_) * stride_, int16_t(weight_unit_)};
+  for (int c = 0; c < channels_; ++c) coarse.mean[c] = row + size_t(c) * stride_;
+  return coarse;
+}
+
+void Background::renewCoarse(int mode, int y) {
+  uint8_t* coarse = &coarse_[coarseOffset(mode, y)];
+  const uint16_t* fine = mean(mode, y, 0);
+  for (int i = 0; i < channels_ * stride_; ++i)
+    coarse[i] = uint8_t((fine[i] + kMeanScale / 2) / kMeanScale);
+}
 
 void Background::setThreshold(double threshold_sigmas, double min_sigma) {
-  const double largest = 32767;
-  for (int row = 0; row < modes_ * size_.height; ++row)
-    for (int x = 0; x < size_.width; ++x) {
-      const size_t i = size_t(row) * stride_ + x;
-      const double limit = threshold_sigmas * std::max(min_sigma, sigma_[i] / double(kMeanScale));
-      weight_[i] = uint16_t(std::min(largest, std::round(kLimit * kWeightScale / limit)));
-    }
+  const auto weight_of = [&](double sigma) {
+    const double limit = threshold_sigmas * std::max(min_sigma, sigma);
+    return std::min(32767.0, kLimit * kWeightScale / limit);
+  };
+  weight_unit_ = int(std::ceil(weight_of(min_sigma) / 255));
   std::vector<uint16_t> sample;
-  for (size_t i = 0; i < sigma_.size() / modes_; i += kNoiseStep)
-    if (weight_[i] > 0) sample.push_back(sigma_[i]);
+  for (int mode = 0; mode < modes_; ++mode)
+    for (int y = 0; y < size_.height; ++y) {
+      renewCoarse(mode, y);
+      uint8_t* weights = &coarse_[coarseOffset(mode, y) + size_t(channels_) * stride_];
+      for (int x = 0; x < size_.width; ++x)
+        weights[x] =
+            uint8_t(std::lround(weight_of(sigma(mode, y)[x] / double(kMeanScale)) / weight_unit_));
+      for (int x = y % kNoiseStep; x < size_.width; x += kNoiseStep)
+        sample.push_back(sigma(mode, y)[x]);
+    }
+  if (sample.empty()) sample.push_back(0);
   std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
   noise_ = std::max(min_sigma, sample[sample.size() / 2] / double(kMeanScale));
 }

@@ -1,11 +1,21 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
 
 namespace markerless_mocap {
+
+/// One row of a usual colour of each pixel.
+struct ModeRow {
+  std::array<const uint8_t*, 3> mean;  ///< grey levels, a channel each
+  /// Times weight_unit: Background::kLimit * kWeightScale over the threshold in grey levels; 0
+  /// right of the image.
+  const uint8_t* weight;
+  int16_t weight_unit;
+};
 
 /// What each pixel of the empty scene looks like: one or several usual colours and how far the
 /// image may be from them. Fixed point, planar by row, padded to whole words of 64 pixels.
@@ -36,13 +46,16 @@ class Background {
   /// Standard deviations of row y, of all channels together, kMeanScale to a grey level.
   uint16_t* sigma(int mode, int y) { return &sigma_[offset(mode, y)]; }
   const uint16_t* sigma(int mode, int y) const { return &sigma_[offset(mode, y)]; }
-  /// kLimit * kWeightScale over the threshold in grey levels; 0 right of the image.
-  const uint16_t* weight(int mode, int y) const { return &weight_[offset(mode, y)]; }
+  /// What every pixel of every image is compared with, in a byte each, as memory is what that loop
+  /// waits for: row y's means in grey levels, and its weights.
+  ModeRow coarse(int mode, int y) const;
+  /// Row y's means have changed.
+  void renewCoarse(int mode, int y);
 
   /// Usual standard deviation of a pixel, all channels together, at least `min_sigma`, grey levels.
   double noise() const { return noise_; }
 
-  /// Makes the weights and the noise from the standard deviations.
+  /// Makes the weights, the noise and the coarse means from the standard deviations.
   void setThreshold(double threshold_sigmas, double min_sigma);
 
   /// Throws std::invalid_argument, in one sentence that names the file, if it cannot be written.
@@ -53,11 +66,14 @@ class Background {
 
  private:
   size_t offset(int mode, int y) const { return (size_t(mode) * size_.height + y) * stride_; }
+  size_t coarseOffset(int mode, int y) const { return offset(mode, y) * (channels_ + 1); }
 
   cv::Size size_;
   int channels_ = 0, modes_ = 0, stride_ = 0;
   double noise_ = 0;
-  std::vector<uint16_t> mean_, sigma_, weight_;
+  int weight_unit_ = 1;
+  std::vector<uint16_t> mean_, sigma_;
+  std::vector<uint8_t> coarse_;  ///< row after row: a mean per channel, then the weights
 };
 
 }  // namespace markerless_mocap

@@ -13,7 +13,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kStep = 16, kWord = 64;
+constexpr int kStep = 16, kWord = 64, kMeanBits = 7;
+static_assert(Background::kMeanScale == 1 << kMeanBits);
 
 /// 16 pixels, a channel each, 16 bits per value.
 struct Pixels {
@@ -42,16 +43,19 @@ MOCAP_AVX2 inline Pixels split(const uint8_t* bgr) {
            _mm256_cvtepu8_epi16(_mm_shuffle_epi8(mixed(c, b, a), order2))}};
 }
 
-MOCAP_AVX2 inline __m256i load(const uint16_t* values) {
-  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(values));
+MOCAP_AVX2 inline __m256i widened(const uint8_t* from) {
+  return _mm256_cvtepu8_epi16(bytes(from));
 }
 
 /// As squaredDistances().
 MOCAP_AVX2 inline __m256i squared(const Pixels& now, const ModeRow& mode, int x, __m256i gain) {
-  const __m256i weight = load(mode.weight + x), farthest = _mm256_set1_epi16(kFarthest);
+  const __m256i weight =
+      _mm256_mullo_epi16(widened(mode.weight + x), _mm256_set1_epi16(mode.weight_unit));
+  const __m256i farthest = _mm256_set1_epi16(kFarthest);
   __m256i sum = _mm256_setzero_si256();
   for (int c = 0; c < 3; ++c) {
-    const __m256i usual = _mm256_mulhrs_epi16(load(mode.mean[c] + x), gain);
+    const __m256i usual =
+        _mm256_mulhrs_epi16(_mm256_slli_epi16(widened(mode.mean[c] + x), kMeanBits), gain);
     const __m256i off = _mm256_sub_epi16(_mm256_slli_epi16(now.channel[c], kPredictedBits), usual);
     const __m256i scaled = _mm256_mulhrs_epi16(_mm256_abs_epi16(off), weight);
     const __m256i near = _mm256_min_epi16(scaled, farthest);

@@ -1,18 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
+#include "silhouette/background.h"
+
 namespace markerless_mocap {
-
-/// A pointer per channel.
-using MeanRows = std::array<const uint16_t*, 3>;
-
-/// One row of a usual colour of each pixel, as Background holds it.
-struct ModeRow {
-  MeanRows mean;
-  const uint16_t* weight;
-};
 
 /// One bit for each of the row's pixels, set if its squared scaled distance from `gain` x each of
 /// the modes' means, summed over channels, is above `limit`. The loop that every colour pixel

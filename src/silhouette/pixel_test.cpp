@@ -16,6 +16,9 @@ namespace {
 /// of the three channels' directions are free, of which nine in ten stay within.
 constexpr float kNoiseVariances = 4.6f;
 
+/// A pointer per channel.
+using MeanRows = std::array<const uint16_t*, 3>;
+
 MeanRows meanRows(const Background& background, int mode, int y) {
   MeanRows rows{};
   for (int c = 0; c < background.channels(); ++c) rows[c] = background.mean(mode, y, c);
@@ -70,8 +73,7 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
   uint64_t* bits = classes_.foreground.row(y);
   if (channels == 3) {
     std::array<ModeRow, Background::kMostModes> modes;
-    for (int mode = 0; mode < background.modes(); ++mode)
-      modes[mode] = {meanRows(background, mode, y), background.weight(mode, y)};
+    for (int mode = 0; mode < background.modes(); ++mode) modes[mode] = background.coarse(mode, y);
     if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
                     kSquaredLimit, bits))
       return;
@@ -79,8 +81,7 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
   splitRow(image, y, 0, image.cols, n, now_.data());
   const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
   for (int mode = 0; mode < background.modes(); ++mode) {
-    const MeanRows mean = meanRows(background, mode, y);
-    squaredDistances(now, mean.data(), background.weight(mode, y), channels, fixed_gain, n,
+    squaredDistances(now, background.coarse(mode, y), channels, fixed_gain, n,
                      mode == 0 ? squared_.data() : other_.data());
     if (mode > 0) keepSmaller(other_.data(), n, squared_.data());
   }

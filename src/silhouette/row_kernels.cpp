@@ -24,11 +24,12 @@ __attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {
   return int16_t(((int32_t(a) * b >> 14) + 1) >> 1);
 }
 
-__attribute__((always_inline)) inline uint16_t square(uint8_t now, uint16_t mean, uint16_t weight,
+__attribute__((always_inline)) inline uint16_t square(uint8_t now, uint8_t mean, int16_t weight,
                                                       int16_t gain) {
-  const int16_t off = int16_t(now * kPredictedScale - product(int16_t(mean), gain));
+  const int16_t usual = product(int16_t(mean * Background::kMeanScale), gain);
+  const int16_t off = int16_t(now * kPredictedScale - usual);
   const int16_t apart = int16_t(off < 0 ? -off : off);
-  const int16_t far = product(apart, int16_t(weight));
+  const int16_t far = product(apart, weight);
   const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
   return uint16_t(near * near);
 }
@@ -42,23 +43,25 @@ MOCAP_VECTORISED void splitInto(const uint8_t* __restrict row, int n, uint8_t* _
   }
 }
 
-MOCAP_VECTORISED void squaresOfOne(const uint8_t* __restrict now, const uint16_t* __restrict mean,
-                                   const uint16_t* __restrict weight, int16_t gain, int n,
-                                   uint16_t* __restrict squared) {
-  for (int i = 0; i < n; ++i) squared[i] = square(now[i], mean[i], weight[i], gain);
+MOCAP_VECTORISED void squaresOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
+                                   const uint8_t* __restrict weight, int16_t unit, int16_t gain,
+                                   int n, uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i) squared[i] = square(now[i], mean[i], int16_t(weight[i] * unit), gain);
 }
 
 MOCAP_VECTORISED void squaresOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
                                      const uint8_t* __restrict now2,
-                                     const uint16_t* __restrict mean0,
-                                     const uint16_t* __restrict mean1,
-                                     const uint16_t* __restrict mean2,
-                                     const uint16_t* __restrict weight, int16_t gain, int n,
-                                     uint16_t* __restrict squared) {
-  for (int i = 0; i < n; ++i)
-    squared[i] = uint16_t(square(now0[i], mean0[i], weight[i], gain) +
-                          square(now1[i], mean1[i], weight[i], gain) +
-                          square(now2[i], mean2[i], weight[i], gain));
+                                     const uint8_t* __restrict mean0,
+                                     const uint8_t* __restrict mean1,
+                                     const uint8_t* __restrict mean2,
+                                     const uint8_t* __restrict weight, int16_t unit, int16_t gain,
+                                     int n, uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i) {
+    const int16_t weighted = int16_t(weight[i] * unit);
+    squared[i] = uint16_t(square(now0[i], mean0[i], weighted, gain) +
+                          square(now1[i], mean1[i], weighted, gain) +
+                          square(now2[i], mean2[i], weighted, gain));
+  }
 }
 
 MOCAP_VECTORISED void flagsAbove(const uint16_t* __restrict value, uint16_t limit, int n,
@@ -110,13 +113,13 @@ void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes) {
   splitInto(row, n, planes, planes + stride, planes + 2 * size_t(stride));
 }
 
-void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,
-                      const uint16_t* weight, int channels, int16_t gain, int n,
-                      uint16_t* squared) {
+void squaredDistances(const uint8_t* const* now, const ModeRow& mode, int channels, int16_t gain,
+                      int n, uint16_t* squared) {
   if (channels == 3)
-    squaresOfThree(now[0], now[1], now[2], mean[0], mean[1], mean[2], weight, gain, n, squared);
+    squaresOfThree(now[0], now[1], now[2], mode.mean[0], mode.mean[1], mode.mean[2], mode.weight,
+                   mode.weight_unit, gain, n, squared);
   else
-    squaresOfOne(now[0], mean[0], weight, gain, n, squared);
+    squaresOfOne(now[0], mode.mean[0], mode.weight, mode.weight_unit, gain, n, squared);
 }
 
 MOCAP_VECTORISED void keepSmaller(const uint16_t* __restrict other, int n,

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "silhouette/background.h"
+
 namespace markerless_mocap {
 
 /// The loops that every pixel of every image passes through. They are compiled once for any
@@ -18,9 +20,9 @@ constexpr int kFarthest = 147;
 void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes);
 
 /// Squared scaled distance of n pixels of one row from `gain` x the mean, summed over channels.
-/// \param now, mean one pointer per channel \param squared n values out
-void squaredDistances(const uint8_t* const* now, const uint16_t* const* mean,
-                      const uint16_t* weight, int channels, int16_t gain, int n, uint16_t* squared);
+/// \param now one pointer per channel \param squared n values out
+void squaredDistances(const uint8_t* const* now, const ModeRow& mode, int channels, int16_t gain,
+                      int n, uint16_t* squared);
 
 void keepSmaller(const uint16_t* other, int n, uint16_t* value);
 

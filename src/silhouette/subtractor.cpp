@@ -79,6 +79,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
     for (int c = 0; c < channels; ++c)
       moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,
                 background_.mean(0, y, c));
+    background_.renewCoarse(0, y);
   }
   next_row_ = (next_row_ + 1) % kUpdateStride;
 }

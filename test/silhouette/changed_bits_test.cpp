@@ -23,15 +23,15 @@ class ChangedBits : public testing::TestWithParam<int> {
       mean_[mode].assign(3 * stride_, 0);
       weight_[mode].assign(stride_, 0);
       for (int x = 0; x < width_; ++x) {
-        weight_[mode][x] = uint16_t(random.uniform(0, 32768));
+        weight_[mode][x] = uint8_t(random.uniform(0, 255));
         for (int c = 0; c < 3; ++c) {
-          const int apart = random.uniform(-30, 31), grey = bgr_.at<cv::Vec3b>(0, x)[c] + apart;
-          mean_[mode][c * stride_ + x] =
-              uint16_t(std::clamp(grey, 0, 255) * Background::kMeanScale - (apart > 0));
+          const int grey = bgr_.at<cv::Vec3b>(0, x)[c] + random.uniform(-30, 31);
+          mean_[mode][c * stride_ + x] = uint8_t(std::clamp(grey, 0, 255));
         }
       }
       rows_[mode] = {{&mean_[mode][0], &mean_[mode][stride_], &mean_[mode][2 * stride_]},
-                     weight_[mode].data()};
+                     weight_[mode].data(),
+                     int16_t(mode == 0 ? 11 : 129)};
     }
   }
 
@@ -41,8 +41,7 @@ class ChangedBits : public testing::TestWithParam<int> {
     const uint8_t* now[] = {&now_[0], &now_[stride_], &now_[2 * stride_]};
     std::vector<uint16_t> least(stride_, 65535), squared(stride_);
     for (int mode = 0; mode < modes; ++mode) {
-      squaredDistances(now, rows_[mode].mean.data(), rows_[mode].weight, 3, gain, int(stride_),
-                       squared.data());
+      squaredDistances(now, rows_[mode], 3, gain, int(stride_), squared.data());
       keepSmaller(squared.data(), int(stride_), least.data());
     }
     std::vector<uint8_t> flags(stride_);
@@ -55,7 +54,7 @@ class ChangedBits : public testing::TestWithParam<int> {
   size_t stride_ = size_t(width_ + 63) / 64 * 64;
   std::vector<uint8_t> now_;
   cv::Mat bgr_;
-  std::vector<uint16_t> mean_[2], weight_[2];
+  std::vector<uint8_t> mean_[2], weight_[2];
   ModeRow rows_[2];
 };
 INSTANTIATE_TEST_SUITE_P(Widths, ChangedBits, testing::Values(1, 16, 63, 64, 100, 320, 333));
