@@ -11,8 +11,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMostGap = 0.15;    // between components of one body, metres
-constexpr double kLeastLoop = 0.12;  // metres
+constexpr double kMostGap = 0.15;      // between components of one body, metres
+constexpr double kLeastLoop = 0.12;    // metres
+constexpr double kPersistence = 0.02;  // of a curve, metres: feet that touch stand out little
 
 PoseTreeOptions validated(const PoseTreeOptions& options) {
   options.validate();
@@ -49,7 +50,7 @@ class PoseTreeBuilder::State {
   void tellSides(const PlantedTree& planted, double longest, PoseTree* tree) const;
 
   PoseTreeOptions options_;
-  Thinner thinner_;
+  Thinner thinner_{kPersistence};
   LastEnds last_;
 };
 

@@ -12,6 +12,8 @@ namespace {
 
 using Edges = std::vector<std::vector<TreeEdge>>;
 
+constexpr double kSmoothing = 0.03;  // spread along the skeleton, metres
+
 Edges neighbourEdges(const CurveSkeleton& skeleton, const std::vector<Eigen::Vector3i>& cells) {
   const TreeVoxels table(skeleton, cells);
   Edges edges(cells.size());
@@ -141,6 +143,35 @@ class LoopTest {
   Edges edges_;
 };
 
+/// Moves the nodes to the middle of their neighbours, again and again, until steps between voxels
+/// are levelled out; ends stay. So lengths do not depend on the pitch or on how a skeleton lies in
+/// it.
+void smoothPositions(TreeGraph* graph) {
+  std::vector<Eigen::Vector3d>& at = graph->positions;
+  std::vector<Eigen::Vector3d> sums(at.size());
+  std::vector<int> counts(at.size());
+  const auto add = [&](int32_t a, int32_t b) {
+    sums[size_t(a)] += at[size_t(b)];
+    sums[size_t(b)] += at[size_t(a)];
+    ++counts[size_t(a)];
+    ++counts[size_t(b)];
+  };
+  const double steps = kSmoothing / graph->pitch;
+  const int rounds = std::clamp(int(std::lround(2.0 * steps * steps)), 1, 40);
+  for (int round = 0; round < rounds; ++round) {
+    std::fill(sums.begin(), sums.end(), Eigen::Vector3d::Zero());
+    std::fill(counts.begin(), counts.end(), 0);
+    for (size_t node = 1; node < at.size(); ++node) add(int32_t(node), graph->parents[node]);
+    for (const auto& [a, b] : graph->loop_edges) add(a, b);
+    for (size_t node = 0; node < at.size(); ++node)
+      if (counts[node] > 1) at[node] = 0.5 * (at[node] + sums[node] / counts[node]);
+  }
+  for (size_t node = 1; node < at.size(); ++node) {
+    const size_t parent = size_t(graph->parents[node]);
+    graph->ways[node] = graph->ways[parent] + (at[node] - at[parent]).norm();
+  }
+}
+
 }  // namespace
 
 TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length) {
@@ -190,6 +221,7 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
     graph.loop_edges.emplace_back(closing.a, closing.b);
     loops.keep(closing.a, closing.b, closing.length);
   }
+  smoothPositions(&graph);
   return graph;
 }
 

@@ -22,6 +22,7 @@ class TreeVolume {
   /// Shortest way out of the hull from the centre of a voxel along the 26 directions to its
   /// neighbours, metres; at most 12 % more than the distance to a flat surface.
   double thickness(const Eigen::Vector3i& voxel) const;
+  double thickness(uint32_t voxel) const { return thickness(lattice_.coordinates(voxel)); }
   /// Way from a point along a unit vector to the last voxel of the hull before the first gap.
   double wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double most) const;
 
