@@ -54,7 +54,7 @@ void Background::renewCoarse(int mode, int y) {
   uint8_t* coarse = &coarse_[coarseOffset(mode, y)];
   const uint16_t* fine = mean(mode, y, 0);
   for (int i = 0; i < channels_ * stride_; ++i)
-    coarse[i] = uint8_t((fine[i] + kMeanScale / 2) / kMeanScale);
+    coarse[i] = uint8_t((fine[i] + kMeanScale / 2u) / kMeanScale);
 }
 
 void Background::setThreshold(double threshold_sigmas, double min_sigma) {

@@ -1,6 +1,7 @@
 #include "silhouette/light_gain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -17,10 +18,15 @@ constexpr float kDarkest = 25, kBrightest = 230;
 /// Ratios further from the median are people and shadows.
 constexpr float kInlierBand = 0.05f;
 
-float median(std::vector<float>* values) {
-  const auto middle = values->begin() + values->size() / 2;
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
+/// To half a bin, which is far less than the band of the inliers.
+float median(const std::vector<float>& ratios) {
+  constexpr int kBins = 1000, kBinsPerOne = 400;
+  std::array<uint32_t, kBins> counts{};
+  for (const float ratio : ratios) ++counts[std::min(kBins - 1, int(ratio * kBinsPerOne))];
+  size_t below = 0;
+  int bin = 0;
+  while ((below += counts[bin]) <= ratios.size() / 2) ++bin;
+  return (float(bin) + 0.5f) / kBinsPerOne;
 }
 
 /// \param usual_at grey level of (x, y, channel)
@@ -48,10 +54,10 @@ std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_at
   return ratios;
 }
 
-LightGain mostUsual(std::vector<float> ratios) {
+LightGain mostUsual(const std::vector<float>& ratios) {
   LightGain result;
   if (ratios.size() < kFewest) return result;
-  const float middle = median(&ratios);
+  const float middle = median(ratios);
   double sum = 0;
   size_t near = 0;
   for (const float ratio : ratios) {
@@ -67,9 +73,8 @@ LightGain mostUsual(std::vector<float> ratios) {
 }  // namespace
 
 LightGain estimateLightGain(const cv::Mat& image, const Background& usual) {
-  return mostUsual(brightnessRatios(image, [&](int x, int y, int c) {
-    return usual.mean(0, y, c)[x] / float(Background::kMeanScale);
-  }));
+  return mostUsual(brightnessRatios(
+      image, [&](int x, int y, int c) { return float(usual.coarse(0, y).mean[c][x]); }));
 }
 
 LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& usual) {

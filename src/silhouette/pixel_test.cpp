@@ -16,15 +16,6 @@ namespace {
 /// of the three channels' directions are free, of which nine in ten stay within.
 constexpr float kNoiseVariances = 4.6f;
 
-/// A pointer per channel.
-using MeanRows = std::array<const uint16_t*, 3>;
-
-MeanRows meanRows(const Background& background, int mode, int y) {
-  MeanRows rows{};
-  for (int c = 0; c < background.channels(); ++c) rows[c] = background.mean(mode, y, c);
-  return rows;
-}
-
 }  // namespace
 
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
@@ -95,15 +86,14 @@ void PixelTest::findShades(const cv::Mat& image, const Background& background, d
   const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
                            kNoiseVariances * noise * noise};
   const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
+  const ModeRow usual = background.coarse(0, y);
   for (int i = 0; i < n / kWord; ++i) {
     const uint64_t changed = classes_.foreground.row(y)[i];
     if (!changed) continue;
     const int x = kWord * i;
     splitRow(image, y, x, std::min(kWord, image.cols - x), kWord, now_.data());
-    MeanRows mean = meanRows(background, 0, y);
-    for (int c = 0; c < background.channels(); ++c) mean[c] += x;
     uint8_t* ratio = &classes_.ratio[size_t(y) * n + x];
-    shadeRatios(now, mean.data(), background.channels(), float(gain), limits, ratio);
+    shadeRatios(now, usual, x, background.channels(), float(gain), limits, ratio);
     for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
     const uint64_t shade = packFlags(flags_.data()) & changed;
     classes_.shade.row(y)[i] = shade;

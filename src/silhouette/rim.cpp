@@ -171,15 +171,16 @@ void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int colum
   const int channels = scene.image.channels(), x0 = column * kSide;
   const float light =
       around.outside > 0 ? float(around.light) / (255 * float(around.outside)) : 1.0f;
-  const float scale = scene.gain * light / Background::kMeanScale;
+  const float scale = scene.gain * light;
   float person[3];
   for (int c = 0; c < 3; ++c) person[c] = float(around.color[c]) / around.inside;
-  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y)
+  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
+    const ModeRow mode = scene.background.coarse(0, y);
     forEachBit(nibble(band_, x0, y), x0, [&](int x) {
       const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;
       float apart = 0, contrast = 0;
       for (int c = 0; c < channels; ++c) {
-        const float usual = float(scene.background.mean(0, y, c)[x]) * scale;
+        const float usual = float(mode.mean[c][x]) * scale;
         apart += (float(pixel[c]) - usual) * (float(pixel[c]) - usual);
         contrast += (person[c] - usual) * (person[c] - usual);
       }
@@ -187,6 +188,7 @@ void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int colum
       share_[size_t(y) * stride_ + x] =
           uint8_t(std::min(255.0f, 255 * std::sqrt(apart / contrast)));
     });
+  }
 }
 
 /// The outline is smooth: a pixel is the person's if more than half of its surroundings are.

@@ -80,10 +80,9 @@ __attribute__((always_inline)) inline float shadeOf(float cross, float usual, fl
 }
 
 MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
-                                    const uint8_t* __restrict now2,
-                                    const uint16_t* __restrict mean0,
-                                    const uint16_t* __restrict mean1,
-                                    const uint16_t* __restrict mean2, float scale,
+                                    const uint8_t* __restrict now2, const uint8_t* __restrict mean0,
+                                    const uint8_t* __restrict mean1,
+                                    const uint8_t* __restrict mean2, float scale,
                                     const ShadeLimits& limits, uint8_t* __restrict ratio) {
   float shade[64];
   for (int i = 0; i < 64; ++i) {
@@ -95,7 +94,7 @@ MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_
   for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
 }
 
-MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint16_t* __restrict mean,
+MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
                                   float scale, const ShadeLimits& limits,
                                   uint8_t* __restrict ratio) {
   float shade[64];
@@ -132,13 +131,14 @@ void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uin
   for (int i = 0; i < n / 64; ++i) bits[i] = packFlags(flags + size_t(64) * i);
 }
 
-void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int channels, float gain,
+void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
                  const ShadeLimits& limits, uint8_t* ratio) {
-  const float scale = gain / Background::kMeanScale;
+  const uint8_t* mean = mode.mean[0] + x;
   if (channels == 3)
-    shadesOfThree(now[0], now[1], now[2], mean[0], mean[1], mean[2], scale, limits, ratio);
+    shadesOfThree(now[0], now[1], now[2], mean, mode.mean[1] + x, mode.mean[2] + x, gain, limits,
+                  ratio);
   else
-    shadesOfOne(now[0], mean[0], scale, limits, ratio);
+    shadesOfOne(now[0], mean, gain, limits, ratio);
 }
 
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,

@@ -36,8 +36,8 @@ struct ShadeLimits {
 };
 
 /// Brightness of 64 pixels of one row relative to `gain` x the mean where they are a darker shade
-/// of it, 255 for 1; 0 where they are not.
-void shadeRatios(const uint8_t* const* now, const uint16_t* const* mean, int channels, float gain,
+/// of it, 255 for 1; 0 where they are not. \param now one pointer per channel, to pixel x
+void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
                  const ShadeLimits& limits, uint8_t* ratio);
 
 /// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
