@@ -94,6 +94,7 @@ void packAndVote(benchmark::State& state) {
     voxels += size_t(__builtin_popcountll(volume.word(leaf)));
   });
   state.counters["voxels"] = double(voxels);
+  state.counters["plan_MB"] = double(plan.bytes()) / 1e6;
 }
 
 /// The whole stage: components, the person, views of each voxel.

@@ -114,10 +114,17 @@ void FaultFinder::leaveOutContradicted(const MaskSurvey& masks, const VoxelBox& 
 
 double FaultFinder::unexplained(const std::vector<Piece>& pieces, CameraSet voters, int most,
                                 Reach how) {
+  std::vector<size_t> cameras;
+  for (size_t c = 0; c < rig_.size(); ++c)
+    if (voters >> c & 1) cameras.push_back(c);
+  if (cameras.empty()) return 0;
+  // The order of cameras in the rig must not matter: those with the largest silhouettes tell.
+  std::stable_sort(cameras.begin(), cameras.end(), [&](size_t a, size_t b) {
+    return booth_->mask(a).setPixels() > booth_->mask(b).setPixels();
+  });
+  cameras.resize(std::min(cameras.size(), size_t(most)));
   std::vector<double> shares;
-  for (size_t c = 0; c < rig_.size() && int(shares.size()) < most; ++c)
-    if (voters >> c & 1) shares.push_back(unexplainedIn(c, pieces, how));
-  if (shares.empty()) return 0;
+  for (const size_t c : cameras) shares.push_back(unexplainedIn(c, pieces, how));
   const auto middle = shares.begin() + int(shares.size() / 2);
   std::nth_element(shares.begin(), middle, shares.end());
   return *middle;

@@ -35,7 +35,7 @@ class FaultFinder {
   /// How the tiles are found that a cell reaches. kRoughly finds some of them, never another.
   enum class Reach { kRoughly, kExactly };
   /// Share of the tiles with foreground, of those that look into the volume, that the pieces do not
-  /// reach; the median over at most `most` of the cameras.
+  /// reach; the median over at most `most` of the cameras, those with the largest silhouettes.
   double unexplained(const std::vector<Piece>& pieces, CameraSet voters, int most, Reach how);
   double unexplainedIn(size_t camera, const std::vector<Piece>& pieces, Reach how);
   void reachRoughly(size_t camera, const Cell& cell);

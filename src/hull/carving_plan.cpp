@@ -53,6 +53,9 @@ CarvingPlan::CarvingPlan(const CameraRig& rig, const VoxelLattice& lattice)
                     [&](size_t z) { planLayer(rig, int(z), &layers[z]); });
   first_window_.reserve(size_t(levels_[0].size.prod()) * cameras_ + 1);
   first_window_.push_back(0);
+  size_t windows = 0;
+  for (const Layer& layer : layers) windows += layer.windows.size();
+  windows_.reserve(windows);
   for (Layer& layer : layers) {
     for (const uint32_t count : layer.counts) first_window_.push_back(first_window_.back() + count);
     windows_.insert(windows_.end(), layer.windows.begin(), layer.windows.end());
@@ -118,6 +121,15 @@ void CarvingPlan::planLevel(const BlockLevel& below, BlockLevel* level) const {
         for (size_t c = 0; c < cameras_; ++c)
           level->tiles[block * cameras_ + c].add(below.tiles[child * cameras_ + c]);
       }
+}
+
+size_t CarvingPlan::bytes() const {
+  size_t sum = codes_.capacity() + windows_.capacity() * sizeof(PixelWindow) +
+               first_window_.capacity() * sizeof(uint32_t);
+  for (const BlockLevel& level : levels_)
+    sum += (level.sees_some.capacity() + level.sees_all.capacity()) * sizeof(CameraSet) +
+           level.tiles.capacity() * sizeof(TileBox);
+  return sum;
 }
 
 uint64_t CarvingPlan::seen(size_t leaf, size_t camera) const {

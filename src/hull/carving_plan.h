@@ -50,6 +50,8 @@ class CarvingPlan {
   const PixelWindow* windowsEnd(size_t leaf, size_t camera) const {
     return windows_.data() + first_window_[leaf * cameras_ + camera + 1];
   }
+  /// Memory that the plan holds.
+  size_t bytes() const;
   /// The leaf's voxels that the camera sees.
   uint64_t seen(size_t leaf, size_t camera) const;
 

@@ -12,7 +12,7 @@ constexpr double kFullMaskShare = 0.95;
 /// A second component is a second body when it is at least this large.
 constexpr double kSecondBodyShare = 0.4;
 constexpr double kSecondBodyLitres = 15.0;
-/// A component that is seen by less than this share of the cameras that see another one is not
+/// A component that is seen by no more than this share of the cameras that see another one is not
 /// carved well enough to be compared with it.
 constexpr double kPoorlySeenShare = 0.5;
 
@@ -94,7 +94,7 @@ std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan
     components.push_back(component);
   }
   for (HullComponent& component : components)
-    component.poorly_seen = component.mean_views < kPoorlySeenShare * most_views;
+    component.poorly_seen = component.mean_views <= kPoorlySeenShare * most_views;
   std::vector<size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), size_t(0));
   std::stable_partition(order.begin(), order.end(),

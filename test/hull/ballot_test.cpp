@@ -131,6 +131,20 @@ TEST(Vote, DoesNotDependOnTheNumberOfThreads) {
   for (size_t leaf = 0; leaf < one.count(); ++leaf) ASSERT_EQ(one.word(leaf), many.word(leaf));
 }
 
+TEST(CarvingPlan, OfEightCamerasAt128KeepsWithin100Megabytes) {
+  CameraRig rig;
+  for (int c = 0; c < 8; ++c)
+    rig.push_back(makeCamera("c" + std::to_string(c),
+                             {3 * std::cos(0.785 * c), 3 * std::sin(0.785 * c), 1}, {0, 0, 1}));
+  VoxelLattice lattice;
+  lattice.origin = {-1, -1, 0};
+  lattice.pitch = 2.0 / 128;
+  lattice.size = {128, 128, 128};
+  const size_t bytes = CarvingPlan(rig, lattice).bytes();
+  EXPECT_LT(bytes, 100e6);
+  EXPECT_GT(bytes, size_t(lattice.count()) * rig.size()) << "one byte per voxel and camera";
+}
+
 TEST(CarvingPlan, SeesNothingBehindTheCameraOrBesideItsImage) {
   VoxelLattice lattice;
   lattice.origin = {-0.2, -0.2, -0.2};

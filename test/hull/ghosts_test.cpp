@@ -77,5 +77,24 @@ TEST(PoorlySeen, CornerThatTwoOfManyCamerasSeeIsNotThePerson) {
   EXPECT_TRUE(hull.components[1].poorly_seen);
 }
 
+TEST(PoorlySeen, WhatTwoOfFourCamerasSeeIsNoSecondBody) {
+  // A cross of cameras sees the first ball; two of them alone also see where the second one is.
+  CameraRig rig;
+  const Eigen::Vector3d places[] = {{3, 0, 0.2}, {0, 3, 0.1}, {-3, 0, 0.3}, {0, -3, 0.15}};
+  for (int i = 0; i < 4; ++i)
+    rig.push_back(makeCamera("cam" + std::to_string(i), places[i], Eigen::Vector3d::Zero(), {},
+                             i < 2 ? 140 : 400));
+  HullOptions options = makeOptions();
+  options.volume_max = {0.6, 0.6, 1.3};
+  std::vector<HullView> views =
+      renderViews(rig, {Sphere{{0, 0, 0}, 0.3}, Sphere{{0, 0, 0.9}, 0.25}});
+  const VisualHull hull = HullCarver(rig, options).carve(views);
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  ASSERT_GE(hull.components.size(), 2u);
+  EXPECT_GT(hull.components[1].litres, 15);
+  EXPECT_NEAR(hull.components[1].mean_views, 2, 1e-9);
+  EXPECT_TRUE(hull.components[1].poorly_seen);
+}
+
 }  // namespace
 }  // namespace markerless_mocap
