@@ -9,6 +9,7 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr double kLongestTorso = 1.6 * label_ratio::kTorso;
 constexpr double kLeastBend = 0.14;  // sine of 8 degrees: below it a joint is straight
 
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -44,13 +45,18 @@ double lengthOf(const NodePath& path) {
 BodyPaths bodyPaths(const PlantedTree& tree, double longest) {
   BodyPaths body;
   body.longest = longest;
+  body.head = limbPath(tree, LimbEnd::kHead);
   body.arms[0] = limbPath(tree, LimbEnd::kHand1);
   body.arms[1] = limbPath(tree, LimbEnd::kHand2);
   body.legs[0] = limbPath(tree, LimbEnd::kFoot1);
   body.legs[1] = limbPath(tree, LimbEnd::kFoot2);
   for (const TreeNode& node : tree.nodes)
     if (node.part == TreePart::kTorso) body.torso.push_back(node.position);
-  std::reverse(body.torso.begin(), body.torso.end());
+  // Legs that are one below: what is too long for a torso leads to both feet.
+  const NodePath torso = stretch(body.torso, 0.0, kLongestTorso * longest);
+  for (size_t i = body.torso.size(); i-- > torso.size();)
+    for (NodePath& leg : body.legs) leg.push_back(body.torso[i]);
+  body.torso.assign(torso.rbegin(), torso.rend());
   return body;
 }
 

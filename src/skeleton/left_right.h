@@ -13,6 +13,7 @@ using NodePath = std::vector<Eigen::Vector3d>;
 /// What sides are told by.
 struct BodyPaths {
   NodePath torso;  ///< upwards
+  NodePath head;
   NodePath arms[2], legs[2];
   double longest = 0.0;  ///< the measure of the proportions, metres
 };

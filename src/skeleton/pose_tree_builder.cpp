@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "markerless_mocap/skeleton/thinner.h"
+#include "skeleton/extremity_position.h"
+#include "skeleton/label_proportions.h"
 #include "skeleton/label_ranking.h"
+#include "skeleton/label_template.h"
 #include "skeleton/left_right.h"
 #include "skeleton/tree_graph.h"
 #include "skeleton/tree_parts.h"
@@ -20,12 +23,6 @@ PoseTreeOptions validated(const PoseTreeOptions& options) {
   return options;
 }
 
-PoseTree& refuse(PoseTree& tree, TreeStatus status, const std::string& reason) {
-  tree.status = status;
-  tree.reason = reason;
-  return tree;
-}
-
 /// Swaps the sides of the parts of a pair of limbs.
 void swapParts(TreePart a, TreePart b, std::vector<TreeNode>* nodes) {
   for (TreeNode& node : *nodes) {
@@ -36,75 +33,140 @@ void swapParts(TreePart a, TreePart b, std::vector<TreeNode>* nodes) {
   }
 }
 
+/// One frame on its way to a pose tree.
+class Labelling {
+ public:
+  Labelling(const PoseTreeOptions& options, const VisualHull& hull, const CurveSkeleton& skeleton)
+      : options_(options), volume_(hull), graph_(makeTreeGraph(skeleton, kMostGap, kLeastLoop)) {
+    tree_.skeleton = skeleton;
+  }
+
+  PoseTree run(const LastEnds& last, LastEnds* now);
+
+ private:
+  PoseTree& refuse(TreeStatus status, const std::string& reason) {
+    tree_.status = status;
+    tree_.reason = reason;
+    return tree_;
+  }
+  void choose(const LastEnds& last);
+  void plant();
+  void placeTips();
+  void tellSides();
+  void judge();
+
+  const PoseTreeOptions& options_;
+  TreeVolume volume_;
+  TreeGraph graph_;
+  LabelChoice choice_;
+  PlantedTree planted_;
+  BodyPaths body_;
+  BodyAxes axes_;
+  bool torso_ = false;
+  PoseTree tree_;
+};
+
+void Labelling::choose(const LastEnds& last) {
+  if (options_.labelling == "ranking") {
+    choice_ = labelByRank(graph_, options_.prune_ratio, last);
+    tree_.rank = choice_.rank;
+    tree_.validity = choice_.rank;
+  } else {
+    choice_ = labelByTemplate(graph_, volume_, &tree_.validity);
+  }
+}
+
+void Labelling::plant() {
+  planted_ = plantTree(graph_, choice_);
+  if (choice_.status == TreeStatus::kOk) torso_ = nameParts(&planted_);
+  tree_.nodes = planted_.nodes;
+  tree_.origin = planted_.origin;
+}
+
+void Labelling::placeTips() {
+  const NodePath* paths[] = {&body_.head, &body_.arms[0], &body_.arms[1], &body_.legs[0],
+                             &body_.legs[1]};
+  for (size_t i = 0; i < planted_.ends.size(); ++i) {
+    const int32_t node = planted_.ends[i];
+    const Eigen::Vector3d at = planted_.nodes[size_t(node)].position;
+    const NodePath path = paths[i]->empty() ? NodePath{at} : *paths[i];
+    tree_.tips[i] = {node, at, extremityPosition(path, LimbEnd(i), choice_.longest, volume_)};
+  }
+  if (choice_.ends[3] != choice_.ends[4] || !axes_.known) return;
+  const auto balls = feetTogether(body_.legs[0], axes_, choice_.longest, volume_);
+  for (size_t i = 0; i < 2; ++i) tree_.tips[3 + i].position = balls[i];
+}
+
+void Labelling::tellSides() {
+  axes_ = findAxes(body_);
+  if (!axes_.known) return;
+  tree_.forward = axes_.forward;
+  tree_.left = axes_.left;
+}
+
+/// Puts left and right where limbs 1 and 2 were.
+void Labelling::judge() {
+  if (!axes_.known) return;
+  const bool by_angles = options_.side_rule == "angles";
+  const auto firstIsLeft = [&](const NodePath(&limbs)[2], double share) {
+    return by_angles ? firstIsLeftByAngles(limbs, share, body_, axes_)
+                     : leftOffset(limbs[0], limbs[1], axes_) >= 0.0;
+  };
+  if (!firstIsLeft(body_.arms, label_ratio::kShoulder)) {
+    swapParts(TreePart::kLeftArm, TreePart::kRightArm, &tree_.nodes);
+    std::swap(tree_.tips[1], tree_.tips[2]);
+  }
+  if (!firstIsLeft(body_.legs, label_ratio::kHip)) {
+    swapParts(TreePart::kLeftLeg, TreePart::kRightLeg, &tree_.nodes);
+    std::swap(tree_.tips[3], tree_.tips[4]);
+  }
+}
+
+PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {
+  if (graph_.size() < 2)
+    return refuse(TreeStatus::kNoSkeleton, "the hull is too small for a skeleton");
+  choose(last);
+  plant();
+  if (choice_.status != TreeStatus::kOk) return refuse(choice_.status, choice_.reason);
+  body_ = bodyPaths(planted_, choice_.longest);
+  tellSides();
+  placeTips();
+  judge();
+  if (!torso_) return refuse(TreeStatus::kNoTorso, "legs and arms meet in one point");
+  if (!axes_.known)
+    return refuse(TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
+  if (options_.labelling == "ranking" && choice_.rank < options_.least_rank)
+    return refuse(TreeStatus::kLowRank, "no branching is like the origin of a body");
+  if (options_.labelling != "ranking" && tree_.validity < options_.least_validity)
+    return refuse(TreeStatus::kUncertain, "the ends could be named otherwise as well");
+  now->emplace();
+  for (size_t i = 0; i < planted_.ends.size(); ++i)
+    (**now)[i] = planted_.nodes[size_t(planted_.ends[i])].position;
+  tree_.status = TreeStatus::kOk;
+  return tree_;
+}
+
 }  // namespace
 
 class PoseTreeBuilder::State {
  public:
   explicit State(const PoseTreeOptions& options) : options_(validated(options)) {}
 
-  PoseTree build(const VisualHull& hull, const CurveSkeleton& skeleton);
+  PoseTree build(const VisualHull& hull, const CurveSkeleton& skeleton) {
+    LastEnds now;
+    PoseTree tree =
+        Labelling(options_, hull, skeleton).run(options_.follow_labels ? last_ : LastEnds(), &now);
+    last_ = now;
+    return tree;
+  }
   CurveSkeleton thin(const VisualHull& hull) { return thinner_.thin(hull); }
   void reset() { last_.reset(); }
 
  private:
-  void tellSides(const PlantedTree& planted, double longest, PoseTree* tree) const;
-
   PoseTreeOptions options_;
   Thinner thinner_{kPersistence};
   LastEnds last_;
 };
-
-PoseTree PoseTreeBuilder::State::build(const VisualHull&, const CurveSkeleton& skeleton) {
-  PoseTree tree;
-  tree.skeleton = skeleton;
-  if (skeleton.voxels.size() < 2)
-    return refuse(tree, TreeStatus::kNoSkeleton, "the hull is too small for a skeleton");
-  const TreeGraph graph = makeTreeGraph(skeleton, kMostGap, kLeastLoop);
-  const LabelChoice choice =
-      labelByRank(graph, options_.prune_ratio, options_.follow_labels ? last_ : LastEnds());
-  tree.rank = choice.rank;
-  PlantedTree planted = plantTree(graph, choice);
-  tree.nodes = planted.nodes;
-  if (choice.status != TreeStatus::kOk) return refuse(tree, choice.status, choice.reason);
-  const bool torso = nameParts(&planted);
-  tree.nodes = planted.nodes;
-  tree.origin = planted.origin;
-  for (size_t i = 0; i < planted.ends.size(); ++i) {
-    const int32_t node = planted.ends[i];
-    const Eigen::Vector3d at = planted.nodes[size_t(node)].position;
-    tree.tips[i] = {node, at, at};
-  }
-  if (!torso) return refuse(tree, TreeStatus::kNoTorso, "legs and arms meet in one point");
-  tellSides(planted, choice.longest, &tree);
-  if (tree.left.isZero())
-    return refuse(tree, TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
-  if (choice.rank < options_.least_rank)
-    return refuse(tree, TreeStatus::kLowRank, "no branching is like the origin of a body");
-  tree.status = TreeStatus::kOk;
-  return tree;
-}
-
-void PoseTreeBuilder::State::tellSides(const PlantedTree& planted, double longest,
-                                       PoseTree* tree) const {
-  const BodyPaths body = bodyPaths(planted, longest);
-  const BodyAxes axes = findAxes(body);
-  if (!axes.known) return;
-  tree->forward = axes.forward;
-  tree->left = axes.left;
-  const bool by_angles = options_.side_rule == "angles";
-  const auto firstIsLeft = [&](const NodePath(&limbs)[2], double share) {
-    return by_angles ? firstIsLeftByAngles(limbs, share, body, axes)
-                     : leftOffset(limbs[0], limbs[1], axes) > 0.0;
-  };
-  if (!firstIsLeft(body.arms, 0.085)) {
-    swapParts(TreePart::kLeftArm, TreePart::kRightArm, &tree->nodes);
-    std::swap(tree->tips[1], tree->tips[2]);
-  }
-  if (!firstIsLeft(body.legs, 0.061)) {
-    swapParts(TreePart::kLeftLeg, TreePart::kRightLeg, &tree->nodes);
-    std::swap(tree->tips[3], tree->tips[4]);
-  }
-}
 
 PoseTreeBuilder::PoseTreeBuilder(const PoseTreeOptions& options)
     : state_(std::make_unique<State>(options)) {}

@@ -9,7 +9,7 @@ namespace markerless_mocap {
 /// Settings of the pose tree stage.
 struct PoseTreeOptions {
   static constexpr const char* kStage = "pose_tree";
-  std::string labelling = "ranking";
+  std::string labelling = "template";
   std::string side_rule = "offsets";
   double prune_ratio = 0.08;
   double least_rank = 0.0;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "skeleton/label_choice.h"
+#include "skeleton/left_right.h"
+#include "skeleton/tree_volume.h"
+
+namespace markerless_mocap {
+
+/// Knuckles, ball of the foot or middle of the head from the path of a limb: the path is led on to
+/// the surface, and the point lies a share of the body's size before that. The shares were fitted
+/// on people of the virtual studio.
+/// \param path from the end upwards, at least one point
+/// \param longest the measure of the proportions, metres
+Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, double longest,
+                                  const TreeVolume& volume);
+
+/// The balls of two feet that share one end: what is left and right of the end's middle.
+std::array<Eigen::Vector3d, 2> feetTogether(const NodePath& path, const BodyAxes& axes,
+                                            double longest, const TreeVolume& volume);
+
+}  // namespace markerless_mocap
