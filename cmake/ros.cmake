@@ -24,11 +24,11 @@ function(mocap_use_ros target)
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
 endfunction()
 
-mocap_room(ros DEPENDS camera hull segmentation fitting options LIBRARIES opencv_imgcodecs)
+mocap_room(ros DEPENDS camera hull skeleton segmentation fitting options LIBRARIES opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # One executable per stage, named as the node, hosts the stage's nodelet.
-set(stages silhouette visual_hull body_segmentation pose_fitting virtual_studio)
+set(stages silhouette visual_hull body_segmentation pose_tree pose_fitting virtual_studio)
 file(GLOB node_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/nodes/*.cpp)
 list(FILTER node_sources EXCLUDE REGEX "_main\\.cpp$")
 add_library(markerless_mocap_nodelets SHARED ${node_sources})

@@ -32,6 +32,7 @@ Pipeline::Pipeline(CameraRig rig, std::shared_ptr<const BodyModel> model,
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),
+      tree_builder_(options.pose_tree),
       tracker_(std::move(model), options.fitting) {
   for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
 }
@@ -49,6 +50,9 @@ PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame
 
   result.parts = segmenter_.segment(result.hull);
   stage_done_(SegmentationOptions::kStage);
+
+  result.tree = tree_builder_.build(result.hull);
+  stage_done_(PoseTreeOptions::kStage);
 
   result.pose = tracker_.update(stamp_ns, result.parts, result.hull);
   stage_done_(FittingOptions::kStage);

@@ -8,6 +8,7 @@
 #include "markerless_mocap/ros/hull_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "markerless_mocap/ros/pose_conversions.h"
+#include "markerless_mocap/ros/pose_tree_conversions.h"
 #include "markerless_mocap/ros/segmentation_conversions.h"
 
 namespace markerless_mocap {
@@ -37,6 +38,7 @@ void ResultWriter::write(int64_t stamp_ns, const PipelineResult& result) {
   const std_msgs::Header header = headerAt(stamp_ns);
   writeHull(header, result.hull);
   writeParts(header, result);
+  bag_->write("/pose_tree", header.stamp, messageFromPoseTree(result.tree, header));
   writePose(header, result.pose);
 }
 

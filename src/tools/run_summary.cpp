@@ -47,6 +47,7 @@ void RunSummary::add(const PipelineResult& result) {
     ++learning_;
     return;
   }
+  valid_trees_ += result.tree.valid();
   switch (result.pose.status) {
     case PoseStatus::kTracked:
       ++tracked_;
@@ -72,6 +73,7 @@ void RunSummary::print(std::ostream& out) const {
       << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
       << lost_ << " lost\n";
   printReasons(out);
+  out << "pose trees     " << valid_trees_ << " valid of " << processed() << '\n';
   if (views_ > 0)
     out << "overlap        " << std::setprecision(3) << meanIou()
         << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";

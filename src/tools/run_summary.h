@@ -44,6 +44,7 @@ class RunSummary {
   std::vector<std::pair<std::string, double>> stage_seconds_;  ///< in the order of processing
   std::map<std::string, Reason> reasons_;  ///< of lost poses, by sentence without its numbers
   int instants_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
+  int valid_trees_ = 0;
   double iou_sum_ = 0.0;
   int views_ = 0;  ///< that have been compared
 };

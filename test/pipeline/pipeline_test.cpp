@@ -81,6 +81,13 @@ TEST_F(PipelineTest, SphereIsNoPersonAndThePoseSaysSo) {
   EXPECT_FALSE(result.pose.reason.empty());
 }
 
+TEST_F(PipelineTest, SphereHasNoLabelledTreeAndTheTreeSaysWhy) {
+  Pipeline pipeline = this->pipeline();
+  const PipelineResult result = pipeline.process(0, masksOnly());
+  EXPECT_FALSE(result.tree.valid());
+  EXPECT_FALSE(result.tree.reason.empty());
+}
+
 TEST_F(PipelineTest, MissingCameraHasNoVote) {
   Pipeline pipeline = this->pipeline();
   std::vector<CameraFrame> frames = masksOnly();
@@ -133,7 +140,7 @@ TEST_F(PipelineTest, ListenerHearsEveryStageInOrder) {
   pipeline.setStageListener([&](const char* stage) { heard.push_back(stage); });
   pipeline.process(0, masksOnly());
   EXPECT_EQ(heard, (std::vector<std::string>{"silhouette", "visual_hull", "body_segmentation",
-                                             "pose_fitting"}));
+                                             "pose_tree", "pose_fitting"}));
 }
 
 }  // namespace

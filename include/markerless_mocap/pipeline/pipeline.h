@@ -12,6 +12,7 @@
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "markerless_mocap/skeleton/pose_tree_builder.h"
 
 namespace markerless_mocap {
 
@@ -20,6 +21,7 @@ struct PipelineOptions {
   SilhouetteOptions silhouette;
   HullOptions hull;
   SegmentationOptions segmentation;
+  PoseTreeOptions pose_tree;
   FittingOptions fitting;
 };
 
@@ -33,6 +35,7 @@ void forEachStage(PipelineOptions& options, const Function& function) {
   function(SilhouetteOptions::kStage, options.silhouette);
   function(HullOptions::kStage, options.hull);
   function(SegmentationOptions::kStage, options.segmentation);
+  function(PoseTreeOptions::kStage, options.pose_tree);
   function(FittingOptions::kStage, options.fitting);
 }
 
@@ -49,6 +52,7 @@ struct PipelineResult {
   std::vector<cv::Mat> masks;  ///< one per camera, CV_8UC1 0 | 255; empty where missing
   VisualHull hull;
   BodyParts parts;
+  PoseTree tree;
   BodyPose pose;
 };
 
@@ -79,6 +83,7 @@ class Pipeline {
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;
+  PoseTreeBuilder tree_builder_;
   PoseTracker tracker_;
   StageListener stage_done_ = [](const char*) {};
 };

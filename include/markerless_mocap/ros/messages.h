@@ -1,10 +1,11 @@
 #pragma once
 
 // The generated messages live in the package's namespace, where the core has structs of the same
-// names. Here the message types are called BodyPartsMsg and BodyPoseMsg; include this header, never
-// the generated ones.
+// names. Here the message types are called BodyPartsMsg, BodyPoseMsg and PoseTreeMsg; include this
+// header, never the generated ones.
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Vector3.h>
 #include <markerless_mocap/BodyPart.h>
 #include <markerless_mocap/VoxelGrid.h>
 #include <std_msgs/Header.h>
@@ -15,3 +16,6 @@
 #define BodyPose BodyPoseMsg
 #include <markerless_mocap/BodyPose.h>
 #undef BodyPose
+#define PoseTree PoseTreeMsg
+#include <markerless_mocap/PoseTree.h>
+#undef PoseTree

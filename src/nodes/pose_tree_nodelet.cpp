@@ -1,0 +1,89 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <optional>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "markerless_mocap/ros/hull_conversions.h"
+#include "markerless_mocap/ros/parameters.h"
+#include "markerless_mocap/ros/pose_tree_conversions.h"
+#include "markerless_mocap/skeleton/pose_tree_builder.h"
+#include "nodes/callback_gate.h"
+#include "nodes/guarded_start.h"
+#include "nodes/publish_shared.h"
+#include "nodes/stage_status.h"
+
+namespace markerless_mocap {
+
+/// `hull/points` -> `pose_tree`, and for those who look on `pose_tree/markers`,
+/// `pose_tree/skeleton`.
+class PoseTreeNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    PoseTreeOptions options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options);
+    builder_.emplace(options);
+    ros::NodeHandle& handle = getNodeHandle();
+    status_ = std::make_unique<StageStatus>(handle, getPrivateNodeHandle(), "pose tree");
+    trees_ = handle.advertise<PoseTreeMsg>("pose_tree", 4);
+    markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose_tree/markers", 4);
+    skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
+    grid_subscriber_ = handle.subscribe<VoxelGrid>(
+        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
+    hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
+        "hull/points", 2,
+        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }));
+  }
+
+  void receive(const sensor_msgs::PointCloud2& cloud) {
+    forgetOnTimeJump(cloud.header.stamp);
+    PoseTree tree;
+    try {
+      if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
+      tree = builder_->build(hullFromMessage(cloud, *grid_));
+    } catch (const std::exception& error) {
+      tree = PoseTree();
+      tree.reason = error.what();
+    }
+    report(tree);
+    publish(tree, cloud.header);
+  }
+
+  void forgetOnTimeJump(const ros::Time& stamp) {
+    if (stamp < last_stamp_) {
+      builder_->reset();
+      status_->count("time went back");
+    }
+    last_stamp_ = stamp;
+  }
+
+  void report(const PoseTree& tree) {
+    status_->count(toString(tree.status));
+    if (tree.valid())
+      status_->good("the tree is labelled");
+    else
+      status_->problem(tree.reason);
+  }
+
+  void publish(const PoseTree& tree, const std_msgs::Header& header) {
+    publishShared(trees_, messageFromPoseTree(tree, header));
+    if (markers_.getNumSubscribers() > 0) markers_.publish(treeMarkers(tree, header));
+    if (skeletons_.getNumSubscribers() > 0) publishShared(skeletons_, skeletonCloud(tree, header));
+  }
+
+  std::optional<PoseTreeBuilder> builder_;
+  VoxelGridConstPtr grid_;
+  ros::Time last_stamp_;
+  std::unique_ptr<StageStatus> status_;
+  ros::Publisher trees_, markers_, skeletons_;
+  ros::Subscriber grid_subscriber_, hull_subscriber_;
+  CallbackGate gate_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::PoseTreeNodelet, nodelet::Nodelet)

@@ -1,0 +1,135 @@
+#include <string>
+
+#include "markerless_mocap/ros/pose_tree_conversions.h"
+#include "markerless_mocap/ros/segmentation_conversions.h"
+
+namespace markerless_mocap {
+namespace {
+
+using visualization_msgs::Marker;
+
+// Metres on the screen.
+constexpr double kEdgeWidth = 0.012, kTipSize = 0.07, kTextSize = 0.07, kTextAbove = 0.09;
+constexpr double kArrowLength = 0.4, kArrowWidth = 0.025, kArrowHead = 0.06;
+constexpr float kFaint = 0.3f;
+
+geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
+  geometry_msgs::Point message;
+  message.x = p.x();
+  message.y = p.y();
+  message.z = p.z();
+  return message;
+}
+
+std_msgs::ColorRGBA colorMessage(const std::array<uint8_t, 3>& rgb, float alpha) {
+  std_msgs::ColorRGBA color;
+  color.r = rgb[0] / 255.0f;
+  color.g = rgb[1] / 255.0f;
+  color.b = rgb[2] / 255.0f;
+  color.a = alpha;
+  return color;
+}
+
+TreePart partAt(Extremity extremity) {
+  constexpr TreePart kParts[kExtremityCount] = {TreePart::kNeck, TreePart::kLeftArm,
+                                                TreePart::kRightArm, TreePart::kLeftLeg,
+                                                TreePart::kRightLeg};
+  return kParts[size_t(extremity)];
+}
+
+/// Builds the markers of one tree.
+class MarkerSet {
+ public:
+  MarkerSet(const PoseTree& tree, const std_msgs::Header& header)
+      : tree_(tree), header_(header), alpha_(tree.valid() ? 1.0f : kFaint) {}
+
+  void addEdges() {
+    Marker& edges = add("tree", 0, Marker::LINE_LIST, tree_.nodes.size() > 1);
+    edges.scale.x = kEdgeWidth;
+    for (const TreeNode& node : tree_.nodes) {
+      if (node.parent < 0) continue;
+      edges.points.push_back(pointMessage(tree_.nodes[size_t(node.parent)].position));
+      edges.points.push_back(pointMessage(node.position));
+      edges.colors.insert(edges.colors.end(), 2, colorMessage(treeColor(node.part), alpha_));
+    }
+  }
+
+  void addTip(Extremity extremity) {
+    const TreeTip& tip = tree_.tip(extremity);
+    const int id = int(extremity);
+    const auto color = treeColor(partAt(extremity));
+    Marker& ball = add("tips", id, Marker::SPHERE, tip.node >= 0);
+    ball.pose.position = pointMessage(tip.position);
+    ball.scale.x = ball.scale.y = ball.scale.z = kTipSize;
+    ball.color = colorMessage(color, alpha_);
+    std::string name = toString(extremity);
+    for (char& c : name)
+      if (c == '_') c = ' ';
+    addText("tip_names", id, name, tip.position, tip.node >= 0, color);
+  }
+
+  void addForward() {
+    const bool known = tree_.origin >= 0 && !tree_.forward.isZero();
+    Marker& arrow = add("forward", 0, Marker::ARROW, known);
+    if (!known) return;
+    const Eigen::Vector3d& from = tree_.nodes[size_t(tree_.origin)].position;
+    arrow.points = {pointMessage(from), pointMessage(from + kArrowLength * tree_.forward)};
+    arrow.scale.x = kArrowWidth;
+    arrow.scale.y = arrow.scale.z = kArrowHead;
+    arrow.color = colorMessage({255, 255, 255}, alpha_);
+  }
+
+  void addReason() {
+    const bool shown = !tree_.valid() && !tree_.nodes.empty();
+    Eigen::Vector3d at(0.0, 0.0, 2 * kTextAbove);
+    if (shown) at += tree_.nodes.front().position;
+    addText("reason", 0, tree_.reason, at, shown, {255, 255, 255});
+  }
+
+  const visualization_msgs::MarkerArray& markers() const { return markers_; }
+
+ private:
+  Marker& add(const char* group, int id, int32_t type, bool shown) {
+    markers_.markers.emplace_back();
+    Marker& marker = markers_.markers.back();
+    marker.header = header_;
+    marker.ns = group;
+    marker.id = id;
+    marker.type = type;
+    marker.action = shown ? Marker::ADD : Marker::DELETE;
+    marker.pose.orientation.w = 1.0;
+    return marker;
+  }
+
+  void addText(const char* group, int id, const std::string& words, const Eigen::Vector3d& below,
+               bool shown, const std::array<uint8_t, 3>& color) {
+    Marker& text = add(group, id, Marker::TEXT_VIEW_FACING, shown);
+    text.text = words;
+    text.pose.position = pointMessage(below + Eigen::Vector3d(0.0, 0.0, kTextAbove));
+    text.scale.z = kTextSize;
+    text.color = colorMessage(color, 1.0f);
+  }
+
+  const PoseTree& tree_;
+  const std_msgs::Header& header_;
+  float alpha_;
+  visualization_msgs::MarkerArray markers_;
+};
+
+}  // namespace
+
+std::array<uint8_t, 3> treeColor(TreePart part) {
+  if (part == TreePart::kNone) return {255, 255, 255};
+  return partColor(PartLabel(int(part) - int(TreePart::kTorso)));
+}
+
+visualization_msgs::MarkerArray treeMarkers(const PoseTree& tree, const std_msgs::Header& header) {
+  MarkerSet set(tree, header);
+  set.addEdges();
+  for (int i = 0; i < kExtremityCount; ++i) set.addTip(Extremity(i));
+  set.addForward();
+  set.addReason();
+  return set.markers();
+}
+
+}  // namespace markerless_mocap
