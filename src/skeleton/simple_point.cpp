@@ -6,14 +6,14 @@
 namespace markerless_mocap {
 namespace {
 
-/// Column, row and layer masks of a 3 x 3 x 3 block, lowest at bit 0.
-constexpr uint32_t kLowX = 0b001001001001001001001001001u;
-constexpr uint32_t kLowY = 0b000000111000000111000000111u;
+/// Of a 3 x 3 x 3 block, as neighborhood() has it: all, those beyond the first layer.
 constexpr uint32_t kAll = (1u << 27) - 1;
+constexpr uint32_t kNotLowX = kAll & ~0b001001001001001001001001001u;
+constexpr uint32_t kNotLowY = kAll & ~0b000000111000000111000000111u;
 
 uint32_t dilated(uint32_t set) {
-  set |= (set & ~kLowX) >> 1 | (set << 1 & ~kLowX);
-  set |= (set & ~kLowY) >> 3 | (set << 3 & ~kLowY);
+  set |= (set & kNotLowX) >> 1 | (set << 1 & kNotLowX);
+  set |= (set & kNotLowY) >> 3 | (set << 3 & kNotLowY);
   return (set | set >> 9 | set << 9) & kAll;
 }
 
@@ -113,13 +113,10 @@ using Around = std::array<Lanes, 26>;
 
 __attribute__((target_clones("avx2", "default"))) void fillTable(const Neighbors& of,
                                                                  uint64_t* words) {
-  Around object;
+  Around object = {};
   for (size_t k = 0; k < 8; ++k)
     for (int lane = 0; lane < 256; ++lane)
-      if (lane >> k & 1)
-        object[k][lane / 64] |= uint64_t(1) << (lane % 64);
-      else
-        object[k][lane / 64] &= ~(uint64_t(1) << (lane % 64));
+      object[k][lane / 64] |= uint64_t(lane >> k & 1) << (lane % 64);
   for (uint32_t high = 0; high < 1u << 18; ++high) {
     for (size_t k = 8; k < 26; ++k) object[k] = Lanes{} - (high >> (k - 8) & 1);
     Lanes one_object, one_background;

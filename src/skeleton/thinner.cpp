@@ -32,7 +32,7 @@ class Thinner::Workspace {
     skeleton.voxels_dropped = dropped.voxels;
     skeleton.voxels_filled = cavities_.fill(box, &object_);
     peeling_.peel(box, roundsIn(lattice.pitch), &object_);
-    sides_.thin(box, &object_);
+    sides_.thin(box, peeling_.kept(), &object_);
     skeleton.voxels = window_.unload(lattice, object_);
     return skeleton;
   }

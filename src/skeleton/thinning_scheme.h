@@ -11,6 +11,9 @@ class SymmetricPeeling {
   /// \param persistence rounds, from 1: a voxel that joins two sides of the object stays for good
   ///   if it is still there so many rounds after it began to (Couprie & Bertrand 2016)
   void peel(const BitBox& box, int persistence, BitWords* object);
+  /// Ends of the object as it was, and voxels that joined two sides of it and persisted; some may
+  /// not be of the remains.
+  const BitWords& kept() const { return kept_; }
 
  private:
   struct Bits {
@@ -41,12 +44,24 @@ class SymmetricPeeling {
   std::vector<std::vector<Bits>> fresh_;  ///< isthmuses by the round they came up in, last first
 };
 
-/// Removes simple voxels, direction by direction, until no simple voxel but ends is left.
+/// Removes simple voxels, direction by direction, until no simple voxel is left but ends that are
+/// to be kept. As long as it can, it leaves something beside each voxel that it removes, so that
+/// curves which are two voxels wide are not eaten up from their ends.
 class SideThinning {
  public:
-  void thin(const BitBox& box, BitWords* object);
+  void thin(const BitBox& box, const BitWords& kept, BitWords* object);
 
  private:
+  bool removable(size_t bit) const;
+  /// Whether something of `before_` would have nothing left beside it without this voxel.
+  bool alone(size_t bit) const;
+  /// True if it has removed something.
+  bool thinOnce(bool cover);
+
+  const BitBox* box_ = nullptr;  ///< of the call, as the next two
+  const BitWords* kept_ = nullptr;
+  BitWords* object_ = nullptr;
+  BitWords before_;
   std::vector<size_t> voxels_, soft_, side_;
 };
 

@@ -73,6 +73,23 @@ class ThinVolume {
   }
   int tunnels() const { return components() + cavities() - euler(); }
 
+  /// All components of the largest size.
+  std::vector<ThinVolume> largestComponents() const {
+    const auto [number, count] = flood(true);
+    std::vector<size_t> size(size_t(count) + 1, 0);
+    for (int n : number) ++size[size_t(n)];
+    size[0] = 0;
+    std::vector<ThinVolume> largest;
+    for (int i = 1; i <= count; ++i)
+      if (size[size_t(i)] == *std::max_element(size.begin(), size.end()))
+        largest.push_back(whereNumber(number, [&](int n) { return n == i; }));
+    return largest;
+  }
+  /// With what the outside does not reach.
+  ThinVolume filled() const {
+    return whereNumber(flood(false).first, [](int n) { return n != 1; });
+  }
+
   VoxelLattice lattice;
 
  private:
@@ -87,6 +104,14 @@ class ThinVolume {
         for (int i = thick[0] - 1; i <= 0; ++i)
           if (at(x + i, y + j, z + k)) return 1;
     return 0;
+  }
+  template <class Where>
+  ThinVolume whereNumber(const std::vector<int>& number, Where where) const {
+    ThinVolume result(lattice.size.x(), lattice.size.y(), lattice.size.z());
+    const int nx = lattice.size.x() + 2, ny = lattice.size.y() + 2;
+    return result.fillWhere([&](int x, int y, int z) {
+      return where(number[size_t(((z + 1) * ny + y + 1) * nx + x + 1)]);
+    });
   }
   /// Component numbers from 1 of a box one voxel larger on all sides, and how many there are.
   std::pair<std::vector<int>, int> flood(bool object) const {
