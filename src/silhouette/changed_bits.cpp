@@ -14,9 +14,6 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kStep = 16, kWord = 64, kMeanBits = 7;
-/// How far ahead the image's bytes are asked for: it comes from another process, not from the
-/// cache.
-constexpr int kAhead = 1024;
 static_assert(Background::kMeanScale == 1 << kMeanBits);
 
 /// 16 pixels, a channel each, 16 bits per value.
@@ -95,10 +92,8 @@ MOCAP_AVX2 void changedBitsAvx2(const uint8_t* bgr, int cols, const ModeRow* mod
                                 int16_t gain, uint16_t limit, uint64_t* bits) {
   const __m256i gains = _mm256_set1_epi16(gain), limits = _mm256_set1_epi16(int16_t(limit));
   int x = 0;
-  for (; x + kWord <= cols; x += kWord) {
-    for (int i = 0; i < 3; ++i) _mm_prefetch(bgr + 3 * x + kAhead + kWord * i, _MM_HINT_T0);
+  for (; x + kWord <= cols; x += kWord)
     *bits++ = changedWord(bgr + 3 * x, modes, mode_count, x, gains, limits);
-  }
   if (x == cols) return;
   uint8_t rest[3 * kWord] = {};
   std::memcpy(rest, bgr + 3 * x, size_t(3) * (cols - x));

@@ -6,12 +6,16 @@
 
 namespace markerless_mocap {
 
+void fillAndSieve(const SilhouetteOptions& options, BitMask* mask) {
+  fillHoles(options.max_hole_px, mask);
+  removeBlobs(options.min_blob_px, mask);
+}
+
 BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options) {
   const int open = options.open_radius_px, close = options.close_radius_px;
   BitMask clean = dilated(eroded(mask, open), open);
   clean = eroded(dilated(clean, close), close);
-  fillHoles(options.max_hole_px, &clean);
-  removeBlobs(options.min_blob_px, &clean);
+  fillAndSieve(options, &clean);
   return clean;
 }
 

@@ -42,6 +42,7 @@ class ModelSubtractor : public Subtractor {
     found.changed_share = double(classes.changed) / double(image.total());
     found.mask = cleanBits(classes.foreground, options_);
     rim_.refine(image, background_, found.light_gain, classes, &found.mask);
+    fillAndSieve(options_, &found.mask);  // the new rim has pinholes and crumbs
     renew(image, found.light_gain, found.mask, classes.shade);
     return found;
   }
