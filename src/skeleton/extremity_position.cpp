@@ -7,7 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 // From the surface back to the point, shares of the longest path.
-constexpr double kHeadBack = 0.066, kHandBack = 0.045, kFootBack = 0.035;
+constexpr double kHeadBack = 0.0513, kHandBack = 0.0344, kFootBack = 0.0355;
 constexpr double kStraight = 0.06;  // metres of the path that tell how it goes on
 
 double backOf(LimbEnd end) {
@@ -21,7 +21,8 @@ Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, double long
                                   const TreeVolume& volume) {
   const NodePath last = stretch(path, 0.0, kStraight);
   const Eigen::Vector3d out = (last.front() - last.back()).stableNormalized();
-  double back = backOf(end) * longest - volume.wayOut(path.front(), out, 0.2);
+  const double surface = volume.wayOut(path.front(), out, 0.2) + 0.5 * volume.pitch();
+  double back = backOf(end) * longest - surface;
   if (back <= 0.0) return path.front() - back * out;
   for (size_t i = 1; i < path.size(); ++i) {
     const double step = (path[i] - path[i - 1]).norm();

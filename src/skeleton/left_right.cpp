@@ -48,8 +48,8 @@ BodyPaths bodyPaths(const PlantedTree& tree, double longest) {
   body.head = limbPath(tree, LimbEnd::kHead);
   body.arms[0] = limbPath(tree, LimbEnd::kHand1);
   body.arms[1] = limbPath(tree, LimbEnd::kHand2);
-  body.legs[0] = limbPath(tree, LimbEnd::kFoot1);
-  body.legs[1] = limbPath(tree, LimbEnd::kFoot2);
+  body.own_legs[0] = body.legs[0] = limbPath(tree, LimbEnd::kFoot1);
+  body.own_legs[1] = body.legs[1] = limbPath(tree, LimbEnd::kFoot2);
   for (const TreeNode& node : tree.nodes)
     if (node.part == TreePart::kTorso) body.torso.push_back(node.position);
   // Legs that are one below: what is too long for a torso leads to both feet.

@@ -14,7 +14,9 @@ using NodePath = std::vector<Eigen::Vector3d>;
 struct BodyPaths {
   NodePath torso;  ///< upwards
   NodePath head;
-  NodePath arms[2], legs[2];
+  NodePath arms[2];
+  NodePath own_legs[2];  ///< up to where they meet
+  NodePath legs[2];      ///< up to the hips, also what they share
   double longest = 0.0;  ///< the measure of the proportions, metres
 };
 BodyPaths bodyPaths(const PlantedTree& tree, double longest);

@@ -116,7 +116,7 @@ void Labelling::judge() {
     swapParts(TreePart::kLeftArm, TreePart::kRightArm, &tree_.nodes);
     std::swap(tree_.tips[1], tree_.tips[2]);
   }
-  if (!firstIsLeft(body_.legs, label_ratio::kHip)) {
+  if (!firstIsLeft(body_.own_legs, label_ratio::kHip)) {
     swapParts(TreePart::kLeftLeg, TreePart::kRightLeg, &tree_.nodes);
     std::swap(tree_.tips[3], tree_.tips[4]);
   }

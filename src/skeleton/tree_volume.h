@@ -13,6 +13,7 @@ class TreeVolume {
  public:
   explicit TreeVolume(const VisualHull& hull);
 
+  double pitch() const { return lattice_.pitch; }
   bool inside(const Eigen::Vector3i& at) const {
     const Eigen::Vector3i c = at - lowest_;
     if ((c.array() < 0).any() || (c.array() >= size_.array()).any()) return false;
