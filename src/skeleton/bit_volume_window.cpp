@@ -17,28 +17,28 @@ void check(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
   if (!ascending) throw std::invalid_argument("voxels must be in ascending order, each once");
 }
 
-/// Calls visit(begin, end, x of begin, y, z) for the voxels of each row of the lattice.
-template <class Visit>
-void forEachRow(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels, Visit visit) {
+}  // namespace
+
+void BitVolumeWindow::listRows(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
   const auto nx = uint32_t(lattice.size.x()), ny = uint32_t(lattice.size.y());
-  for (auto begin = voxels.begin(); begin != voxels.end();) {
-    const uint32_t row = *begin / nx, next_row = (row + 1) * nx;
-    auto end = begin + 1;
-    while (end != voxels.end() && *end < next_row) ++end;
-    visit(begin, end, int(*begin - row * nx), int(row % ny), int(row / ny));
+  rows_.clear();
+  for (size_t begin = 0; begin != voxels.size();) {
+    const uint32_t row = voxels[begin] / nx, next_row = (row + 1) * nx;
+    size_t end = begin + 1;
+    while (end != voxels.size() && voxels[end] < next_row) ++end;
+    rows_.push_back({begin, end, {int(voxels[begin] - row * nx), int(row % ny), int(row / ny)}});
     begin = end;
   }
 }
 
-}  // namespace
-
 void BitVolumeWindow::place(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
   Eigen::Vector3i high = Eigen::Vector3i::Zero();
   low_ = lattice.size;
-  forEachRow(lattice, voxels, [&](auto begin, auto end, int x, int y, int z) {
-    low_ = low_.cwiseMin(Eigen::Vector3i(x, y, z));
-    high = high.cwiseMax(Eigen::Vector3i(x + int(*(end - 1) - *begin), y, z));
-  });
+  for (const Row& row : rows_) {
+    const auto length = int(voxels[row.end - 1] - voxels[row.begin]);
+    low_ = low_.cwiseMin(row.first);
+    high = high.cwiseMax(row.first + length * Eigen::Vector3i::UnitX());
+  }
   const Eigen::Vector3i size = high - low_ + Eigen::Vector3i::Ones();
   for (int axis = 0; axis < 3; ++axis) {
     const BitBox box(size[axis], size[(axis + 1) % 3], size[(axis + 2) % 3]);
@@ -51,17 +51,19 @@ void BitVolumeWindow::place(const VoxelLattice& lattice, const std::vector<uint3
 void BitVolumeWindow::load(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels,
                            BitWords* bits) {
   check(lattice, voxels);
+  listRows(lattice, voxels);
   place(lattice, voxels);
   bits->assign(box_.words, 0);
   const size_t steps[3] = {1, box_.row * 64, box_.plane * 64};
   const size_t along_x = steps[(3 - axis_) % 3], along_y = steps[(4 - axis_) % 3];
   const size_t along_z = steps[(5 - axis_) % 3];
-  forEachRow(lattice, voxels, [&](auto begin, auto end, int x, int y, int z) {
-    const size_t first = box_.bitOf(0, 0, 0) + size_t(x - low_.x()) * along_x +
-                         size_t(y - low_.y()) * along_y + size_t(z - low_.z()) * along_z;
-    for (auto voxel = begin; voxel != end; ++voxel)
-      setBit(bits, first + (*voxel - *begin) * along_x);
-  });
+  for (const Row& row : rows_) {
+    const Eigen::Vector3i at = row.first - low_;
+    const size_t first = box_.bitOf(0, 0, 0) + size_t(at.x()) * along_x + size_t(at.y()) * along_y +
+                         size_t(at.z()) * along_z;
+    for (size_t i = row.begin; i != row.end; ++i)
+      setBit(bits, first + (voxels[i] - voxels[row.begin]) * along_x);
+  }
 }
 
 std::vector<uint32_t> BitVolumeWindow::unload(const VoxelLattice& lattice,

@@ -20,8 +20,15 @@ class BitVolumeWindow {
   const BitBox& box() const { return box_; }
 
  private:
+  /// Voxels of one row of the lattice.
+  struct Row {
+    size_t begin, end;      ///< in the list
+    Eigen::Vector3i first;  ///< coordinates
+  };
+  void listRows(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels);
   void place(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels);
 
+  std::vector<Row> rows_;
   BitBox box_;
   Eigen::Vector3i low_ = Eigen::Vector3i::Zero();  ///< first voxel of the box
   int axis_ = 0;                                   ///< of the lattice, along the rows

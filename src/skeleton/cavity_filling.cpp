@@ -28,26 +28,43 @@ void flankAlongRows(const BitBox& box, const BitWords& voxels, BitWords* flanked
   }
 }
 
-/// Narrows `flanked` to what has the object before and behind it along an axis. `lines` blocks of
-/// `length` steps of `stride` words, `width` words side by side.
-void flankAlong(size_t begin, size_t lines, size_t line_stride, size_t length, size_t stride,
-                size_t width, const BitWords& voxels, BitWords* before, BitWords* flanked) {
-  for (size_t line = 0; line < lines; ++line) {
-    const size_t start = begin + line * line_stride;
-    before->assign(width, 0);
-    for (size_t step = 0; step < length; ++step) {
-      for (size_t w = 0; w < width; ++w) {
-        (*flanked)[start + step * stride + w] &= (*before)[w];
-        (*before)[w] |= voxels[start + step * stride + w];
+/// Narrows `flanked` to what has the object before and behind it across rows of a plane.
+void flankAcrossRows(const BitBox& box, const BitWords& voxels, BitWords* flanked) {
+  for (size_t plane = box.guard; plane < box.words - box.guard; plane += box.plane) {
+    for (size_t first = plane; first < plane + box.row; ++first) {
+      uint64_t before = 0;
+      for (size_t w = first; w < plane + box.plane; w += box.row) {
+        (*flanked)[w] &= before;
+        before |= voxels[w];
+      }
+      uint64_t behind = 0;
+      for (size_t w = first + box.plane; w > first;) {
+        w -= box.row;
+        (*flanked)[w] &= behind;
+        behind |= voxels[w];
       }
     }
-    before->assign(width, 0);
-    for (size_t step = length; step-- > 0;) {
-      for (size_t w = 0; w < width; ++w) {
-        (*flanked)[start + step * stride + w] &= (*before)[w];
-        (*before)[w] |= voxels[start + step * stride + w];
-      }
-    }
+  }
+}
+
+void flankByPlane(size_t plane, size_t words, const BitWords& voxels, uint64_t* before,
+                  BitWords* flanked) {
+  for (size_t w = 0; w < words; ++w) {
+    (*flanked)[plane + w] &= before[w];
+    before[w] |= voxels[plane + w];
+  }
+}
+
+/// The same across planes; `before` is scratch.
+void flankAcrossPlanes(const BitBox& box, const BitWords& voxels, BitWords* before,
+                       BitWords* flanked) {
+  before->assign(box.plane, 0);
+  for (size_t plane = box.guard; plane < box.words - box.guard; plane += box.plane)
+    flankByPlane(plane, box.plane, voxels, before->data(), flanked);
+  before->assign(box.plane, 0);
+  for (size_t plane = box.words - box.guard; plane > box.guard;) {
+    plane -= box.plane;
+    flankByPlane(plane, box.plane, voxels, before->data(), flanked);
   }
 }
 
@@ -56,9 +73,8 @@ void flankAlong(size_t begin, size_t lines, size_t line_stride, size_t length, s
 void CavityFiller::markFlanked(const BitBox& box, const BitWords& voxels) {
   flanked_.assign(box.words, 0);
   flankAlongRows(box, voxels, &flanked_);
-  const auto rows = size_t(box.ny + 2), planes = size_t(box.nz + 2);
-  flankAlong(box.guard, planes, box.plane, rows, box.row, box.row, voxels, &before_, &flanked_);
-  flankAlong(box.guard, 1, 0, planes, box.plane, box.plane, voxels, &before_, &flanked_);
+  flankAcrossRows(box, voxels, &flanked_);
+  flankAcrossPlanes(box, voxels, &before_, &flanked_);
 }
 
 void CavityFiller::openFromOutside(const BitBox& box, const BitWords& voxels) {

@@ -66,8 +66,8 @@ CurveSkeleton Thinner::thin(const VoxelLattice& lattice, const std::vector<uint3
 
 CurveSkeleton Thinner::thin(const VisualHull& hull) {
   std::vector<uint32_t>& voxels = workspace_->voxels;
-  voxels.clear();
-  for (const HullVoxel& voxel : hull.voxels) voxels.push_back(voxel.index);
+  voxels.resize(hull.voxels.size());
+  for (size_t i = 0; i < voxels.size(); ++i) voxels[i] = hull.voxels[i].index;
   return workspace_->thin(hull.lattice, voxels);
 }
 
