@@ -22,7 +22,6 @@ struct LabelChoice {
   int32_t origin = -1;                                          ///< node of the graph
   double rank = 0.0;
   double longest = 0.0;  ///< way between two ends, metres: the measure of the proportions
-  std::vector<std::pair<int32_t, int32_t>> cuts;  ///< edges left out to open the loops
 };
 
 }  // namespace markerless_mocap

@@ -1,8 +1,6 @@
 #include "skeleton/label_ends.h"
 
 #include <algorithm>
-#include <limits>
-#include <queue>
 
 #include "skeleton/tree_metric.h"
 
@@ -12,24 +10,32 @@ namespace {
 constexpr double kTip = 0.10, kLimb = 0.30;  // metres from the end
 constexpr double kProbe = 0.03;              // between two places where the radius is taken
 
-std::vector<double> shortWaysFrom(const TreeGraph& graph,
-                                  const std::vector<std::vector<TreeEdge>>& links, int32_t from) {
-  std::vector<double> ways(graph.size(), std::numeric_limits<double>::infinity());
-  using Item = std::pair<double, int32_t>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<Item>> open;
-  ways[size_t(from)] = 0;
-  open.push({0.0, from});
-  while (!open.empty()) {
-    const auto [way, at] = open.top();
-    open.pop();
-    if (way > ways[size_t(at)]) continue;
-    for (const TreeEdge& edge : links[size_t(at)]) {
-      if (way + edge.length >= ways[size_t(edge.to)]) continue;
-      ways[size_t(edge.to)] = way + edge.length;
-      open.push({way + edge.length, edge.to});
+/// Ways between `nodes` along the tree, row by row.
+std::vector<double> treeWays(const TreeGraph& graph, const std::vector<int32_t>& nodes) {
+  std::vector<double> out;
+  out.reserve(nodes.size() * nodes.size());
+  for (const int32_t from : nodes) {
+    const std::vector<double> ways = treeWaysFrom(graph, from);
+    for (const int32_t to : nodes) out.push_back(ways[size_t(to)]);
+  }
+  return out;
+}
+
+/// Shortens the ways between the nodes by the edges that close loops. Node `ends + 2 i` is edge i's
+/// first, the one after it its second.
+void takeLoops(const TreeGraph& graph, size_t ends, size_t count, std::vector<double>* ways) {
+  for (size_t i = 0; i < graph.loop_edges.size(); ++i) {
+    const size_t a = ends + 2 * i, b = a + 1;
+    const double length = graph.loop_edges[i].length;
+    if ((*ways)[a * count + b] <= length) continue;
+    for (size_t u = 0; u < count; ++u) {
+      const double to_b = (*ways)[u * count + a] + length, to_a = (*ways)[u * count + b] + length;
+      for (size_t v = 0; v < count; ++v) {
+        double& way = (*ways)[u * count + v];
+        way = std::min({way, to_b + (*ways)[b * count + v], to_a + (*ways)[a * count + v]});
+      }
     }
   }
-  return ways;
 }
 
 /// Nodes from an end towards the next branching and on towards the root, as far as `most` metres.
@@ -76,7 +82,8 @@ SkeletonEnd describe(const TreeGraph& graph, const TreeVolume& volume,
   end.limb_radius = counts[1] > 0 ? sums[1] / counts[1] : end.tip_radius;
   end.direction = (end.position - graph.positions[size_t(back)]).stableNormalized();
   end.extent = volume.wayOut(end.position, end.direction, 0.2);
-  for (const auto& [a, b] : graph.loop_edges) end.cut |= a == end.node || b == end.node;
+  for (const TreeLinks::Edge& edge : graph.loop_edges)
+    end.cut |= edge.a == end.node || edge.b == end.node;
   return end;
 }
 
@@ -85,37 +92,41 @@ SkeletonEnd describe(const TreeGraph& graph, const TreeVolume& volume,
 SkeletonEnds findEnds(const TreeGraph& graph, const TreeVolume& volume, double prune_ratio,
                       size_t most) {
   SkeletonEnds out;
-  TreeChains tree = makeChains(graph, false);
-  out.longest = TreeMetric(tree).longest();
-  pruneChains(prune_ratio * out.longest, true, &tree);
-  const TreeMetric metric(tree);
-  std::vector<int32_t> vertices = metric.ends();
-  std::stable_sort(vertices.begin(), vertices.end(),
-                   [&](int32_t a, int32_t b) { return metric.branch(a) > metric.branch(b); });
-  if (vertices.size() > most) vertices.resize(most);
-  std::vector<std::vector<TreeEdge>> links(graph.size());
-  const auto join = [&](int32_t a, int32_t b) {
-    const double length = (graph.positions[size_t(a)] - graph.positions[size_t(b)]).norm();
-    links[size_t(a)].push_back({b, length});
-    links[size_t(b)].push_back({a, length});
+  TreeChains tree = makeChains(graph);
+  out.longest = longestWay(graph);
+  pruneChains(prune_ratio * out.longest, &tree);
+  struct Branch {
+    const TreeChain* chain;
+    bool from_a;
   };
-  for (size_t node = 1; node < graph.size(); ++node) join(int32_t(node), graph.parents[node]);
-  for (const auto& [a, b] : graph.loop_edges) join(a, b);
-  for (const int32_t v : vertices) {
-    for (const TreeChain& chain : tree.chains) {
-      if (chain.a != v && chain.b != v) continue;
-      out.ends.push_back(
-          describe(graph, volume, pathFrom(graph, chain, chain.a == v, kLimb), metric.branch(v)));
-      break;
-    }
+  std::vector<Branch> branches;
+  for (const TreeChain& chain : tree.chains) {
+    if (tree.degrees[size_t(chain.a)] == 1) branches.push_back({&chain, true});
+    if (tree.degrees[size_t(chain.b)] == 1) branches.push_back({&chain, false});
   }
-  for (const int32_t a : vertices) {
-    const std::vector<double> ways = shortWaysFrom(graph, links, tree.vertices[size_t(a)]);
-    for (const int32_t b : vertices) {
-      out.tree_ways.push_back(metric.way(a, b));
-      out.short_ways.push_back(ways[size_t(tree.vertices[size_t(b)])]);
-    }
+  std::stable_sort(branches.begin(), branches.end(), [](const Branch& x, const Branch& y) {
+    return x.chain->length > y.chain->length;
+  });
+  if (branches.size() > most) branches.resize(most);
+  std::vector<int32_t> nodes;
+  for (const Branch& branch : branches) {
+    const TreeChain& chain = *branch.chain;
+    out.ends.push_back(
+        describe(graph, volume, pathFrom(graph, chain, branch.from_a, kLimb), chain.length));
+    nodes.push_back(out.ends.back().node);
   }
+  for (const TreeLinks::Edge& edge : graph.loop_edges) {
+    nodes.push_back(edge.a);
+    nodes.push_back(edge.b);
+  }
+  std::vector<double> ways = treeWays(graph, nodes);
+  const auto endsOnly = [&](std::vector<double>* to) {
+    for (size_t a = 0; a < out.ends.size(); ++a)
+      for (size_t b = 0; b < out.ends.size(); ++b) to->push_back(ways[a * nodes.size() + b]);
+  };
+  endsOnly(&out.tree_ways);
+  takeLoops(graph, out.ends.size(), nodes.size(), &ways);
+  endsOnly(&out.short_ways);
   return out;
 }
 

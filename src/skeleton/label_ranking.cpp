@@ -19,20 +19,18 @@ double likeness(double a, double b) {
 /// Removes ends' chains, the shortest first, until the root and four others are left.
 void keepFourLongest(TreeChains* tree) {
   while (true) {
-    const TreeMetric metric(*tree);
-    int32_t shortest = -1;
+    size_t shortest = tree->chains.size();
     int ends = 0;
-    for (const int32_t end : metric.ends()) {
-      if (end == 0) continue;
+    for (size_t i = 0; i < tree->chains.size(); ++i) {
+      const TreeChain& chain = tree->chains[i];
+      const auto isEnd = [&](int32_t v) { return v != 0 && tree->degrees[size_t(v)] == 1; };
+      if (!isEnd(chain.a) && !isEnd(chain.b)) continue;
       ++ends;
-      if (shortest < 0 || metric.branch(end) < metric.branch(shortest)) shortest = end;
+      if (shortest == tree->chains.size() || chain.length < tree->chains[shortest].length)
+        shortest = i;
     }
     if (ends <= 4) return;
-    for (size_t i = 0; i < tree->chains.size(); ++i) {
-      if (tree->chains[i].a != shortest && tree->chains[i].b != shortest) continue;
-      removeChain(i, tree);
-      break;
-    }
+    removeChain(shortest, tree);
   }
 }
 
@@ -45,12 +43,12 @@ std::array<int32_t, kLimbEndCount> byWay(const TreeMetric& metric, int32_t origi
   return {ends[4], ends[2], ends[3], ends[0], ends[1]};
 }
 
-double rankOf(const TreeMetric& metric, int32_t origin, double longest) {
+double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, double longest) {
   std::array<EndWays, kLimbEndCount> ways{};
   const auto ends = byWay(metric, origin);
   for (size_t i = 0; i < ends.size(); ++i)
     ways[i] = {metric.way(ends[i], origin), metric.branch(ends[i])};
-  return originRank(ways, metric.degree(origin), longest);
+  return originRank(ways, tree.degrees[size_t(origin)], longest);
 }
 
 /// Each end of the last frame takes the nearest one that is left.
@@ -92,21 +90,19 @@ double originRank(const std::array<EndWays, kLimbEndCount>& ends, int degree, do
 
 LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio, const LastEnds& last) {
   LabelChoice choice;
-  choice.cuts = graph.loop_edges;
-  TreeChains tree = makeChains(graph, false);
-  choice.longest = TreeMetric(tree).longest();
-  pruneChains(prune_ratio * choice.longest, true, &tree);
+  TreeChains tree = makeChains(graph);
+  choice.longest = longestWay(graph);
+  pruneChains(prune_ratio * choice.longest, &tree);
   keepFourLongest(&tree);
-  const TreeMetric metric(tree);
+  const TreeMetric metric(graph, tree);
   if (metric.ends().size() != size_t(kLimbEndCount)) {
     choice.reason = "the skeleton has " + std::to_string(metric.ends().size()) +
                     " ends that are no spurs, a body has five";
     return choice;
   }
   int32_t origin = -1;
-  for (const int32_t vertex : metric.vertices()) {
-    if (metric.degree(vertex) < 3) continue;
-    const double rank = rankOf(metric, vertex, choice.longest);
+  for (const int32_t vertex : metric.branchings()) {
+    const double rank = rankOf(metric, tree, vertex, choice.longest);
     if (origin >= 0 && rank <= choice.rank) continue;
     origin = vertex;
     choice.rank = rank;

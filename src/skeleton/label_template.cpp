@@ -231,7 +231,6 @@ EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same)
 
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability) {
   LabelChoice choice;
-  choice.cuts = graph.loop_edges;
   const SkeletonEnds ends = findEnds(graph, volume, kSpur, kMostEnds);
   const EndNames names = nameEnds(ends, graph, kSame);
   *probability = names.probability;

@@ -5,51 +5,6 @@
 namespace markerless_mocap {
 namespace {
 
-struct Link {
-  int32_t to;
-  double length;
-  bool used;
-};
-
-std::vector<std::vector<Link>> linksOf(const TreeGraph& graph, bool loops) {
-  std::vector<std::vector<Link>> links(graph.size());
-  const auto join = [&](int32_t a, int32_t b) {
-    const double length = (graph.positions[size_t(a)] - graph.positions[size_t(b)]).norm();
-    links[size_t(a)].push_back({b, length, false});
-    links[size_t(b)].push_back({a, length, false});
-  };
-  for (size_t node = 1; node < graph.size(); ++node) join(int32_t(node), graph.parents[node]);
-  if (loops)
-    for (const auto& [a, b] : graph.loop_edges) join(a, b);
-  return links;
-}
-
-void markUsed(std::vector<Link>& links, int32_t to) {
-  for (Link& link : links)
-    if (link.to == to) link.used = true;
-}
-
-/// Follows a link until the next vertex.
-TreeChain follow(std::vector<std::vector<Link>>& links, const std::vector<int32_t>& vertex_of,
-                 int32_t from, Link& first) {
-  TreeChain chain{vertex_of[size_t(from)], -1, 0.0, {from}};
-  int32_t before = from;
-  Link* link = &first;
-  while (true) {
-    link->used = true;
-    markUsed(links[size_t(link->to)], before);
-    chain.length += link->length;
-    chain.nodes.push_back(link->to);
-    const int32_t at = link->to;
-    if (vertex_of[size_t(at)] >= 0) break;
-    std::vector<Link>& next = links[size_t(at)];
-    link = next[0].to == before ? &next[1] : &next[0];
-    before = at;
-  }
-  chain.b = vertex_of[size_t(chain.nodes.back())];
-  return chain;
-}
-
 /// Makes one chain of two that meet in a vertex.
 TreeChain joined(TreeChain first, TreeChain second, int32_t vertex) {
   if (first.a == vertex) {
@@ -66,70 +21,64 @@ TreeChain joined(TreeChain first, TreeChain second, int32_t vertex) {
   return first;
 }
 
-/// If just two ends of chains are left at a vertex, it is no branching any more.
-void smoothVertex(int32_t vertex, TreeChains* chains) {
-  if (vertex == 0) return;
+/// If just two chains are left at a vertex, it is no branching any more. The root stays one.
+void smoothVertex(int32_t vertex, TreeChains* tree) {
+  if (vertex == 0 || tree->degrees[size_t(vertex)] != 2) return;
   std::vector<size_t> at;
-  for (size_t i = 0; i < chains->chains.size(); ++i) {
-    const TreeChain& chain = chains->chains[i];
-    if (chain.a == vertex && chain.b == vertex) return;
-    if (chain.a == vertex || chain.b == vertex) at.push_back(i);
-  }
-  if (at.size() != 2) return;
-  TreeChain one =
-      joined(std::move(chains->chains[at[0]]), std::move(chains->chains[at[1]]), vertex);
-  chains->chains[at[0]] = std::move(one);
-  chains->chains.erase(chains->chains.begin() + long(at[1]));
+  for (size_t i = 0; i < tree->chains.size(); ++i)
+    if (tree->chains[i].a == vertex || tree->chains[i].b == vertex) at.push_back(i);
+  TreeChain one = joined(std::move(tree->chains[at[0]]), std::move(tree->chains[at[1]]), vertex);
+  tree->chains[at[0]] = std::move(one);
+  tree->chains.erase(tree->chains.begin() + long(at[1]));
+  tree->degrees[size_t(vertex)] = 0;
 }
 
 }  // namespace
 
-int TreeChains::degree(int32_t vertex) const {
-  int count = 0;
-  for (const TreeChain& chain : chains) count += (chain.a == vertex) + (chain.b == vertex);
-  return count;
-}
-
-TreeChains makeChains(const TreeGraph& graph, bool loops) {
+TreeChains makeChains(const TreeGraph& graph) {
   TreeChains out;
-  if (graph.size() == 0) return out;
-  std::vector<std::vector<Link>> links = linksOf(graph, loops);
+  std::vector<int> children(graph.size(), 0);
+  for (size_t node = 1; node < graph.size(); ++node) ++children[size_t(graph.parents[node])];
   std::vector<int32_t> vertex_of(graph.size(), -1);
   for (size_t node = 0; node < graph.size(); ++node) {
-    if (node != 0 && links[node].size() == 2) continue;
+    if (node != 0 && children[node] == 1) continue;
     vertex_of[node] = int32_t(out.vertices.size());
     out.vertices.push_back(int32_t(node));
+    out.degrees.push_back(children[node] + (node != 0));
   }
-  for (const int32_t node : out.vertices) {
-    for (Link& link : links[size_t(node)])
-      if (!link.used) out.chains.push_back(follow(links, vertex_of, node, link));
+  for (size_t v = 1; v < out.vertices.size(); ++v) {
+    TreeChain chain{int32_t(v), -1, 0.0, {out.vertices[v]}};
+    do {
+      const int32_t at = chain.nodes.back();
+      chain.length += graph.step(at);
+      chain.nodes.push_back(graph.parents[size_t(at)]);
+    } while (vertex_of[size_t(chain.nodes.back())] < 0);
+    chain.b = vertex_of[size_t(chain.nodes.back())];
+    out.chains.push_back(std::move(chain));
   }
   return out;
 }
 
-void removeChain(size_t chain, TreeChains* chains) {
-  const int32_t a = chains->chains[chain].a, b = chains->chains[chain].b;
-  chains->chains.erase(chains->chains.begin() + long(chain));
-  smoothVertex(a, chains);
-  if (b != a) smoothVertex(b, chains);
+void removeChain(size_t chain, TreeChains* tree) {
+  const int32_t ends[] = {tree->chains[chain].a, tree->chains[chain].b};
+  tree->chains.erase(tree->chains.begin() + long(chain));
+  for (const int32_t v : ends) --tree->degrees[size_t(v)];
+  for (const int32_t v : ends) smoothVertex(v, tree);
 }
 
-void pruneChains(double least, bool keep_root, TreeChains* chains) {
+void pruneChains(double least, TreeChains* tree) {
+  const auto isEnd = [&](int32_t v) { return v != 0 && tree->degrees[size_t(v)] == 1; };
   while (true) {
-    size_t shortest = chains->chains.size();
+    size_t shortest = tree->chains.size();
     double length = least;
-    for (size_t i = 0; i < chains->chains.size(); ++i) {
-      const TreeChain& chain = chains->chains[i];
-      if (chain.length >= length || chain.a == chain.b) continue;
-      const auto isEnd = [&](int32_t v) {
-        return chains->degree(v) == 1 && !(keep_root && v == 0);
-      };
-      if (!isEnd(chain.a) && !isEnd(chain.b)) continue;
+    for (size_t i = 0; i < tree->chains.size(); ++i) {
+      const TreeChain& chain = tree->chains[i];
+      if (chain.length >= length || !(isEnd(chain.a) || isEnd(chain.b))) continue;
       length = chain.length;
       shortest = i;
     }
-    if (shortest == chains->chains.size()) return;
-    removeChain(shortest, chains);
+    if (shortest == tree->chains.size()) return;
+    removeChain(shortest, tree);
   }
 }
 

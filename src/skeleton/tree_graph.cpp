@@ -2,89 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
 
+#include "skeleton/tree_components.h"
 #include "skeleton/tree_voxels.h"
 
 namespace markerless_mocap {
 namespace {
 
-using Edges = std::vector<std::vector<TreeEdge>>;
-
 constexpr double kSmoothing = 0.03;  // spread along the skeleton, metres
 
-Edges neighbourEdges(const CurveSkeleton& skeleton, const std::vector<Eigen::Vector3i>& cells) {
+std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
+                                            const std::vector<Eigen::Vector3i>& cells) {
   const TreeVoxels table(skeleton, cells);
-  Edges edges(cells.size());
+  std::vector<TreeLinks::Edge> edges;
+  edges.reserve(2 * cells.size());
   for (size_t node = 0; node < cells.size(); ++node) {
     for (int code = 14; code < 27; ++code) {  // the other half of the neighbours finds this one
       const Eigen::Vector3i step(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
       const int32_t to = table.nodeAt(cells[node] + step);
       if (to < 0) continue;
-      const double length = skeleton.lattice.pitch * std::sqrt(double(step.squaredNorm()));
-      edges[node].push_back({to, length});
-      edges[size_t(to)].push_back({int32_t(node), length});
+      edges.push_back(
+          {int32_t(node), to, skeleton.lattice.pitch * std::sqrt(double(step.squaredNorm()))});
     }
   }
   return edges;
-}
-
-/// Component of each node, counted from 0.
-std::vector<int32_t> componentsOf(const Edges& edges, int32_t* count) {
-  std::vector<int32_t> component(edges.size(), -1);
-  std::vector<int32_t> open;
-  *count = 0;
-  for (size_t seed = 0; seed < edges.size(); ++seed) {
-    if (component[seed] >= 0) continue;
-    open.assign(1, int32_t(seed));
-    component[seed] = *count;
-    while (!open.empty()) {
-      const int32_t node = open.back();
-      open.pop_back();
-      for (const TreeEdge& edge : edges[size_t(node)]) {
-        if (component[size_t(edge.to)] >= 0) continue;
-        component[size_t(edge.to)] = *count;
-        open.push_back(edge.to);
-      }
-    }
-    ++*count;
-  }
-  return component;
-}
-
-/// Joins the components to the largest one, nearest first, over gaps of at most `gap`. Returns
-/// which nodes hang together then.
-std::vector<bool> joinComponents(const std::vector<Eigen::Vector3d>& positions, double gap,
-                                 Edges* edges) {
-  int32_t count = 0;
-  const std::vector<int32_t> component = componentsOf(*edges, &count);
-  std::vector<int> sizes(size_t(count), 0);
-  for (const int32_t c : component) ++sizes[size_t(c)];
-  std::vector<bool> joined(size_t(count), false);
-  if (count > 0)
-    joined[size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin())] = true;
-  for (int32_t round = 1; round < count; ++round) {
-    double nearest = gap;
-    std::pair<size_t, size_t> ends{0, 0};
-    for (size_t a = 0; a < positions.size(); ++a) {
-      if (joined[size_t(component[a])]) continue;
-      for (size_t b = 0; b < positions.size(); ++b) {
-        if (!joined[size_t(component[b])]) continue;
-        const double distance = (positions[a] - positions[b]).norm();
-        if (distance >= nearest) continue;
-        nearest = distance;
-        ends = {a, b};
-      }
-    }
-    if (nearest >= gap) break;
-    joined[size_t(component[ends.first])] = true;
-    (*edges)[ends.first].push_back({int32_t(ends.second), nearest});
-    (*edges)[ends.second].push_back({int32_t(ends.first), nearest});
-  }
-  std::vector<bool> kept(positions.size());
-  for (size_t node = 0; node < kept.size(); ++node) kept[node] = joined[size_t(component[node])];
-  return kept;
 }
 
 struct Reached {
@@ -93,55 +37,82 @@ struct Reached {
   bool operator>(const Reached& o) const { return way != o.way ? way > o.way : node > o.node; }
 };
 
-/// Shortest paths from `root`; `order` lists the nodes as they are settled.
-void walkFrom(int32_t root, const Edges& edges, std::vector<double>* ways,
-              std::vector<int32_t>* parents, std::vector<int32_t>* order) {
-  ways->assign(edges.size(), std::numeric_limits<double>::infinity());
-  parents->assign(edges.size(), -1);
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> open;
-  (*ways)[size_t(root)] = 0.0;
-  open.push({0.0, root});
-  while (!open.empty()) {
-    const Reached at = open.top();
-    open.pop();
-    if (at.way > (*ways)[size_t(at.node)]) continue;
-    order->push_back(at.node);
-    for (const TreeEdge& edge : edges[size_t(at.node)]) {
-      const double way = at.way + edge.length;
-      if (way >= (*ways)[size_t(edge.to)]) continue;
-      (*ways)[size_t(edge.to)] = way;
-      (*parents)[size_t(edge.to)] = at.node;
-      open.push({way, edge.to});
+/// Shortest paths from `root`.
+struct Walk {
+  std::vector<double> ways;
+  std::vector<int32_t> parents;
+  std::vector<int32_t> order;  ///< nodes as they are settled
+
+  Walk(int32_t root, const TreeLinks& links)
+      : ways(links.size(), std::numeric_limits<double>::infinity()), parents(links.size(), -1) {
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> open;
+    ways[size_t(root)] = 0.0;
+    open.push({0.0, root});
+    while (!open.empty()) {
+      const Reached at = open.top();
+      open.pop();
+      if (at.way > ways[size_t(at.node)]) continue;
+      order.push_back(at.node);
+      for (auto link = links.begin(at.node); link != links.end(at.node); ++link) {
+        const double way = at.way + link->length;
+        if (way >= ways[size_t(link->to)]) continue;
+        ways[size_t(link->to)] = way;
+        parents[size_t(link->to)] = at.node;
+        open.push({way, link->to});
+      }
     }
   }
-}
+};
 
-/// Whether `to` is reached from `from` within `most` metres over the tree and the kept edges.
-class LoopTest {
+/// Ways over the tree and the loop edges found so far, as far as they matter: up to a few voxels.
+class LoopFinder {
  public:
-  explicit LoopTest(const std::vector<int32_t>& parents, const std::vector<double>& ways)
-      : edges_(parents.size()) {
-    for (size_t node = 0; node < parents.size(); ++node)
-      if (parents[node] >= 0)
-        keep(int32_t(node), parents[node], ways[node] - ways[size_t(parents[node])]);
+  explicit LoopFinder(TreeGraph* graph) : graph_(graph), children_(graph->size(), -1) {
+    next_ = children_;
+    for (size_t node = graph->size(); node-- > 1;) {
+      next_[node] = children_[size_t(graph->parents[node])];
+      children_[size_t(graph->parents[node])] = int32_t(node);
+    }
   }
-  void keep(int32_t a, int32_t b, double length) {
-    edges_[size_t(a)].push_back({b, length});
-    edges_[size_t(b)].push_back({a, length});
+
+  void offer(const TreeLinks::Edge& edge, double loop_length) {
+    if (!near(edge.a, -1, edge.b, loop_length)) graph_->loop_edges.push_back(edge);
   }
-  bool near(int32_t from, int32_t to, double most) const { return search(from, -1, to, most); }
 
  private:
-  bool search(int32_t at, int32_t before, int32_t to, double most) const {
+  bool near(int32_t at, int32_t before, int32_t to, double most) const {
     if (at == to) return true;
-    for (const TreeEdge& edge : edges_[size_t(at)]) {
-      if (edge.to != before && edge.length <= most && search(edge.to, at, to, most - edge.length))
-        return true;
+    const auto leads = [&](int32_t next, double length) {
+      return next != before && length <= most && near(next, at, to, most - length);
+    };
+    if (at != 0 && leads(graph_->parents[size_t(at)], graph_->step(at))) return true;
+    for (int32_t child = children_[size_t(at)]; child >= 0; child = next_[size_t(child)])
+      if (leads(child, graph_->step(child))) return true;
+    for (const TreeLinks::Edge& edge : graph_->loop_edges) {
+      if (edge.a == at && leads(edge.b, edge.length)) return true;
+      if (edge.b == at && leads(edge.a, edge.length)) return true;
     }
     return false;
   }
-  Edges edges_;
+
+  TreeGraph* graph_;
+  std::vector<int32_t> children_, next_;  ///< first child and next sibling
 };
+
+void closeLoops(const std::vector<TreeLinks::Edge>& edges, const std::vector<int32_t>& place,
+                double loop_length, TreeGraph* graph) {
+  std::vector<TreeLinks::Edge> closing;
+  for (const TreeLinks::Edge& edge : edges) {
+    const int32_t a = place[size_t(edge.a)], b = place[size_t(edge.b)];
+    if (a < 0 || b < 0) continue;
+    if (graph->parents[size_t(a)] != b && graph->parents[size_t(b)] != a)
+      closing.push_back({std::min(a, b), std::max(a, b), edge.length});
+  }
+  std::sort(closing.begin(), closing.end(),
+            [](const auto& x, const auto& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  LoopFinder finder(graph);
+  for (const TreeLinks::Edge& edge : closing) finder.offer(edge, loop_length);
+}
 
 /// Moves the nodes to the middle of their neighbours, again and again, until steps between voxels
 /// are levelled out; ends stay. So lengths do not depend on the pitch or on how a skeleton lies in
@@ -162,7 +133,7 @@ void smoothPositions(TreeGraph* graph) {
     std::fill(sums.begin(), sums.end(), Eigen::Vector3d::Zero());
     std::fill(counts.begin(), counts.end(), 0);
     for (size_t node = 1; node < at.size(); ++node) add(int32_t(node), graph->parents[node]);
-    for (const auto& [a, b] : graph->loop_edges) add(a, b);
+    for (const TreeLinks::Edge& edge : graph->loop_edges) add(edge.a, edge.b);
     for (size_t node = 0; node < at.size(); ++node)
       if (counts[node] > 1) at[node] = 0.5 * (at[node] + sums[node] / counts[node]);
   }
@@ -170,6 +141,8 @@ void smoothPositions(TreeGraph* graph) {
     const size_t parent = size_t(graph->parents[node]);
     graph->ways[node] = graph->ways[parent] + (at[node] - at[parent]).norm();
   }
+  for (TreeLinks::Edge& edge : graph->loop_edges)
+    edge.length = (at[size_t(edge.a)] - at[size_t(edge.b)]).norm();
 }
 
 }  // namespace
@@ -185,44 +158,37 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
     cells.push_back(skeleton.lattice.coordinates(voxel));
     positions.push_back(skeleton.lattice.center(voxel));
   }
-  Edges edges = neighbourEdges(skeleton, cells);
+  std::vector<TreeLinks::Edge> edges = neighbourEdges(skeleton, cells);
   const std::vector<bool> kept = joinComponents(positions, gap, &edges);
   int32_t root = -1;
   for (size_t node = 0; node < count; ++node) {
     if (kept[node] && (root < 0 || cells[node].z() > cells[size_t(root)].z())) root = int32_t(node);
   }
-  std::vector<double> ways;
-  std::vector<int32_t> parents, order, rank(count, -1);
-  walkFrom(root, edges, &ways, &parents, &order);
-  for (size_t i = 0; i < order.size(); ++i) {
-    const size_t node = size_t(order[i]);
-    rank[node] = int32_t(i);
+  const Walk walk(root, TreeLinks(count, edges));
+  std::vector<int32_t> place(count, -1);
+  for (size_t i = 0; i < walk.order.size(); ++i) {
+    const size_t node = size_t(walk.order[i]);
+    place[node] = int32_t(i);
     graph.voxels.push_back(skeleton.voxels[node]);
     graph.positions.push_back(positions[node]);
-    graph.ways.push_back(ways[node]);
-    graph.parents.push_back(parents[node] < 0 ? -1 : rank[size_t(parents[node])]);
+    graph.ways.push_back(walk.ways[node]);
+    graph.parents.push_back(walk.parents[node] < 0 ? -1 : place[size_t(walk.parents[node])]);
   }
-
-  struct Closing {
-    int32_t a, b;
-    double length, loop;
-  };
-  std::vector<Closing> closings;
-  for (const int32_t node : order) {
-    for (const TreeEdge& edge : edges[size_t(node)]) {
-      if (rank[size_t(edge.to)] < rank[size_t(node)] || parents[size_t(edge.to)] == node) continue;
-      const int32_t a = rank[size_t(node)], b = rank[size_t(edge.to)];
-      closings.push_back({a, b, edge.length, graph.ways[size_t(a)] + graph.ways[size_t(b)]});
-    }
-  }
-  LoopTest loops(graph.parents, graph.ways);
-  for (const Closing& closing : closings) {
-    if (loops.near(closing.a, closing.b, loop_length)) continue;
-    graph.loop_edges.emplace_back(closing.a, closing.b);
-    loops.keep(closing.a, closing.b, closing.length);
-  }
+  closeLoops(edges, place, loop_length, &graph);
   smoothPositions(&graph);
   return graph;
+}
+
+std::vector<double> treeWaysFrom(const TreeGraph& graph, int32_t node) {
+  std::vector<double> ways(graph.size(), -1.0);
+  double way = 0.0;
+  for (int32_t at = node; at >= 0; at = graph.parents[size_t(at)]) {
+    ways[size_t(at)] = way;
+    if (at > 0) way += graph.step(at);
+  }
+  for (size_t at = 1; at < graph.size(); ++at)
+    if (ways[at] < 0.0) ways[at] = ways[size_t(graph.parents[at])] + graph.step(int32_t(at));
+  return ways;
 }
 
 }  // namespace markerless_mocap

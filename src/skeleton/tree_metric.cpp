@@ -1,48 +1,25 @@
 #include "skeleton/tree_metric.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace markerless_mocap {
 
-TreeMetric::TreeMetric(const TreeChains& tree)
-    : stride_(tree.vertices.size()),
-      chains_at_(stride_),
-      degrees_(stride_, 0),
-      ways_(stride_ * stride_, std::numeric_limits<double>::infinity()),
-      branches_(stride_, 0.0) {
-  for (size_t i = 0; i < tree.chains.size(); ++i) {
-    for (const int32_t v : {tree.chains[i].a, tree.chains[i].b}) {
-      chains_at_[size_t(v)].push_back(int32_t(i));
-      ++degrees_[size_t(v)];
-    }
-  }
-  for (int32_t v = 0; v < int32_t(stride_); ++v) {
-    if (degrees_[size_t(v)] == 0) continue;
-    used_.push_back(v);
-    measureFrom(v, tree);
-    if (degrees_[size_t(v)] != 1) continue;
-    ends_.push_back(v);
-    branches_[size_t(v)] = tree.chains[size_t(chains_at_[size_t(v)][0])].length;
-  }
-  for (const int32_t a : ends_)
-    for (const int32_t b : ends_) longest_ = std::max(longest_, way(a, b));
+double longestWay(const TreeGraph& graph) {
+  const auto furthest = std::max_element(graph.ways.begin(), graph.ways.end());
+  const std::vector<double> ways = treeWaysFrom(graph, int32_t(furthest - graph.ways.begin()));
+  return *std::max_element(ways.begin(), ways.end());
 }
 
-void TreeMetric::measureFrom(int32_t from, const TreeChains& tree) {
-  double* ways = &ways_[size_t(from) * stride_];
-  ways[from] = 0.0;
-  std::vector<int32_t> open{from};
-  while (!open.empty()) {
-    const int32_t at = open.back();
-    open.pop_back();
-    for (const int32_t c : chains_at_[size_t(at)]) {
-      const TreeChain& chain = tree.chains[size_t(c)];
-      const int32_t to = chain.other(at);
-      if (ways[to] <= ways[at] + chain.length) continue;
-      ways[to] = ways[at] + chain.length;
-      open.push_back(to);
-    }
+TreeMetric::TreeMetric(const TreeGraph& graph, const TreeChains& tree)
+    : ways_(tree.vertices.size()), branches_(tree.vertices.size(), 0.0) {
+  for (const TreeChain& chain : tree.chains)
+    for (const int32_t v : {chain.a, chain.b}) branches_[size_t(v)] = chain.length;
+  for (int32_t v = 0; v < int32_t(tree.vertices.size()); ++v) {
+    if (tree.degrees[size_t(v)] > 2) branchings_.push_back(v);
+    if (tree.degrees[size_t(v)] != 1) continue;
+    ends_.push_back(v);
+    const std::vector<double> ways = treeWaysFrom(graph, tree.vertices[size_t(v)]);
+    for (const int32_t node : tree.vertices) ways_[size_t(v)].push_back(ways[size_t(node)]);
   }
 }
 

@@ -7,29 +7,25 @@
 
 namespace markerless_mocap {
 
-/// Lengths of the ways between the vertices of chains that form a tree.
+/// Longest way between two nodes of a tree, metres.
+double longestWay(const TreeGraph& graph);
+
+/// Ways from the ends of chains that form a tree to all its vertices.
 class TreeMetric {
  public:
-  explicit TreeMetric(const TreeChains& tree);
+  TreeMetric(const TreeGraph& graph, const TreeChains& tree);
 
-  const std::vector<int32_t>& vertices() const { return used_; }  ///< those with a chain
-  const std::vector<int32_t>& ends() const { return ends_; }      ///< those with one chain
-  double way(int32_t from, int32_t to) const { return ways_[size_t(from) * stride_ + size_t(to)]; }
-  int degree(int32_t vertex) const { return degrees_[size_t(vertex)]; }
+  const std::vector<int32_t>& ends() const { return ends_; }  ///< vertices with one chain
+  const std::vector<int32_t>& branchings() const { return branchings_; }  ///< with more than two
+  /// \param end one of ends()
+  double way(int32_t end, int32_t vertex) const { return ways_[size_t(end)][size_t(vertex)]; }
   /// Length of the chain at an end.
   double branch(int32_t end) const { return branches_[size_t(end)]; }
-  /// Longest way between two ends.
-  double longest() const { return longest_; }
 
  private:
-  void measureFrom(int32_t from, const TreeChains& tree);
-
-  size_t stride_;
-  std::vector<std::vector<int32_t>> chains_at_;
-  std::vector<int32_t> used_, ends_;
-  std::vector<int> degrees_;
-  std::vector<double> ways_, branches_;
-  double longest_ = 0.0;
+  std::vector<int32_t> ends_, branchings_;
+  std::vector<std::vector<double>> ways_;  ///< by vertex; empty but for ends
+  std::vector<double> branches_;
 };
 
 }  // namespace markerless_mocap

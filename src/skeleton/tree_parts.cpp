@@ -5,19 +5,6 @@
 namespace markerless_mocap {
 namespace {
 
-std::vector<std::vector<int32_t>> openedLinks(const TreeGraph& graph, const LabelChoice& choice) {
-  std::vector<std::vector<int32_t>> links(graph.size());
-  const auto join = [&](int32_t a, int32_t b) {
-    for (const auto& [c, d] : choice.cuts)
-      if ((a == c && b == d) || (a == d && b == c)) return;
-    links[size_t(a)].push_back(b);
-    links[size_t(b)].push_back(a);
-  };
-  for (size_t node = 1; node < graph.size(); ++node) join(int32_t(node), graph.parents[node]);
-  for (const auto& [a, b] : graph.loop_edges) join(a, b);
-  return links;
-}
-
 /// Names the nodes from `node` upwards until one that is called `stop`; returns that one, or -1
 /// above the root.
 int32_t nameUpwards(int32_t node, TreePart part, TreePart stop, std::vector<TreeNode>* nodes) {
@@ -32,16 +19,19 @@ int32_t nameUpwards(int32_t node, TreePart part, TreePart stop, std::vector<Tree
 
 PlantedTree plantTree(const TreeGraph& graph, const LabelChoice& choice) {
   PlantedTree tree;
-  const std::vector<std::vector<int32_t>> links = openedLinks(graph, choice);
+  std::vector<TreeLinks::Edge> edges;
+  for (size_t node = 1; node < graph.size(); ++node)
+    edges.push_back({int32_t(node), graph.parents[node], graph.step(int32_t(node))});
+  const TreeLinks links(graph.size(), edges);
   std::vector<int32_t> place(graph.size(), -1), order{std::max(0, choice.ends[0])};
   place[size_t(order[0])] = 0;
   tree.nodes.push_back({graph.positions[size_t(order[0])], -1, TreePart::kNone});
   for (size_t i = 0; i < order.size(); ++i) {
-    for (const int32_t to : links[size_t(order[i])]) {
-      if (place[size_t(to)] >= 0) continue;
-      place[size_t(to)] = int32_t(order.size());
-      order.push_back(to);
-      tree.nodes.push_back({graph.positions[size_t(to)], int32_t(i), TreePart::kNone});
+    for (auto link = links.begin(order[i]); link != links.end(order[i]); ++link) {
+      if (place[size_t(link->to)] >= 0) continue;
+      place[size_t(link->to)] = int32_t(order.size());
+      order.push_back(link->to);
+      tree.nodes.push_back({graph.positions[size_t(link->to)], int32_t(i), TreePart::kNone});
     }
   }
   const auto placeOf = [&](int32_t node) { return node < 0 ? -1 : place[size_t(node)]; };

@@ -18,7 +18,7 @@ constexpr TreePart partOf(LimbEnd end) {
   return parts[size_t(end)];
 }
 
-/// The graph as a tree from the head's end, without the edges that the choice cuts.
+/// The graph's tree, grown from the head's end instead of the root.
 struct PlantedTree {
   std::vector<TreeNode> nodes;                ///< parents before children
   std::array<int32_t, kLimbEndCount> ends{};  ///< nodes, by LimbEnd

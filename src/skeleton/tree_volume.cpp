@@ -5,24 +5,53 @@
 
 namespace markerless_mocap {
 
+namespace {
+
+/// Calls with x and the row (y + size.y * z) of each voxel; voxels ascend, so no division is needed
+/// from one to the next.
+template <class Visit>
+void visitVoxels(const VisualHull& hull, const Visit& visit) {
+  const uint32_t length = uint32_t(hull.lattice.size.x());
+  uint32_t row = 0, start = 0;
+  for (const HullVoxel& voxel : hull.voxels) {
+    if (voxel.index - start >= 16 * length) {
+      row = voxel.index / length;
+      start = row * length;
+    }
+    for (; voxel.index - start >= length; start += length) ++row;
+    visit(int(voxel.index - start), row);
+  }
+}
+
+}  // namespace
+
 TreeVolume::TreeVolume(const VisualHull& hull) : lattice_(hull.lattice) {
   if (hull.voxels.empty()) return;
-  Eigen::Vector3i highest = lattice_.coordinates(hull.voxels.front().index);
-  lowest_ = highest;
-  std::vector<Eigen::Vector3i> at;
-  at.reserve(hull.voxels.size());
-  for (const HullVoxel& voxel : hull.voxels) {
-    at.push_back(lattice_.coordinates(voxel.index));
-    lowest_ = lowest_.cwiseMin(at.back());
-    highest = highest.cwiseMax(at.back());
-  }
+  const uint32_t rows = uint32_t(lattice_.size.y());
+  lowest_ = lattice_.coordinates(hull.voxels.front().index);
+  Eigen::Vector3i highest = lattice_.coordinates(hull.voxels.back().index);
+  uint32_t last_row = ~0u;
+  visitVoxels(hull, [&](int x, uint32_t row) {
+    lowest_.x() = std::min(lowest_.x(), x);
+    highest.x() = std::max(highest.x(), x);
+    if (row == last_row) return;
+    last_row = row;
+    lowest_.y() = std::min(lowest_.y(), int(row % rows));
+    highest.y() = std::max(highest.y(), int(row % rows));
+  });
   size_ = highest - lowest_ + Eigen::Vector3i::Ones();
   bits_.assign((size_t(size_.x()) * size_.y() * size_.z() >> 6) + 1, 0);
-  for (const Eigen::Vector3i& voxel : at) {
-    const Eigen::Vector3i c = voxel - lowest_;
-    const size_t bit = (size_t(c.z()) * size_.y() + c.y()) * size_.x() + c.x();
+  size_t base = 0;
+  last_row = ~0u;
+  visitVoxels(hull, [&](int x, uint32_t row) {
+    if (row != last_row) {
+      last_row = row;
+      const size_t y = row % rows - uint32_t(lowest_.y()), z = row / rows - uint32_t(lowest_.z());
+      base = (z * size_t(size_.y()) + y) * size_t(size_.x());
+    }
+    const size_t bit = base + size_t(x - lowest_.x());
     bits_[bit >> 6] |= uint64_t(1) << (bit & 63);
-  }
+  });
 }
 
 double TreeVolume::thickness(const Eigen::Vector3i& voxel) const {
