@@ -115,6 +115,12 @@ void judgeAngles(const TruthRecord& truth, const ResultRecord& results, int64_t 
   out->angles = angleErrors(judged, results.angles, judged_match);
 }
 
+void judgePoseTrees(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
+  const TreeRecord trees = readTrees(out->request.results);
+  if (trees.stamps_ns.empty()) return;
+  out->trees = judgeTrees(truth.joints, truth.world_frame, trees, tolerance_ns);
+}
+
 /// The frames of least, median and largest D.
 std::vector<std::pair<const char*, size_t>> telling(const std::vector<double>& D) {
   std::vector<size_t> order;
@@ -186,6 +192,7 @@ Evaluation evaluate(const EvaluationRequest& request, const std::function<void(d
   judgeStatus(results, tolerance, &out);
   judgeJoints(truth, results, &out);
   judgeAngles(truth, results, tolerance, &out);
+  judgePoseTrees(truth, tolerance, &out);
   if (request.images || request.pictures) judgeImages(results, tolerance, progress, &out);
   progress(1.0);
   return out;

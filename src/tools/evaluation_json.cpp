@@ -1,5 +1,6 @@
 #include "tools/evaluation_json.h"
 
+#include "tools/evaluation_tree_text.h"
 #include "tools/json_text.h"
 
 namespace markerless_mocap {
@@ -128,6 +129,7 @@ std::string evaluationJson(const Evaluation& evaluation) {
     angles.add(angle.joint, spreadObject(angle.error_deg));
   out.add("angles_deg", angles);
   out.add("iou", overlapObject(evaluation.images));
+  if (evaluation.trees) out.add("pose_tree", treesObject(*evaluation.trees));
   std::string notes;
   for (const std::string& note : evaluation.notes)
     notes += (notes.empty() ? "" : ", ") + JsonObject::quoted(note);

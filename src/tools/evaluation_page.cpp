@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tools/evaluation_table.h"
+#include "tools/evaluation_tree_text.h"
 #include "tools/figure_text.h"
 #include "tools/html_text.h"
 #include "tools/svg_plot.h"
@@ -156,6 +157,7 @@ std::string evaluationPage(const Evaluation& evaluation) {
                      "<h2>How often which error</h2>\n<p>frames by their D</p>\n" +
                      histogram(evaluation.joints.D, kBins, kBlue, "mm") + swapsAndTips(evaluation) +
                      overlaps(evaluation) + anglesSection(evaluation.angles);
+  if (evaluation.trees) body += treesSection(*evaluation.trees, secondsOf(evaluation.stamps_ns));
   if (!evaluation.pictures.empty())
     body +=
         "<h2>Pictures</h2>\n<p>green: fitted body; red outline: exact mask; with their IoU</p>\n";

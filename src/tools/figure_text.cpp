@@ -17,4 +17,8 @@ std::string percentText(double share) {
   return figureText("%.1f %%", 100.0 * share);
 }
 
+void printRow(std::ostream& out, const std::string& name, const std::string& text) {
+  out << "  " << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') << text << '\n';
+}
+
 }  // namespace markerless_mocap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 
 namespace markerless_mocap {
@@ -9,5 +10,8 @@ std::string figureText(const char* format, double value);
 
 /// A share as "12.3 %".
 std::string percentText(double share);
+
+/// A line of a terminal's table: a name and what it says.
+void printRow(std::ostream& out, const std::string& name, const std::string& text);
 
 }  // namespace markerless_mocap

@@ -70,12 +70,12 @@ class TimeAxis {
   }
   double left(size_t i) const { return at(seconds_[i]); }
   double right(size_t i) const { return at(i + 1 < seconds_.size() ? seconds_[i + 1] : end_); }
-  std::string ticks(double height) const {
+  std::string ticks(double height, const std::string& unit) const {
     const double step = roundStep(end_ - begin_, 10);
     std::string out;
     for (double t = step * std::ceil(begin_ / step); t <= end_; t += step)
       out += line(at(t), kTop, at(t), height - kBottom) +
-             label(at(t), height - 8, "middle", number(std::round(t / step) * step) + " s");
+             label(at(t), height - 8, "middle", number(std::round(t / step) * step) + unit);
     return out;
   }
 
@@ -126,12 +126,12 @@ double roundStep(double range, int parts) {
 }
 
 std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotLine>& lines,
-                     double top, const std::string& unit) {
+                     double top, const std::string& unit, const std::string& across) {
   if (top == 0.0)
     for (const PlotLine& line : lines) top = std::max(top, roundTop(largest(line.values)));
   const TimeAxis axis(seconds);
   std::string svg =
-      open(kPlotHeight) + axis.ticks(kPlotHeight) + valueTicks(top, kPlotHeight, unit);
+      open(kPlotHeight) + axis.ticks(kPlotHeight, across) + valueTicks(top, kPlotHeight, unit);
   for (const PlotLine& line : lines) svg += curve(axis, line, top, kPlotHeight);
   return svg + "</svg>\n";
 }

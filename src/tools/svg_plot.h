@@ -24,8 +24,9 @@ struct BarRow {
 
 /// Lines over time with axes, as SVG. \param seconds of each value, ascending
 /// \param top of the value axis; 0: a round number above all values
+/// \param across unit of what the lines go over, where it is not time
 std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotLine>& lines,
-                     double top, const std::string& unit);
+                     double top, const std::string& unit, const std::string& across = " s");
 
 /// Cells over the time axis of linePlot(), as SVG.
 std::string timeBand(const std::vector<double>& seconds, const std::vector<BandCell>& cells);

@@ -1,0 +1,157 @@
+#include "tools/evaluation_tree.h"
+
+#include <gtest/gtest.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "tools/evaluation_fixture.h"
+#include "tools/evaluation_json.h"
+#include "tools/evaluation_page.h"
+#include "tools/evaluation_table.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kSameTree_mm = 1e-6;
+
+/// Trees that know the truth but for a change.
+class EvaluationTreeTest : public EvaluationTest {
+ protected:
+  using TreeChange = std::function<void(int frame, PoseTree* tree)>;
+
+  EvaluationTreeTest() { request_.images = false; }
+
+  PoseTree treeOf(int frame) const {
+    const Eigen::Matrix3Xd points = bodyPoints(model_, linksOf(poseOf(frame)));
+    const auto point = [&](const std::string& name) -> Eigen::Vector3d {
+      const std::vector<std::string> names = bodyPointNames();
+      return points.col(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    PoseTree tree;
+    tree.status = TreeStatus::kOk;
+    tree.validity = 0.9;
+    const char* ends[] = {"head", "l_hand", "r_hand", "l_foot", "r_foot"};
+    for (int i = 0; i < kExtremityCount; ++i) {
+      tree.nodes.push_back({point(ends[i]), i - 1, TreePart::kNone});
+      tree.tips[size_t(i)] = {i, point(ends[i]), point(ends[i])};
+    }
+    for (int i = 0; i < kTreeJointCount; ++i) {
+      const std::string name = toString(TreeJoint(i));
+      tree.joints[size_t(i)] = point(name == "neck" ? "thorax" : name);
+    }
+    return tree;
+  }
+
+  void writeTrees(const TreeChange& change, const std::string& world = "world") const {
+    writeTruth("world", false);
+    NewBag bag(request_.results);
+    ResultWriter writer(&bag, model_, world);
+    writer.writeDescription(kBegin, humanUrdf());
+    for (int f = 0; f < kFrames; ++f) {
+      PipelineResult result;
+      result.pose = poseOf(f);
+      result.tree = treeOf(f);
+      change(f, &result.tree);
+      writer.write(stampOf(f), result);
+    }
+    bag.commit();
+  }
+};
+
+TEST_F(EvaluationTreeTest, TruthAsATreeIsPerfectThroughTheBag) {
+  writeTrees([](int, PoseTree*) {});
+  const Evaluation found = judged();
+  ASSERT_TRUE(found.trees);
+  EXPECT_EQ(found.trees->labels.frames, size_t(kFrames));
+  EXPECT_EQ(found.trees->labels.share_valid, 1.0);
+  EXPECT_EQ(found.trees->labels.share_right, 1.0);
+  EXPECT_LT(found.trees->labels.hands_mm.max, kSameTree_mm);
+  EXPECT_EQ(found.trees->status_counts, (std::map<std::string, size_t>{{"ok", kFrames}}));
+  ASSERT_EQ(found.trees->joints.size(), size_t(kTreeJointCount));
+  for (const Spread& error : found.trees->joint_errors_mm) {
+    EXPECT_EQ(error.count, size_t(kFrames));
+    EXPECT_LT(error.max, kSameTree_mm);
+  }
+}
+
+TEST_F(EvaluationTreeTest, WrongAndInvalidTreesAreCountedApart) {
+  writeTrees([](int f, PoseTree* tree) {
+    if (f < 4) std::swap(tree->tips[1], tree->tips[2]);  // 4 of 40 frames
+    if (f < 10) tree->joints[size_t(TreeJoint::kLeftElbow)].reset();
+    if (f < 20) *tree->joints[size_t(TreeJoint::kRightKnee)] += Eigen::Vector3d(0.03, 0, 0.04);
+    if (f >= 30) tree->status = TreeStatus::kUncertain, tree->reason = "who knows";
+  });
+  const TreeEvaluation trees = *judged().trees;
+  EXPECT_NEAR(trees.labels.share_valid, 0.75, 1e-12);
+  EXPECT_NEAR(trees.labels.share_right, 0.9, 1e-12);
+  EXPECT_NEAR(trees.labels.share_wrong_but_valid, 0.1, 1e-12);
+  EXPECT_NEAR(trees.labels.share_sides_right, 26.0 / 30, 1e-12);
+  EXPECT_EQ(trees.status_counts.at("uncertain"), 10u);
+  EXPECT_EQ(trees.reasons[35], "who knows");
+  EXPECT_EQ(trees.joint_errors_mm[size_t(TreeJoint::kLeftElbow)].count, 20u);
+  EXPECT_NEAR(trees.joint_errors_mm[size_t(TreeJoint::kRightKnee)].mean, 50.0 * 20 / 30,
+              kSameTree_mm);
+}
+
+TEST_F(EvaluationTreeTest, TableJsonAndPageCarryTheFigures) {
+  writeTrees([](int f, PoseTree* tree) {
+    if (f < 4) std::swap(tree->tips[3], tree->tips[4]);
+  });
+  const Evaluation found = judged();
+  std::ostringstream table;
+  printEvaluation(found, table);
+  EXPECT_NE(table.str().find("wrong but valid 10.0 %"), std::string::npos) << table.str();
+  const std::string json = evaluationJson(found);
+  EXPECT_NE(json.find("\"share_wrong_but_valid\": 0.1"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"precision_recall_area\": 0.9"), std::string::npos);
+  const std::string page = evaluationPage(found);
+  EXPECT_NE(page.find("10.0 % wrong but valid"), std::string::npos);
+  EXPECT_NE(page.find("valid, wrong left_foot right_foot"), std::string::npos);
+}
+
+TEST_F(EvaluationTreeTest, InstantsWithoutATreeAreMissing) {
+  writeTrees([](int, PoseTree*) {});
+  request_.truth = path("longer.bag");
+  {
+    rosbag::Bag from(path("truth.bag")), to(request_.truth, rosbag::bagmode::Write);
+    for (const rosbag::MessageInstance& entry : rosbag::View(from)) {
+      const auto joints = entry.instantiate<JointPositions>();
+      if (!joints) continue;
+      to.write(entry.getTopic(), entry.getTime(), *joints);
+      JointPositions later = *joints;
+      later.header.stamp += ros::Duration(kFrames * kStep * 1e-9);
+      to.write(entry.getTopic(), later.header.stamp, later);
+    }
+  }
+  const TreeEvaluation trees = *judged().trees;
+  EXPECT_EQ(trees.status_counts.at("missing"), size_t(kFrames));
+  EXPECT_EQ(trees.labels.share_valid, 0.5);
+}
+
+TEST_F(EvaluationTreeTest, ResultsWithoutTreesHaveNoSection) {
+  writeTrees([](int, PoseTree*) {});
+  {
+    rosbag::Bag from(request_.results), to(path("other.bag"), rosbag::bagmode::Write);
+    for (const rosbag::MessageInstance& entry : rosbag::View(from))
+      if (entry.getTopic() != "/pose_tree") to.write(entry.getTopic(), entry.getTime(), entry);
+  }
+  request_.results = path("other.bag");
+  const Evaluation found = judged();
+  EXPECT_FALSE(found.trees);
+  EXPECT_EQ(evaluationPage(found).find("Pose tree"), std::string::npos);
+  EXPECT_EQ(evaluationJson(found).find("pose_tree"), std::string::npos);
+}
+
+TEST_F(EvaluationTreeTest, TreesInAnotherFrameAreRefused) {
+  writeTrees([](int, PoseTree*) {});
+  TreeRecord trees = readTrees(request_.results);
+  trees.world_frame = "map";
+  EXPECT_EQ(sentenceOf<std::runtime_error>([&] { judgeTrees(trees.joints, "world", trees, 0); }),
+            "the pose trees are in the frame map, the truth in world: they cannot be compared");
+}
+
+}  // namespace
+}  // namespace markerless_mocap
