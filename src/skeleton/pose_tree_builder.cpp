@@ -10,6 +10,7 @@
 #include "skeleton/left_right.h"
 #include "skeleton/tree_graph.h"
 #include "skeleton/tree_parts.h"
+#include "skeleton/validity_checks.h"
 
 namespace markerless_mocap {
 namespace {
@@ -33,11 +34,20 @@ void swapParts(TreePart a, TreePart b, std::vector<TreeNode>* nodes) {
   }
 }
 
+PoseTree refused(const Refusal& refusal) {
+  PoseTree tree;
+  tree.status = refusal.status;
+  tree.reason = refusal.reason;
+  return tree;
+}
+
 /// One frame on its way to a pose tree.
 class Labelling {
  public:
   Labelling(const PoseTreeOptions& options, const VisualHull& hull, const CurveSkeleton& skeleton)
-      : options_(options), volume_(hull), graph_(makeTreeGraph(skeleton, kMostGap, kLeastLoop)) {
+      : options_(options),
+        hull_(hull),
+        volume_(hull) {
     tree_.skeleton = skeleton;
   }
 
@@ -56,6 +66,7 @@ class Labelling {
   void judge();
 
   const PoseTreeOptions& options_;
+  const VisualHull& hull_;
   TreeVolume volume_;
   TreeGraph graph_;
   LabelChoice choice_;
@@ -123,8 +134,11 @@ void Labelling::judge() {
 }
 
 PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {
-  if (graph_.size() < 2)
-    return refuse(TreeStatus::kNoSkeleton, "the hull is too small for a skeleton");
+  if (const auto refusal = refuseSkeleton(tree_.skeleton))
+    return refuse(refusal->status, refusal->reason);
+  graph_ = makeTreeGraph(tree_.skeleton, kMostGap, kLeastLoop);
+  if (const auto refusal = refuseSkeleton(hull_, graph_))
+    return refuse(refusal->status, refusal->reason);
   choose(last);
   plant();
   if (choice_.status != TreeStatus::kOk) return refuse(choice_.status, choice_.reason);
@@ -152,14 +166,17 @@ class PoseTreeBuilder::State {
  public:
   explicit State(const PoseTreeOptions& options) : options_(validated(options)) {}
 
-  PoseTree build(const VisualHull& hull, const CurveSkeleton& skeleton) {
+  PoseTree build(const VisualHull& hull, const CurveSkeleton* skeleton) {
     LastEnds now;
+    if (const auto refusal = refuseHull(hull)) {
+      last_.reset();
+      return refused(*refusal);
+    }
     PoseTree tree =
-        Labelling(options_, hull, skeleton).run(options_.follow_labels ? last_ : LastEnds(), &now);
+        Labelling(options_, hull, skeleton ? *skeleton : thinner_.thin(hull)).run(options_.follow_labels ? last_ : LastEnds(), &now);
     last_ = now;
     return tree;
   }
-  CurveSkeleton thin(const VisualHull& hull) { return thinner_.thin(hull); }
   void reset() { last_.reset(); }
 
  private:
@@ -175,11 +192,11 @@ PoseTreeBuilder::PoseTreeBuilder(PoseTreeBuilder&&) noexcept = default;
 PoseTreeBuilder& PoseTreeBuilder::operator=(PoseTreeBuilder&&) noexcept = default;
 
 PoseTree PoseTreeBuilder::build(const VisualHull& hull, const CurveSkeleton& skeleton) {
-  return state_->build(hull, skeleton);
+  return state_->build(hull, &skeleton);
 }
 
 PoseTree PoseTreeBuilder::build(const VisualHull& hull) {
-  return state_->build(hull, state_->thin(hull));
+  return state_->build(hull, nullptr);
 }
 
 void PoseTreeBuilder::reset() {

@@ -1,0 +1,94 @@
+#include "skeleton/label_ranking.h"
+
+#include <gtest/gtest.h>
+
+#include "skeleton/label_proportions.h"
+#include "skeleton/tree_figure.h"
+
+namespace markerless_mocap {
+namespace {
+
+using namespace label_ratio;
+
+std::array<EndWays, kLimbEndCount> idealWays(double longest) {
+  const EndWays neck{kNeck * longest, kNeck * longest}, arm{kArm * longest, kArm * longest};
+  const EndWays leg{(kLeg + kTorso) * longest, kLeg * longest};
+  return {neck, arm, arm, leg, leg};
+}
+
+/// The ideal tree drawn with arms out, `longest` metres from hand to foot.
+CurveSkeleton idealSkeleton(double longest, double pitch) {
+  TreeFigure figure(pitch);
+  const Eigen::Vector3d crotch(0, 0, 0.1 + kLeg * longest);
+  const Eigen::Vector3d origin = crotch + Eigen::Vector3d(0, 0, kTorso * longest);
+  figure.line(crotch, origin).line(origin, origin + Eigen::Vector3d(0, 0, kNeck * longest));
+  for (const int side : {1, -1}) {
+    figure.line(origin, origin + Eigen::Vector3d(0, side * kArm * longest, 0));
+    figure.line(crotch, crotch + longest * kLeg * Eigen::Vector3d(0, side * 0.28, -0.96));
+  }
+  return figure.skeleton();
+}
+
+TEST(LabelRanking, RatiosOfTheLongestPathSumToOne) {
+  EXPECT_NEAR(kArm + kTorso + kLeg, 1.0, 0.002);
+}
+
+TEST(LabelRanking, IdealTreeRanksOne) {
+  EXPECT_NEAR(originRank(idealWays(2.0), 4, 2.0), 1.0, 1e-9);
+  EXPECT_NEAR(originRank(idealWays(1.5), 4, 1.5), 1.0, 1e-9);
+}
+
+TEST(LabelRanking, EachFactorIsAsPublished) {
+  auto ways = idealWays(2.0);
+  EXPECT_NEAR(originRank(ways, 3, 2.0), std::exp(-1.0 / 3.0), 1e-9);
+  ways[size_t(LimbEnd::kHead)] = {0.5 * kNeck * 2.0, 0.5 * kNeck * 2.0};
+  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
+  ways = idealWays(2.0);
+  ways[size_t(LimbEnd::kFoot1)].to_origin = kLeg * 2.0 + 0.5 * kTorso * 2.0;
+  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
+  ways = idealWays(2.0);
+  ways[size_t(LimbEnd::kHand2)].to_branching -= 2.0 / 128.0;
+  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
+}
+
+TEST(LabelRanking, DrawnTreeIsNamedAndRanksAlikeAtTwoPitches) {
+  std::vector<double> ranks;
+  for (const double pitch : {0.01, 0.02}) {
+    const TreeGraph graph = makeTreeGraph(idealSkeleton(1.6, pitch), 0.15, 0.12);
+    const LabelChoice choice = labelByRank(graph, 0.08, {});
+    ASSERT_EQ(choice.status, TreeStatus::kOk);
+    const auto at = [&](LimbEnd end) { return graph.positions[size_t(choice.ends[size_t(end)])]; };
+    EXPECT_GT(at(LimbEnd::kHead).z(), 1.2);
+    EXPECT_LT(at(LimbEnd::kFoot1).z(), 0.2);
+    EXPECT_LT(at(LimbEnd::kFoot2).z(), 0.2);
+    EXPECT_GT(std::abs(at(LimbEnd::kHand1).y()), 0.5);
+    EXPECT_LT(at(LimbEnd::kHand1).y() * at(LimbEnd::kHand2).y(), 0.0);
+    EXPECT_NEAR(choice.longest, 1.6, 0.06);
+    ranks.push_back(choice.rank);
+  }
+  EXPECT_GT(ranks[0], 0.5);
+  EXPECT_NEAR(ranks[0], ranks[1], 0.25 * ranks[0]);
+}
+
+TEST(LabelRanking, NearestOfTheLastFrameTakesTheName) {
+  const TreeGraph graph = makeTreeGraph(idealSkeleton(1.6, 0.02), 0.15, 0.12);
+  const LabelChoice alone = labelByRank(graph, 0.08, {});
+  std::array<Eigen::Vector3d, kLimbEndCount> last;
+  for (size_t i = 0; i < last.size(); ++i) last[i] = graph.positions[size_t(alone.ends[i])];
+  std::swap(last[1], last[2]);
+  std::swap(last[3], last[4]);
+  const LabelChoice followed = labelByRank(graph, 0.08, last);
+  EXPECT_EQ(followed.ends[1], alone.ends[2]);
+  EXPECT_EQ(followed.ends[3], alone.ends[4]);
+}
+
+TEST(LabelRanking, LineHasTooFewBranches) {
+  TreeFigure figure(0.02);
+  figure.line({0, 0, 0.2}, {0, 0, 1.6});
+  const LabelChoice choice = labelByRank(makeTreeGraph(figure.skeleton(), 0.15, 0.12), 0.08, {});
+  EXPECT_EQ(choice.status, TreeStatus::kTooFewBranches);
+  EXPECT_NE(choice.reason.find("2 ends"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
