@@ -1,67 +1,15 @@
 #include "markerless_mocap/segmentation/block_kernels.h"
 
 #include <algorithm>
-#include <array>
+
+#include "segmentation/row.h"
 
 namespace markerless_mocap {
 namespace {
 
 #define MOCAP_WIDEST __attribute__((target_clones("fma", "default")))
-#define MOCAP_INLINE [[gnu::always_inline]] inline
-
-/// Floats of a row, not aligned to more than a float.
-using Four = float __attribute__((vector_size(16), aligned(4)));
-using Eight = float __attribute__((vector_size(32), aligned(4)));
 
 constexpr size_t kSummed = 256;  // nodes summed in single precision before double takes over
-
-/// 4 N values of a node in registers.
-template <int N>
-struct Row {
-  Eight wide[N / 2 + (N == 1)];
-  Four rest;  // the last four where N is odd
-};
-
-template <int N>
-MOCAP_INLINE Row<N> load(const float* from) {
-  Row<N> row;
-  for (int q = 0; q < N / 2; ++q) row.wide[q] = reinterpret_cast<const Eight*>(from)[q];
-  if constexpr (N % 2 == 1) row.rest = reinterpret_cast<const Four*>(from)[N - 1];
-  return row;
-}
-
-template <int N>
-MOCAP_INLINE void store(const Row<N>& row, float* to) {
-  for (int q = 0; q < N / 2; ++q) reinterpret_cast<Eight*>(to)[q] = row.wide[q];
-  if constexpr (N % 2 == 1) reinterpret_cast<Four*>(to)[N - 1] = row.rest;
-}
-
-template <int N>
-MOCAP_INLINE void clear(Row<N>* row) {
-  for (int q = 0; q < N / 2; ++q) row->wide[q] = Eight{};
-  if constexpr (N % 2 == 1) row->rest = Four{};
-}
-
-/// sum += factor row.
-template <int N>
-MOCAP_INLINE void add(float factor, const Row<N>& row, Row<N>* sum) {
-  for (int q = 0; q < N / 2; ++q) sum->wide[q] += factor * row.wide[q];
-  if constexpr (N % 2 == 1) sum->rest += factor * row.rest;
-}
-
-/// sum += factor a b, value by value.
-template <int N>
-MOCAP_INLINE void addProduct(float factor, const Row<N>& a, const Row<N>& b, Row<N>* sum) {
-  for (int q = 0; q < N / 2; ++q) sum->wide[q] += factor * a.wide[q] * b.wide[q];
-  if constexpr (N % 2 == 1) sum->rest += factor * a.rest * b.rest;
-}
-
-/// sum += factor (a - b).
-template <int N>
-MOCAP_INLINE void addDifference(float factor, const Row<N>& a, const Row<N>& b, Row<N>* sum) {
-  for (int q = 0; q < N / 2; ++q) sum->wide[q] += factor * (a.wide[q] - b.wide[q]);
-  if constexpr (N % 2 == 1) sum->rest += factor * (a.rest - b.rest);
-}
 
 /// L x at a node.
 template <int N>
@@ -117,43 +65,51 @@ MOCAP_INLINE void prolongateRows(const GraphLevel& level, float factor, const Bl
   }
 }
 
-/// Sums mass a_i b_j over the nodes; four columns of a at a time: their sums fit into registers.
+/// Adds a_i . b_j, times the masses if there are any, over some nodes; four columns of a at a time:
+/// their sums fit into registers.
 template <int N, bool kMass>
-MOCAP_INLINE void productRows(const float* mass, const Block& a, const Block& b, double* result) {
+MOCAP_INLINE void addProducts(const float* mass, const Block& a, const Block& b, size_t from,
+                              size_t to, double* result) {
+  for (int column = 0; column < 4 * N; column += 4) {
+    Row<N> sum[4];
+    for (Row<N>& row : sum) clear<N>(&row);
+    for (size_t node = from; node < to; ++node) {
+      Row<N> right = load<N>(b.row(node));
+      if constexpr (kMass) scale<N>(mass[node], &right);
+      const float* left = a.row(node) + column;
+      for (int i = 0; i < 4; ++i) add<N>(left[i], right, &sum[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+      float values[4 * N];
+      store<N>(sum[i], values);
+      for (int j = 0; j < 4 * N; ++j) result[(column + i) * 4 * N + j] += double(values[j]);
+    }
+  }
+}
+
+/// By pieces that stay in the cache for all products.
+template <int N>
+MOCAP_INLINE void productRows(const GraphLevel& level, const Block& a, const Block& la,
+                              const std::vector<Product>& wanted) {
   for (size_t from = 0; from < a.nodes; from += kSummed) {
     const size_t to = std::min(a.nodes, from + kSummed);
-    for (int column = 0; column < 4 * N; column += 4) {
-      Row<N> sum[4];
-      for (Row<N>& row : sum) clear<N>(&row);
-      for (size_t node = from; node < to; ++node) {
-        Row<N> right = load<N>(b.row(node));
-        if constexpr (kMass) {
-          Row<N> weighted;
-          clear<N>(&weighted);
-          add<N>(mass[node], right, &weighted);
-          right = weighted;
-        }
-        for (int i = 0; i < 4; ++i) add<N>(a.row(node)[column + i], right, &sum[i]);
-      }
-      for (int i = 0; i < 4; ++i) {
-        float values[4 * N];
-        store<N>(sum[i], values);
-        for (int j = 0; j < 4 * N; ++j) result[(column + i) * 4 * N + j] += double(values[j]);
-      }
+    for (const Product& product : wanted) {
+      addProducts<N, false>(nullptr, la, *product.with, from, to, product.laplacian);
+      addProducts<N, true>(level.mass.data(), a, *product.with, from, to, product.mass);
     }
   }
 }
 
 template <int N>
-MOCAP_INLINE void residualRows(const GraphLevel& level, const float* values, const Block& y,
-                               const Block& x, Block* r, double* squares) {
+MOCAP_INLINE void residualRows(const GraphLevel& level, const float* values, const Block& x,
+                               Block* r, double* squares) {
   const Row<N> factors = load<N>(values);
   for (size_t from = 0; from < x.nodes; from += kSummed) {
     const size_t to = std::min(x.nodes, from + kSummed);
     Row<N> sum;
     clear<N>(&sum);
     for (size_t node = from; node < to; ++node) {
-      Row<N> rest = load<N>(y.row(node));
+      Row<N> rest = laplacianRow<N>(level, x.values.data(), node);
       addProduct<N>(-level.mass[node], factors, load<N>(x.row(node)), &rest);
       store<N>(rest, r->row(node));
       addProduct<N>(1.0f / level.mass[node], rest, rest, &sum);
@@ -164,49 +120,78 @@ MOCAP_INLINE void residualRows(const GraphLevel& level, const float* values, con
   }
 }
 
-/// Four nodes at a time share the look-up of the combination's rows.
-template <int N, int kTogether, bool kAdd>
-MOCAP_INLINE void combineNodes(const float* y, const float* combination, float* x) {
-  Row<N> sum[kTogether];
-  for (int n = 0; n < kTogether; ++n) {
-    if constexpr (kAdd) {
-      sum[n] = load<N>(x + n * 4 * N);
-    } else {
-      clear<N>(&sum[n]);
-    }
-  }
+/// sum += y C for a few nodes, which share the look-up of the rows of C.
+template <int N, int kTogether>
+MOCAP_INLINE void addCombination(const float* y, const float* combination, Row<N>* sum) {
   for (int i = 0; i < 4 * N; ++i) {
     const Row<N> row = load<N>(combination + i * 4 * N);
     for (int n = 0; n < kTogether; ++n) add<N>(y[n * 4 * N + i], row, &sum[n]);
   }
-  for (int n = 0; n < kTogether; ++n) store<N>(sum[n], x + n * 4 * N);
 }
 
-template <int N, bool kAdd>
-MOCAP_INLINE void combineRows(const Block& y, const float* combination, Block* x) {
-  size_t node = 0;
-  for (; node + 4 <= x->nodes; node += 4) {
-    combineNodes<N, 4, kAdd>(y.row(node), combination, x->row(node));
+template <int N, int kTogether>
+MOCAP_INLINE void stepNodes(const Block& w, const StepCombination& combination, size_t node,
+                            Block* x, Block* p) {
+  Row<N> sum[kTogether];
+  for (Row<N>& row : sum) clear<N>(&row);
+  addCombination<N, kTogether>(w.row(node), combination.of_w, sum);
+  if (combination.of_p != nullptr) {
+    addCombination<N, kTogether>(p->row(node), combination.of_p, sum);
   }
-  for (; node < x->nodes; ++node) combineNodes<N, 1, kAdd>(y.row(node), combination, x->row(node));
+  for (int n = 0; n < kTogether; ++n) store<N>(sum[n], p->row(node + n));
+  addCombination<N, kTogether>(x->row(node), combination.of_x, sum);
+  for (int n = 0; n < kTogether; ++n) store<N>(sum[n], x->row(node + n));
 }
 
 template <int N>
-MOCAP_INLINE void addCombinationRows(const Block& y, const float* combination, Block* x) {
-  combineRows<N, true>(y, combination, x);
+MOCAP_INLINE void stepRows(const Block& w, const StepCombination& combination, Block* x, Block* p) {
+  size_t node = 0;
+  for (; node + 4 <= x->nodes; node += 4) stepNodes<N, 4>(w, combination, node, x, p);
+  for (; node < x->nodes; ++node) stepNodes<N, 1>(w, combination, node, x, p);
 }
 
 template <int N>
-MOCAP_INLINE void combinationRows(const Block& y, const float* combination, Block* x) {
-  combineRows<N, false>(y, combination, x);
+MOCAP_INLINE void combineRows(const float* combination, Block* x) {
+  for (size_t node = 0; node < x->nodes; ++node) {
+    Row<N> sum;
+    clear<N>(&sum);
+    addCombination<N, 1>(x->row(node), combination, &sum);
+    store<N>(sum, x->row(node));
+  }
 }
 
 template <int N>
-MOCAP_INLINE void anyProducts(const float* mass, const Block& a, const Block& b, double* result) {
-  if (mass == nullptr) {
-    productRows<N, false>(mass, a, b, result);
-  } else {
-    productRows<N, true>(mass, a, b, result);
+MOCAP_INLINE void removeMeanRows(const GraphLevel& level, Block* x) {
+  double means[4 * N] = {};
+  double total = 0.0;
+  for (size_t from = 0; from < x->nodes; from += kSummed) {
+    const size_t to = std::min(x->nodes, from + kSummed);
+    Row<N> sum;
+    clear<N>(&sum);
+    for (size_t node = from; node < to; ++node) {
+      add<N>(level.mass[node], load<N>(x->row(node)), &sum);
+      total += double(level.mass[node]);
+    }
+    float sums[4 * N];
+    store<N>(sum, sums);
+    for (int k = 0; k < 4 * N; ++k) means[k] += double(sums[k]);
+  }
+  float shifts[4 * N];
+  for (int k = 0; k < 4 * N; ++k) shifts[k] = float(means[k] / total);
+  const Row<N> shift = load<N>(shifts);
+  for (size_t node = 0; node < x->nodes; ++node) {
+    Row<N> row = load<N>(x->row(node));
+    add<N>(-1.0f, shift, &row);
+    store<N>(row, x->row(node));
+  }
+}
+
+template <int N>
+MOCAP_INLINE void scaleRows(const GraphLevel& level, float damping, const Block& b, Block* x) {
+  for (size_t node = 0; node < b.nodes; ++node) {
+    Row<N> row = load<N>(b.row(node));
+    scale<N>(damping * level.inverse_diagonal[node], &row);
+    store<N>(row, x->row(node));
   }
 }
 
@@ -233,11 +218,6 @@ MOCAP_INLINE void anyProducts(const float* mass, const Block& a, const Block& b,
       break;                                 \
   }
 
-MOCAP_WIDEST void productsOf(const float* mass, const Block& a, const Block& b, double* result) {
-  std::fill(result, result + a.width * a.width, 0.0);
-  MOCAP_BY_WIDTH(a.width, anyProducts, mass, a, b, result)
-}
-
 }  // namespace
 
 MOCAP_WIDEST void multiply(const GraphLevel& level, const Block& x,
@@ -253,54 +233,35 @@ MOCAP_WIDEST
 }
 
 MOCAP_WIDEST void prolongate(const GraphLevel& level, float factor, const Block& coarse,
-                             Block* fine) {
-  MOCAP_BY_WIDTH(fine->width, prolongateRows, level, factor, coarse, fine)
-}
+                             Block* fine){
+    MOCAP_BY_WIDTH(fine->width, prolongateRows, level, factor, coarse, fine)}
 
-void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b, Block* x) {
-  for (size_t node = 0; node < b.nodes; ++node) {
-    const float step = damping * level.inverse_diagonal[node];
-    for (int k = 0; k < b.width; ++k) x->row(node)[k] = step * b.row(node)[k];
+MOCAP_WIDEST void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b, Block* x){
+    MOCAP_BY_WIDTH(b.width, scaleRows, level, damping, b, x)}
+
+MOCAP_WIDEST void products(const GraphLevel& level, const Block& a, const Block& la,
+                           const std::vector<Product>& wanted) {
+  for (const Product& product : wanted) {
+    std::fill(product.laplacian, product.laplacian + a.width * a.width, 0.0);
+    std::fill(product.mass, product.mass + a.width * a.width, 0.0);
   }
+  MOCAP_BY_WIDTH(a.width, productRows, level, a, la, wanted)
 }
 
-void products(const Block& a, const Block& b, double* plain) {
-  productsOf(nullptr, a, b, plain);
-}
-
-void massProducts(const GraphLevel& level, const Block& a, const Block& b, double* weighted) {
-  productsOf(level.mass.data(), a, b, weighted);
-}
-
-MOCAP_WIDEST void residuals(const GraphLevel& level, const float* values, const Block& y,
-                            const Block& x, Block* r, double* squares) {
+MOCAP_WIDEST void residuals(const GraphLevel& level, const float* values, const Block& x, Block* r,
+                            double* squares) {
   std::fill(squares, squares + x.width, 0.0);
-  MOCAP_BY_WIDTH(x.width, residualRows, level, values, y, x, r, squares)
+  MOCAP_BY_WIDTH(x.width, residualRows, level, values, x, r, squares)
 }
 
-MOCAP_WIDEST void addCombination(const Block& y, const float* combination, Block* x){
-    MOCAP_BY_WIDTH(y.width, addCombinationRows, y, combination, x)}
+MOCAP_WIDEST void combine(const float* combination,
+                          Block* x){MOCAP_BY_WIDTH(x->width, combineRows, combination, x)}
 
-MOCAP_WIDEST void combine(const Block& y, const float* combination,
-                          Block* x){MOCAP_BY_WIDTH(y.width, combinationRows, y, combination, x)}
+MOCAP_WIDEST void takeStep(const Block& w, const StepCombination& combination, Block* x,
+                           Block* p){MOCAP_BY_WIDTH(x->width, stepRows, w, combination, x, p)}
 
-MOCAP_WIDEST void add(const Block& y, Block* x) {
-  for (size_t i = 0; i < x->values.size(); ++i) x->values[i] += y.values[i];
-}
-
-void removeMean(const GraphLevel& level, Block* x) {
-  std::array<double, kWidest> mean{};
-  double total = 0.0;
-  for (size_t node = 0; node < x->nodes; ++node) {
-    const double mass = level.mass[node];
-    total += mass;
-    for (int k = 0; k < x->width; ++k) mean[k] += mass * x->row(node)[k];
-  }
-  std::array<float, kWidest> shift{};
-  for (int k = 0; k < x->width; ++k) shift[k] = float(mean[k] / total);
-  for (size_t node = 0; node < x->nodes; ++node) {
-    for (int k = 0; k < x->width; ++k) x->row(node)[k] -= shift[k];
-  }
+MOCAP_WIDEST void removeMean(const GraphLevel& level, Block* x) {
+  MOCAP_BY_WIDTH(x->width, removeMeanRows, level, x)
 }
 
 }  // namespace markerless_mocap

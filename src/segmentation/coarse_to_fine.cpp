@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "markerless_mocap/segmentation/block_kernels.h"
 #include "markerless_mocap/segmentation/graph_hierarchy.h"

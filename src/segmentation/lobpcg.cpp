@@ -2,9 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace markerless_mocap {
 namespace {
@@ -45,7 +46,6 @@ Lobpcg::Lobpcg(const GraphLevel& level, size_t level_number, Multigrid* multigri
       number_(level_number),
       multigrid_(*multigrid),
       x_(std::move(start)),
-      lx_(x_.nodes, x_.width),
       rest_(x_.nodes, x_.width),
       w_(x_.nodes, x_.width),
       lw_(x_.nodes, x_.width),
@@ -62,27 +62,24 @@ bool Lobpcg::run(int modes, double tolerance, int most_steps) {
 
 bool Lobpcg::orthonormalize() {
   removeMean(level_, &x_);
-  multiply(level_, x_, &lx_);
+  multiply(level_, x_, &lw_);
   Square laplacian(x_.width, x_.width);
   Square mass(x_.width, x_.width);
-  products(lx_, x_, laplacian.data());
-  massProducts(level_, x_, x_, mass.data());
+  products(level_, x_, lw_, {{&x_, laplacian.data(), mass.data()}});
   const auto pairs = lowestPairs(laplacian, mass, x_.width);
   if (!pairs) return false;
   values_ = pairs->values;
   const Combination combination = pairs->vectors.cast<float>();
-  combine(x_, combination.data(), &rest_);
-  std::swap(x_, rest_);
+  combine(combination.data(), &x_);
   has_step_ = false;
   return true;
 }
 
 /// Leaves the residuals in rest_.
 void Lobpcg::measure() {
-  multiply(level_, x_, &lx_);
   const Eigen::VectorXf factors = values_.cast<float>();
   Eigen::VectorXd squares(x_.width);
-  markerless_mocap::residuals(level_, factors.data(), lx_, x_, &rest_, squares.data());
+  markerless_mocap::residuals(level_, factors.data(), x_, &rest_, squares.data());
   residuals_ = squares.cwiseSqrt().cwiseQuotient(values_);
 }
 
@@ -112,19 +109,23 @@ Lobpcg::Gram Lobpcg::gramOfBasis() const {
     matrix->block(i * width, j * width, width, width) = block;
     matrix->block(j * width, i * width, width, width) = block.transpose();
   };
-  const auto measureWith = [&](int j, const Block& other) {
-    Square block(width, width);
-    products(lw_, other, block.data());
-    set(&gram.laplacian, 1, j, block);
-    massProducts(level_, w_, other, block.data());
-    set(&gram.mass, 1, j, block);
-  };
+  std::array<Square, 3> laplacian;
+  std::array<Square, 3> mass;
+  const std::array<const Block*, 3> basis{&x_, &w_, &p_};
+  std::vector<Product> wanted;
+  for (int j = 0; j < all / width; ++j) {
+    laplacian[j].resize(width, width);
+    mass[j].resize(width, width);
+    wanted.push_back({basis[j], laplacian[j].data(), mass[j].data()});
+  }
+  products(level_, w_, lw_, wanted);
+  for (int j = 0; j < all / width; ++j) {
+    set(&gram.laplacian, 1, j, laplacian[j]);
+    set(&gram.mass, 1, j, mass[j]);
+  }
   gram.laplacian.topLeftCorner(width, width) = values_.asDiagonal();
   gram.mass.topLeftCorner(width, width).setIdentity();
-  measureWith(0, x_);
-  measureWith(1, w_);
   if (!has_step_) return gram;
-  measureWith(2, p_);
   set(&gram.laplacian, 2, 0, step_x_.laplacian);
   set(&gram.mass, 2, 0, step_x_.mass);
   set(&gram.laplacian, 2, 2, step_.laplacian);
@@ -132,20 +133,13 @@ Lobpcg::Gram Lobpcg::gramOfBasis() const {
   return gram;
 }
 
-/// p = w C_w + p C_p, x = x C_x + p.
 void Lobpcg::takeStep(const Eigen::MatrixXd& vectors) {
   const int width = x_.width;
   const Combination of_x = vectors.topRows(width).cast<float>();
   const Combination of_w = vectors.middleRows(width, width).cast<float>();
-  combine(w_, of_w.data(), &rest_);
-  if (has_step_) {
-    const Combination of_p = vectors.bottomRows(width).cast<float>();
-    addCombination(p_, of_p.data(), &rest_);
-  }
-  std::swap(p_, rest_);
-  combine(x_, of_x.data(), &rest_);
-  add(p_, &rest_);
-  std::swap(x_, rest_);
+  const Combination of_p = vectors.bottomRows(width).cast<float>();
+  markerless_mocap::takeStep(w_, {of_x.data(), of_w.data(), has_step_ ? of_p.data() : nullptr}, &x_,
+                             &p_);
   has_step_ = true;
 }
 

@@ -8,6 +8,16 @@ namespace {
 
 constexpr int kUnitCost = 3;     // a step to a face neighbour; 4 and 5 to an edge and a corner
 constexpr int kDearestStep = 5;  // buckets needed is one more
+constexpr int kUnreached = std::numeric_limits<int>::max() / 2;
+constexpr size_t kRow = 4;  // places compared at once
+
+using Four = int __attribute__((vector_size(16), aligned(4)));
+using Halves = int64_t __attribute__((vector_size(16), aligned(4)));
+
+bool any(const Four& truth) {
+  const auto halves = Halves(truth);
+  return (halves[0] | halves[1]) != 0;
+}
 
 }  // namespace
 
@@ -30,43 +40,52 @@ NodeGrid::NodeGrid(const std::vector<Eigen::Vector3i>& cells) {
 }
 
 std::vector<double> NodeGrid::geodesics(const std::vector<uint32_t>& sources) const {
+  // Costs stand in the box itself, 0 outside the set: no way is ever shorter there. A row of three
+  // neighbours is compared at once, with a fourth that is no neighbour and never improves.
+  std::vector<int> cost(node_at_.size() + kRow, 0);
+  for (const int64_t place : place_of_) cost[place] = kUnreached;
   struct Step {
     int64_t offset;
-    int cost;
+    Four costs;
   };
-  std::vector<Step> steps;
-  for (int dk = -1; dk <= 1; ++dk) {
-    for (int dj = -1; dj <= 1; ++dj) {
-      for (int di = -1; di <= 1; ++di) {
-        const int axes = std::abs(di) + std::abs(dj) + std::abs(dk);
-        if (axes > 0) steps.push_back({offset(di, dj, dk), kUnitCost + axes - 1});
-      }
-    }
+  std::array<Step, 9> rows{};
+  for (int row = 0; row < 9; ++row) {
+    const int dj = row % 3 - 1;
+    const int dk = row / 3 - 1;
+    const int side = kUnitCost + std::abs(dj) + std::abs(dk);
+    rows[row].offset = offset(-1, dj, dk);
+    rows[row].costs = Four{side, side - 1, side, kUnreached};
   }
-  constexpr int kUnreached = std::numeric_limits<int>::max();
-  std::vector<int> cost(place_of_.size(), kUnreached);
-  std::array<std::vector<uint32_t>, kDearestStep + 1> buckets;
-  for (const uint32_t source : sources) cost[source] = 0;
-  buckets[0] = sources;
+  std::array<std::vector<int64_t>, kDearestStep + 1> buckets;
+  for (const uint32_t source : sources) {
+    cost[place_of_[source]] = 0;
+    buckets[0].push_back(place_of_[source]);
+  }
   int idle = 0;
   for (int now = 0; idle <= kDearestStep; ++now) {
-    std::vector<uint32_t>& bucket = buckets[now % buckets.size()];
+    std::vector<int64_t>& bucket = buckets[now % buckets.size()];
     idle = bucket.empty() ? idle + 1 : 0;
-    for (const uint32_t node : bucket) {
-      if (cost[node] != now) continue;
-      for (const Step& step : steps) {
-        const int32_t next = node_at_[place_of_[node] + step.offset];
-        if (next < 0 || cost[next] <= now + step.cost) continue;
-        cost[next] = now + step.cost;
-        buckets[(now + step.cost) % buckets.size()].push_back(uint32_t(next));
+    for (const int64_t place : bucket) {
+      if (cost[place] != now) continue;
+      for (const Step& step : rows) {
+        int* row = cost.data() + place + step.offset;
+        const Four old = *reinterpret_cast<const Four*>(row);
+        const Four better = old > step.costs + now;
+        if (!any(better)) continue;
+        for (int i = 0; i < 3; ++i) {
+          if (better[i] == 0) continue;
+          row[i] = now + step.costs[i];
+          buckets[row[i] % buckets.size()].push_back(place + step.offset + i);
+        }
       }
     }
     bucket.clear();
   }
-  std::vector<double> voxels(cost.size());
-  for (size_t node = 0; node < cost.size(); ++node) {
-    voxels[node] = cost[node] == kUnreached ? std::numeric_limits<double>::infinity()
-                                            : double(cost[node]) / kUnitCost;
+  std::vector<double> voxels(place_of_.size());
+  for (size_t node = 0; node < place_of_.size(); ++node) {
+    const int reached = cost[place_of_[node]];
+    voxels[node] = reached == kUnreached ? std::numeric_limits<double>::infinity()
+                                         : double(reached) / kUnitCost;
   }
   return voxels;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "markerless_mocap/segmentation/bridges.h"
 
@@ -18,8 +19,12 @@ constexpr double kShrunkDepth = 0.75;  // of the greatest depth; thighs and head
 std::vector<uint32_t> voxelsByIndex(const VisualHull& hull) {
   std::vector<uint32_t> order(hull.voxels.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return hull.voxels[a].index < hull.voxels[b].index; });
+  const auto lower = [&](uint32_t a, uint32_t b) {
+    return hull.voxels[a].index < hull.voxels[b].index;
+  };
+  if (!std::is_sorted(order.begin(), order.end(), lower)) {
+    std::sort(order.begin(), order.end(), lower);
+  }
   return order;
 }
 
@@ -50,6 +55,33 @@ std::vector<Edge> faceEdges(const VisualHull& hull, const std::vector<uint32_t>&
     }
   }
   return edges;
+}
+
+/// Of all voxels, with bridges.
+WeightedGraph wholeGraph(const VisualHull& hull, const VoxelGraph& voxels, bool use_color_votes) {
+  std::vector<Edge> edges = faceEdges(hull, voxels.hull_voxel, voxels.grid, use_color_votes);
+  WeightedGraph graph = graphOfEdges(voxels.hull_voxel.size(), edges);
+  const std::vector<uint32_t> component = connectedComponents(graph);
+  if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; })) {
+    return graph;
+  }
+  const std::vector<Edge> bridges = bridgeEdges(voxels.grid, component);
+  edges.insert(edges.end(), bridges.begin(), bridges.end());
+  return graphOfEdges(voxels.hull_voxel.size(), edges);
+}
+
+void keepLargestComponent(const VisualHull& hull, VoxelGraph* voxels) {
+  const std::vector<uint32_t> all = std::move(voxels->hull_voxel);
+  const std::vector<uint32_t> kept = largestComponent(voxels->graph);
+  voxels->hull_voxel.clear();
+  for (uint32_t i = 0, next = 0; i < all.size(); ++i) {
+    const bool keep = next < kept.size() && kept[next] == i;
+    (keep ? voxels->hull_voxel : voxels->left_out).push_back(all[i]);
+    if (keep) ++next;
+  }
+  if (voxels->left_out.empty()) return;
+  voxels->graph = subgraph(voxels->graph, kept);
+  voxels->grid = NodeGrid(cellsOf(hull, voxels->hull_voxel));
 }
 
 bool isSurface(const NodeGrid& grid, uint32_t node) {
@@ -90,25 +122,13 @@ double colorBonus(int votes, int possible) {
 VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double shrink_weight) {
   VoxelGraph voxels;
   voxels.pitch = hull.lattice.pitch;
-  const std::vector<uint32_t> all = voxelsByIndex(hull);
-  const std::vector<Eigen::Vector3i> cells = cellsOf(hull, all);
-  const NodeGrid grid(cells);
-  std::vector<Edge> edges = faceEdges(hull, all, grid, use_color_votes);
-  WeightedGraph whole = graphOfEdges(all.size(), edges);
-  const std::vector<Edge> bridges = bridgeEdges(grid, connectedComponents(whole));
-  if (!bridges.empty()) {
-    edges.insert(edges.end(), bridges.begin(), bridges.end());
-    whole = graphOfEdges(all.size(), edges);
-  }
-  for (const Eigen::Vector3i& c : cells) whole.cell.emplace_back(c.x(), c.y(), c.z());
-  const std::vector<uint32_t> kept = largestComponent(whole);
-  for (uint32_t i = 0, next = 0; i < all.size(); ++i) {
-    const bool keep = next < kept.size() && kept[next] == i;
-    (keep ? voxels.hull_voxel : voxels.left_out).push_back(all[i]);
-    if (keep) ++next;
-  }
-  voxels.graph = subgraph(whole, kept);
-  voxels.grid = NodeGrid(cellsOf(hull, voxels.hull_voxel));
+  voxels.hull_voxel = voxelsByIndex(hull);
+  const std::vector<Eigen::Vector3i> cells = cellsOf(hull, voxels.hull_voxel);
+  voxels.grid = NodeGrid(cells);
+  voxels.graph = wholeGraph(hull, voxels, use_color_votes);
+  for (const Eigen::Vector3i& c : cells) voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
+  keepLargestComponent(hull, &voxels);
+  voxels.centers.reserve(voxels.hull_voxel.size());
   for (const uint32_t v : voxels.hull_voxel) {
     voxels.centers.push_back(hull.lattice.center(hull.voxels[v].index));
   }

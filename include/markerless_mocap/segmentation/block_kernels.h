@@ -38,25 +38,33 @@ void prolongate(const GraphLevel& level, float factor, const Block& coarse, Bloc
 /// x = damping / diag(L) b.
 void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b, Block* x);
 
-/// Products of the columns of two blocks, summed in double precision, row-major width x width:
-/// plain[i, j] = a_i . b_j.
-void products(const Block& a, const Block& b, double* plain);
+/// Where the products of one block with another go, row-major width x width.
+struct Product {
+  const Block* with;
+  double* laplacian;  ///< (L a_i) . b_j
+  double* mass;       ///< (M a_i) . b_j
+};
 
-/// As products(), each node times its mass.
-void massProducts(const GraphLevel& level, const Block& a, const Block& b, double* weighted);
+/// Products of the columns of a block with those of others, summed in double precision.
+/// \param la L a
+void products(const GraphLevel& level, const Block& a, const Block& la,
+              const std::vector<Product>& wanted);
 
-/// r = y - M x diag(values); adds up the squares r_k M^-1 r_k into squares[k].
-void residuals(const GraphLevel& level, const float* values, const Block& y, const Block& x,
-               Block* r, double* squares);
+/// r = L x - M x diag(values); adds up the squares r_k M^-1 r_k in squares[k].
+void residuals(const GraphLevel& level, const float* values, const Block& x, Block* r,
+               double* squares);
 
-/// x += y C, C row-major width x width.
-void addCombination(const Block& y, const float* combination, Block* x);
+/// x = x C, C row-major width x width.
+void combine(const float* combination, Block* x);
 
-/// x = y C.
-void combine(const Block& y, const float* combination, Block* x);
+struct StepCombination {
+  const float* of_x;
+  const float* of_w;
+  const float* of_p;  ///< or null
+};
 
-/// x += y.
-void add(const Block& y, Block* x);
+/// p = w C_w + p C_p, x = x C_x + p.
+void takeStep(const Block& w, const StepCombination& combination, Block* x, Block* p);
 
 /// Subtracts from each column its mean under the masses.
 void removeMean(const GraphLevel& level, Block* x);

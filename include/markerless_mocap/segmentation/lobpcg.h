@@ -41,7 +41,7 @@ class Lobpcg {
   const GraphLevel& level_;
   size_t number_;
   Multigrid& multigrid_;
-  Block x_, lx_, rest_;
+  Block x_, rest_;
   Block w_, lw_;  ///< preconditioned residuals
   Block p_;       ///< last step
   bool has_step_ = false;

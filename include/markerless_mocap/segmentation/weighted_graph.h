@@ -6,7 +6,7 @@
 
 namespace markerless_mocap {
 
-/// Place of a node on a lattice; coordinates count modulo 2^16.
+/// Place of a node on a lattice; coordinates are from 0 to 65535.
 class LatticeCell {
  public:
   LatticeCell(int i, int j, int k)
@@ -14,6 +14,11 @@ class LatticeCell {
   }
   /// The cell of a lattice of twice the pitch that it lies in.
   LatticeCell block() const { return LatticeCell((packed_ >> 1) & 0x7fff7fff7fff); }
+  int i() const { return int(packed_ & 0xffff); }
+  int j() const { return int(packed_ >> 16 & 0xffff); }
+  int k() const { return int(packed_ >> 32); }
+  /// One number for each cell.
+  uint64_t packed() const { return packed_; }
   bool operator==(const LatticeCell& other) const { return packed_ == other.packed_; }
 
  private:
