@@ -16,6 +16,12 @@ namespace {
 /// of the three channels' directions are free, of which nine in ten stay within.
 constexpr float kNoiseVariances = 4.6f;
 
+ShadowLimits makeLimits(const SilhouetteOptions& options, const Background& background,
+                        double gain) {
+  const double chroma = options.shadow_chroma_tolerance, noise = background.noise();
+  return {background.channels() == 1, float(gain), float(chroma), float(noise * noise)};
+}
+
 }  // namespace
 
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
@@ -49,10 +55,11 @@ const PixelClasses& PixelTest::classify(const cv::Mat& image, const Background& 
   classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
   classes_.changed = classes_.foreground.count();
   if (!options_.remove_shadows) return classes_;
-  for (int y = 0; y < image.rows; ++y) findShades(image, background, gain, y);
+  for (int row = 0; row < blocks_.rows(); ++row) findShades(image, background, gain, row);
   for (size_t i = 0; i < classes_.shade.words().size(); ++i)
     classes_.foreground.words()[i] &= ~classes_.shade.words()[i];
-  restoreClothes(classes_.shade, blocks_, &classes_.foreground);
+  const ShadowLimits limits = makeLimits(options_, background, gain);
+  restoreClothes(blocks_, limits, &classes_.shade, &classes_.foreground);
   return classes_;
 }
 
@@ -79,26 +86,36 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
   packAbove(squared_.data(), kSquaredLimit, n, flags_.data(), bits);
 }
 
-void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y) {
-  constexpr int kWord = 64;
-  const int n = background.stride();
+void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain,
+                           int row) {
+  const int first = row * ShadeBlocks::kSide;
+  const int end = std::min(first + ShadeBlocks::kSide, image.rows);
+  for (int word = 0; word < classes_.foreground.rowWords(); ++word) {
+    ShadeColumns columns;
+    bool any = false;
+    for (int y = first; y < end; ++y) any |= findShades(image, background, gain, y, word, &columns);
+    if (any) blocks_.add(columns, word, row);
+  }
+}
+
+bool PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
+                           int word, ShadeColumns* columns) {
+  constexpr int kWord = ShadeColumns::kCols;
+  const uint64_t changed = classes_.foreground.row(y)[word];
+  if (!changed) return false;
   const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
   const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
                            kNoiseVariances * noise * noise};
+  const int x = kWord * word;
   const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
-  const ModeRow usual = background.coarse(0, y);
-  for (int i = 0; i < n / kWord; ++i) {
-    const uint64_t changed = classes_.foreground.row(y)[i];
-    if (!changed) continue;
-    const int x = kWord * i;
-    splitRow(image, y, x, std::min(kWord, image.cols - x), kWord, now_.data());
-    uint8_t* ratio = &classes_.ratio[size_t(y) * n + x];
-    shadeRatios(now, usual, x, background.channels(), float(gain), limits, ratio);
-    for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
-    const uint64_t shade = packFlags(flags_.data()) & changed;
-    classes_.shade.row(y)[i] = shade;
-    forEachBit(shade, x, [&](int at) { blocks_.add(at, y, classes_.ratio[size_t(y) * n + at]); });
-  }
+  splitRow(image, y, x, std::min(kWord, image.cols - x), kWord, now_.data());
+  unpackBits(&changed, kWord, flags_.data());
+  uint8_t* ratio = &classes_.ratio[size_t(y) * background.stride() + x];
+  shadeRatios(now, background.coarse(0, y), x, background.channels(), float(gain), limits,
+              flags_.data(), ratio, columns);
+  for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
+  classes_.shade.row(y)[word] = packFlags(flags_.data());
+  return classes_.shade.row(y)[word] != 0;
 }
 
 }  // namespace markerless_mocap

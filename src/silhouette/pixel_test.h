@@ -30,7 +30,11 @@ class PixelTest {
  private:
   void prepare(const Background& background);
   void classifyRow(const cv::Mat& image, const Background& background, double gain, int y);
-  void findShades(const cv::Mat& image, const Background& background, double gain, int y);
+  /// Of the rows of blocks' row `row`.
+  void findShades(const cv::Mat& image, const Background& background, double gain, int row);
+  /// \return whether there are any
+  bool findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
+                  ShadeColumns* columns);
 
   SilhouetteOptions options_;
   PixelClasses classes_;

@@ -171,7 +171,7 @@ void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int colum
   const int channels = scene.image.channels(), x0 = column * kSide;
   const float light =
       around.outside > 0 ? float(around.light) / (255 * float(around.outside)) : 1.0f;
-  const float scale = scene.gain * light;
+  const float scale = scene.gain * light, noise = float(scene.background.noise());
   float person[3];
   for (int c = 0; c < 3; ++c) person[c] = float(around.color[c]) / around.inside;
   for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
@@ -185,8 +185,8 @@ void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int colum
         contrast += (person[c] - usual) * (person[c] - usual);
       }
       if (contrast < kLeastContrast * float(channels)) return;
-      share_[size_t(y) * stride_ + x] =
-          uint8_t(std::min(255.0f, 255 * std::sqrt(apart / contrast)));
+      const float sure = std::max(0.0f, apart - noise * noise * float(channels));
+      share_[size_t(y) * stride_ + x] = uint8_t(std::min(255.0f, 255 * std::sqrt(sure / contrast)));
     });
   }
 }

@@ -105,6 +105,27 @@ MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint8_t* 
   for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
 }
 
+/// Ratios that are not asked for become 0. \param chosen out, 255 for the shades that are, else 0
+MOCAP_VECTORISED void addRatios(const uint8_t* __restrict asked, uint8_t* __restrict ratio,
+                                uint8_t* __restrict chosen, ShadeColumns* __restrict columns) {
+  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+    ratio[i] &= asked[i];
+    chosen[i] = ratio[i] > 0 ? 255 : 0;
+  }
+  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+    const uint16_t half = uint16_t(ratio[i] >> 1);  // four squares fit 16 bits
+    columns->count[i] = uint16_t(columns->count[i] + (chosen[i] & 1));
+    columns->ratio[i] = uint16_t(columns->ratio[i] + half);
+    columns->squares[i] = uint16_t(columns->squares[i] + half * half);
+  }
+}
+
+MOCAP_VECTORISED void addColors(const uint8_t* __restrict values, const uint8_t* __restrict chosen,
+                                uint16_t* __restrict sums) {
+  for (int i = 0; i < ShadeColumns::kCols; ++i)
+    sums[i] = uint16_t(sums[i] + (values[i] & chosen[i]));
+}
+
 }  // namespace
 
 // OpenCV's split writes past the cache, from where the next loop would have to wait for it.
@@ -132,13 +153,20 @@ void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uin
 }
 
 void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                 const ShadeLimits& limits, uint8_t* ratio) {
+                 const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
+                 ShadeColumns* columns) {
   const uint8_t* mean = mode.mean[0] + x;
   if (channels == 3)
     shadesOfThree(now[0], now[1], now[2], mean, mode.mean[1] + x, mode.mean[2] + x, gain, limits,
                   ratio);
   else
     shadesOfOne(now[0], mean, gain, limits, ratio);
+  uint8_t chosen[ShadeColumns::kCols];
+  addRatios(asked, ratio, chosen, columns);
+  for (int c = 0; c < channels; ++c) {
+    addColors(now[c], chosen, columns->now[c]);
+    addColors(mode.mean[c] + x, chosen, columns->usual[c]);
+  }
 }
 
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,

@@ -35,10 +35,22 @@ struct ShadeLimits {
   float squared_noise;   ///< grey levels, squared
 };
 
+/// Shades of 64 pixels in each of up to kMostRows rows, summed column by column.
+struct ShadeColumns {
+  static constexpr int kMostRows = 4, kCols = 64;
+  uint16_t count[kCols] = {};
+  uint16_t now[3][kCols] = {};    ///< their colour in the image
+  uint16_t usual[3][kCols] = {};  ///< and in the background
+  uint16_t ratio[kCols] = {};     ///< their brightness relative to the background's, 127 for 1
+  uint16_t squares[kCols] = {};   ///< of the ratios
+};
+
 /// Brightness of 64 pixels of one row relative to `gain` x the mean where they are a darker shade
 /// of it, 255 for 1; 0 where they are not. \param now one pointer per channel, to pixel x
+/// \param asked 255 for the pixels that are asked for, else 0 \param columns the shades are added
 void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                 const ShadeLimits& limits, uint8_t* ratio);
+                 const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
+                 ShadeColumns* columns);
 
 /// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
 /// themselves.

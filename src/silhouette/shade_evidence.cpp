@@ -8,10 +8,20 @@ namespace markerless_mocap {
 namespace {
 
 /// Standard deviation of the brightness ratio above which a shade is taken for clothes: where the
-/// person encloses it, and elsewhere. Noise alone gives 0.015, a shadow's soft rim up to 0.05.
-constexpr float kUnevenEnclosed = 0.045f, kUnevenOpen = 0.08f;
+/// person encloses it, and elsewhere. In a grey image no colour tells, and folds have to.
+struct Unevenness {
+  float enclosed, open;
+};
+constexpr Unevenness kUneven{0.09f, 0.1f}, kUnevenGrey{0.04f, 0.06f};
+/// Where the person encloses a shade it may differ in colour by this share of what it may
+/// elsewhere.
+constexpr float kEnclosedShare = 0.55f;
+/// A mean colour's squared distance that noise may cause, in variances of the mean.
+constexpr float kMeanVariances = 3;
 /// How far the person may be from an enclosed pixel, in image widths.
 constexpr double kReach = 0.1;
+/// Full brightness in ShadeColumns.
+constexpr float kFullRatio = 127;
 
 /// One bit for each four: whether any of them is set.
 uint64_t quartered(uint64_t word) {
@@ -85,6 +95,26 @@ BitMask smearedVertically(BitMask mask, int reach, bool down) {
   return mask;
 }
 
+/// How strongly shades speak for clothes; more than 1 is enough.
+float clothesEvidence(const ShadeBlocks::Sums& sums, const ShadowLimits& limits, bool enclosed) {
+  float cross = 0, usual = 0, now = 0;
+  for (int c = 0; c < 3; ++c) {
+    const float lit = sums.usual[c] * limits.gain;
+    cross += sums.now[c] * lit;
+    usual += lit * lit;
+    now += sums.now[c] * sums.now[c];
+  }
+  if (cross <= 0) return 0;  // black: nothing to tell by
+  const float ratio = cross / usual, noise = limits.squared_noise * sums.count;
+  const float off = std::max(0.0f, now - ratio * cross - kMeanVariances * noise);
+  const float chroma = limits.chroma * (enclosed ? kEnclosedShare : 1);
+  const float variance = sums.freedom > 0 ? sums.uneven / sums.freedom : 0;
+  const float uneven = std::max(0.0f, variance - noise * sums.count / usual);
+  const Unevenness& most = limits.is_grey ? kUnevenGrey : kUneven;
+  const float most_uneven = enclosed ? most.enclosed : most.open;
+  return off / (chroma * chroma * ratio * cross) + uneven / (most_uneven * most_uneven);
+}
+
 }  // namespace
 
 void ShadeBlocks::resize(const cv::Size& size) {
@@ -94,18 +124,42 @@ void ShadeBlocks::resize(const cv::Size& size) {
   sums_.assign(size_t(cols_) * rows_, {});
 }
 
-float ShadeBlocks::variance(int column, int row) const {
-  float count = 0, sum = 0, squares = 0;
+void ShadeBlocks::add(const ShadeColumns& columns, int word, int row) {
+  const int first = word * ShadeColumns::kCols / kSide;
+  const int last = std::min(first + ShadeColumns::kCols / kSide, cols_);
+  for (int column = first; column < last; ++column) {
+    const auto sum = [&](const uint16_t* values) {
+      const uint16_t* four = values + kSide * (column - first);
+      return float(four[0] + four[1] + four[2] + four[3]);
+    };
+    const float count = sum(columns.count);
+    if (count == 0) continue;
+    Sums& sums = sums_[size_t(row) * cols_ + column];
+    sums.count = count;
+    for (int c = 0; c < 3; ++c) {
+      sums.now[c] = sum(columns.now[c]);
+      sums.usual[c] = sum(columns.usual[c]);
+    }
+    const float ratio = sum(columns.ratio);
+    sums.uneven = (sum(columns.squares) - ratio * ratio / count) / (kFullRatio * kFullRatio);
+    sums.freedom = count - 1;
+  }
+}
+
+ShadeBlocks::Sums ShadeBlocks::around(int column, int row) const {
+  Sums sum;
   for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y)
     for (int x = std::max(0, column - 1); x <= std::min(cols_ - 1, column + 1); ++x) {
-      const Sums& sums = sums_[size_t(y) * cols_ + x];
-      count += sums.count;
-      sum += sums.sum;
-      squares += sums.squares;
+      const Sums& one = at(x, y);
+      sum.count += one.count;
+      for (int c = 0; c < 3; ++c) {
+        sum.now[c] += one.now[c];
+        sum.usual[c] += one.usual[c];
+      }
+      sum.uneven += one.uneven;
+      sum.freedom += one.freedom;
     }
-  if (count == 0) return 0;
-  const float mean = sum / count;
-  return (squares / count - mean * mean) / (255 * 255);
+  return sum;
 }
 
 BitMask enclosedBlocks(const BitMask& mask, int reach) {
@@ -119,23 +173,26 @@ BitMask enclosedBlocks(const BitMask& mask, int reach) {
   return enclosed;
 }
 
-void restoreClothes(const BitMask& shade, const ShadeBlocks& blocks, BitMask* foreground) {
+void restoreClothes(const ShadeBlocks& blocks, const ShadowLimits& limits, BitMask* shade,
+                    BitMask* foreground) {
   // Without specks, which would enclose shadows.
   const BitMask solid = eroded(*foreground, 1);
-  const int reach = int(kReach * shade.cols()) / ShadeBlocks::kSide;
+  const int reach = int(kReach * shade->cols()) / ShadeBlocks::kSide;
   const BitMask enclosed = enclosedBlocks(solid, reach);
   BitMask clothes(cv::Size(blocks.cols(), blocks.rows()));
   for (int row = 0; row < blocks.rows(); ++row)
-    for (int column = 0; column < blocks.cols(); ++column) {
-      if (blocks.isEmpty(column, row)) continue;
-      const float most = enclosed.at(column, row) ? kUnevenEnclosed : kUnevenOpen;
-      if (blocks.variance(column, row) > most * most) clothes.set(column, row);
+    for (int column = 0; column < blocks.cols(); ++column)
+      if (!blocks.isEmpty(column, row) &&
+          clothesEvidence(blocks.around(column, row), limits, enclosed.at(column, row)) > 1)
+        clothes.set(column, row);
+  for (int y = 0; y < shade->rows(); ++y)
+    for (int i = 0; i < shade->rowWords(); ++i) {
+      uint64_t& shades = shade->row(y)[i];
+      const uint64_t restored =
+          shades & quadrupled(clothes.row(y / ShadeBlocks::kSide)[i / 4] >> (16 * (i % 4)));
+      foreground->row(y)[i] |= restored;
+      shades &= ~restored;
     }
-  for (int y = 0; y < shade.rows(); ++y)
-    for (int i = 0; i < shade.rowWords(); ++i)
-      foreground->row(y)[i] |=
-          shade.row(y)[i] &
-          quadrupled(clothes.row(y / ShadeBlocks::kSide)[i / 4] >> (16 * (i % 4)));
 }
 
 }  // namespace markerless_mocap

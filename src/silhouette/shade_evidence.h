@@ -4,43 +4,53 @@
 #include <vector>
 
 #include "silhouette/bit_mask.h"
+#include "silhouette/row_kernels.h"
 
 namespace markerless_mocap {
 
-/// How bright the shades of an image are, summed over blocks of 4 x 4 pixels.
+/// The shades of an image, summed over blocks of 4 x 4 pixels: in a block's mean colour noise
+/// cancels, so it tells a shadow from clothes where a pixel's own cannot.
 class ShadeBlocks {
  public:
-  static constexpr int kSide = 4;
+  static constexpr int kSide = ShadeColumns::kMostRows;
+
+  struct Sums {
+    float count = 0;      ///< of shades
+    float now[3] = {};    ///< their colour in the image
+    float usual[3] = {};  ///< and in the background
+    float uneven = 0;     ///< squared deviations of their brightness from their block's mean
+    float freedom = 0;    ///< how many of those are free
+  };
 
   /// All sums are 0 afterwards. \param size of the image, px
   void resize(const cv::Size& size);
-  /// \param ratio brightness relative to the background's, 255 for 1
-  void add(int x, int y, uint8_t ratio) {
-    Sums& sums = sums_[size_t(y / kSide) * cols_ + x / kSide];
-    ++sums.count;
-    sums.sum += ratio;
-    sums.squares += uint32_t(ratio) * ratio;
-  }
+  /// Adds 64 columns, those of a mask's word, to a row of blocks.
+  void add(const ShadeColumns& columns, int word, int row);
   int cols() const { return cols_; }
   int rows() const { return rows_; }
-  bool isEmpty(int column, int row) const { return sums_[size_t(row) * cols_ + column].count == 0; }
-  /// Variance of the ratio, 1 being full brightness, over a block and its eight neighbours.
-  float variance(int column, int row) const;
+  const Sums& at(int column, int row) const { return sums_[size_t(row) * cols_ + column]; }
+  bool isEmpty(int column, int row) const { return at(column, row).count == 0; }
+  /// Of a block and its eight neighbours.
+  Sums around(int column, int row) const;
 
  private:
-  struct Sums {
-    uint32_t count = 0, sum = 0, squares = 0;
-  };
-
   int cols_ = 0, rows_ = 0;
   std::vector<Sums> sums_;
 };
 
-/// Makes those shades foreground that are clothes, not shadow. Two kinds of evidence weigh
-/// together: a shadow keeps the texture of what it falls on, so its brightness ratio hardly varies
-/// within a window; and clothes have more of the person below them and beside them, a shadow on the
-/// floor has not. \param blocks the sums over `shade`
-void restoreClothes(const BitMask& shade, const ShadeBlocks& blocks, BitMask* foreground);
+struct ShadowLimits {
+  bool is_grey;
+  float gain;           ///< light of the image relative to the background's
+  float chroma;         ///< how far a shadow's mean colour may be from its background's, relative
+  float squared_noise;  ///< of a pixel, grey levels, squared
+};
+
+/// Turns those shades into foreground that are clothes, not shadow. Three kinds of evidence weigh
+/// together: a shadow has its background's colour; it keeps the texture of what it falls on, so
+/// its brightness ratio hardly varies from pixel to pixel; and clothes have more of the person
+/// below them and beside them, a shadow on the floor has not. \param blocks the sums over `shade`
+void restoreClothes(const ShadeBlocks& blocks, const ShadowLimits& limits, BitMask* shade,
+                    BitMask* foreground);
 
 /// For each block of 4 x 4 pixels: whether the mask has pixels within `reach` blocks below it and
 /// also above it or to a side.

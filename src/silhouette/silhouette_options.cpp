@@ -23,7 +23,7 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
   v.field("shadow_darkest", shadow_darkest, 0.05, 1,
           "brightness of the darkest cast shadow, as a share of the background's");
   v.field("shadow_chroma_tolerance", shadow_chroma_tolerance, 0, 1,
-          "a shadow's colour differs at most by this from its background's, relative");
+          "a shadow's mean colour differs at most by this from its background's, relative");
   v.field("open_radius_px", open_radius_px, 0, 20, "radius of the opening that removes specks, px");
   v.field("close_radius_px", close_radius_px, 0, 20, "radius of the closing that joins gaps, px");
   v.field("max_hole_px", max_hole_px, 0, 1000000, "holes up to this area are filled, px");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -18,29 +19,81 @@ BitMask bodyWithGap() {
   return BitMask::fromMat(mask);
 }
 
-/// What becomes of the body when `area` has a brightness ratio of 0.8 with stripes of `contrast`.
-BitMask restored(const cv::Rect& area, float contrast) {
-  BitMask shade(kSize), mask = bodyWithGap();
+constexpr ShadowLimits kColor{false, 1, 0.02f, 0}, kGrey{true, 1, 0.02f, 0};
+
+using Texture = std::function<cv::Vec3b(int x, int y)>;
+
+/// Blocks of an area whose pixels are shades of grey 100; the shades go into `shade`.
+ShadeBlocks blocksOf(const cv::Rect& area, const Texture& texture, BitMask* shade) {
   ShadeBlocks blocks;
   blocks.resize(kSize);
-  for (int y = area.y; y < area.y + area.height; ++y)
-    for (int x = area.x; x < area.x + area.width; ++x) {
-      shade.set(x, y);
-      blocks.add(x, y, uint8_t(255 * (0.8f + ((x / 3) % 2 ? contrast : -contrast))));
+  for (int row = 0; row < blocks.rows(); ++row)
+    for (int word = 0; word < shade->rowWords(); ++word) {
+      ShadeColumns columns;
+      for (int y = kSide * row; y < kSide * (row + 1); ++y)
+        for (int x = 64 * word; x < std::min(64 * (word + 1), kSize.width); ++x) {
+          if (!area.contains({x, y})) continue;
+          shade->set(x, y);
+          const cv::Vec3b color = texture(x, y);
+          const int i = x - 64 * word, ratio = 127 * (color[0] + color[1] + color[2]) / 300;
+          ++columns.count[i];
+          for (int c = 0; c < 3; ++c) {
+            columns.now[c][i] = uint16_t(columns.now[c][i] + color[c]);
+            columns.usual[c][i] = uint16_t(columns.usual[c][i] + 100);
+          }
+          columns.ratio[i] = uint16_t(columns.ratio[i] + ratio);
+          columns.squares[i] = uint16_t(columns.squares[i] + ratio * ratio);
+        }
+      blocks.add(columns, word, row);
     }
-  restoreClothes(shade, blocks, &mask);
+  return blocks;
+}
+
+/// What becomes of the body when `area` is full of such shades.
+BitMask restored(const cv::Rect& area, const ShadowLimits& limits, const Texture& texture) {
+  BitMask shade(kSize), mask = bodyWithGap();
+  const ShadeBlocks blocks = blocksOf(area, texture, &shade);
+  restoreClothes(blocks, limits, &shade, &mask);
   return mask;
 }
 
-TEST(ShadeBlocks, VarianceIsOverNineBlocks) {
-  ShadeBlocks blocks;
-  blocks.resize({20, 20});
-  blocks.add(8, 8, 255);
-  blocks.add(7, 7, 153);  // 0.6, in the block up and left
-  EXPECT_NEAR(blocks.variance(2, 2), 0.2 * 0.2, 1e-4);
-  EXPECT_NEAR(blocks.variance(1, 1), 0.2 * 0.2, 1e-4);
-  EXPECT_EQ(blocks.variance(3, 3), 0);
-  EXPECT_TRUE(blocks.isEmpty(3, 3));
+/// Of a brightness ratio of 0.7 with stripes of `contrast`.
+Texture stripes(int contrast) {
+  return [=](int x, int) { return cv::Vec3b::all(uchar(70 + (x % 2 ? contrast : -contrast))); };
+}
+
+/// As bright, but not as grey as the background.
+cv::Vec3b reddish(int, int) {
+  return {69, 69, 72};
+}
+
+/// The same with noise far greater than the colour.
+cv::Vec3b noisyReddish(int x, int y) {
+  return (x + y) % 2 ? cv::Vec3b(74, 64, 72) : cv::Vec3b(64, 74, 72);
+}
+
+const cv::Rect kGap(85, 40, 30, 60), kFloor(60, 162, 80, 30);
+
+TEST(ShadeBlocks, SumsAreOverNineBlocks) {
+  BitMask shade(kSize);
+  const ShadeBlocks blocks = blocksOf({63, 7, 2, 2}, stripes(10), &shade);  // where words meet
+  const ShadeBlocks::Sums one = blocks.at(15, 1), all = blocks.around(15, 1);
+  EXPECT_EQ(one.count, 1);
+  EXPECT_EQ(one.now[0], 80);
+  EXPECT_EQ(all.count, 4);
+  EXPECT_EQ(all.now[2], 2 * (80 + 60));
+  EXPECT_EQ(all.usual[1], 400);
+  EXPECT_EQ(all.freedom, 0) << "one pixel of each block cannot vary";
+  EXPECT_TRUE(blocks.isEmpty(17, 1));
+}
+
+TEST(ShadeBlocks, UnevennessIsWithinBlocks) {
+  BitMask shade(kSize);
+  const auto steps = [](int x, int) { return cv::Vec3b::all(x < 44 ? 60 : 80); };
+  EXPECT_EQ(blocksOf({40, 8, 8, 4}, steps, &shade).around(10, 2).uneven, 0);
+  const ShadeBlocks::Sums folds = blocksOf({40, 8, 8, 4}, stripes(10), &shade).around(10, 2);
+  EXPECT_NEAR(folds.uneven / 32, 0.1 * 0.1, 5e-4);
+  EXPECT_EQ(folds.freedom, 30);
 }
 
 TEST(EnclosedBlocks, NeedForegroundBelowAndOnOneMoreSide) {
@@ -62,15 +115,35 @@ TEST(EnclosedBlocks, SeeAsFarAsTheirReach) {
 }
 
 TEST(RestoreClothes, UnevenShadeWithinThePersonIsClothes) {
-  EXPECT_TRUE(restored({85, 40, 30, 60}, 0.06f).at(100, 90));
+  EXPECT_TRUE(restored(kGap, kGrey, stripes(5)).at(100, 90));
+  EXPECT_TRUE(restored(kGap, kColor, stripes(12)).at(100, 90));
 }
 
 TEST(RestoreClothes, EvenShadeWithinThePersonStaysShadow) {
-  EXPECT_EQ(restored({85, 40, 30, 60}, 0.01f).words(), bodyWithGap().words());
+  EXPECT_EQ(restored(kGap, kGrey, stripes(1)).words(), bodyWithGap().words());
+  EXPECT_EQ(restored(kGap, kColor, stripes(1)).words(), bodyWithGap().words());
 }
 
 TEST(RestoreClothes, TheSameShadeOnTheFloorStaysShadow) {
-  EXPECT_EQ(restored({60, 162, 80, 30}, 0.06f).words(), bodyWithGap().words());
+  EXPECT_EQ(restored(kFloor, kGrey, stripes(5)).words(), bodyWithGap().words());
+}
+
+TEST(RestoreClothes, ColorTellsClothesFromShadow) {
+  EXPECT_TRUE(restored(kFloor, kColor, reddish).at(100, 170));
+  EXPECT_TRUE(restored(kFloor, kColor, noisyReddish).at(100, 170)) << "noise cancels";
+  const ShadowLimits tolerant{false, 1, 0.05f, 0};
+  EXPECT_EQ(restored(kFloor, tolerant, reddish).words(), bodyWithGap().words());
+}
+
+TEST(RestoreClothes, WithinThePersonLessColorIsEnough) {
+  const auto pale = [](int, int) { return cv::Vec3b(69, 69, 71); };
+  EXPECT_TRUE(restored(kGap, kColor, pale).at(100, 90));
+  EXPECT_EQ(restored(kFloor, kColor, pale).words(), bodyWithGap().words());
+}
+
+TEST(RestoreClothes, WhatNoiseMayCauseIsNoEvidence) {
+  const ShadowLimits noisy{false, 1, 0.02f, 20 * 20};
+  EXPECT_EQ(restored(kFloor, noisy, reddish).words(), bodyWithGap().words());
 }
 
 }  // namespace
