@@ -81,9 +81,9 @@ SkeletonEnd describe(const TreeGraph& graph, const TreeVolume& volume,
   end.tip_radius = sums[0] / counts[0];
   end.limb_radius = counts[1] > 0 ? sums[1] / counts[1] : end.tip_radius;
   end.direction = (end.position - graph.positions[size_t(back)]).stableNormalized();
-  end.extent = volume.wayOut(end.position, end.direction, 0.2);
   for (const TreeLinks::Edge& edge : graph.loop_edges)
     end.cut |= edge.a == end.node || edge.b == end.node;
+  if (!end.cut) end.extent = volume.wayOut(end.position, end.direction, 0.2);
   return end;
 }
 

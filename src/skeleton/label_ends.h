@@ -14,7 +14,7 @@ struct SkeletonEnd {
   int32_t node = -1;                                    ///< of the graph
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world metres
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in which the skeleton ends
-  double extent = 0.0;       ///< from the node to the surface in that direction, metres
+  double extent = 0.0;       ///< from the node to the surface in that direction, metres; 0 if cut
   double tip_radius = 0.0;   ///< of the hull about the last 10 cm, metres
   double limb_radius = 0.0;  ///< of the hull about the 20 cm before them
   double branch = 0.0;       ///< to the nearest branching, metres

@@ -143,10 +143,16 @@ double handScore(const EndTable& t, const Trunk& trunk, int hand) {
       curve(kHandLimbRadius, end.limb_radius / s) + curve(kHandBranch, end.branch / s) +
       curve(kHandCut, end.cut) + curve(kHandExtent, end.extent / s) +
       curve(kHandDirection, end.direction.z()) + curve(kHeadHandGap, t.gap(trunk.head, hand) / s);
-  for (const int foot : {trunk.foot1, trunk.foot2})
+  double way = 1e9, tree_way = 1e9;
+  for (const int foot : {trunk.foot1, trunk.foot2}) {
+    way = std::min(way, t.way(hand, trunk.head) + t.way(hand, foot) - t.way(trunk.head, foot));
+    tree_way = std::min(tree_way, t.treeWay(hand, trunk.head) + t.treeWay(hand, foot) -
+                                      t.treeWay(trunk.head, foot));
     score += curve(kHandFootWay, t.way(hand, foot) / s) +
              curve(kHandFootTreeWay, t.treeWay(hand, foot) / s) +
              curve(kHandFootGap, t.gap(hand, foot) / s);
+  }
+  score += curve(kArmWay, 0.5 * way / s) + curve(kArmTreeWay, 0.5 * tree_way / s);
   return score;
 }
 

@@ -8,6 +8,7 @@
 #include "skeleton/label_ranking.h"
 #include "skeleton/label_template.h"
 #include "skeleton/left_right.h"
+#include "skeleton/pose_joints.h"
 #include "skeleton/tree_graph.h"
 #include "skeleton/tree_parts.h"
 #include "skeleton/validity_checks.h"
@@ -45,9 +46,7 @@ PoseTree refused(const Refusal& refusal) {
 class Labelling {
  public:
   Labelling(const PoseTreeOptions& options, const VisualHull& hull, const CurveSkeleton& skeleton)
-      : options_(options),
-        hull_(hull),
-        volume_(hull) {
+      : options_(options), hull_(hull), volume_(hull) {
     tree_.skeleton = skeleton;
   }
 
@@ -63,7 +62,7 @@ class Labelling {
   void plant();
   void placeTips();
   void tellSides();
-  void judge();
+  void nameSides();
 
   const PoseTreeOptions& options_;
   const VisualHull& hull_;
@@ -90,6 +89,7 @@ void Labelling::choose(const LastEnds& last) {
 void Labelling::plant() {
   planted_ = plantTree(graph_, choice_);
   if (choice_.status == TreeStatus::kOk) torso_ = nameParts(&planted_);
+  if (torso_ && choice_.rank == 0.0) tree_.rank = plantedRank(planted_, choice_.longest);
   tree_.nodes = planted_.nodes;
   tree_.origin = planted_.origin;
 }
@@ -116,7 +116,7 @@ void Labelling::tellSides() {
 }
 
 /// Puts left and right where limbs 1 and 2 were.
-void Labelling::judge() {
+void Labelling::nameSides() {
   if (!axes_.known) return;
   const bool by_angles = options_.side_rule == "angles";
   const auto firstIsLeft = [&](const NodePath(&limbs)[2], double share) {
@@ -145,7 +145,8 @@ PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {
   body_ = bodyPaths(planted_, choice_.longest);
   tellSides();
   placeTips();
-  judge();
+  nameSides();
+  if (axes_.known) placeJoints(axes_, choice_.longest, &tree_);
   if (!torso_) return refuse(TreeStatus::kNoTorso, "legs and arms meet in one point");
   if (!axes_.known)
     return refuse(TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
@@ -172,8 +173,8 @@ class PoseTreeBuilder::State {
       last_.reset();
       return refused(*refusal);
     }
-    PoseTree tree =
-        Labelling(options_, hull, skeleton ? *skeleton : thinner_.thin(hull)).run(options_.follow_labels ? last_ : LastEnds(), &now);
+    PoseTree tree = Labelling(options_, hull, skeleton ? *skeleton : thinner_.thin(hull))
+                        .run(options_.follow_labels ? last_ : LastEnds(), &now);
     last_ = now;
     return tree;
   }

@@ -1,6 +1,9 @@
 #include "skeleton/tree_parts.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "skeleton/label_ranking.h"
 
 namespace markerless_mocap {
 namespace {
@@ -52,6 +55,36 @@ bool nameParts(PlantedTree* tree) {
   nameUpwards(hips, TreePart::kTorso, TreePart::kNeck, &tree->nodes);
   tree->origin = shoulders;
   return hips >= 0 && tree->nodes[size_t(hips)].part == TreePart::kTorso;
+}
+
+double plantedRank(const PlantedTree& tree, double longest) {
+  const auto wayUp = [&](int32_t node, const auto& stops) {
+    double way = 0.0;
+    while (!stops(node)) {
+      const int32_t up = tree.nodes[size_t(node)].parent;
+      if (up < 0) break;
+      way += (tree.nodes[size_t(node)].position - tree.nodes[size_t(up)].position).norm();
+      node = up;
+    }
+    return std::make_pair(way, node);
+  };
+  std::array<EndWays, kLimbEndCount> ways{};
+  const double neck = wayUp(tree.origin, [](int32_t) { return false; }).first;
+  ways[0] = {neck, neck};
+  bool at_origin = true;
+  for (size_t i = 1; i < ways.size(); ++i) {
+    const auto leavesPart = [&](int32_t node) {
+      return tree.nodes[size_t(node)].part != partOf(LimbEnd(i));
+    };
+    const auto own = wayUp(tree.ends[i], leavesPart);
+    // The torso may hang on an arm below the origin: then both go on along the arm.
+    const auto to_origin = wayUp(own.second, [&](int32_t node) {
+      return node == tree.origin || tree.nodes[size_t(node)].part == TreePart::kNeck;
+    });
+    ways[i] = {own.first + to_origin.first, own.first};
+    at_origin &= to_origin.second == tree.origin;
+  }
+  return originRank(ways, at_origin ? 4 : 3, longest);
 }
 
 std::vector<Eigen::Vector3d> limbPath(const PlantedTree& tree, LimbEnd end) {

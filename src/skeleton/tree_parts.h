@@ -29,6 +29,9 @@ PlantedTree plantTree(const TreeGraph& graph, const LabelChoice& choice);
 /// Names the parts from the ends upwards (Algorithm 4). Returns whether there is a torso.
 bool nameParts(PlantedTree* tree);
 
+/// Rank of the origin of a tree with named parts and a torso, see originRank().
+double plantedRank(const PlantedTree& tree, double longest);
+
 /// Positions from an end upwards as far as its part goes.
 std::vector<Eigen::Vector3d> limbPath(const PlantedTree& tree, LimbEnd end);
 

@@ -83,4 +83,23 @@ double TreeVolume::wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& di
   return way;
 }
 
+std::vector<Eigen::Vector3d> TreeVolume::near(const Eigen::Vector3d& point, double distance,
+                                              double height) const {
+  std::vector<Eigen::Vector3d> found;
+  const Eigen::Vector3i middle =
+      ((point - lattice_.origin) / lattice_.pitch).array().floor().matrix().cast<int>();
+  const int reach = int(std::ceil(distance / lattice_.pitch));
+  for (int z = middle.z() - reach; z <= middle.z() + reach; ++z) {
+    for (int y = middle.y() - reach; y <= middle.y() + reach; ++y) {
+      for (int x = middle.x() - reach; x <= middle.x() + reach; ++x) {
+        const Eigen::Vector3i at(x, y, z);
+        const Eigen::Vector3d p =
+            lattice_.origin + lattice_.pitch * (at.cast<double>().array() + 0.5).matrix();
+        if (p.z() <= height && (p - point).norm() <= distance && inside(at)) found.push_back(p);
+      }
+    }
+  }
+  return found;
+}
+
 }  // namespace markerless_mocap

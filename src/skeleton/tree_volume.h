@@ -27,6 +27,10 @@ class TreeVolume {
   /// Way from a point along a unit vector to the last voxel of the hull before the first gap.
   double wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double most) const;
 
+  /// Centres of the hull's voxels within a distance of a point and below a height, metres.
+  std::vector<Eigen::Vector3d> near(const Eigen::Vector3d& point, double distance,
+                                    double height) const;
+
  private:
   VoxelLattice lattice_;
   Eigen::Vector3i lowest_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
