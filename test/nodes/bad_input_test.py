@@ -8,7 +8,7 @@ import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
-from markerless_mocap.msg import BodyParts, BodyPose, VoxelGrid
+from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
 
 SIZE = (64, 48)
@@ -47,6 +47,9 @@ class Refusals(unittest.TestCase):
     def test_value_out_of_range(self):
         self.expect('/body_segmentation/highest_cost is 100, allowed is', 'body_segmentation',
                     highest_cost=100.0)
+
+    def test_pose_tree_out_of_range(self):
+        self.expect('/pose_tree/prune_ratio is 0.9, allowed is', 'pose_tree', prune_ratio=0.9)
 
     def test_wrong_type(self):
         self.expect('/silhouette/background_frames is many, allowed is a whole number',
@@ -96,7 +99,8 @@ class Diagnosed(unittest.TestCase):
     def stop(self):
         self.process.terminate()
         self.process.communicate(timeout=30)
-        for name in ('/human_description_person1', '/visual_hull', '/silhouette', '/body_segmentation', '/pose_fitting'):
+        for name in ('/human_description_person1', '/visual_hull', '/silhouette', '/body_segmentation',
+                     '/pose_tree', '/pose_fitting'):
             if rospy.has_param(name):
                 rospy.delete_param(name)
 
@@ -198,6 +202,30 @@ class Hull(HullNode):
         self.expect('is full', [info('a_optical'), info('b_optical')], value=255)
 
 
+class TreeOfEmptyMasks(HullNode):
+    def test_status_and_reason_of_every_instant(self):
+        trees = []
+        rospy.Subscriber('pose_tree', PoseTree, trees.append)
+        node = start('pose_tree')
+        self.addCleanup(node.communicate, timeout=30)
+        self.addCleanup(node.terminate)
+
+        def send(stamp):
+            self.sender([info('a_optical'), info('b_optical')])(stamp)
+            self.assertIsNone(node.poll(), 'the node has ended')
+        self.send_until('the masks of all 2 cameras are empty', send)
+        end = rospy.get_time() + 20
+        while rospy.get_time() < end and not any('no hull/grid' not in t.reason for t in trees):
+            send(rospy.Time.now())
+            rospy.sleep(0.1)
+        rospy.sleep(0.5)
+        self.assertTrue(trees)
+        self.assertEqual({PoseTree.NO_SKELETON}, {t.status for t in trees})
+        self.assertTrue(all(t.reason and not t.nodes and not t.tip_names for t in trees))
+        self.assertLessEqual({t.header.stamp for t in trees}, {c.header.stamp for c in self.clouds})
+        self.assertTrue(any('no hull/grid' not in t.reason for t in trees))
+
+
 class OtherStages(Diagnosed):
     def test_unreadable_image(self):
         rospy.set_param('/silhouette/cameras', ['a'])
@@ -224,11 +252,25 @@ class OtherStages(Diagnosed):
         self.send_until('no hull/grid has come yet', send)
         self.assertEqual({BodyParts.INVALID}, {a.status for a in answers})
 
+    def test_tree_without_grid(self):
+        points = rospy.Publisher('hull/points', PointCloud2, queue_size=5)
+        answers = []
+        rospy.Subscriber('pose_tree', PoseTree, answers.append)
+        self.run_node('pose_tree')
+
+        def send(stamp):
+            message = PointCloud2()
+            message.header.stamp = stamp
+            points.publish(message)
+        self.send_until('no hull/grid has come yet', send)
+        self.assertEqual({PoseTree.NO_SKELETON}, {a.status for a in answers})
+
     def test_nothing_to_fit(self):
         topics = {'hull/points': PointCloud2, 'segmentation/points': PointCloud2,
                   'segmentation/parts': BodyParts}
         publishers = {t: rospy.Publisher(t, kind, queue_size=5) for t, kind in topics.items()}
         grid = rospy.Publisher('hull/grid', VoxelGrid, queue_size=1, latch=True)
+        self.addCleanup(grid.unregister)
         grid.publish(VoxelGrid(pitch=float('nan')))
         poses = []
         rospy.Subscriber('pose', BodyPose, poses.append)

@@ -6,8 +6,9 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
-from markerless_mocap.msg import BodyParts, BodyPose, VoxelGrid
+from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
 from sensor_msgs.msg import Image, JointState, PointCloud2
+from visualization_msgs.msg import MarkerArray
 
 POSES_WANTED = 8
 
@@ -32,6 +33,9 @@ class Graph(unittest.TestCase):
         cls.poses = Recorder('pose', BodyPose)
         cls.hulls = Recorder('hull/points', PointCloud2)
         cls.parts = Recorder('segmentation/parts', BodyParts)
+        cls.trees = Recorder('pose_tree', PoseTree)
+        cls.skeletons = Recorder('pose_tree/skeleton', PointCloud2)
+        cls.tree_markers = Recorder('pose_tree/markers', MarkerArray)
         cls.masks = Recorder('cam0/silhouette', Image)
         cls.joints = Recorder('/humans/bodies/person1/joint_states', JointState)
         cls.diagnostics = Recorder('/diagnostics', DiagnosticArray)
@@ -50,7 +54,7 @@ class Graph(unittest.TestCase):
 
     def test_every_stage_carries_the_capture_stamp(self):
         masks = self.masks.stamps()
-        for recorder in (self.hulls, self.parts, self.poses, self.joints):
+        for recorder in (self.hulls, self.parts, self.trees, self.skeletons, self.poses, self.joints):
             self.assertTrue(recorder.stamps())
             self.assertLessEqual(recorder.stamps(), masks)
             self.assertEqual({'world'}, {m.header.frame_id for m in recorder.messages})
@@ -60,6 +64,19 @@ class Graph(unittest.TestCase):
         first, last = min(answered), max(answered)
         hulls = {s for s in self.hulls.stamps() if first <= s <= last}
         self.assertLessEqual(hulls, answered)
+
+    def test_every_tree_is_of_a_hull_and_says_what_it_is(self):
+        self.assertLessEqual(self.trees.stamps(), self.hulls.stamps())
+        for tree in self.trees.messages:
+            if tree.status == PoseTree.OK:
+                self.assertEqual(5, len(tree.tip_names))
+            else:
+                self.assertTrue(tree.reason)
+
+    def test_the_tree_is_shown_to_who_looks_on(self):
+        self.assertGreater(max(s.width for s in self.skeletons.messages), 100)
+        kinds = {m.ns for array in self.tree_markers.messages for m in array.markers}
+        self.assertLessEqual({'tree', 'tips', 'tip_names', 'forward'}, kinds)
 
     def test_frames_of_all_links_follow_the_person(self):
         first, last = self.tracked()[0], self.tracked()[-1]
@@ -94,7 +111,8 @@ class Graph(unittest.TestCase):
 
     def test_every_stage_reports(self):
         names = {s.name for d in self.diagnostics.messages for s in d.status}
-        for stage in ('silhouette of cam7', 'visual hull', 'body segmentation', 'pose fitting'):
+        for stage in ('silhouette of cam7', 'visual hull', 'body segmentation', 'pose tree',
+                      'pose fitting'):
             self.assertTrue(any(n.endswith(stage) for n in names), (stage, names))
 
 
