@@ -21,11 +21,12 @@ double backOf(LimbEnd end) {
 
 }  // namespace
 
-Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, double longest,
+Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed, double longest,
                                   const TreeVolume& volume) {
   const NodePath last = stretch(path, 0.0, kStraight);
   const Eigen::Vector3d out = (last.front() - last.back()).stableNormalized();
-  const double surface = volume.wayOut(path.front(), out, 0.2) + 0.5 * volume.pitch();
+  const double surface =
+      closed ? 0.0 : volume.wayOut(path.front(), out, 0.2) + 0.5 * volume.pitch();
   double back = backOf(end) * longest - surface;
   if (back <= 0.0) return path.front() - back * out;
   for (size_t i = 1; i < path.size(); ++i) {

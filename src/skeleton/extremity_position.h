@@ -12,8 +12,9 @@ namespace markerless_mocap {
 /// the surface, and the point lies a share of the body's size before that. The shares were fitted
 /// on people of the virtual studio.
 /// \param path from the end upwards, at least one point
+/// \param closed the end touches the body: the path is as long as the limb and not led on
 /// \param longest the measure of the proportions, metres
-Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, double longest,
+Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed, double longest,
                                   const TreeVolume& volume);
 
 /// The balls of two feet that share one end: what is left and right of the end's middle.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "skeleton/label_loops.h"
 #include "skeleton/label_proportions.h"
 #include "skeleton/label_weights.h"
 
@@ -251,6 +252,7 @@ LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, do
     return ends.shortWay(size_t(names.ends[0]), size_t(names.ends[size_t(end)]));
   };
   choice.longest = 0.5 * (foot(LimbEnd::kFoot1) + foot(LimbEnd::kFoot2)) / (kNeck + kTorso + kLeg);
+  openLoopsAtHands(graph, &choice);
   choice.status = TreeStatus::kOk;
   return choice;
 }

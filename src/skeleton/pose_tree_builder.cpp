@@ -101,7 +101,8 @@ void Labelling::placeTips() {
     const int32_t node = planted_.ends[i];
     const Eigen::Vector3d at = planted_.nodes[size_t(node)].position;
     const NodePath path = paths[i]->empty() ? NodePath{at} : *paths[i];
-    tree_.tips[i] = {node, at, extremityPosition(path, LimbEnd(i), choice_.longest, volume_)};
+    tree_.tips[i] = {
+        node, at, extremityPosition(path, LimbEnd(i), choice_.closed[i], choice_.longest, volume_)};
   }
   if (choice_.ends[3] != choice_.ends[4] || !axes_.known) return;
   const auto balls = feetTogether(body_.legs[0], axes_, choice_.longest, volume_);

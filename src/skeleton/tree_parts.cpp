@@ -23,8 +23,13 @@ int32_t nameUpwards(int32_t node, TreePart part, TreePart stop, std::vector<Tree
 PlantedTree plantTree(const TreeGraph& graph, const LabelChoice& choice) {
   PlantedTree tree;
   std::vector<TreeLinks::Edge> edges;
+  const auto isCut = [&](size_t node) {
+    return std::any_of(choice.grafts.begin(), choice.grafts.end(),
+                       [&](const Graft& graft) { return graft.cut == int32_t(node); });
+  };
   for (size_t node = 1; node < graph.size(); ++node)
-    edges.push_back({int32_t(node), graph.parents[node], graph.step(int32_t(node))});
+    if (!isCut(node)) edges.push_back({int32_t(node), graph.parents[node], 0.0});
+  for (const Graft& graft : choice.grafts) edges.push_back({graft.from, graft.to, 0.0});
   const TreeLinks links(graph.size(), edges);
   std::vector<int32_t> place(graph.size(), -1), order{std::max(0, choice.ends[0])};
   place[size_t(order[0])] = 0;
