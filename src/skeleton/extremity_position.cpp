@@ -37,8 +37,8 @@ Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed
   return path.back();
 }
 
-std::array<Eigen::Vector3d, 2> feetTogether(const NodePath& path, const BodyAxes& axes,
-                                            double longest, const TreeVolume& volume) {
+std::array<Eigen::Vector3d, 2> ballsTogether(const NodePath& path, const BodyAxes& axes,
+                                             double longest, const TreeVolume& volume) {
   const Eigen::Vector3d& end = path.front();
   const NodePath shank = stretch(path, 0.5 * kShankLow * longest, kShankLow * longest);
   const Eigen::Vector3d ankle = shank.empty() ? path.back() : shank.front();

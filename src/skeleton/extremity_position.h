@@ -18,7 +18,7 @@ Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed
                                   const TreeVolume& volume);
 
 /// The balls of two feet that share one end: what is left and right of the end's middle.
-std::array<Eigen::Vector3d, 2> feetTogether(const NodePath& path, const BodyAxes& axes,
-                                            double longest, const TreeVolume& volume);
+std::array<Eigen::Vector3d, 2> ballsTogether(const NodePath& path, const BodyAxes& axes,
+                                             double longest, const TreeVolume& volume);
 
 }  // namespace markerless_mocap

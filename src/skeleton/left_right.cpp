@@ -125,4 +125,12 @@ double leftOffset(const NodePath& first, const NodePath& second, const BodyAxes&
   return upper(first) - upper(second);
 }
 
+double armCertainty(double offset) {
+  return 1.0 - 0.5 * std::exp(-offset * offset / (0.035 * 0.035));
+}
+
+double legCertainty(double offset) {
+  return 1.0 - 0.15 * std::exp(-std::abs(offset) / 0.015);
+}
+
 }  // namespace markerless_mocap

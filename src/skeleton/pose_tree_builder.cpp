@@ -58,6 +58,7 @@ class Labelling {
     tree_.reason = reason;
     return tree_;
   }
+  bool feetTogether() const { return choice_.ends[3] == choice_.ends[4]; }
   void choose(const LastEnds& last);
   void plant();
   void placeTips();
@@ -104,8 +105,8 @@ void Labelling::placeTips() {
     tree_.tips[i] = {
         node, at, extremityPosition(path, LimbEnd(i), choice_.closed[i], choice_.longest, volume_)};
   }
-  if (choice_.ends[3] != choice_.ends[4] || !axes_.known) return;
-  const auto balls = feetTogether(body_.legs[0], axes_, choice_.longest, volume_);
+  if (!feetTogether() || !axes_.known) return;
+  const auto balls = ballsTogether(body_.legs[0], axes_, choice_.longest, volume_);
   for (size_t i = 0; i < 2; ++i) tree_.tips[3 + i].position = balls[i];
 }
 
@@ -120,18 +121,20 @@ void Labelling::tellSides() {
 void Labelling::nameSides() {
   if (!axes_.known) return;
   const bool by_angles = options_.side_rule == "angles";
-  const auto firstIsLeft = [&](const NodePath(&limbs)[2], double share) {
-    return by_angles ? firstIsLeftByAngles(limbs, share, body_, axes_)
-                     : leftOffset(limbs[0], limbs[1], axes_) >= 0.0;
-  };
-  if (!firstIsLeft(body_.arms, label_ratio::kShoulder)) {
+  const double arms = leftOffset(body_.arms[0], body_.arms[1], axes_);
+  const double legs = leftOffset(body_.own_legs[0], body_.own_legs[1], axes_);
+  if (by_angles ? !firstIsLeftByAngles(body_.arms, label_ratio::kShoulder, body_, axes_)
+                : arms < 0.0) {
     swapParts(TreePart::kLeftArm, TreePart::kRightArm, &tree_.nodes);
     std::swap(tree_.tips[1], tree_.tips[2]);
   }
-  if (!firstIsLeft(body_.own_legs, label_ratio::kHip)) {
+  if (by_angles ? !firstIsLeftByAngles(body_.own_legs, label_ratio::kHip, body_, axes_)
+                : legs < 0.0) {
     swapParts(TreePart::kLeftLeg, TreePart::kRightLeg, &tree_.nodes);
     std::swap(tree_.tips[3], tree_.tips[4]);
   }
+  tree_.validity *= armCertainty(arms / choice_.longest);
+  if (!feetTogether()) tree_.validity *= legCertainty(legs / choice_.longest);
 }
 
 PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {
