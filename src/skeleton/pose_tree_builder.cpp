@@ -42,6 +42,13 @@ PoseTree refused(const Refusal& refusal) {
   return tree;
 }
 
+/// Right frames are more frequent than the model of the ends says, by this factor of the odds: so
+/// it was on the people whom the model was fitted to, and so on others.
+double calibrated(double probability) {
+  constexpr double kOdds = 3.0;
+  return kOdds * probability / (1.0 + (kOdds - 1.0) * probability);
+}
+
 /// One frame on its way to a pose tree.
 class Labelling {
  public:
@@ -135,6 +142,7 @@ void Labelling::nameSides() {
   }
   tree_.validity *= armCertainty(arms / choice_.longest);
   if (!feetTogether()) tree_.validity *= legCertainty(legs / choice_.longest);
+  if (options_.labelling == "template") tree_.validity = calibrated(tree_.validity);
 }
 
 PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {

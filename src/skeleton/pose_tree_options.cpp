@@ -12,10 +12,13 @@ void PoseTreeOptions::visit(OptionVisitor& v) {
       "how limbs are called left or right: by how far to the left thighs and upper arms lie, or "
       "by the angles of hips and shoulders as published");
   v.field("prune_ratio", prune_ratio, 0.01, 0.5,
-          "branches shorter than this share of the longest path are spurs; as published 0.274");
-  v.field("least_rank", least_rank, 0, 1, "ranks of the origin below this make a frame invalid");
+          "in `ranking`, branches shorter than this share of the longest path are spurs; as "
+          "published 0.274");
+  v.field("least_rank", least_rank, 0, 1,
+          "in `ranking`, ranks of the origin below this make a frame invalid");
   v.field("least_validity", least_validity, 0, 1,
-          "estimated probability of right labels below which a frame is invalid");
+          "in `template`, estimated probability of right labels and sides below which a frame is "
+          "invalid");
   v.field("follow_labels", follow_labels,
           "in `ranking`, ends are named by the nearest ones of the last valid frame");
 }

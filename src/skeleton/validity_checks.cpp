@@ -10,8 +10,8 @@ namespace {
 constexpr double kLeastLitres = 8.0, kMostLitres = 300.0;
 constexpr size_t kMostNodes = 4000;
 constexpr int kMostEnds = 300;
-constexpr double kCell = 0.25;          // metres: nothing of a body is two cells from its skeleton
-constexpr size_t kSample = 8;           // every eighth voxel is looked at
+constexpr double kCell = 0.25;           // metres: nothing of a body is two cells from its skeleton
+constexpr size_t kSample = 32;           // every so many voxels one is looked at
 constexpr double kMostOutOfReach = 0.1;  // share of the voxels
 
 const char* const kTooManyBranches = "the skeleton has far more branches than a body";
@@ -54,8 +54,7 @@ class Reach {
   }
   void mark(const Eigen::Vector3i& c) {
     for (int code = 0; code < 27; ++code) {
-      const Eigen::Vector3i at =
-          c + Eigen::Vector3i(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const Eigen::Vector3i at = c + Eigen::Vector3i(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
       if ((at.array() >= 0).all() && (at.array() < size_.array()).all()) cells_[placeOf(at)] = true;
     }
   }

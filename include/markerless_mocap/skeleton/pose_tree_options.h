@@ -13,7 +13,7 @@ struct PoseTreeOptions {
   std::string side_rule = "offsets";
   double prune_ratio = 0.08;
   double least_rank = 0.0;
-  double least_validity = 0.8;
+  double least_validity = 0.9;
   bool follow_labels = false;
 
   void visit(OptionVisitor& v);
