@@ -12,7 +12,8 @@
 namespace markerless_mocap {
 
 /// Part of the body that a node of the tree belongs to (Bakken & Hilton 2012, 3.3.4). kNone: a spur
-/// or a component that no part claims.
+/// that no part claims. What two legs share is the torso's, even where they are one down to the
+/// feet.
 enum class TreePart : uint8_t {
   kNone = 0,
   kTorso,
@@ -53,8 +54,9 @@ constexpr int kTreeJointCount = 13;
 const char* toString(TreeJoint joint);
 
 struct TreeNode {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre of its voxel, world metres
-  int32_t parent = -1;                                 ///< index of a node; -1: the root
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Zero();  ///< smoothed along the skeleton, world metres
+  int32_t parent = -1;          ///< index of a node; -1: the root
   TreePart part = TreePart::kNone;
 };
 
@@ -84,9 +86,11 @@ const char* toString(TreeStatus status);
 /// that a rejected frame can be looked at; only a kOk one may be believed.
 struct PoseTree {
   TreeStatus status = TreeStatus::kNoSkeleton;
-  std::string reason;      ///< one sentence unless kOk
-  double rank = 0.0;       ///< of the origin (Eq. 1), 0..1; 1: the ideal tree
-  double validity = 0.0;   ///< estimated probability that all five labels and both sides are right
+  std::string reason;  ///< one sentence unless kOk
+  double rank = 0.0;   ///< of the origin (Eq. 1), 0..1; 1: the ideal tree
+  /// Estimated probability that all five labels and both sides are right; where ends are named by
+  /// rank it is the rank.
+  double validity = 0.0;
   CurveSkeleton skeleton;  ///< what the tree was made of, all its components
   /// One per voxel that the root reaches, parents before children; the root is the head's end, or
   /// the top-most voxel while the head is not known.
