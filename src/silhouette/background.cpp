@@ -6,6 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "silhouette/row_kernels.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -51,10 +53,7 @@ ModeRow Background::coarse(int mode, int y) const {
 }
 
 void Background::renewCoarse(int mode, int y) {
-  uint8_t* coarse = &coarse_[coarseOffset(mode, y)];
-  const uint16_t* fine = mean(mode, y, 0);
-  for (int i = 0; i < channels_ * stride_; ++i)
-    coarse[i] = uint8_t((fine[i] + kMeanScale / 2u) / kMeanScale);
+  roundMeans(mean(mode, y, 0), channels_ * stride_, &coarse_[coarseOffset(mode, y)]);
 }
 
 void Background::setThreshold(double threshold_sigmas, double min_sigma) {

@@ -8,13 +8,15 @@ namespace markerless_mocap {
 namespace {
 
 /// The eight bytes, 0 | 255, of each value of eight bits.
-std::array<uint64_t, 256> makeByteTable() {
+constexpr std::array<uint64_t, 256> makeByteTable() {
   std::array<uint64_t, 256> table{};
   for (int bits = 0; bits < 256; ++bits)
     for (int i = 0; i < 8; ++i)
       if (bits >> i & 1) table[bits] |= uint64_t(255) << (8 * i);
   return table;
 }
+
+constexpr std::array<uint64_t, 256> kBytes = makeByteTable();
 
 /// Without the processor's own instruction, which not every one has.
 uint64_t countBits(uint64_t word) {
@@ -53,7 +55,6 @@ BitMask BitMask::fromMat(const cv::Mat& mask) {
 }
 
 void unpackBits(const uint64_t* bits, int n, uint8_t* bytes) {
-  static const std::array<uint64_t, 256> kBytes = makeByteTable();
   const auto eight = [&](int i) { return &kBytes[bits[i >> 6] >> (i & 63) & 255]; };
   int i = 0;
   for (; i + 64 <= n; i += 64) {

@@ -13,17 +13,22 @@ struct Box {
 
 Box boxOf(const BitMask& mask) {
   Box box{mask.rows(), -1, mask.rowWords(), -1};
+  std::vector<uint64_t> columns(mask.rowWords(), 0);
   for (int y = 0; y < mask.rows(); ++y) {
     const uint64_t* row = mask.row(y);
     uint64_t any = 0;
-    for (int i = 0; i < mask.rowWords(); ++i) any |= row[i];
+    for (int i = 0; i < mask.rowWords(); ++i) {
+      any |= row[i];
+      columns[i] |= row[i];
+    }
     if (!any) continue;
     box.first_row = std::min(box.first_row, y);
     box.last_row = y;
-    for (int i = 0; i < box.first_word; ++i)
-      if (row[i]) box.first_word = i;
-    for (int i = mask.rowWords() - 1; i > box.last_word; --i)
-      if (row[i]) box.last_word = i;
+  }
+  for (int i = 0; i < mask.rowWords(); ++i) {
+    if (!columns[i]) continue;
+    box.first_word = std::min(box.first_word, i);
+    box.last_word = i;
   }
   return box;
 }

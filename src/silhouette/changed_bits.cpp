@@ -89,12 +89,15 @@ MOCAP_AVX2 uint64_t changedWord(const uint8_t* bgr, const ModeRow* modes, int mo
 }
 
 MOCAP_AVX2 void changedBitsAvx2(const uint8_t* bgr, int cols, const ModeRow* modes, int mode_count,
-                                int16_t gain, uint16_t limit, uint64_t* bits) {
+                                int16_t gain, uint16_t limit, const uint64_t* wanted,
+                                uint64_t* bits) {
   const __m256i gains = _mm256_set1_epi16(gain), limits = _mm256_set1_epi16(int16_t(limit));
   int x = 0;
   for (; x + kWord <= cols; x += kWord)
-    *bits++ = changedWord(bgr + 3 * x, modes, mode_count, x, gains, limits);
+    *bits++ = *wanted++ ? changedWord(bgr + 3 * x, modes, mode_count, x, gains, limits) : 0;
   if (x == cols) return;
+  *bits = 0;
+  if (!*wanted) return;
   uint8_t rest[3 * kWord] = {};
   std::memcpy(rest, bgr + 3 * x, size_t(3) * (cols - x));
   *bits = changedWord(rest, modes, mode_count, x, gains, limits);
@@ -103,9 +106,9 @@ MOCAP_AVX2 void changedBitsAvx2(const uint8_t* bgr, int cols, const ModeRow* mod
 }  // namespace
 
 bool changedBits(const uint8_t* bgr, int cols, const ModeRow* modes, int mode_count, int16_t gain,
-                 uint16_t limit, uint64_t* bits) {
+                 uint16_t limit, const uint64_t* wanted, uint64_t* bits) {
   static const bool kHasAvx2 = __builtin_cpu_supports("avx2");
-  if (kHasAvx2) changedBitsAvx2(bgr, cols, modes, mode_count, gain, limit, bits);
+  if (kHasAvx2) changedBitsAvx2(bgr, cols, modes, mode_count, gain, limit, wanted, bits);
   return kHasAvx2;
 }
 
@@ -115,7 +118,8 @@ bool changedBits(const uint8_t* bgr, int cols, const ModeRow* modes, int mode_co
 
 namespace markerless_mocap {
 
-bool changedBits(const uint8_t*, int, const ModeRow*, int, int16_t, uint16_t, uint64_t*) {
+bool changedBits(const uint8_t*, int, const ModeRow*, int, int16_t, uint16_t, const uint64_t*,
+                 uint64_t*) {
   return false;
 }
 

@@ -14,7 +14,7 @@ constexpr int kFewest = 50;
 /// So many times further apart than on a square grid are its rows, and nearer its columns.
 constexpr int kRowsApart = 2;
 // Dark pixels are mostly noise, bright ones clip.
-constexpr float kDarkest = 25, kBrightest = 230;
+constexpr int kDarkest = 25, kBrightest = 230;
 /// Ratios further from the median are people and shadows.
 constexpr float kInlierBand = 0.05f;
 
@@ -29,28 +29,30 @@ float median(const std::vector<float>& ratios) {
   return (float(bin) + 0.5f) / kBinsPerOne;
 }
 
-/// \param usual_at grey level of (x, y, channel)
+/// \param usual_row what gives row y's grey level of (x, channel)
 template <class UsualT>
-std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_at) {
+std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_row) {
   const int channels = image.channels();
   // Few rows of many pixels: memory comes in rows.
   const int step = std::max(2, int(std::sqrt(image.total() / kSamples) / kRowsApart));
   const int row_step = step * kRowsApart * kRowsApart;
   std::vector<float> ratios;
   ratios.reserve(size_t(image.cols / step + 1) * (image.rows / row_step + 1));
-  for (int y = row_step / 2; y < image.rows; y += row_step)
+  for (int y = row_step / 2; y < image.rows; y += row_step) {
+    const auto usual_at = usual_row(y);
     for (int x = step / 2; x < image.cols; x += step) {
       const uint8_t* now = image.ptr(y) + size_t(x) * channels;
-      float sum_now = 0, sum_usual = 0;
+      int sum_now = 0, sum_usual = 0;
       bool reliable = true;
       for (int c = 0; c < channels; ++c) {
-        const float usual = usual_at(x, y, c);
-        reliable = reliable && usual >= kDarkest && usual <= kBrightest;
+        const int usual = usual_at(x, c);
+        reliable = reliable & (usual >= kDarkest) & (usual <= kBrightest);
         sum_now += now[c];
         sum_usual += usual;
       }
-      if (reliable) ratios.push_back(sum_now / sum_usual);
+      if (reliable) ratios.push_back(float(sum_now) / float(sum_usual));
     }
+  }
   return ratios;
 }
 
@@ -73,14 +75,16 @@ LightGain mostUsual(const std::vector<float>& ratios) {
 }  // namespace
 
 LightGain estimateLightGain(const cv::Mat& image, const Background& usual) {
-  return mostUsual(brightnessRatios(
-      image, [&](int x, int y, int c) { return float(usual.coarse(0, y).mean[c][x]); }));
+  return mostUsual(brightnessRatios(image, [&](int y) {
+    return [mean = usual.coarse(0, y).mean](int x, int c) { return int(mean[c][x]); };
+  }));
 }
 
 LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& usual) {
   const int channels = usual.channels();
-  return mostUsual(brightnessRatios(
-      image, [&](int x, int y, int c) { return float(usual.ptr(y)[x * channels + c]); }));
+  return mostUsual(brightnessRatios(image, [&](int y) {
+    return [=, row = usual.ptr(y)](int x, int c) { return int(row[x * channels + c]); };
+  }));
 }
 
 }  // namespace markerless_mocap

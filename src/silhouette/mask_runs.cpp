@@ -30,6 +30,7 @@ class RunComponents {
   /// Components of the pixels with `value`. \param diagonal whether corners connect
   RunComponents(const BitMask& mask, bool value, bool diagonal) {
     size_t above = 0, above_end = 0;
+    runs_.reserve(4 * size_t(mask.rows()));
     for (int y = 0; y < mask.rows(); ++y) {
       const size_t begin = runs_.size();
       addRow(mask, y, value);

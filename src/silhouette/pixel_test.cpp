@@ -22,6 +22,19 @@ ShadowLimits makeLimits(const SilhouetteOptions& options, const Background& back
   return {background.channels() == 1, float(gain), float(chroma), float(noise * noise)};
 }
 
+/// Asks for what findChanged() reads of a row, as the processor does not foresee a skipped row.
+void fetchRow(const cv::Mat& image, const Background& background, int y) {
+  constexpr int kLine = 64;
+  const uint8_t* row = image.ptr(y);
+  const int bytes = image.cols * image.channels();
+  for (int i = 0; i < bytes; i += kLine) __builtin_prefetch(row + i);
+  for (int mode = 0; mode < background.modes(); ++mode) {
+    const uint8_t* usual = background.coarse(mode, y).mean[0];
+    for (int i = 0; i < (background.channels() + 1) * background.stride(); i += kLine)
+      __builtin_prefetch(usual + i);
+  }
+}
+
 }  // namespace
 
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
@@ -30,8 +43,6 @@ void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uin
   else
     std::memcpy(planes, image.ptr(y) + first, count);
 }
-
-PixelTest::PixelTest(const SilhouetteOptions& options) : options_(options) {}
 
 void PixelTest::prepare(const Background& background) {
   const cv::Size size = background.size();
@@ -46,10 +57,11 @@ void PixelTest::prepare(const Background& background) {
   other_.resize(stride);
 }
 
-const PixelClasses& PixelTest::classify(const cv::Mat& image, const Background& background,
-                                        double gain) {
+const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const cv::Mat& image,
+                                        const Background& background, double gain) {
+  options_ = options;
   prepare(background);
-  for (int y = 0; y < image.rows; ++y) classifyRow(image, background, gain, y);
+  findChanged(image, background, gain);
   // Noise is not worth a closer look: it would not outlive the opening that follows.
   const int radius = options_.open_radius_px;
   classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
@@ -63,7 +75,47 @@ const PixelClasses& PixelTest::classify(const cv::Mat& image, const Background& 
   return classes_;
 }
 
-void PixelTest::classifyRow(const cv::Mat& image, const Background& background, double gain,
+void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain) {
+  const bool is_opened = options_.open_radius_px > 0;
+  wanted_.assign(classes_.foreground.rowWords(), 1);
+  const int step = is_opened ? 2 : 1;
+  for (int y = 0; y < image.rows; y += step) {
+    if (y + step < image.rows) fetchRow(image, background, y + step);
+    findChanged(image, background, gain, y);
+  }
+  for (int y = 1; is_opened && y < image.rows; y += 2) {
+    wantFor(y);
+    findChanged(image, background, gain, y);
+  }
+}
+
+void PixelTest::wantFor(int y) {
+  // What outlives the opening is made of crosses; those that touch this row are centred in it, and
+  // then seen above and below, or there, and then seen as three in a row.
+  const BitMask& mask = classes_.foreground;
+  const int words = mask.rowWords();
+  const uint64_t* above = mask.row(y - 1);
+  const uint64_t* below = y + 1 < mask.rows() ? mask.row(y + 1) : above;
+  const uint64_t last_column = mask.tailBits() & ~(mask.tailBits() >> 1);
+  const auto centers = [&](int i) {
+    if (i >= words) return uint64_t(0);
+    const auto three = [&](const uint64_t* row) {
+      const uint64_t left = i > 0 ? row[i - 1] >> 63 : 1;
+      const uint64_t right = i + 1 < words ? row[i + 1] << 63 : last_column;
+      return row[i] & (row[i] << 1 | left) & (row[i] >> 1 | right);
+    };
+    return (above[i] & below[i]) | three(above) | three(below);
+  };
+  uint64_t left = 0, here = centers(0);
+  for (int i = 0; i < words; ++i) {
+    const uint64_t right = centers(i + 1);
+    wanted_[i] = here | left >> 63 | right << 63;
+    left = here;
+    here = right;
+  }
+}
+
+void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain,
                             int y) {
   const int n = background.stride(), channels = background.channels();
   const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
@@ -73,7 +125,7 @@ void PixelTest::classifyRow(const cv::Mat& image, const Background& background, 
     std::array<ModeRow, Background::kMostModes> modes;
     for (int mode = 0; mode < background.modes(); ++mode) modes[mode] = background.coarse(mode, y);
     if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
-                    kSquaredLimit, bits))
+                    kSquaredLimit, wanted_.data(), bits))
       return;
   }
   splitRow(image, y, 0, image.cols, n, now_.data());
@@ -91,18 +143,20 @@ void PixelTest::findShades(const cv::Mat& image, const Background& background, d
   const int first = row * ShadeBlocks::kSide;
   const int end = std::min(first + ShadeBlocks::kSide, image.rows);
   for (int word = 0; word < classes_.foreground.rowWords(); ++word) {
+    uint64_t any = 0;
+    for (int y = first; y < end; ++y) any |= classes_.foreground.row(y)[word];
+    if (!any) continue;
     ShadeColumns columns;
-    bool any = false;
-    for (int y = first; y < end; ++y) any |= findShades(image, background, gain, y, word, &columns);
-    if (any) blocks_.add(columns, word, row);
+    for (int y = first; y < end; ++y) findShades(image, background, gain, y, word, &columns);
+    blocks_.add(columns, word, row);
   }
 }
 
-bool PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
+void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
                            int word, ShadeColumns* columns) {
   constexpr int kWord = ShadeColumns::kCols;
   const uint64_t changed = classes_.foreground.row(y)[word];
-  if (!changed) return false;
+  if (!changed) return;
   const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
   const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
                            kNoiseVariances * noise * noise};
@@ -115,7 +169,6 @@ bool PixelTest::findShades(const cv::Mat& image, const Background& background, d
               flags_.data(), ratio, columns);
   for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
   classes_.shade.row(y)[word] = packFlags(flags_.data());
-  return classes_.shade.row(y)[word] != 0;
 }
 
 }  // namespace markerless_mocap

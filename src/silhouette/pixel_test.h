@@ -22,18 +22,21 @@ struct PixelClasses {
 /// colour, and of the same texture; in a grey image texture alone tells.
 class PixelTest {
  public:
-  explicit PixelTest(const SilhouetteOptions& options);
   /// \param gain light of the image relative to the background's. The result stays until the next
   ///   call.
-  const PixelClasses& classify(const cv::Mat& image, const Background& background, double gain);
+  const PixelClasses& classify(const SilhouetteOptions& options, const cv::Mat& image,
+                               const Background& background, double gain);
 
  private:
   void prepare(const Background& background);
-  void classifyRow(const cv::Mat& image, const Background& background, double gain, int y);
+  void findChanged(const cv::Mat& image, const Background& background, double gain);
+  /// Of row y, only in words that are wanted.
+  void findChanged(const cv::Mat& image, const Background& background, double gain, int y);
+  /// In which words of row y an opening may leave anything, judged by the rows above and below.
+  void wantFor(int y);
   /// Of the rows of blocks' row `row`.
   void findShades(const cv::Mat& image, const Background& background, double gain, int row);
-  /// \return whether there are any
-  bool findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
+  void findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
                   ShadeColumns* columns);
 
   SilhouetteOptions options_;
@@ -41,6 +44,7 @@ class PixelTest {
   ShadeBlocks blocks_;
   std::vector<uint8_t> now_, flags_;  ///< one row, channel after channel
   std::vector<uint16_t> squared_, other_;
+  std::vector<uint64_t> wanted_;  ///< of a row, 0 where nothing is
 };
 
 /// `count` pixels of a row, channel after channel, `stride` bytes apart.

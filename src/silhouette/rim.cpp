@@ -15,7 +15,7 @@ constexpr int kReach = 2;
 /// Side of the blocks in which colours are summed, px.
 constexpr int kSide = 4;
 /// Squared contrast of person and background, per channel, under which noise would decide.
-constexpr float kLeastContrast = 50;
+constexpr float kLeastContrast = 15;
 /// Where a block lies.
 constexpr uint8_t kFar = 0, kNearRim = 1, kOnRim = 2;
 
@@ -32,12 +32,41 @@ unsigned countOf(unsigned nibble) {
 /// The bytes, 0 | 255, of each nibble's four pixels of three channels, in two words.
 using ByteMasks = std::array<std::array<uint64_t, 2>, 16>;
 
-ByteMasks makeByteMasks() {
+constexpr ByteMasks makeByteMasks() {
   ByteMasks masks{};
   for (int nibble = 0; nibble < 16; ++nibble)
     for (int i = 0; i < 3 * kSide; ++i)
       if (nibble >> i / 3 & 1) masks[nibble][i / 8] |= uint64_t(255) << (8 * (i % 8));
   return masks;
+}
+
+constexpr ByteMasks kByteMasks = makeByteMasks();
+
+/// The bytes, 0 | 255, of each nibble's four pixels of one channel.
+constexpr uint32_t bytesOf(unsigned nibble) {
+  return ((nibble & 1) | (nibble & 2) << 7 | (nibble & 4) << 14 | (nibble & 8) << 21) * 255;
+}
+
+/// Sum of those of four bytes that the nibble chooses.
+unsigned sumOf(const uint8_t* four, unsigned nibble) {
+  uint32_t word;
+  std::memcpy(&word, four, 4);
+  word &= bytesOf(nibble);
+  word = (word & 0x00ff00ffu) + (word >> 8 & 0x00ff00ffu);
+  return (word + (word >> 16)) & 0xffffu;
+}
+
+using Four = float __attribute__((vector_size(16)));
+
+Four everyNth(const uint8_t* bytes, int n) {
+  return Four{float(bytes[0]), float(bytes[n]), float(bytes[2 * n]), float(bytes[3 * n])};
+}
+
+/// Of what lies between 0 and 1; what does not counts as the nearer of them.
+Four rootsOf(Four squares) {
+  Four roots;
+  for (int i = 0; i < kSide; ++i) roots[i] = std::sqrt(std::min(1.0f, std::max(0.0f, squares[i])));
+  return roots;
 }
 
 /// Sums the chosen pixels of a block's rows byte by byte: bytes are widened to 16 bits, every other
@@ -46,11 +75,10 @@ class ByteSums {
  public:
   /// \param bytes 3 kSide
   void add(const uint8_t* bytes, unsigned nibble) {
-    static const ByteMasks kMasks = makeByteMasks();
     uint64_t words[2] = {};
     std::memcpy(words, bytes, 3 * kSide);
     for (int i = 0; i < 2; ++i) {
-      const uint64_t chosen = words[i] & kMasks[nibble][i];
+      const uint64_t chosen = words[i] & kByteMasks[nibble][i];
       sums_[2 * i] += chosen & kEven;
       sums_[2 * i + 1] += chosen >> 8 & kEven;
     }
@@ -143,9 +171,7 @@ void RimRefiner::sumBlock(const Scene& scene, int column, int row) {
     const unsigned shade = outside & nibble(scene.classes.shade, x0, y);
     outsiders += countOf(outside);
     light += 255 * countOf(outside & ~shade);
-    forEachBit(shade, x0, [&](int x) {
-      light += scene.classes.ratio[size_t(y) * scene.background.stride() + x];
-    });
+    light += sumOf(&scene.classes.ratio[size_t(y) * scene.background.stride() + x0], shade);
   }
   bytes.addTo(sums.color);
   sums.inside = uint16_t(insiders);
@@ -174,20 +200,26 @@ void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int colum
   const float scale = scene.gain * light, noise = float(scene.background.noise());
   float person[3];
   for (int c = 0; c < 3; ++c) person[c] = float(around.color[c]) / around.inside;
+  const int width = std::min(kSide, scene.image.cols - x0);
   for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
+    const unsigned band = nibble(band_, x0, y);
+    if (!band) continue;
+    uint8_t pixels[3 * kSide] = {};
+    std::memcpy(pixels, scene.image.ptr(y) + size_t(x0) * channels, size_t(width) * channels);
     const ModeRow mode = scene.background.coarse(0, y);
-    forEachBit(nibble(band_, x0, y), x0, [&](int x) {
-      const uint8_t* pixel = scene.image.ptr(y) + size_t(x) * channels;
-      float apart = 0, contrast = 0;
-      for (int c = 0; c < channels; ++c) {
-        const float usual = float(mode.mean[c][x]) * scale;
-        apart += (float(pixel[c]) - usual) * (float(pixel[c]) - usual);
-        contrast += (person[c] - usual) * (person[c] - usual);
-      }
-      if (contrast < kLeastContrast * float(channels)) return;
-      const float sure = std::max(0.0f, apart - noise * noise * float(channels));
-      share_[size_t(y) * stride_ + x] = uint8_t(std::min(255.0f, 255 * std::sqrt(sure / contrast)));
-    });
+    Four apart = {}, contrast = {};
+    for (int c = 0; c < channels; ++c) {
+      const Four usual = everyNth(mode.mean[c] + x0, 1) * scale;
+      const Four off = everyNth(pixels + c, channels) - usual, whole = person[c] - usual;
+      apart += off * off;
+      contrast += whole * whole;
+    }
+    const Four share = rootsOf((apart - noise * noise * float(channels)) / contrast);
+    uint8_t* out = &share_[size_t(y) * stride_ + x0];
+    for (int i = 0; i < kSide; ++i) {
+      const bool is_told = (band >> i & 1) & (contrast[i] >= kLeastContrast * float(channels));
+      out[i] = is_told ? uint8_t(int(255 * share[i])) : out[i];
+    }
   }
 }
 

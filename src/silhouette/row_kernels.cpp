@@ -169,6 +169,11 @@ void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int chan
   }
 }
 
+MOCAP_VECTORISED void roundMeans(const uint16_t* __restrict mean, int n, uint8_t* __restrict grey) {
+  constexpr uint16_t kHalf = Background::kMeanScale / 2;
+  for (int i = 0; i < n; ++i) grey[i] = uint8_t(uint16_t(mean[i] + kHalf) / Background::kMeanScale);
+}
+
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,
                                 int16_t gain, int16_t rate, int n, uint16_t* __restrict mean) {
   constexpr int16_t kBrightest = 255 * kPredictedScale;

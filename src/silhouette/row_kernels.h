@@ -52,6 +52,9 @@ void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int chan
                  const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
                  ShadeColumns* columns);
 
+/// n means in grey levels.
+void roundMeans(const uint16_t* mean, int n, uint8_t* grey);
+
 /// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
 /// themselves.
 void moveMeans(const uint8_t* now, const uint8_t* held, int16_t gain, int16_t rate, int n,

@@ -121,7 +121,9 @@ void ShadeBlocks::resize(const cv::Size& size) {
   const cv::Size blocks = blocksOf(size);
   cols_ = blocks.width;
   rows_ = blocks.height;
-  sums_.assign(size_t(cols_) * rows_, {});
+  for (const size_t i : filled_) sums_[i] = {};  // most have stayed empty
+  filled_.clear();
+  sums_.resize(size_t(cols_) * rows_);
 }
 
 void ShadeBlocks::add(const ShadeColumns& columns, int word, int row) {
@@ -134,7 +136,8 @@ void ShadeBlocks::add(const ShadeColumns& columns, int word, int row) {
     };
     const float count = sum(columns.count);
     if (count == 0) continue;
-    Sums& sums = sums_[size_t(row) * cols_ + column];
+    filled_.push_back(size_t(row) * cols_ + column);
+    Sums& sums = sums_[filled_.back()];
     sums.count = count;
     for (int c = 0; c < 3; ++c) {
       sums.now[c] = sum(columns.now[c]);
@@ -180,11 +183,10 @@ void restoreClothes(const ShadeBlocks& blocks, const ShadowLimits& limits, BitMa
   const int reach = int(kReach * shade->cols()) / ShadeBlocks::kSide;
   const BitMask enclosed = enclosedBlocks(solid, reach);
   BitMask clothes(cv::Size(blocks.cols(), blocks.rows()));
-  for (int row = 0; row < blocks.rows(); ++row)
-    for (int column = 0; column < blocks.cols(); ++column)
-      if (!blocks.isEmpty(column, row) &&
-          clothesEvidence(blocks.around(column, row), limits, enclosed.at(column, row)) > 1)
-        clothes.set(column, row);
+  blocks.forEach([&](int column, int row) {
+    if (clothesEvidence(blocks.around(column, row), limits, enclosed.at(column, row)) > 1)
+      clothes.set(column, row);
+  });
   for (int y = 0; y < shade->rows(); ++y)
     for (int i = 0; i < shade->rowWords(); ++i) {
       uint64_t& shades = shade->row(y)[i];

@@ -30,12 +30,18 @@ class ShadeBlocks {
   int rows() const { return rows_; }
   const Sums& at(int column, int row) const { return sums_[size_t(row) * cols_ + column]; }
   bool isEmpty(int column, int row) const { return at(column, row).count == 0; }
+  /// Calls `visit(column, row)` for each block that is not empty.
+  template <class VisitT>
+  void forEach(const VisitT& visit) const {
+    for (const size_t i : filled_) visit(int(i % cols_), int(i / cols_));
+  }
   /// Of a block and its eight neighbours.
   Sums around(int column, int row) const;
 
  private:
   int cols_ = 0, rows_ = 0;
   std::vector<Sums> sums_;
+  std::vector<size_t> filled_;  ///< of the sums
 };
 
 struct ShadowLimits {

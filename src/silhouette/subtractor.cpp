@@ -21,8 +21,7 @@ class ModelSubtractor : public Subtractor {
   ModelSubtractor(const SilhouetteOptions& options, Background background)
       : options_(options),
         learner_(options.background_frames, options.compensate_flicker),
-        background_(std::move(background)),
-        test_(options) {
+        background_(std::move(background)) {
     if (!background_.empty())
       background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
   }
@@ -36,12 +35,15 @@ class ModelSubtractor : public Subtractor {
   }
 
   Extraction extract(const cv::Mat& image) override {
+    // What a thread's cameras have in common stays in the cache.
+    static thread_local PixelTest test;
+    static thread_local RimRefiner rim;
     Extraction found;
     if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
-    const PixelClasses& classes = test_.classify(image, background_, found.light_gain);
+    const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_share = double(classes.changed) / double(image.total());
     found.mask = cleanBits(classes.foreground, options_);
-    rim_.refine(image, background_, found.light_gain, classes, &found.mask);
+    rim.refine(image, background_, found.light_gain, classes, &found.mask);
     fillAndSieve(options_, &found.mask);  // the new rim has pinholes and crumbs
     renew(image, found.light_gain, found.mask, classes.shade);
     return found;
@@ -55,8 +57,6 @@ class ModelSubtractor : public Subtractor {
   SilhouetteOptions options_;
   BackgroundLearner learner_;
   Background background_;
-  PixelTest test_;
-  RimRefiner rim_;
   int next_row_ = 0;  ///< first row that the next image renews
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;

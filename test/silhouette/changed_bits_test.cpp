@@ -56,6 +56,7 @@ class ChangedBits : public testing::TestWithParam<int> {
   cv::Mat bgr_;
   std::vector<uint8_t> mean_[2], weight_[2];
   ModeRow rows_[2];
+  std::vector<uint64_t> all_ = std::vector<uint64_t>(stride_ / 64, 1);
 };
 INSTANTIATE_TEST_SUITE_P(Widths, ChangedBits, testing::Values(1, 16, 63, 64, 100, 320, 333));
 
@@ -64,10 +65,20 @@ TEST_P(ChangedBits, AreThoseOfTheSeparateLoops) {
   for (const int modes : {1, 2})
     for (const double gain : {0.5, 1.0, 1.99}) {
       const auto fixed = int16_t(gain * kGainOne);
-      if (!changedBits(bgr_.ptr(), width_, rows_, modes, fixed, kLimit, bits.data()))
+      if (!changedBits(bgr_.ptr(), width_, rows_, modes, fixed, kLimit, all_.data(), bits.data()))
         GTEST_SKIP() << "the processor has no AVX2";
       EXPECT_EQ(bits, expected(modes, fixed)) << modes << " modes, gain " << gain;
     }
+}
+
+TEST_P(ChangedBits, AreZeroWhereTheyAreNotWanted) {
+  std::vector<uint64_t> wanted = all_, bits(stride_ / 64, ~uint64_t(0));
+  wanted.back() = 0;
+  if (!changedBits(bgr_.ptr(), width_, rows_, 1, kGainOne, kLimit, wanted.data(), bits.data()))
+    GTEST_SKIP() << "the processor has no AVX2";
+  std::vector<uint64_t> rest = expected(1, kGainOne);
+  rest.back() = 0;
+  EXPECT_EQ(bits, rest);
 }
 
 }  // namespace
