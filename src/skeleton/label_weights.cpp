@@ -2,10 +2,10 @@
 
 // Fitted by penalised maximum likelihood (ridge and second differences) to 4100 hulls of the
 // virtual studio, at 2 m / 128 and 2 m / 64: persons of 1.55 to 1.88 m in tight and loose clothes
-// and skirts who dance, walk, spin, wave, throw, lift, run, crouch and jump before seven cameras
-// around and one above, some with damaged masks and smaller images. An end's curves: multinomial
-// logit of what is within 15 cm of it (head: 25 cm). A body's: logit over all choices of five ends
-// of one skeleton and "none is right".
+// and skirts who dance, walk, spin, wave, throw, lift, fight, look about, run, crouch and jump
+// before seven cameras around and one above, some with damaged masks and smaller images. An end's
+// curves: multinomial logit of what is within 15 cm of it (head: 25 cm). A body's: logit over all
+// choices of five ends of one skeleton and "none is right".
 
 namespace markerless_mocap {
 

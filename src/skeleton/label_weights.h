@@ -80,7 +80,7 @@ enum BodyCurve {
   kHandDirection,
   kFootDirection,
   kFeetTogether,  ///< 1: both feet share one end
-  kArmWay,  ///< of a hand to the nearest place between the head and a foot
+  kArmWay,        ///< of a hand to the nearest place between the head and a foot
   kArmTreeWay,
   kHeadHandGap,
   kHandFootGap,
