@@ -69,7 +69,14 @@ void unpackBits(const uint64_t* bits, int n, uint8_t* bytes) {
 
 cv::Mat BitMask::toMat() const {
   cv::Mat mask(rows_, cols_, CV_8UC1);
-  for (int y = 0; y < rows_; ++y) unpackBits(row(y), cols_, mask.ptr(y));
+  const auto is_empty = [this](int y) {
+    return std::all_of(row(y), row(y) + row_words_, [](uint64_t word) { return word == 0; });
+  };
+  for (int y = 0; y < rows_; ++y)
+    if (is_empty(y))
+      std::memset(mask.ptr(y), 0, cols_);
+    else
+      unpackBits(row(y), cols_, mask.ptr(y));
   return mask;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silhouette/row_kernels.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -94,30 +96,19 @@ void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const B
   }
 }
 
-/// The disk of radius 1 is a cross: each pixel and its four neighbours are joined by `joined`.
-/// \param outside what the pixels beyond the image count as
+/// The disk of radius 1 is a cross. \param outside what the pixels beyond the image count as
+/// \param join_row eroding or dilating
 template <class JoinT>
-BitMask crossed(const BitMask& mask, const Box& box, uint64_t outside, const JoinT& joined) {
+BitMask crossed(const BitMask& mask, uint64_t outside, const JoinT& join_row) {
   const int words = mask.rowWords();
   BitMask out(cv::Size(mask.cols(), mask.rows()));
   const std::vector<uint64_t> beyond(words, outside);
-  for (int y = box.first_row; y <= box.last_row; ++y) {
-    const uint64_t* row = mask.row(y);
-    const uint64_t* above = y > 0 ? mask.row(y - 1) : beyond.data();
-    const uint64_t* below = y + 1 < mask.rows() ? mask.row(y + 1) : beyond.data();
-    // Bits right of the image are 0 in the mask.
-    const auto at = [&](int i) {
-      if (i < 0 || i >= words) return outside;
-      return i == words - 1 ? row[i] | (outside & ~mask.tailBits()) : row[i];
-    };
-    uint64_t left = at(box.first_word - 1), here = at(box.first_word);
-    for (int i = box.first_word; i <= box.last_word; ++i) {
-      const uint64_t right = at(i + 1);
-      const uint64_t sides = joined(here << 1 | left >> 63, here >> 1 | right << 63);
-      out.row(y)[i] = joined(joined(row[i], sides), joined(above[i], below[i]));
-      left = here;
-      here = right;
-    }
+  std::vector<uint64_t> padded(words + 2, outside);
+  for (int y = 0; y < mask.rows(); ++y) {
+    std::copy_n(mask.row(y), words, &padded[1]);
+    padded[words] |= outside & ~mask.tailBits();
+    join_row(y > 0 ? mask.row(y - 1) : beyond.data(), &padded[1],
+             y + 1 < mask.rows() ? mask.row(y + 1) : beyond.data(), words, out.row(y));
     out.row(y)[words - 1] &= mask.tailBits();
   }
   return out;
@@ -141,15 +132,12 @@ BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
 }  // namespace
 
 BitMask dilated(const BitMask& mask, int radius) {
-  if (radius == 1)
-    return crossed(mask, grown(boxOf(mask), 1, mask), 0,
-                   [](uint64_t a, uint64_t b) { return a | b; });
+  if (radius == 1) return crossed(mask, 0, dilateRow);
   return radius == 0 ? mask : dilatedRows(mask, diskWidths(radius));
 }
 
 BitMask eroded(const BitMask& mask, int radius) {
-  if (radius == 1)
-    return crossed(mask, boxOf(mask), ~uint64_t(0), [](uint64_t a, uint64_t b) { return a & b; });
+  if (radius == 1) return crossed(mask, ~uint64_t(0), erodeRow);
   BitMask out = mask;
   const Box inner = boxOf(mask);
   if (radius == 0 || inner.last_row < 0) return out;

@@ -22,19 +22,6 @@ ShadowLimits makeLimits(const SilhouetteOptions& options, const Background& back
   return {background.channels() == 1, float(gain), float(chroma), float(noise * noise)};
 }
 
-/// Asks for what findChanged() reads of a row, as the processor does not foresee a skipped row.
-void fetchRow(const cv::Mat& image, const Background& background, int y) {
-  constexpr int kLine = 64;
-  const uint8_t* row = image.ptr(y);
-  const int bytes = image.cols * image.channels();
-  for (int i = 0; i < bytes; i += kLine) __builtin_prefetch(row + i);
-  for (int mode = 0; mode < background.modes(); ++mode) {
-    const uint8_t* usual = background.coarse(mode, y).mean[0];
-    for (int i = 0; i < (background.channels() + 1) * background.stride(); i += kLine)
-      __builtin_prefetch(usual + i);
-  }
-}
-
 }  // namespace
 
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
@@ -78,11 +65,7 @@ const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const 
 void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain) {
   const bool is_opened = options_.open_radius_px > 0;
   wanted_.assign(classes_.foreground.rowWords(), 1);
-  const int step = is_opened ? 2 : 1;
-  for (int y = 0; y < image.rows; y += step) {
-    if (y + step < image.rows) fetchRow(image, background, y + step);
-    findChanged(image, background, gain, y);
-  }
+  for (int y = 0; y < image.rows; y += is_opened ? 2 : 1) findChanged(image, background, gain, y);
   for (int y = 1; is_opened && y < image.rows; y += 2) {
     wantFor(y);
     findChanged(image, background, gain, y);

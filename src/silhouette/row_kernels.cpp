@@ -174,6 +174,20 @@ MOCAP_VECTORISED void roundMeans(const uint16_t* __restrict mean, int n, uint8_t
   for (int i = 0; i < n; ++i) grey[i] = uint8_t(uint16_t(mean[i] + kHalf) / Background::kMeanScale);
 }
 
+MOCAP_VECTORISED void erodeRow(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                               const uint64_t* __restrict below, int n, uint64_t* __restrict out) {
+  for (int i = 0; i < n; ++i)
+    out[i] = row[i] & (row[i] << 1 | row[i - 1] >> 63) & (row[i] >> 1 | row[i + 1] << 63) &
+             above[i] & below[i];
+}
+
+MOCAP_VECTORISED void dilateRow(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                                const uint64_t* __restrict below, int n, uint64_t* __restrict out) {
+  for (int i = 0; i < n; ++i)
+    out[i] = row[i] | (row[i] << 1 | row[i - 1] >> 63) | (row[i] >> 1 | row[i + 1] << 63) |
+             above[i] | below[i];
+}
+
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,
                                 int16_t gain, int16_t rate, int n, uint16_t* __restrict mean) {
   constexpr int16_t kBrightest = 255 * kPredictedScale;

@@ -55,6 +55,13 @@ void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int chan
 /// n means in grey levels.
 void roundMeans(const uint16_t* mean, int n, uint8_t* grey);
 
+/// A row of a mask, with its four neighbours: all set, or any. \param row n words, one more before
+/// and behind them
+void erodeRow(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
+              uint64_t* out);
+void dilateRow(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
+               uint64_t* out);
+
 /// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
 /// themselves.
 void moveMeans(const uint8_t* now, const uint8_t* held, int16_t gain, int16_t rate, int n,
