@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 namespace markerless_mocap {
 namespace {
@@ -49,17 +50,49 @@ double squaredScore(const Normal& normal, double value) {
   return std::min(z * z, kClip);
 }
 
-/// Depth-first search over the roles; every assignment is scored.
+/// Squared z-scores of every tip, and pair of tips, under every kind.
+class Scores {
+ public:
+  Scores(const TipMeasures& measures, double build) : tips_(int(measures.to_core.size())) {
+    for (int kind = 0; kind < kKinds; ++kind) {
+      for (int tip = 0; tip < tips_; ++tip) {
+        own_.push_back(squaredScore(kFullness[kind], measures.fullness[tip]) +
+                       squaredScore(kToCore[kind], measures.to_core[tip] - build));
+      }
+    }
+    for (int pair = 0; pair < kKinds * kKinds; ++pair) {
+      const Normal& normal = kDistance[pair / kKinds][pair % kKinds];
+      for (int a = 0; a < tips_; ++a) {
+        for (int b = 0; b < tips_; ++b) {
+          distance_.push_back(squaredScore(normal, measures.distance(a, b) - build));
+        }
+      }
+    }
+  }
+
+  int tips() const { return tips_; }
+  double own(Kind kind, int tip) const { return own_[kind * tips_ + tip]; }
+  double distance(Kind kind, int tip, Kind other_kind, int other) const {
+    return distance_[((kind * kKinds + other_kind) * tips_ + tip) * tips_ + other];
+  }
+
+ private:
+  int tips_;
+  std::vector<double> own_;
+  std::vector<double> distance_;
+};
+
+/// Depth-first search over the roles; every assignment is scored that could still be the best.
 class Assignment {
  public:
-  Assignment(const TipMeasures& measures, double build) : measures_(measures), build_(build) {
+  explicit Assignment(const Scores& scores) : scores_(scores) {
     tip_.fill(-1);
     best_tip_ = tip_;
   }
 
   /// Sum of the terms of the best assignment, each less the allowance.
   double solve() {
-    tryRole(0, 0.0, 0);
+    tryRole(0, 0.0, 0, 0);
     return best_;
   }
 
@@ -73,7 +106,7 @@ class Assignment {
   }
 
  private:
-  void tryRole(int role, double score, int terms) {
+  void tryRole(int role, double score, int terms, int named) {
     if (role == kRoleCount) {
       if (score < best_) {
         best_ = score;
@@ -82,37 +115,42 @@ class Assignment {
       }
       return;
     }
+    if (score - kAllowance * mostTerms(role, named) > best_) return;
     const bool second = role > 0 && kKindOfRole[role] == kKindOfRole[role - 1];
     const int first_tip = second ? tip_[role - 1] + 1 : 0;
     // Without a first arm (leg) there is no second.
     const bool possible = !second || tip_[role - 1] >= 0;
-    for (int b = first_tip; possible && b < int(measures_.to_core.size()); ++b) {
+    for (int b = first_tip; possible && b < scores_.tips(); ++b) {
       if (std::find(tip_.begin(), tip_.begin() + role, b) != tip_.begin() + role) continue;
       tip_[role] = b;
       int added = 0;
       const double gain = termsOf(role, b, &added);
-      tryRole(role + 1, score + gain, terms + added);
+      tryRole(role + 1, score + gain, terms + added, named + 1);
     }
     tip_[role] = -1;
-    tryRole(role + 1, score, terms);
+    tryRole(role + 1, score, terms, named);
+  }
+
+  /// Terms that the roles from `role` on add when all are named.
+  static int mostTerms(int role, int named) {
+    int terms = 0;
+    for (; role < kRoleCount; ++role, ++named) terms += 2 + named;
+    return terms;
   }
 
   double termsOf(int role, int tip, int* count) const {
     const Kind kind = kKindOfRole[role];
-    double sum = squaredScore(kFullness[kind], measures_.fullness[tip]) +
-                 squaredScore(kToCore[kind], measures_.to_core[tip] - build_);
+    double sum = scores_.own(kind, tip);
     *count = 2;
     for (int r = 0; r < role; ++r) {
       if (tip_[r] < 0) continue;
-      sum +=
-          squaredScore(kDistance[kind][kKindOfRole[r]], measures_.distance(tip, tip_[r]) - build_);
+      sum += scores_.distance(kind, tip, kKindOfRole[r], tip_[r]);
       ++*count;
     }
     return sum - kAllowance * *count;
   }
 
-  const TipMeasures& measures_;
-  double build_;
+  const Scores& scores_;
   std::array<int, kRoleCount> tip_;
   std::array<int, kRoleCount> best_tip_;
   double best_ = 0.0;
@@ -125,7 +163,8 @@ TipNames nameTips(const TipMeasures& measures) {
   TipNames best;
   double least = std::numeric_limits<double>::infinity();
   for (const double build : kBuilds) {
-    Assignment assignment(measures, build);
+    const Scores scores(measures, build);
+    Assignment assignment(scores);
     const double unusual = build / kBuildDeviation;
     const double score = assignment.solve() + unusual * unusual;
     if (score >= least) continue;
