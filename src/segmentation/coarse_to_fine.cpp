@@ -12,7 +12,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kEnough = 64;    // nodes of the coarsest level, which is solved by dense matrices
+constexpr size_t kEnough = 32;    // nodes of the coarsest level, which is solved by dense matrices
+constexpr int kSpare = 4;         // nodes of every level beyond the functions on it
 constexpr size_t kTooMany = 200;  // nodes, for that
 constexpr int kSweeps = 4;        // that smooth what comes from the coarser level
 constexpr float kDamping = 0.75f;
@@ -82,7 +83,7 @@ std::optional<GraphModes> coarseToFineModes(const WeightedGraph& graph, int mode
                                             double tolerance) {
   const int width = (modes / 4 + 1) * 4;  // at least one more: it makes the highest converge
   if (graph.cell.empty() || width > kWidest) return {};
-  const std::vector<GraphLevel> levels = buildHierarchy(graph, size_t(2 * width), kEnough);
+  const std::vector<GraphLevel> levels = buildHierarchy(graph, size_t(width + kSpare), kEnough);
   const size_t coarsest = levels.size() - 1;
   if (coarsest == 0 || levels[coarsest].nodeCount() > kTooMany) return {};
   const DensePairs pairs = densePairs(levels[coarsest]);

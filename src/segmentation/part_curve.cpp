@@ -14,10 +14,11 @@ constexpr int kPieces = 3;
 constexpr int kSamples = 200;      // of the curve, to measure its length by
 constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
+constexpr double kResidual = 0.05;  // of the modes: moves a curve by 1 mm
 
 /// The combination of the lowest modes that comes nearest to `ahead`.
 Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahead, int modes) {
-  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes).vectors;
+  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes, kResidual).vectors;
   const Eigen::MatrixXd centered = vectors.rowwise() - vectors.colwise().mean();
   const Eigen::VectorXd wanted = ahead.array() - ahead.mean();
   const Eigen::MatrixXd products = centered.transpose() * centered;
