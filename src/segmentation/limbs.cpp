@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "markerless_mocap/segmentation/eigenmap.h"
 #include "markerless_mocap/segmentation/merge_tree.h"
@@ -21,11 +22,27 @@ constexpr double kBranchShare = 0.12;  // of a tip's height: where a branch ends
 constexpr double kLegShare = 0.15;     // legs that touch are parted down to here
 constexpr double kSameLimb = 0.6;    // way between two tips of one limb, at most, in the same unit
 constexpr double kHeadReach = 0.80;  // head and neck, in cube roots of the hull's volume
+const Eigen::Vector3d kSlant(0.618, 0.354, 1.0);  // no two near voxels lie equally far along it
 
 std::vector<uint32_t> tipsOf(const std::vector<Branch>& branches) {
   std::vector<uint32_t> tips;
   for (const Branch& branch : branches) tips.push_back(branch.tip);
   return tips;
+}
+
+/// Names the arm (leg) with the higher tip first. Persistences would tell the two apart by a hair.
+TipNames namesInOrder(const VoxelGraph& voxels, const TipMeasures& measures,
+                      const std::vector<uint32_t>& tips) {
+  TipNames names = nameTips(measures);
+  const auto height = [&](int tip) { return voxels.centers[tips[tip]].dot(kSlant); };
+  const auto order = [&](PartLabel first, PartLabel second) {
+    int& one = names.tip[size_t(first)];
+    int& other = names.tip[size_t(second)];
+    if (other >= 0 && height(other) > height(one)) std::swap(one, other);
+  };
+  order(PartLabel::kArm1, PartLabel::kArm2);
+  order(PartLabel::kLeg1, PartLabel::kLeg2);
+  return names;
 }
 
 /// Takes each named branch to its part.
@@ -44,8 +61,9 @@ Limbs sortByPart(const TipNames& names, const TipMeasures& measures,
 
 Limbs walkLimbs(const VoxelGraph& voxels, const Eigenmap& map, const std::vector<uint32_t>& core) {
   const std::vector<Branch> branches = splineWalkBranches(map, kLimbs);
-  const TipMeasures measures = measureTips(voxels, tipsOf(branches), core);
-  return sortByPart(nameTips(measures), measures, branches);
+  const std::vector<uint32_t> tips = tipsOf(branches);
+  const TipMeasures measures = measureTips(voxels, tips, core);
+  return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
 }
 
 /// The tips that bound branches: the named ones, and of the five most persistent those that
@@ -68,10 +86,10 @@ std::vector<int> boundingTips(const TipNames& names, const TipMeasures& measures
 
 Limbs mergeTreeLimbs(const VoxelGraph& voxels, const Eigenmap& map,
                      const std::vector<uint32_t>& core) {
-  const std::vector<double> height = distanceFromCore(map, core);
+  const Elevation height = distanceFromCore(map, core);
   const std::vector<uint32_t> tips = persistentMaxima(voxels.graph, height, kCandidates);
   const TipMeasures measures = measureTips(voxels, tips, core);
-  const TipNames names = nameTips(measures);
+  const TipNames names = namesInOrder(voxels, measures, tips);
   const std::vector<int> bounding = boundingTips(names, measures);
   std::vector<uint32_t> bounding_nodes;
   std::vector<int> legs;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -112,6 +113,23 @@ TEST(BodySegmenter, DoesNotInventArmsThatTouchTheBody) {
   EXPECT_EQ(parts.part(PartLabel::kArm1).voxel_count, 0u);
   EXPECT_TRUE(parts.part(PartLabel::kLeg1).seen);
   EXPECT_TRUE(parts.part(PartLabel::kHead).seen);
+}
+
+TEST(BodySegmenter, NumbersArmsAndLegsByWhereTheyAreNotByTheirLengths) {
+  for (const double side : {1.0, -1.0}) {
+    VoxelFigure figure = standingFigure(kHalfRaised);  // one arm and the other leg longer
+    const Eigen::Vector3d shoulder(side * 0.21, 0, 1.38);
+    const Eigen::Vector3d along(side * std::sin(kHalfRaised), 0, -std::cos(kHalfRaised));
+    figure.capsule(shoulder + 0.7 * along, shoulder + 0.75 * along, 0.034,
+                   side > 0 ? PartLabel::kArm1 : PartLabel::kArm2);
+    figure.capsule({side * -0.18, 0, 0.04}, {side * -0.18, 0.18, 0.04}, 0.04,
+                   side > 0 ? PartLabel::kLeg2 : PartLabel::kLeg1);
+    const BodyParts parts = segment(figure.hull());
+    ASSERT_EQ(parts.status, SegmentationStatus::kOk) << parts.reason;
+    for (int p = 0; p < kPartCount; ++p) {
+      EXPECT_EQ(labelOf(PartLabel(p), figure, parts), PartLabel(p)) << side;
+    }
+  }
 }
 
 TEST(BodySegmenter, LabelsDoNotDependOnTheOrderOfVoxels) {

@@ -23,7 +23,7 @@ TEST(MergeTree, OrdersMaximaByPersistence) {
   // 9 stays for good, 8 ends at 2, 7 ends at 5.
   EXPECT_EQ(persistentMaxima(path(5), kHills, 3), (Nodes{0, 2, 4}));
   EXPECT_EQ(persistentMaxima(path(5), kHills, 2), (Nodes{0, 2}));
-  EXPECT_EQ(persistentMaxima(path(5), {1.0, 1.0, 1.0, 1.0, 1.0}, 3), (Nodes{0}));
+  EXPECT_EQ(persistentMaxima(path(5), std::vector<double>(5, 1.0), 3), (Nodes{0}));
 }
 
 TEST(MergeTree, EndsBranchesAtSaddlesBetweenTheGivenTips) {
@@ -36,7 +36,8 @@ TEST(MergeTree, EndsBranchesAtSaddlesBetweenTheGivenTips) {
 }
 
 TEST(MergeTree, EndsBranchesAtTheLowestShare) {
-  const std::vector<Branch> branch = branchesAtTips(path(4), {10.0, 6.0, 4.0, 1.0}, {0}, 0.5);
+  const std::vector<double> slope = {10.0, 6.0, 4.0, 1.0};
+  const std::vector<Branch> branch = branchesAtTips(path(4), slope, {0}, 0.5);
   EXPECT_EQ(branch[0].nodes, (Nodes{0, 1}));
 }
 

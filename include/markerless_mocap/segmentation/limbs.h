@@ -21,7 +21,8 @@ struct Limbs {
 };
 
 /// Embeds the graph, finds its branches by the method of the options, and names them. A branch
-/// whose size no limb of its name can have is left out.
+/// whose size no limb of its name can have is left out. Of two arms (legs) the first is the one
+/// whose tip lies further along a fixed slanted direction, so that only where the tips are decides.
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options);
 
 }  // namespace markerless_mocap
