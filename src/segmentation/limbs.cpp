@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kMergeTreeModes = 10;
 constexpr int kSplineWalkModes = 6;
+constexpr double kResidual = 0.05;  // of the modes: moves one voxel in ten thousand
 constexpr int kLimbs = 5;
 constexpr int kCandidates = 7;         // tips to name; fused hands and elbows leave small ones
 constexpr double kCoreShare = 0.85;    // of the greatest depth under the surface
@@ -133,7 +134,7 @@ Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
   const bool merge_tree = options.branch_method == "merge_tree";
   const int best_modes = merge_tree ? kMergeTreeModes : kSplineWalkModes;
   const Eigenmap map =
-      laplacianEigenmap(voxels.graph, options.modes > 0 ? options.modes : best_modes);
+      laplacianEigenmap(voxels.graph, options.modes > 0 ? options.modes : best_modes, kResidual);
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
   Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, map, core) : walkLimbs(voxels, map, core);
   cutHead(&limbs);

@@ -14,11 +14,14 @@ constexpr int kPieces = 3;
 constexpr int kSamples = 200;      // of the curve, to measure its length by
 constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
-constexpr double kResidual = 0.05;  // of the modes: moves a curve by 1 mm
+constexpr double kResidual = 0.05;  // of the modes: moves a curve by about 1 mm
+constexpr size_t kMany = 2000;      // nodes, from which on it moves less
+constexpr double kResidualOfMany = 0.15;
 
 /// The combination of the lowest modes that comes nearest to `ahead`.
 Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahead, int modes) {
-  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes, kResidual).vectors;
+  const double residual = part.nodeCount() > kMany ? kResidualOfMany : kResidual;
+  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes, residual).vectors;
   const Eigen::MatrixXd centered = vectors.rowwise() - vectors.colwise().mean();
   const Eigen::VectorXd wanted = ahead.array() - ahead.mean();
   const Eigen::MatrixXd products = centered.transpose() * centered;
@@ -59,8 +62,9 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
                        const std::vector<double>& ahead, int modes) {
   PartCurve curve;
   curve.voxel_count = uint32_t(nodes.size());
-  const WeightedGraph all = subgraph(voxels.graph, nodes);
-  const std::vector<uint32_t> kept = largestComponent(all);
+  WeightedGraph part = subgraph(voxels.graph, nodes);
+  const std::vector<uint32_t> kept = largestComponent(part);
+  if (kept.size() < nodes.size()) part = subgraph(part, kept);
   if (kept.size() < kFewestNodes) return curve;
   Eigen::VectorXd along(Eigen::Index(kept.size()));
   Eigen::MatrixXd centers(along.size(), 3);
@@ -68,7 +72,7 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
     along[Eigen::Index(i)] = ahead[nodes[kept[i]]];
     centers.row(Eigen::Index(i)) = voxels.centers[nodes[kept[i]]].transpose();
   }
-  const Eigen::VectorXd mode = modeAlong(subgraph(all, kept), along, modes);
+  const Eigen::VectorXd mode = modeAlong(part, along, modes);
   const Eigen::VectorXd sites = siteValues(mode);
   sampleEvenly(LeastSquaresSpline(sites, centers, kPieces), &curve);
   curve.seen = true;
