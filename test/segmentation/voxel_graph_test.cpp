@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+
+#include "markerless_mocap/segmentation/bridges.h"
 
 namespace markerless_mocap {
 namespace {
@@ -102,6 +105,23 @@ TEST(VoxelGraph, BridgesPiecesThatTouchByACorner) {
   EXPECT_TRUE(voxels.left_out.empty());
   EXPECT_EQ(weightsOf(voxels.graph).count({1, 2}), 1u);
   expectSymmetric(voxels.graph);
+}
+
+TEST(BridgeEdges, JoinEachPairOfTouchingPiecesOnceByAscendingNodes) {
+  const auto pairsOf = [](const std::vector<Eigen::Vector3i>& cells,
+                          const std::vector<uint32_t>& component) {
+    std::vector<std::pair<uint32_t, uint32_t>> pairs;
+    for (const Edge& edge : bridgeEdges(NodeGrid(cells), component)) {
+      pairs.emplace_back(edge.from, edge.to);
+    }
+    return pairs;
+  };
+  using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+  // A bar, a voxel at its end's edge, and one at that voxel's corner.
+  EXPECT_EQ(pairsOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}, {4, 2, 1}}, {0, 0, 0, 1, 2}),
+            (Pairs{{2, 3}, {3, 4}}));
+  EXPECT_EQ(pairsOf({{4, 2, 0}, {3, 1, 1}, {0, 0, 2}, {1, 0, 2}, {2, 0, 2}}, {0, 1, 2, 2, 2}),
+            (Pairs{{0, 1}, {1, 4}}));
 }
 
 TEST(VoxelGraph, BridgesNothingWithinAPiece) {
