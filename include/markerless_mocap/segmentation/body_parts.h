@@ -9,7 +9,7 @@
 namespace markerless_mocap {
 
 /// The six parts of Hsiao 2008, 3.1.4. Left and right are not told apart here: arm 1 and arm 2
-/// (leg 1, leg 2) are in no order.
+/// (leg 1, leg 2) are numbered by place, which does not tell left from right.
 enum class PartLabel : uint8_t { kTorso = 0, kHead, kArm1, kArm2, kLeg1, kLeg2 };
 constexpr int kPartCount = 6;
 const char* toString(PartLabel label);
