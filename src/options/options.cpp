@@ -152,10 +152,10 @@ void OptionReader::finish() const {
   for (const auto& entry : node_) {
     const std::string key = entry.first.as<std::string>();
     if (known_.count(key)) continue;
-    const auto nearest = std::min_element(
-        known_.begin(), known_.end(), [&](const std::string& a, const std::string& b) {
-          return editDistance(a, key) < editDistance(b, key);
-        });
+    const auto nearest = std::min_element(known_.begin(), known_.end(),
+                                          [&](const std::string& a, const std::string& b) {
+                                            return editDistance(a, key) < editDistance(b, key);
+                                          });
     throw std::invalid_argument(
         where_ + "/" + key + " is not an option (value " + shown(entry.second) + "), " +
         (nearest == known_.end() ? "none is allowed" : "did you mean " + *nearest + "?"));
@@ -210,8 +210,7 @@ void OptionDescriber::field(const char* key, std::string& value,
       meaning);
 }
 
-void OptionDescriber::field(const char* key, std::vector<std::string>& value,
-                            const char* meaning) {
+void OptionDescriber::field(const char* key, std::vector<std::string>& value, const char* meaning) {
   row(key, "[" + joined(value) + "]", "list of texts", meaning);
 }
 

@@ -8,8 +8,8 @@
 namespace markerless_mocap {
 
 /// Pixels of an image message: CV_8UC1 from a grey encoding, CV_8UC3 (BGR) from any colour one
-/// (mono8, mono16, bgr8, rgb8, bgra8, rgba8, the four Bayer patterns of 8 bits). Throws std::invalid_argument on
-/// another encoding or too little data. The result owns its pixels.
+/// (mono8, mono16, bgr8, rgb8, bgra8, rgba8, the four Bayer patterns of 8 bits). Throws
+/// std::invalid_argument on another encoding or too little data. The result owns its pixels.
 cv::Mat matFromMessage(const sensor_msgs::Image& message);
 
 /// As above from JPEG, PNG or whatever else OpenCV decodes. Throws std::invalid_argument if it
