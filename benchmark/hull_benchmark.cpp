@@ -78,9 +78,9 @@ void packAndVote(benchmark::State& state) {
   const Scene scene(state);
   const VoxelLattice lattice = scene.options.lattice();
   const CarvingPlan plan(scene.rig, lattice);
-  std::vector<BitMask> masks(scene.rig.size());
+  std::vector<TileMask> masks(scene.rig.size());
   Ballot ballot;
-  for (const BitMask& mask : masks) ballot.masks.push_back(&mask);
+  for (const TileMask& mask : masks) ballot.masks.push_back(&mask);
   ballot.weights.assign(masks.size(), 1);
   ballot.window.high = lattice.size;
   LeafVolume volume(lattice);

@@ -10,9 +10,9 @@ namespace markerless_mocap {
 /// One vote over a lattice. A voxel stands when at least `min_views` cameras with a mask see it and
 /// the weights of those of them that have it outside their silhouette sum to less than `limit`.
 struct Ballot {
-  std::vector<const BitMask*> masks;  ///< one per camera; nullptr: the camera has no vote
-  std::vector<uint32_t> weights;      ///< one per camera, up to kMostWeight
-  uint32_t limit = 1;                 ///< up to kMostLimit
+  std::vector<const TileMask*> masks;  ///< one per camera; nullptr: the camera has no vote
+  std::vector<uint32_t> weights;       ///< one per camera, up to kMostWeight
+  uint32_t limit = 1;                  ///< up to kMostLimit
   int min_views = 2;
   VoxelBox window;  ///< nothing stands outside
 

@@ -136,7 +136,7 @@ double FaultFinder::unexplainedIn(size_t camera, const std::vector<Piece>& piece
   for (const Piece& piece : pieces)
     for (const Cell& cell : piece.cells)
       how == Reach::kRoughly ? reachRoughly(camera, cell) : reach(camera, cell);
-  const BitMask& mask = booth_->mask(camera);
+  const TileMask& mask = booth_->mask(camera);
   size_t set = 0, left = 0;
   for (int x = 0; x < columns; ++x)
     for (int y = 0; y < rows; ++y) {

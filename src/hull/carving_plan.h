@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "hull/bit_mask.h"
 #include "hull/leaf_words.h"
+#include "hull/tile_mask.h"
 #include "markerless_mocap/camera/camera.h"
 #include "markerless_mocap/hull/voxel_lattice.h"
 

@@ -88,7 +88,7 @@ class Coverage {
 
 /// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers.
 bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& camera, size_t index,
-              const CarvingPlan& plan, const BitMask& mask) {
+              const CarvingPlan& plan, const TileMask& mask) {
   constexpr uint8_t kItself = 1, kOthers = 2;
   Coverage coverage(camera, index, plan);
   const PixelBox part = coverage.around(pieces[suspect]);
@@ -109,7 +109,7 @@ bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& ca
 
 }  // namespace
 
-void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<BitMask>& masks,
+void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<TileMask>& masks,
                 CameraSet voters, std::vector<Piece>* pieces) {
   if (pieces->size() < 2) return;
   for (size_t i = 0; i < std::min(pieces->size(), kJudged); ++i) {

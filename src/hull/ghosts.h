@@ -12,7 +12,7 @@ namespace markerless_mocap {
 /// around that of their centre as far as half a voxel reaches. The first eight pieces are judged,
 /// the others are not suspect; nor is a piece that is alone. \param masks one per camera, valid for
 /// voters
-void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<BitMask>& masks,
+void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<TileMask>& masks,
                 CameraSet voters, std::vector<Piece>* pieces);
 
 }  // namespace markerless_mocap

@@ -13,7 +13,7 @@ struct WindowHalves {
   __m128i left, right;
 };
 
-__attribute__((target("avx2"))) inline WindowHalves loadWindow(const BitMask& mask, int x, int y) {
+__attribute__((target("avx2"))) inline WindowHalves loadWindow(const TileMask& mask, int x, int y) {
   const uint8_t* column = mask.pixels(x >> 3, y);
   const auto load = [&](int i) __attribute__((target("avx2"))) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(column + i * mask.columnBytes()));
@@ -29,7 +29,7 @@ __attribute__((target("avx2"))) inline WindowHalves loadWindow(const BitMask& ma
   return {joined(a, b), joined(b, c)};
 }
 
-__attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const BitMask& mask, int x, int y,
+__attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const TileMask& mask, int x, int y,
                                                                 const uint8_t* codes) {
   const WindowHalves halves = loadWindow(mask, x, y);
   const __m256i left = _mm256_broadcastsi128_si256(halves.left);
@@ -52,7 +52,7 @@ __attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const BitMask& m
   return result;
 }
 
-__attribute__((target("avx2"))) uint64_t setInWindowsAvx2(const BitMask& mask,
+__attribute__((target("avx2"))) uint64_t setInWindowsAvx2(const TileMask& mask,
                                                           const PixelWindow* begin,
                                                           const PixelWindow* end,
                                                           const uint8_t* codes) {
@@ -67,7 +67,7 @@ const bool kHasAvx2 = __builtin_cpu_supports("avx2");
 
 }  // namespace
 
-uint64_t setInWindowsPlainly(const BitMask& mask, const PixelWindow* begin, const PixelWindow* end,
+uint64_t setInWindowsPlainly(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
                              const uint8_t* codes) {
   uint64_t set = 0;
   for (const PixelWindow* w = begin; w != end; ++w)
@@ -78,7 +78,7 @@ uint64_t setInWindowsPlainly(const BitMask& mask, const PixelWindow* begin, cons
   return set;
 }
 
-uint64_t setInWindows(const BitMask& mask, const PixelWindow* begin, const PixelWindow* end,
+uint64_t setInWindows(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
                       const uint8_t* codes) {
 #ifdef __x86_64__
   if (kHasAvx2) return setInWindowsAvx2(mask, begin, end, codes);
@@ -86,7 +86,7 @@ uint64_t setInWindows(const BitMask& mask, const PixelWindow* begin, const Pixel
   return setInWindowsPlainly(mask, begin, end, codes);
 }
 
-uint64_t setInLeaf(const CarvingPlan& plan, const BitMask& mask, size_t leaf, size_t camera) {
+uint64_t setInLeaf(const CarvingPlan& plan, const TileMask& mask, size_t leaf, size_t camera) {
   return setInWindows(mask, plan.windowsBegin(leaf, camera), plan.windowsEnd(leaf, camera),
                       plan.codes(leaf, camera));
 }

@@ -23,7 +23,7 @@ class VotingBooth {
   const VoxelBox& bounds() const { return bounds_; }
 
   const CarvingPlan& plan() const { return plan_; }
-  const BitMask& mask(size_t camera) const { return masks_[camera]; }
+  const TileMask& mask(size_t camera) const { return masks_[camera]; }
   CameraSet present() const { return present_; }
 
  private:
@@ -36,7 +36,7 @@ class VotingBooth {
   std::vector<uint32_t> weights_;  ///< trust of each camera in units
   uint32_t unit_;                  ///< weight of full trust
   VoxelBox bounds_;
-  std::vector<BitMask> masks_;
+  std::vector<TileMask> masks_;
   CameraSet present_ = 0;
   LeafVolume volume_;
   ComponentFinder components_;

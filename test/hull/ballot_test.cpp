@@ -20,7 +20,7 @@ struct RandomVote {
   CameraRig rig;
   VoxelLattice lattice;
   std::vector<cv::Mat> masks;
-  std::vector<BitMask> bits;
+  std::vector<TileMask> bits;
   Ballot ballot;
 
   double uniform(double lo, double hi) {
@@ -172,14 +172,14 @@ cv::Mat noise(int width, int height, uint32_t seed) {
   return mask;
 }
 
-TEST(BitMask, HoldsEveryPixelAndCountsTiles) {
+TEST(TileMask, HoldsEveryPixelAndCountsTiles) {
   for (const cv::Size size : {cv::Size(640, 480), cv::Size(161, 121), cv::Size(40, 8),
                               cv::Size(7, 3), cv::Size(99, 64)}) {
     cv::Mat mask = noise(size.width, size.height, 7);
     mask(cv::Rect(0, 0, (size.width + 1) / 2, (size.height + 1) / 2)).setTo(1);
     mask(cv::Rect(size.width / 2, size.height / 2, (size.width + 1) / 2, (size.height + 1) / 2))
         .setTo(9);
-    BitMask bits;
+    TileMask bits;
     bits.pack(mask);
     EXPECT_EQ(int(bits.setPixels()), cv::countNonZero(mask));
     for (int y = 0; y < size.height; ++y)
@@ -199,7 +199,7 @@ TEST(BitMask, HoldsEveryPixelAndCountsTiles) {
   }
 }
 
-TEST(BitMask, VectorsPackAsTheLoop) {
+TEST(TileMask, VectorsPackAsTheLoop) {
   const cv::Mat mask = noise(203, 8, 3);
   std::vector<uint64_t> fast(26), plain(26);
   packTileRow(mask.data, mask.step, mask.cols, 8, fast.data(), 1);
@@ -208,7 +208,7 @@ TEST(BitMask, VectorsPackAsTheLoop) {
 }
 
 TEST(LeafTest, VectorsTestAsTheLoop) {
-  BitMask bits;
+  TileMask bits;
   bits.pack(noise(160, 120, 11));
   std::mt19937 random(1);
   for (int i = 0; i < 500; ++i) {

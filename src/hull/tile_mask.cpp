@@ -1,4 +1,4 @@
-#include "hull/bit_mask.h"
+#include "hull/tile_mask.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ void TileBox::add(const TileBox& other) {
   y1 = std::max(y1, other.y1);
 }
 
-void BitMask::resize(int width, int height) {
+void TileMask::resize(int width, int height) {
   const int columns = (width + 7) / 8, rows = (height + 7) / 8;
   if (columns == columns_ && rows == rows_) return;
   columns_ = columns;
@@ -23,7 +23,7 @@ void BitMask::resize(int width, int height) {
   sums_.assign(size_t(columns + 1) * (rows + 1), 0);
 }
 
-void BitMask::pack(const cv::Mat& mask) {
+void TileMask::pack(const cv::Mat& mask) {
   resize(mask.cols, mask.rows);
   for (int row = 0; row < rows_; ++row)
     packTileRow(mask.ptr(row * 8), mask.step, mask.cols, std::min(8, mask.rows - row * 8),
@@ -31,7 +31,7 @@ void BitMask::pack(const cv::Mat& mask) {
   sumTiles(mask.cols, mask.rows);
 }
 
-void BitMask::sumTiles(int width, int height) {
+void TileMask::sumTiles(int width, int height) {
   set_pixels_ = 0;
   const uint64_t below = height % 8 == 0 ? 0 : ~uint64_t(0) << (height % 8 * 8);
   const uint64_t right = 0x0101010101010101u * (width % 8 == 0 ? 0 : 0xffu << (width % 8) & 0xffu);

@@ -22,7 +22,7 @@ struct TileCount {
 /// A silhouette in bits: one 64-bit word per tile of 8 x 8 pixels (bit 8 * row + column), tiles of
 /// one column one after the other, and the number of tiles with any and with all pixels set in any
 /// rectangle of tiles by a summed-area table.
-class BitMask {
+class TileMask {
  public:
   /// \param mask CV_8UC1, not 0 where set. Memory of the last mask is used again.
   void pack(const cv::Mat& mask);
