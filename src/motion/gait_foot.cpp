@@ -4,20 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "motion/gait_swing.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kGravity = 9.81;  // m/s^2
-
-double minimumJerk(double u) {
-  return u * u * u * (10.0 + u * (6.0 * u - 15.0));
-}
-
-/// Rises from 0 to 1 and returns, at rest at both ends.
-double bump(double u) {
-  return 16.0 * u * u * (1.0 - u) * (1.0 - u);
-}
 
 Eigen::Quaterniond headed(double heading) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
@@ -128,13 +121,10 @@ FootPose FootTrack::standingAt(const GroundPlace& place, double pitch) const {
 FootPose FootTrack::swingingAt(const Swing& swing, double seconds) const {
   const GaitStep& step = swing.step;
   const double u = (seconds - step.lift) / (step.land - step.lift);
-  const double progress = minimumJerk(u);
-  GroundPlace place;
-  place.position = (1.0 - progress) * step.from.position + progress * step.to.position;
-  place.heading = (1.0 - progress) * step.from.heading + progress * step.to.heading;
+  const GroundPlace place = swungPlace(step.from, step.to, step.detour, u);
   const double pitch = pitch_.at(seconds)[0];
   // From rolling on the ball to rolling on the part that lands.
-  const double on_heel = swing.strike_pitch > 0.0 ? progress : 0.0;
+  const double on_heel = swing.strike_pitch > 0.0 ? minimumJerk(u) : 0.0;
   FootPose pose;
   pose.planted = false;
   pose.within_reach = !step.run && !step.jump;
@@ -143,7 +133,7 @@ FootPose FootTrack::swingingAt(const Swing& swing, double seconds) const {
   pose.toes = headed(place.heading) * pitched(on_heel * pitch);
   pose.ankle = (1.0 - on_heel) * ankleAbout(ball_x_, ball_height_, place, pitch) +
                on_heel * ankleAbout(heel_x_, 0.0, place, pitch);
-  pose.ankle.z() += swing.height * bump(u) + step.tuck * skeleton_.stature * bump(u);
+  pose.ankle.z() += swing.height * swingBump(u) + step.tuck * skeleton_.stature * swingBump(u);
   if (step.jump) pose.ankle.z() += leapHeight(seconds - step.lift, step.land - step.lift);
   return pose;
 }

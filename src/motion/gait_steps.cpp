@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/gait_clearance.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -42,7 +44,7 @@ GroundPlace footPlace(const GroundPlace& middle, bool left, double half_width, d
 class Planner {
  public:
   Planner(const MotionScript& script, const GaitPath& path, const HumanSkeleton& skeleton)
-      : script_(script), path_(path), skeleton_(skeleton) {
+      : script_(script), path_(path), skeleton_(skeleton), clearance_(skeleton) {
     plan_.left_start = standing(0.0, true, script.start_stance);
     plan_.right_start = standing(0.0, false, script.start_stance);
     now_[0] = plan_.right_start;
@@ -80,7 +82,8 @@ class Planner {
     for (const bool left : {true, false}) {
       // What the path's softness still holds back at the landing is made up by the body alone.
       const GroundPlace to = standing(land + 0.5, left, move.stance);
-      addStep({left, lift, land, now_[size_t(left)], to, false, true, move.tuck});
+      addStep({left, lift, land, now_[size_t(left)], to, Eigen::Vector2d::Zero(), false, true,
+               move.tuck});
     }
   }
 
@@ -131,6 +134,9 @@ class Planner {
       } else {
         step.to = standing(path_.moveTimes()[last + 1] + 0.5, left, script_.path[last].stance);
       }
+      const GroundPlace& other = now_[size_t(!left)];
+      step.to = clearance_.beside(step.to, other);
+      step.detour = clearance_.detour(left, step.from, step.to, other);
       addStep(step);
     }
     plan_.blocks.push_back(block);
@@ -139,6 +145,7 @@ class Planner {
   const MotionScript& script_;
   const GaitPath& path_;
   const HumanSkeleton& skeleton_;
+  const FootClearance clearance_;
   GaitPlan plan_;
   GroundPlace now_[2];  ///< of the right and of the left foot
 };

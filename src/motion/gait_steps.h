@@ -12,6 +12,7 @@ struct GaitStep {
   bool left = false;
   double lift = 0.0, land = 0.0;  ///< seconds
   GroundPlace from, to;
+  Eigen::Vector2d detour = Eigen::Vector2d::Zero();  ///< round the other foot, see swungPlace
   bool run = false;
   bool jump = false;
   double tuck = 0.0;  ///< of a jump, share of the stature

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "motion/gait_clearance.h"
 #include "motion/gait_foot.h"
+#include "motion/gait_swing.h"
 #include "motion/motion_measures.h"
 #include "sentence_of.h"
 
@@ -81,6 +83,40 @@ TEST(GaitSteps, endsInTheStanceThatIsAskedFor) {
   const Eigen::Vector2d apart = left.position - right.position;  // heading +y
   EXPECT_NEAR(apart.y(), 0.2 * 1.75, 1e-3);
   EXPECT_NEAR(apart.x(), -0.1 * 1.75, 1e-3);
+}
+
+TEST(FootClearance, measuresFromHeelToToes) {
+  const FootClearance clearance(person());
+  const GroundPlace foot{{1.0, 2.0}, M_PI / 2};
+  EXPECT_NEAR(clearance.gap(foot, foot.shifted(0.0, 0.13)), 0.13, 1e-12);
+  EXPECT_EQ(clearance.gap(foot, {foot.shifted(0.1, -0.02).position, 0.0}), 0.0) << "they cross";
+  const double length = person().tailOf(Bone::kLeftToes).x() -
+                        person().headOf(Bone::kLeftFoot).x() + 0.028 * person().stature;
+  EXPECT_NEAR(clearance.gap(foot, foot.shifted(length + 0.07, 0.0)), 0.07, 1e-12);
+}
+
+TEST(FootClearance, putsAFootASideOfTheOtherOne) {
+  const FootClearance clearance(person());
+  const GroundPlace other{{0.0, 0.0}, 0.0};
+  const GroundPlace free{{0.0, 0.15}, 0.0};
+  EXPECT_EQ(clearance.beside(free, other).position, free.position);
+  const GroundPlace moved = clearance.beside({{0.0, 0.03}, 0.0}, other);
+  EXPECT_NEAR(clearance.gap(moved, other), 0.056 * 1.75, 0.005);
+  EXPECT_GT(moved.position.y(), 0.09);
+}
+
+TEST(FootClearance, goesRoundTheOtherFootOnItsOwnSide) {
+  const FootClearance clearance(person());
+  const GroundPlace other{{0.0, 0.0}, 0.0};
+  for (const bool left : {true, false}) {
+    const GroundPlace from{{-0.6, 0.02}, 0.0}, to{{0.6, -0.02}, 0.0};
+    const Eigen::Vector2d detour = clearance.detour(left, from, to, other);
+    EXPECT_EQ(detour.y() > 0.0, left);
+    for (double u = 0.0; u <= 1.0; u += 0.05)
+      EXPECT_GT(clearance.gap(swungPlace(from, to, detour, u), other), 0.09) << u;
+  }
+  const GroundPlace from{{-0.6, 0.2}, 0.0}, to{{0.6, 0.2}, 0.0};
+  EXPECT_EQ(clearance.detour(true, from, to, other).norm(), 0.0) << "the way is free";
 }
 
 TEST(FootTrack, standsStillOnItsBallWhileTheHeelRises) {

@@ -20,6 +20,8 @@ struct MotionMeasures {
   double bend_low = 0.0, bend_high = 0.0;  ///< radians of knees and elbows, below 0 is backwards
   double side = 0.0;                       ///< metres: farthest joint from the origin in |x| or |y|
   double top = 0.0;                        ///< metres: highest joint
+  double feet_apart = 0.0;                 ///< metres: least between the feet's middle lines
+  double shanks_apart = 0.0;               ///< metres: least between the shanks' axes
   double sign_jump = 0.0;  ///< smallest scalar product of successive quaternions, 1 is still
 };
 
@@ -42,6 +44,31 @@ inline double hingeBend(const HumanPose& pose, Bone upper, Bone lower, const Eig
   return std::atan2(bent.dot(hinge.cross(along)), bent.dot(along));
 }
 
+/// Metres between two segments, to within a tenth of a foot's length.
+inline double segmentGap(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                         const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
+  double least = 1e9;
+  for (int i = 0; i <= 10; ++i) {
+    const Eigen::Vector3d point = a + 0.1 * i * (b - a);
+    const double share = std::clamp((point - c).dot(d - c) / (d - c).squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (point - c - share * (d - c)).norm());
+  }
+  return least;
+}
+
+inline void measureLegs(const HumanSkeleton& s, const HumanPose& pose,
+                        const PerBone<Eigen::Vector3d>& heads, MotionMeasures& m) {
+  const auto left = solePoints(s, pose, heads, true), right = solePoints(s, pose, heads, false);
+  for (size_t i = 0; i < 2; ++i)
+    for (size_t j = 0; j < 2; ++j)
+      m.feet_apart =
+          std::min(m.feet_apart, segmentGap(left[i], left[i + 1], right[j], right[j + 1]));
+  const auto head = [&](Bone bone) { return heads[size_t(bone)]; };
+  m.shanks_apart =
+      std::min(m.shanks_apart, segmentGap(head(Bone::kLeftShank), head(Bone::kLeftFoot),
+                                          head(Bone::kRightShank), head(Bone::kRightFoot)));
+}
+
 inline void measureBends(const HumanPose& pose, MotionMeasures& m) {
   const auto add = [&](double bend) {
     m.bend_low = std::min(m.bend_low, bend);
@@ -56,7 +83,7 @@ inline void measureBends(const HumanPose& pose, MotionMeasures& m) {
 
 inline MotionMeasures measure(const MotionClip& clip, const HumanSkeleton& s) {
   MotionMeasures m;
-  m.sign_jump = 1.0;
+  m.sign_jump = m.feet_apart = m.shanks_apart = 1.0;
   std::vector<Eigen::Vector3d> before, stood(6, Eigen::Vector3d::Zero());
   std::vector<bool> down(6, false);
   for (size_t i = 0; i < clip.poses.size(); ++i) {
@@ -79,6 +106,7 @@ inline MotionMeasures measure(const MotionClip& clip, const HumanSkeleton& s) {
       m.top = std::max(m.top, head.z());
     }
     measureBends(pose, m);
+    measureLegs(s, pose, heads, m);
     if (i == 0) continue;
     for (int b = 0; b < kBoneCount; ++b) {
       const Bone bone = Bone(b), parent = parentOf(bone);

@@ -41,6 +41,8 @@ TEST_P(EveryMotion, looksRightOnPeopleOfAllSizes) {
     EXPECT_LT(m.slide, 0.003);
     EXPECT_LT(m.sink, 0.003);
     EXPECT_LT(m.turn_speed, 16.0) << boneName(Bone(m.turn_bone)) << " at " << m.turn_time << " s";
+    EXPECT_GT(m.feet_apart, 0.054 * who.stature) << "a shoe's width";
+    EXPECT_GT(m.shanks_apart, 0.08);
     EXPECT_GT(m.bend_low, -0.01);
     EXPECT_LT(m.bend_high, 150.0 * M_PI / 180.0);
     EXPECT_GT(m.sign_jump, 0.98) << "successive quaternions lie side by side";
