@@ -97,7 +97,7 @@ void printTrees(const TreeEvaluation& trees, std::ostream& out) {
   printRow(out, "valid", percentText(labels.share_valid) + "   (" + statusText(trees) + ")");
   printRow(out, "labelled right",
            percentText(labels.share_right) + "   (" + percentText(labels.share_right_and_valid) +
-               " and valid)");
+               " and valid; " + percentText(labels.share_kinds_right) + " but for the sides)");
   printRow(out, "wrong but valid", percentText(labels.share_wrong_but_valid));
   printRow(out, "sides right", percentText(labels.share_sides_right) + " of the valid");
   printRow(out, "hands", extremityText(labels.hands_mm, labels.hands_if_right_mm));
@@ -115,6 +115,7 @@ JsonObject treesObject(const TreeEvaluation& trees) {
   out.add("share_right", labels.share_right);
   out.add("share_right_and_valid", labels.share_right_and_valid);
   out.add("share_wrong_but_valid", labels.share_wrong_but_valid);
+  out.add("share_kinds_right", labels.share_kinds_right);
   out.add("share_sides_right", labels.share_sides_right);
   for (const auto& [status, count] : trees.status_counts) statuses.add(status, count);
   out.add("status", statuses);
@@ -148,8 +149,9 @@ std::string treesSection(const TreeEvaluation& trees, const std::vector<double>&
   const LabelErrors& labels = trees.labels;
   return "<h2>Pose tree</h2>\n<p>" + percentText(labels.share_valid) + " valid (" +
          escaped(statusText(trees)) + "), " + percentText(labels.share_right) +
-         " labelled right, " + percentText(labels.share_wrong_but_valid) +
-         " wrong but valid; sides right in " + percentText(labels.share_sides_right) +
+         " labelled right (" + percentText(labels.share_kinds_right) + " but for the sides), " +
+         percentText(labels.share_wrong_but_valid) + " wrong but valid; sides right in " +
+         percentText(labels.share_sides_right) +
          " of the valid; area under precision over recall " +
          figureText("%.3f", labels.precision_recall_area) + "</p>\n" + bandOf(trees, seconds) +
          "<p>of the valid frames; ends to the middle of the head, knuckles and balls of the "

@@ -22,24 +22,35 @@ struct LabelledEnds {
   /// is not found.
   Eigen::Matrix<double, 3, kEndCount> positions =
       Eigen::Matrix<double, 3, kEndCount>::Constant(NAN);
+  /// Points along the limb of each end, from the end upwards, metres; without columns where the
+  /// labeller knows ends only.
+  std::array<Eigen::Matrix3Xd, kEndCount> limbs;
 };
 
 /// Names of the true points that ends are held against: head and head_top, l_hand (knuckles) and
-/// l_hand_tip, l_foot (ball) and l_foot_tip, the same of the right.
+/// l_hand_tip, l_foot (ball) and l_foot_tip, the same of the right. Then those that limbs are held
+/// against: wrists, elbows, ankles and knees, which may be missing.
 std::vector<std::string> labelTruthNames();
 
 /// One frame judged.
 struct LabelVerdict {
-  bool judged = false;    ///< the truth has all points; else nothing below is filled
+  bool judged = false;    ///< the truth has all ends; else nothing below is filled
   bool valid = false;     ///< the labeller stands by it
   bool complete = false;  ///< all five ends are found
-  /// Whether each end is right: the nearest true end, left and right distinct, is the one it is
-  /// named for, and that one's point or tip is at most 150 mm away (head: 250 mm).
-  std::array<bool, kEndCount> end_right{};
-  bool right = false;  ///< all five are
-  /// Whether neither the hands nor the feet lie nearer to the true ones, in the sum of both, when
-  /// they change sides. False when one of them is not found.
+  /// Whether head, hands and feet are what they are called, whichever side they are of: of all true
+  /// ends the nearest to each is of its kind, and the two of a pair are at most 150 mm from the
+  /// points or tips of two different true ones (head: 250 mm).
+  bool kinds_right = false;
+  /// Whether neither the arms nor the legs fit the true ones better when they change sides. What
+  /// fits is told along the limbs, since feet that cross lie nearer to each other than a skeleton's
+  /// end does to them: the sum, over a pair, of the distances from hand to hand and from the true
+  /// wrists and elbows to the labelled limbs; feet, ankles and knees likewise. False when an end of
+  /// a pair is not found.
   bool sides_right = false;
+  /// Whether each end is right: its kind is, its pair has the right sides, and its own true point
+  /// or tip is within the limit.
+  std::array<bool, kEndCount> end_right{};
+  bool right = false;  ///< all five ends are
   /// Distance to the middle of the head, knuckles or ball of the foot, mm; NaN if not found.
   std::array<double, kEndCount> error_mm{};
 };
@@ -64,6 +75,7 @@ struct LabelErrors {
   std::vector<LabelVerdict> verdicts;  ///< per frame of the truth
   size_t frames = 0, valid = 0;        ///< judged, and of these valid
   double share_valid, share_right, share_right_and_valid, share_wrong_but_valid;
+  double share_kinds_right;                    ///< valid or not, whatever the sides
   double share_sides_right;                    ///< of the valid frames
   std::vector<EndError> ends;                  ///< by endNames()
   Spread hands_mm, feet_mm;                    ///< left and right, over the valid frames
