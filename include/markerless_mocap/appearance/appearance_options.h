@@ -1,0 +1,21 @@
+#pragma once
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// Settings of the comparison of a drawn body with images.
+struct AppearanceOptions {
+  static constexpr const char* kStage = "appearance";
+  int reduction = 1;
+  double edge_threshold = 60.0;
+  int edge_reach = 6;
+  double edge_blur = 3.0;
+  int edge_samples = 10;
+  int least_silhouette = 50;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+}  // namespace markerless_mocap
