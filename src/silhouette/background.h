@@ -49,6 +49,8 @@ class Background {
   /// What every pixel of every image is compared with, in a byte each, as memory is what that loop
   /// waits for: row y's means in grey levels, and its weights.
   ModeRow coarse(int mode, int y) const;
+  /// From a row of those to the next, bytes.
+  ptrdiff_t coarseStep() const { return ptrdiff_t(stride_) * (channels_ + 1); }
   /// Row y's means have changed.
   void renewCoarse(int mode, int y);
 

@@ -97,19 +97,26 @@ void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const B
 }
 
 /// The disk of radius 1 is a cross. \param outside what the pixels beyond the image count as
-/// \param join_row eroding or dilating
-template <class JoinT>
-BitMask crossed(const BitMask& mask, uint64_t outside, const JoinT& join_row) {
-  const int words = mask.rowWords();
+/// \param join_words eroding or dilating many words, \param join one
+template <class JoinWordsT, class JoinT>
+BitMask crossed(const BitMask& mask, uint64_t outside, const JoinWordsT& join_words,
+                const JoinT& join) {
+  const int words = mask.rowWords(), last = mask.rows() - 1;
+  const uint64_t tail = mask.tailBits(), beyond_tail = outside & ~tail;
   BitMask out(cv::Size(mask.cols(), mask.rows()));
-  const std::vector<uint64_t> beyond(words, outside);
-  std::vector<uint64_t> padded(words + 2, outside);
-  for (int y = 0; y < mask.rows(); ++y) {
-    std::copy_n(mask.row(y), words, &padded[1]);
-    padded[words] |= outside & ~mask.tailBits();
-    join_row(y > 0 ? mask.row(y - 1) : beyond.data(), &padded[1],
-             y + 1 < mask.rows() ? mask.row(y + 1) : beyond.data(), words, out.row(y));
-    out.row(y)[words - 1] &= mask.tailBits();
+  // Inner rows are one long row, except where that goes on from one row's end to the next.
+  if (last > 1) join_words(mask.row(0), mask.row(1), mask.row(2), (last - 1) * words, out.row(1));
+  for (int y = 0; y <= last; ++y) {
+    const uint64_t* row = mask.row(y);
+    const bool is_inner = y > 0 && y < last;
+    for (int i = 0; i < words; i += is_inner ? std::max(1, words - 1) : 1)
+      out.row(y)[i] =
+          join(i > 0 ? row[i - 1] : outside, i + 1 < words ? row[i] : row[i] | beyond_tail,
+               i + 1 < words - 1 ? row[i + 1]
+               : i + 1 < words   ? row[i + 1] | beyond_tail
+                                 : outside,
+               y > 0 ? row[i - words] : outside, y < last ? row[i + words] : outside);
+    out.row(y)[words - 1] &= tail;
   }
   return out;
 }
@@ -132,12 +139,12 @@ BitMask dilatedRows(const BitMask& mask, const std::vector<int>& widths) {
 }  // namespace
 
 BitMask dilated(const BitMask& mask, int radius) {
-  if (radius == 1) return crossed(mask, 0, dilateRow);
+  if (radius == 1) return crossed(mask, 0, dilateWords, dilatedWord);
   return radius == 0 ? mask : dilatedRows(mask, diskWidths(radius));
 }
 
 BitMask eroded(const BitMask& mask, int radius) {
-  if (radius == 1) return crossed(mask, ~uint64_t(0), erodeRow);
+  if (radius == 1) return crossed(mask, ~uint64_t(0), erodeWords, erodedWord);
   BitMask out = mask;
   const Box inner = boxOf(mask);
   if (radius == 0 || inner.last_row < 0) return out;

@@ -63,23 +63,33 @@ const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const 
 }
 
 void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain) {
-  const bool is_opened = options_.open_radius_px > 0;
   wanted_.assign(classes_.foreground.rowWords(), 1);
-  for (int y = 0; y < image.rows; y += is_opened ? 2 : 1) findChanged(image, background, gain, y);
-  for (int y = 1; is_opened && y < image.rows; y += 2) {
-    wantFor(y);
-    findChanged(image, background, gain, y);
+  if (options_.open_radius_px == 0) {
+    findChangedRows(image, background, gain, 0, 1);
+    return;
+  }
+  findChangedRows(image, background, gain, 0, 4);
+  findChangedRows(image, background, gain, 2, 4);
+  findChangedRows(image, background, gain, 1, 2);
+}
+
+void PixelTest::findChangedRows(const cv::Mat& image, const Background& background, double gain,
+                                int first, int step) {
+  for (int y = first; y < image.rows; y += step) {
+    if (first > 0) wantFor(y, step / 2);
+    findChanged(image, background, gain, y, y + step < image.rows ? step : 0);
   }
 }
 
-void PixelTest::wantFor(int y) {
-  // What outlives the opening is made of crosses; those that touch this row are centred in it, and
-  // then seen above and below, or there, and then seen as three in a row.
+void PixelTest::wantFor(int y, int apart) {
   const BitMask& mask = classes_.foreground;
   const int words = mask.rowWords();
-  const uint64_t* above = mask.row(y - 1);
-  const uint64_t* below = y + 1 < mask.rows() ? mask.row(y + 1) : above;
+  const uint64_t* above = mask.row(y - apart);
+  const uint64_t* below = y + apart < mask.rows() ? mask.row(y + apart) : above;
   const uint64_t last_column = mask.tailBits() & ~(mask.tailBits() >> 1);
+  // What outlives the opening is made of crosses; those that touch this row are centred in it, and
+  // then seen above and below, or there, and then seen as three in a row. Further apart only three
+  // in a row count, as noise is often seen twice.
   const auto centers = [&](int i) {
     if (i >= words) return uint64_t(0);
     const auto three = [&](const uint64_t* row) {
@@ -87,19 +97,19 @@ void PixelTest::wantFor(int y) {
       const uint64_t right = i + 1 < words ? row[i + 1] << 63 : last_column;
       return row[i] & (row[i] << 1 | left) & (row[i] >> 1 | right);
     };
-    return (above[i] & below[i]) | three(above) | three(below);
+    return (apart == 1 ? above[i] & below[i] : 0) | three(above) | three(below);
   };
   uint64_t left = 0, here = centers(0);
   for (int i = 0; i < words; ++i) {
     const uint64_t right = centers(i + 1);
-    wanted_[i] = here | left >> 63 | right << 63;
+    wanted_[i] = here | (apart == 1 ? left >> 63 | right << 63 : left | right);
     left = here;
     here = right;
   }
 }
 
-void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain,
-                            int y) {
+void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain, int y,
+                            int rows_ahead) {
   const int n = background.stride(), channels = background.channels();
   const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
   constexpr uint16_t kSquaredLimit = Background::kLimit * Background::kLimit;
@@ -107,8 +117,9 @@ void PixelTest::findChanged(const cv::Mat& image, const Background& background, 
   if (channels == 3) {
     std::array<ModeRow, Background::kMostModes> modes;
     for (int mode = 0; mode < background.modes(); ++mode) modes[mode] = background.coarse(mode, y);
+    const RowsAhead ahead{ptrdiff_t(image.step) * rows_ahead, background.coarseStep() * rows_ahead};
     if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
-                    kSquaredLimit, wanted_.data(), bits))
+                    kSquaredLimit, ahead, wanted_.data(), bits))
       return;
   }
   splitRow(image, y, 0, image.cols, n, now_.data());

@@ -30,10 +30,16 @@ class PixelTest {
  private:
   void prepare(const Background& background);
   void findChanged(const cv::Mat& image, const Background& background, double gain);
-  /// Of row y, only in words that are wanted.
-  void findChanged(const cv::Mat& image, const Background& background, double gain, int y);
-  /// In which words of row y an opening may leave anything, judged by the rows above and below.
-  void wantFor(int y);
+  /// Of every `step`th row from `first` on, which is 0 or half of that: then the rows between are
+  /// known.
+  void findChangedRows(const cv::Mat& image, const Background& background, double gain, int first,
+                       int step);
+  /// Of row y, only in words that are wanted; row y + rows_ahead will follow.
+  void findChanged(const cv::Mat& image, const Background& background, double gain, int y,
+                   int rows_ahead);
+  /// In which words of row y an opening may leave anything, judged by the rows so far above and
+  /// below.
+  void wantFor(int y, int apart);
   /// Of the rows of blocks' row `row`.
   void findShades(const cv::Mat& image, const Background& background, double gain, int row);
   void findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,

@@ -1,7 +1,6 @@
 #include "silhouette/rim.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -12,8 +11,7 @@ namespace {
 
 /// Half the width of what is decided anew, px: blur and chroma subsampling reach so far.
 constexpr int kReach = 2;
-/// Side of the blocks in which colours are summed, px.
-constexpr int kSide = 4;
+constexpr int kSide = kRimSide;
 /// Squared contrast of person and background, per channel, under which noise would decide.
 constexpr float kLeastContrast = 15;
 /// Where a block lies.
@@ -24,75 +22,32 @@ unsigned nibble(const BitMask& mask, int x, int y) {
   return unsigned(mask.row(y)[x >> 6] >> (x & 63)) & 15u;
 }
 
-unsigned countOf(unsigned nibble) {
+int countOf(BlockBits bits) {
   constexpr uint8_t kCounts[] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
-  return kCounts[nibble];
+  return kCounts[bits & 15] + kCounts[bits >> 4 & 15] + kCounts[bits >> 8 & 15] +
+         kCounts[bits >> 12];
 }
 
-/// The bytes, 0 | 255, of each nibble's four pixels of three channels, in two words.
-using ByteMasks = std::array<std::array<uint64_t, 2>, 16>;
-
-constexpr ByteMasks makeByteMasks() {
-  ByteMasks masks{};
-  for (int nibble = 0; nibble < 16; ++nibble)
-    for (int i = 0; i < 3 * kSide; ++i)
-      if (nibble >> i / 3 & 1) masks[nibble][i / 8] |= uint64_t(255) << (8 * (i % 8));
-  return masks;
+/// A block whose upper left pixel is x, y. Beyond the image all is 0.
+BlockBits blockOf(const BitMask& mask, int x, int y) {
+  unsigned bits = 0;
+  for (int i = std::min(kSide, mask.rows() - y) - 1; i >= 0; --i)
+    bits = bits << kSide | nibble(mask, x, y + i);
+  return BlockBits(bits);
 }
 
-constexpr ByteMasks kByteMasks = makeByteMasks();
-
-/// The bytes, 0 | 255, of each nibble's four pixels of one channel.
-constexpr uint32_t bytesOf(unsigned nibble) {
-  return ((nibble & 1) | (nibble & 2) << 7 | (nibble & 4) << 14 | (nibble & 8) << 21) * 255;
+/// The pixels of such a block that are the image's.
+BlockBits validBits(const cv::Mat& image, int x, int y) {
+  const int beyond_x = std::max(0, x + kSide - image.cols);
+  const int beyond_y = std::max(0, y + kSide - image.rows);
+  return BlockBits((15u >> beyond_x) * 0x1111u & (0xffffu >> (kSide * beyond_y)));
 }
 
-/// Sum of those of four bytes that the nibble chooses.
-unsigned sumOf(const uint8_t* four, unsigned nibble) {
-  uint32_t word;
-  std::memcpy(&word, four, 4);
-  word &= bytesOf(nibble);
-  word = (word & 0x00ff00ffu) + (word >> 8 & 0x00ff00ffu);
-  return (word + (word >> 16)) & 0xffffu;
+/// Calls `visit(x, y)` for each of such a block's pixels.
+template <class VisitT>
+void forEachPixel(BlockBits bits, int x, int y, const VisitT& visit) {
+  forEachBit(bits, 0, [&](int i) { visit(x + i % kSide, y + i / kSide); });
 }
-
-using Four = float __attribute__((vector_size(16)));
-
-Four everyNth(const uint8_t* bytes, int n) {
-  return Four{float(bytes[0]), float(bytes[n]), float(bytes[2 * n]), float(bytes[3 * n])};
-}
-
-/// Of what lies between 0 and 1; what does not counts as the nearer of them.
-Four rootsOf(Four squares) {
-  Four roots;
-  for (int i = 0; i < kSide; ++i) roots[i] = std::sqrt(std::min(1.0f, std::max(0.0f, squares[i])));
-  return roots;
-}
-
-/// Sums the chosen pixels of a block's rows byte by byte: bytes are widened to 16 bits, every other
-/// one to a word. The words are little endian, as the masks of bits are.
-class ByteSums {
- public:
-  /// \param bytes 3 kSide
-  void add(const uint8_t* bytes, unsigned nibble) {
-    uint64_t words[2] = {};
-    std::memcpy(words, bytes, 3 * kSide);
-    for (int i = 0; i < 2; ++i) {
-      const uint64_t chosen = words[i] & kByteMasks[nibble][i];
-      sums_[2 * i] += chosen & kEven;
-      sums_[2 * i + 1] += chosen >> 8 & kEven;
-    }
-  }
-  void addTo(uint16_t* color) const {
-    for (int i = 0; i < 3 * kSide; ++i)
-      color[i % 3] =
-          uint16_t(color[i % 3] + (sums_[i / 8 * 2 + i % 2] >> (16 * (i % 8 / 2)) & 0xffff));
-  }
-
- private:
-  static constexpr uint64_t kEven = 0x00ff00ff00ff00ffu;
-  uint64_t sums_[4] = {};
-};
 
 }  // namespace
 
@@ -149,34 +104,38 @@ void RimRefiner::presetBlock(const BitMask& mask, int column, int row) {
   }
 }
 
+bool RimRefiner::isQuick(const Scene& scene, int x, int y) {
+  return hasRimKernels() && scene.image.channels() == 3 && validBits(scene.image, x, y) == 0xffffu;
+}
+
+ColorBlock RimRefiner::colorBlock(const Scene& scene, int x, int y) {
+  const ModeRow mode = scene.background.coarse(0, y);
+  return {scene.image.ptr(y) + 3 * size_t(x),
+          ptrdiff_t(scene.image.step),
+          {mode.mean[0] + x, mode.mean[1] + x, mode.mean[2] + x},
+          scene.background.coarseStep()};
+}
+
 void RimRefiner::sumBlock(const Scene& scene, int column, int row) {
+  const int channels = scene.image.channels(), x0 = column * kSide, y0 = row * kSide;
   Sums& sums = sums_[size_t(row) * columns_ + column];
   sums = Sums();
-  const int channels = scene.image.channels(), x0 = column * kSide;
-  const bool is_whole = scene.image.cols - x0 >= kSide;
-  const unsigned valid = is_whole ? 15u : (1u << (scene.image.cols - x0)) - 1;
-  ByteSums bytes;
-  unsigned insiders = 0, outsiders = 0, light = 0;
-  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
-    const unsigned inside = nibble(core_, x0, y);
-    const uint8_t* row = scene.image.ptr(y);
-    if (channels == 3 && is_whole)
-      bytes.add(row + size_t(3) * x0, inside);
-    else
-      forEachBit(inside, x0, [&](int x) {
-        for (int c = 0; c < channels; ++c) sums.color[c] += row[x * channels + c];
-      });
-    insiders += countOf(inside);
-    const unsigned outside = ~nibble(outer_, x0, y) & valid;
-    const unsigned shade = outside & nibble(scene.classes.shade, x0, y);
-    outsiders += countOf(outside);
-    light += 255 * countOf(outside & ~shade);
-    light += sumOf(&scene.classes.ratio[size_t(y) * scene.background.stride() + x0], shade);
-  }
-  bytes.addTo(sums.color);
-  sums.inside = uint16_t(insiders);
-  sums.outside = uint16_t(outsiders);
-  sums.light = uint16_t(light);
+  const BlockBits inside = blockOf(core_, x0, y0);
+  const BlockBits outside = validBits(scene.image, x0, y0) & BlockBits(~blockOf(outer_, x0, y0));
+  const BlockBits shade = outside & blockOf(scene.classes.shade, x0, y0);
+  sums.inside = uint16_t(countOf(inside));
+  sums.outside = uint16_t(countOf(outside));
+  sums.light = uint16_t(255 * (sums.outside - countOf(shade)));
+  forEachPixel(shade, x0, y0, [&](int x, int y) {
+    sums.light += scene.classes.ratio[size_t(y) * scene.background.stride() + x];
+  });
+  if (!inside) return;
+  if (isQuick(scene, x0, y0))
+    addColors(colorBlock(scene, x0, y0), inside, sums.color);
+  else
+    forEachPixel(inside, x0, y0, [&](int x, int y) {
+      for (int c = 0; c < channels; ++c) sums.color[c] += scene.image.ptr(y)[x * channels + c];
+    });
 }
 
 RimRefiner::Sums RimRefiner::around(int column, int row) const {
@@ -194,33 +153,36 @@ RimRefiner::Sums RimRefiner::around(int column, int row) const {
 
 void RimRefiner::estimateBlock(const Scene& scene, const Sums& around, int column, int row) {
   if (around.inside == 0) return;
-  const int channels = scene.image.channels(), x0 = column * kSide;
+  const int channels = scene.image.channels(), x0 = column * kSide, y0 = row * kSide;
   const float light =
       around.outside > 0 ? float(around.light) / (255 * float(around.outside)) : 1.0f;
-  const float scale = scene.gain * light, noise = float(scene.background.noise());
-  float person[3];
-  for (int c = 0; c < 3; ++c) person[c] = float(around.color[c]) / around.inside;
-  const int width = std::min(kSide, scene.image.cols - x0);
-  for (int y = row * kSide; y < std::min((row + 1) * kSide, scene.image.rows); ++y) {
-    const unsigned band = nibble(band_, x0, y);
-    if (!band) continue;
-    uint8_t pixels[3 * kSide] = {};
-    std::memcpy(pixels, scene.image.ptr(y) + size_t(x0) * channels, size_t(width) * channels);
-    const ModeRow mode = scene.background.coarse(0, y);
-    Four apart = {}, contrast = {};
-    for (int c = 0; c < channels; ++c) {
-      const Four usual = everyNth(mode.mean[c] + x0, 1) * scale;
-      const Four off = everyNth(pixels + c, channels) - usual, whole = person[c] - usual;
-      apart += off * off;
-      contrast += whole * whole;
-    }
-    const Four share = rootsOf((apart - noise * noise * float(channels)) / contrast);
-    uint8_t* out = &share_[size_t(y) * stride_ + x0];
-    for (int i = 0; i < kSide; ++i) {
-      const bool is_told = (band >> i & 1) & (contrast[i] >= kLeastContrast * float(channels));
-      out[i] = is_told ? uint8_t(int(255 * share[i])) : out[i];
-    }
+  const float noise = float(scene.background.noise());
+  RimColors colors{
+      {}, scene.gain * light, noise * noise * float(channels), kLeastContrast * float(channels)};
+  for (int c = 0; c < channels; ++c) colors.person[c] = float(around.color[c]) / around.inside;
+  const BlockBits asked = blockOf(band_, x0, y0);
+  if (isQuick(scene, x0, y0))
+    tellShares(colorBlock(scene, x0, y0), colors, asked, stride_,
+               &share_[size_t(y0) * stride_ + x0]);
+  else
+    forEachPixel(asked, x0, y0, [&](int x, int y) { estimatePixel(scene, colors, x, y); });
+}
+
+void RimRefiner::estimatePixel(const Scene& scene, const RimColors& colors, int x, int y) {
+  const int channels = scene.image.channels();
+  const ModeRow mode = scene.background.coarse(0, y);
+  float apart = 0, contrast = 0;
+  for (int c = 0; c < channels; ++c) {
+    const float lit = float(mode.mean[c][x]) * colors.light;
+    const float off = float(scene.image.ptr(y)[x * channels + c]) - lit;
+    const float whole = colors.person[c] - lit;
+    apart += off * off;
+    contrast += whole * whole;
   }
+  if (contrast < colors.least_contrast) return;
+  const float square = (apart - colors.squared_noise) / contrast;
+  const float share = std::sqrt(std::min(1.0f, std::max(0.0f, square)));
+  share_[size_t(y) * stride_ + x] = uint8_t(int(255 * share));
 }
 
 /// The outline is smooth: a pixel is the person's if more than half of its surroundings are.

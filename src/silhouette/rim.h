@@ -5,6 +5,7 @@
 
 #include "silhouette/background.h"
 #include "silhouette/pixel_test.h"
+#include "silhouette/rim_kernels.h"
 
 namespace markerless_mocap {
 
@@ -35,12 +36,16 @@ class RimRefiner {
     const PixelClasses& classes;
   };
 
+  /// Whether the block's colours can be looked at all at once.
+  static bool isQuick(const Scene& scene, int x, int y);
+  static ColorBlock colorBlock(const Scene& scene, int x, int y);
   void findBlocks();
   void sumBlock(const Scene& scene, int column, int row);
   /// The pixels' share of the person as the mask has it, into share_.
   void presetBlock(const BitMask& mask, int column, int row);
   /// The pixels' share of the person, 255 = all, into share_.
   void estimateBlock(const Scene& scene, const Sums& around, int column, int row);
+  void estimatePixel(const Scene& scene, const RimColors& colors, int x, int y);
   Sums around(int column, int row) const;
   void smooth(BitMask* mask) const;
 

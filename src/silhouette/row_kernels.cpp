@@ -5,12 +5,7 @@
 
 #include "silhouette/background.h"
 #include "silhouette/bit_mask.h"
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MOCAP_VECTORISED __attribute__((target_clones("avx2", "default"), optimize("O3")))
-#else
-#define MOCAP_VECTORISED
-#endif
+#include "silhouette/vectorised.h"
 
 namespace markerless_mocap {
 namespace {
@@ -174,18 +169,18 @@ MOCAP_VECTORISED void roundMeans(const uint16_t* __restrict mean, int n, uint8_t
   for (int i = 0; i < n; ++i) grey[i] = uint8_t(uint16_t(mean[i] + kHalf) / Background::kMeanScale);
 }
 
-MOCAP_VECTORISED void erodeRow(const uint64_t* __restrict above, const uint64_t* __restrict row,
-                               const uint64_t* __restrict below, int n, uint64_t* __restrict out) {
+MOCAP_VECTORISED void erodeWords(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                                 const uint64_t* __restrict below, int n,
+                                 uint64_t* __restrict out) {
   for (int i = 0; i < n; ++i)
-    out[i] = row[i] & (row[i] << 1 | row[i - 1] >> 63) & (row[i] >> 1 | row[i + 1] << 63) &
-             above[i] & below[i];
+    out[i] = erodedWord(row[i - 1], row[i], row[i + 1], above[i], below[i]);
 }
 
-MOCAP_VECTORISED void dilateRow(const uint64_t* __restrict above, const uint64_t* __restrict row,
-                                const uint64_t* __restrict below, int n, uint64_t* __restrict out) {
+MOCAP_VECTORISED void dilateWords(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                                  const uint64_t* __restrict below, int n,
+                                  uint64_t* __restrict out) {
   for (int i = 0; i < n; ++i)
-    out[i] = row[i] | (row[i] << 1 | row[i - 1] >> 63) | (row[i] >> 1 | row[i + 1] << 63) |
-             above[i] | below[i];
+    out[i] = dilatedWord(row[i - 1], row[i], row[i + 1], above[i], below[i]);
 }
 
 MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,

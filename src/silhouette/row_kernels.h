@@ -55,12 +55,20 @@ void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int chan
 /// n means in grey levels.
 void roundMeans(const uint16_t* mean, int n, uint8_t* grey);
 
-/// A row of a mask, with its four neighbours: all set, or any. \param row n words, one more before
-/// and behind them
-void erodeRow(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
-              uint64_t* out);
-void dilateRow(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
-               uint64_t* out);
+/// A word of a mask with its pixels' four neighbours: all set, or any.
+inline uint64_t erodedWord(uint64_t left, uint64_t word, uint64_t right, uint64_t above,
+                           uint64_t below) {
+  return word & (word << 1 | left >> 63) & (word >> 1 | right << 63) & above & below;
+}
+inline uint64_t dilatedWord(uint64_t left, uint64_t word, uint64_t right, uint64_t above,
+                            uint64_t below) {
+  return word | (word << 1 | left >> 63) | (word >> 1 | right << 63) | above | below;
+}
+/// Of n words in a row. \param row one more before and behind them
+void erodeWords(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
+                uint64_t* out);
+void dilateWords(const uint64_t* above, const uint64_t* row, const uint64_t* below, int n,
+                 uint64_t* out);
 
 /// Moves n means by `rate` / 32768 of the way to the image, or where `held` is not 0 to `gain` x
 /// themselves.

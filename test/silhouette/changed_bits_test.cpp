@@ -65,7 +65,8 @@ TEST_P(ChangedBits, AreThoseOfTheSeparateLoops) {
   for (const int modes : {1, 2})
     for (const double gain : {0.5, 1.0, 1.99}) {
       const auto fixed = int16_t(gain * kGainOne);
-      if (!changedBits(bgr_.ptr(), width_, rows_, modes, fixed, kLimit, all_.data(), bits.data()))
+      if (!changedBits(bgr_.ptr(), width_, rows_, modes, fixed, kLimit, {}, all_.data(),
+                       bits.data()))
         GTEST_SKIP() << "the processor has no AVX2";
       EXPECT_EQ(bits, expected(modes, fixed)) << modes << " modes, gain " << gain;
     }
@@ -74,7 +75,7 @@ TEST_P(ChangedBits, AreThoseOfTheSeparateLoops) {
 TEST_P(ChangedBits, AreZeroWhereTheyAreNotWanted) {
   std::vector<uint64_t> wanted = all_, bits(stride_ / 64, ~uint64_t(0));
   wanted.back() = 0;
-  if (!changedBits(bgr_.ptr(), width_, rows_, 1, kGainOne, kLimit, wanted.data(), bits.data()))
+  if (!changedBits(bgr_.ptr(), width_, rows_, 1, kGainOne, kLimit, {}, wanted.data(), bits.data()))
     GTEST_SKIP() << "the processor has no AVX2";
   std::vector<uint64_t> rest = expected(1, kGainOne);
   rest.back() = 0;
