@@ -121,6 +121,12 @@ void judgePoseTrees(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* 
   out->trees = judgeTrees(truth.joints, truth.world_frame, trees, tolerance_ns);
 }
 
+void judgeBodyParts(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
+  const PartsRecord parts = readParts(out->request.results);
+  if (parts.stamps_ns.empty()) return;
+  out->parts = judgeParts(truth.joints, truth.world_frame, parts, tolerance_ns);
+}
+
 /// The frames of least, median and largest D.
 std::vector<std::pair<const char*, size_t>> telling(const std::vector<double>& D) {
   std::vector<size_t> order;
@@ -193,6 +199,7 @@ Evaluation evaluate(const EvaluationRequest& request, const std::function<void(d
   judgeJoints(truth, results, &out);
   judgeAngles(truth, results, tolerance, &out);
   judgePoseTrees(truth, tolerance, &out);
+  judgeBodyParts(truth, tolerance, &out);
   if (request.images || request.pictures) judgeImages(results, tolerance, progress, &out);
   progress(1.0);
   return out;

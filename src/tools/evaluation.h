@@ -12,6 +12,7 @@
 #include "markerless_mocap/evaluation/joint_error.h"
 #include "markerless_mocap/evaluation/track_record.h"
 #include "tools/evaluation_images.h"
+#include "tools/evaluation_parts.h"
 #include "tools/evaluation_tree.h"
 
 namespace markerless_mocap {
@@ -42,8 +43,9 @@ struct Evaluation {
   std::vector<AngleError> angles;
   ImageMeasures images;
   std::vector<EvaluatedPicture> pictures;
-  std::optional<TreeEvaluation> trees;  ///< when the results have pose trees
-  std::vector<std::string> notes;       ///< sentences on what could not be judged
+  std::optional<TreeEvaluation> trees;   ///< when the results have pose trees
+  std::optional<PartsEvaluation> parts;  ///< when they have segmented hulls
+  std::vector<std::string> notes;        ///< sentences on what could not be judged
 };
 
 /// Throws std::runtime_error or std::invalid_argument with one sentence when there is nothing to

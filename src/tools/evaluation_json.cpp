@@ -1,5 +1,6 @@
 #include "tools/evaluation_json.h"
 
+#include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_tree_text.h"
 #include "tools/json_text.h"
 
@@ -130,6 +131,7 @@ std::string evaluationJson(const Evaluation& evaluation) {
   out.add("angles_deg", angles);
   out.add("iou", overlapObject(evaluation.images));
   if (evaluation.trees) out.add("pose_tree", treesObject(*evaluation.trees));
+  if (evaluation.parts) out.add("body_segmentation", partsObject(*evaluation.parts));
   std::string notes;
   for (const std::string& note : evaluation.notes)
     notes += (notes.empty() ? "" : ", ") + JsonObject::quoted(note);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_table.h"
 #include "tools/evaluation_tree_text.h"
 #include "tools/figure_text.h"
@@ -158,6 +159,7 @@ std::string evaluationPage(const Evaluation& evaluation) {
                      histogram(evaluation.joints.D, kBins, kBlue, "mm") + swapsAndTips(evaluation) +
                      overlaps(evaluation) + anglesSection(evaluation.angles);
   if (evaluation.trees) body += treesSection(*evaluation.trees, secondsOf(evaluation.stamps_ns));
+  if (evaluation.parts) body += partsSection(*evaluation.parts, secondsOf(evaluation.stamps_ns));
   if (!evaluation.pictures.empty())
     body +=
         "<h2>Pictures</h2>\n<p>green: fitted body; red outline: exact mask; with their IoU</p>\n";

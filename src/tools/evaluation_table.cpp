@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_tree_text.h"
 #include "tools/figure_text.h"
 
@@ -114,6 +115,7 @@ void printEvaluation(const Evaluation& evaluation, std::ostream& out) {
   printMarkers(evaluation.joints, out);
   printRest(evaluation, out);
   if (evaluation.trees) printTrees(*evaluation.trees, out);
+  if (evaluation.parts) printParts(*evaluation.parts, out);
   for (const std::string& note : evaluation.notes) out << note << '\n';
 }
 
