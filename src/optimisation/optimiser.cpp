@@ -1,0 +1,46 @@
+#include "markerless_mocap/optimisation/optimiser.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace markerless_mocap {
+
+void requireProblem(const SearchProblem& problem, const SearchStart& start) {
+  const auto size = start.center.size();
+  if (!problem.cost) throw std::invalid_argument("a search needs a cost");
+  if (size < 1 || start.sigma.size() != size || problem.lower.size() != size ||
+      problem.upper.size() != size)
+    throw std::invalid_argument(
+        "a search needs a centre, and as many sigmas and bounds as the centre has values");
+  for (Eigen::Index d = 0; d < size; ++d) {
+    const std::string parameter = "parameter " + std::to_string(d) + " of a search";
+    if (!std::isfinite(start.center[d]))
+      throw std::invalid_argument(parameter + " starts at a value that is not finite");
+    if (!(start.sigma[d] >= 0.0 && std::isfinite(start.sigma[d])))
+      throw std::invalid_argument(parameter + " needs a finite sigma of at least 0");
+    if (!(problem.lower[d] <= problem.upper[d]))
+      throw std::invalid_argument(parameter + " has a lower bound above its upper one");
+  }
+}
+
+bool isAllowed(const SearchProblem& problem, const double* candidate) {
+  for (Eigen::Index d = 0; d < problem.lower.size(); ++d)
+    if (!(candidate[d] >= problem.lower[d] && candidate[d] <= problem.upper[d])) return false;
+  return !problem.forbidden || !problem.forbidden(candidate);
+}
+
+bool drawAllowed(const SearchProblem& problem, const Eigen::VectorXd& fallback,
+                 const std::function<void(int, Eigen::Ref<Eigen::VectorXd>)>& draw,
+                 Eigen::Ref<Eigen::VectorXd> candidate) {
+  for (int attempt = 0; attempt < kDrawAttempts; ++attempt) {
+    draw(attempt, candidate);
+    if (isAllowed(problem, candidate.data())) return true;
+  }
+  candidate = candidate.cwiseMax(problem.lower).cwiseMin(problem.upper);
+  if (isAllowed(problem, candidate.data())) return true;
+  candidate = fallback;
+  return false;
+}
+
+}  // namespace markerless_mocap
