@@ -2,13 +2,10 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
-#include <immintrin.h>
-
 #include <cstring>
 
+#include "silhouette/avx2_pixels.h"
 #include "silhouette/row_kernels.h"
-
-#define MOCAP_AVX2 __attribute__((target("avx2")))
 
 namespace markerless_mocap {
 namespace {
@@ -16,39 +13,8 @@ namespace {
 constexpr int kStep = 16, kWord = 64, kMeanBits = 7;
 static_assert(Background::kMeanScale == 1 << kMeanBits);
 
-/// 16 pixels, a channel each, 16 bits per value.
-struct Pixels {
-  __m256i channel[3];
-};
-
-MOCAP_AVX2 inline __m128i bytes(const uint8_t* from) {
-  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
-}
-
-/// Byte i of `zero`, `one` or `two`, as i modulo 3 says.
-MOCAP_AVX2 inline __m128i mixed(__m128i zero, __m128i one, __m128i two) {
-  const __m128i is_one = _mm_setr_epi8(0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0);
-  const __m128i is_two = _mm_setr_epi8(0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0);
-  return _mm_blendv_epi8(_mm_blendv_epi8(zero, one, is_one), two, is_two);
-}
-
-/// Of each block of 16 bytes every third belongs to a channel; the three blocks' never meet.
-MOCAP_AVX2 inline Pixels split(const uint8_t* bgr) {
-  const __m128i a = bytes(bgr), b = bytes(bgr + 16), c = bytes(bgr + 32);
-  const __m128i order0 = _mm_setr_epi8(0, 3, 6, 9, 12, 15, 2, 5, 8, 11, 14, 1, 4, 7, 10, 13);
-  const __m128i order1 = _mm_setr_epi8(1, 4, 7, 10, 13, 0, 3, 6, 9, 12, 15, 2, 5, 8, 11, 14);
-  const __m128i order2 = _mm_setr_epi8(2, 5, 8, 11, 14, 1, 4, 7, 10, 13, 0, 3, 6, 9, 12, 15);
-  return {{_mm256_cvtepu8_epi16(_mm_shuffle_epi8(mixed(a, c, b), order0)),
-           _mm256_cvtepu8_epi16(_mm_shuffle_epi8(mixed(b, a, c), order1)),
-           _mm256_cvtepu8_epi16(_mm_shuffle_epi8(mixed(c, b, a), order2))}};
-}
-
-MOCAP_AVX2 inline __m256i widened(const uint8_t* from) {
-  return _mm256_cvtepu8_epi16(bytes(from));
-}
-
 /// As squaredDistances().
-MOCAP_AVX2 inline __m256i squared(const Pixels& now, const ModeRow& mode, int x, __m256i gain) {
+MOCAP_AVX2 inline __m256i squared(const WidePixels& now, const ModeRow& mode, int x, __m256i gain) {
   const __m256i weight =
       _mm256_mullo_epi16(widened(mode.weight + x), _mm256_set1_epi16(mode.weight_unit));
   const __m256i farthest = _mm256_set1_epi16(kFarthest);
@@ -67,7 +33,7 @@ MOCAP_AVX2 inline __m256i squared(const Pixels& now, const ModeRow& mode, int x,
 /// 16 words of 0 or ~0.
 MOCAP_AVX2 inline __m256i isNear(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
                                  __m256i gain, __m256i limit) {
-  const Pixels now = split(bgr);
+  const WidePixels now = splitPixels(bgr);
   __m256i least = squared(now, modes[0], x, gain);
   for (int mode = 1; mode < mode_count; ++mode)
     least = _mm256_min_epu16(least, squared(now, modes[mode], x, gain));
@@ -89,9 +55,8 @@ MOCAP_AVX2 uint64_t changedWord(const uint8_t* bgr, const ModeRow* modes, int mo
 }
 
 /// Asks memory for the same word of another row, as it takes longer than this row's arithmetic.
-__attribute__((always_inline)) MOCAP_AVX2 inline void fetch(const uint8_t* bgr,
-                                                            const ModeRow* modes, int mode_count,
-                                                            int x, const RowsAhead& ahead) {
+MOCAP_AVX2_INLINE void fetch(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
+                             const RowsAhead& ahead) {
   for (int i = 0; i < 3; ++i) __builtin_prefetch(bgr + ahead.image + kWord * i);
   for (int mode = 0; mode < mode_count; ++mode) {
     for (int c = 0; c < 3; ++c) __builtin_prefetch(modes[mode].mean[c] + x + ahead.background);

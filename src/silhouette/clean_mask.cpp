@@ -11,10 +11,13 @@ void fillAndSieve(const SilhouetteOptions& options, BitMask* mask) {
   removeBlobs(options.min_blob_px, mask);
 }
 
-BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options) {
+BitMask openedAndClosed(const BitMask& mask, const SilhouetteOptions& options) {
   const int open = options.open_radius_px, close = options.close_radius_px;
-  BitMask clean = dilated(eroded(mask, open), open);
-  clean = eroded(dilated(clean, close), close);
+  return eroded(dilated(dilated(eroded(mask, open), open), close), close);
+}
+
+BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options) {
+  BitMask clean = openedAndClosed(mask, options);
   fillAndSieve(options, &clean);
   return clean;
 }

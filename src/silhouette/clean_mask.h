@@ -5,6 +5,8 @@
 
 namespace markerless_mocap {
 
+BitMask openedAndClosed(const BitMask& mask, const SilhouetteOptions& options);
+
 /// cleanMask() on bits.
 BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options);
 

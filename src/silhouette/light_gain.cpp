@@ -9,7 +9,7 @@ namespace markerless_mocap {
 namespace {
 
 /// Compared pixels; enough for a thousandth.
-constexpr double kSamples = 2500;
+constexpr double kSamples = 1000;
 constexpr int kFewest = 50;
 /// So many times further apart than on a square grid are its rows, and nearer its columns.
 constexpr int kRowsApart = 2;

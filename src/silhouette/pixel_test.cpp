@@ -8,6 +8,7 @@
 #include "silhouette/bit_morphology.h"
 #include "silhouette/changed_bits.h"
 #include "silhouette/row_kernels.h"
+#include "silhouette/shade_kernels.h"
 
 namespace markerless_mocap {
 namespace {
@@ -141,28 +142,40 @@ void PixelTest::findShades(const cv::Mat& image, const Background& background, d
     for (int y = first; y < end; ++y) any |= classes_.foreground.row(y)[word];
     if (!any) continue;
     ShadeColumns columns;
-    for (int y = first; y < end; ++y) findShades(image, background, gain, y, word, &columns);
-    blocks_.add(columns, word, row);
+    bool is_shaded = false;
+    for (int y = first; y < end; ++y)
+      is_shaded |= findShades(image, background, gain, y, word, &columns);
+    if (is_shaded) blocks_.add(columns, word, row);
   }
 }
 
-void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
+bool PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
                            int word, ShadeColumns* columns) {
   constexpr int kWord = ShadeColumns::kCols;
   const uint64_t changed = classes_.foreground.row(y)[word];
-  if (!changed) return;
+  if (!changed) return false;
   const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
   const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
                            kNoiseVariances * noise * noise};
-  const int x = kWord * word;
-  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
-  splitRow(image, y, x, std::min(kWord, image.cols - x), kWord, now_.data());
-  unpackBits(&changed, kWord, flags_.data());
+  const int x = kWord * word, width = std::min(kWord, image.cols - x);
+  const ModeRow mode = background.coarse(0, y);
+  uint64_t* shade = &classes_.shade.row(y)[word];
   uint8_t* ratio = &classes_.ratio[size_t(y) * background.stride() + x];
-  shadeRatios(now, background.coarse(0, y), x, background.channels(), float(gain), limits,
-              flags_.data(), ratio, columns);
+  if (background.channels() == 3) {
+    const uint8_t* bgr = image.ptr(y) + 3 * size_t(x);
+    uint8_t rest[3 * kWord] = {};
+    if (width < kWord) bgr = static_cast<uint8_t*>(std::memcpy(rest, bgr, 3 * size_t(width)));
+    if (shadeRatiosOfBgr(bgr, mode, x, float(gain), limits, changed, ratio, shade, columns))
+      return *shade != 0;
+  }
+  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
+  splitRow(image, y, x, width, kWord, now_.data());
+  unpackBits(&changed, kWord, flags_.data());
+  shadeRatios(now, mode, x, background.channels(), float(gain), limits, flags_.data(), ratio,
+              columns);
   for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
-  classes_.shade.row(y)[word] = packFlags(flags_.data());
+  *shade = packFlags(flags_.data());
+  return *shade != 0;
 }
 
 }  // namespace markerless_mocap

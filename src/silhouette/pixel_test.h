@@ -42,7 +42,8 @@ class PixelTest {
   void wantFor(int y, int apart);
   /// Of the rows of blocks' row `row`.
   void findShades(const cv::Mat& image, const Background& background, double gain, int row);
-  void findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
+  /// Of a word of row y; whether there are any.
+  bool findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
                   ShadeColumns* columns);
 
   SilhouetteOptions options_;

@@ -9,8 +9,6 @@
 namespace markerless_mocap {
 namespace {
 
-/// Half the width of what is decided anew, px: blur and chroma subsampling reach so far.
-constexpr int kReach = 2;
 constexpr int kSide = kRimSide;
 /// Squared contrast of person and background, per channel, under which noise would decide.
 constexpr float kLeastContrast = 15;
@@ -59,8 +57,9 @@ void RimRefiner::refine(const cv::Mat& image, const Background& background, doub
   stride_ = columns_ * kSide;
   share_.resize(size_t(stride_) * image.rows);
   core_ = eroded(*mask, 1);
-  outer_ = dilated(*mask, kReach);
-  band_ = eroded(*mask, kReach);
+  // What is decided anew is four pixels wide: blur and chroma subsampling reach so far.
+  outer_ = dilated(dilated(*mask, 1), 1);
+  band_ = eroded(core_, 1);
   for (size_t i = 0; i < band_.words().size(); ++i)
     band_.words()[i] = outer_.words()[i] & ~band_.words()[i];
   findBlocks();

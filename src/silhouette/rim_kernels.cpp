@@ -2,11 +2,9 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
-#include <immintrin.h>
-
 #include <cstring>
 
-#define MOCAP_AVX2 __attribute__((target("avx2")))
+#include "silhouette/avx2_pixels.h"
 
 namespace markerless_mocap {
 namespace {

@@ -77,24 +77,25 @@ __attribute__((always_inline)) inline float shadeOf(float cross, float usual, fl
 MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
                                     const uint8_t* __restrict now2, const uint8_t* __restrict mean0,
                                     const uint8_t* __restrict mean1,
-                                    const uint8_t* __restrict mean2, float scale,
+                                    const uint8_t* __restrict mean2, float gain,
                                     const ShadeLimits& limits, uint8_t* __restrict ratio) {
   float shade[64];
   for (int i = 0; i < 64; ++i) {
-    const float n0 = now0[i], n1 = now1[i], n2 = now2[i];
-    const float m0 = mean0[i] * scale, m1 = mean1[i] * scale, m2 = mean2[i] * scale;
-    shade[i] = shadeOf(n0 * m0 + n1 * m1 + n2 * m2, m0 * m0 + m1 * m1 + m2 * m2,
-                       n0 * n0 + n1 * n1 + n2 * n2, limits);
+    const int n0 = now0[i], n1 = now1[i], n2 = now2[i];
+    const int m0 = mean0[i], m1 = mean1[i], m2 = mean2[i];
+    shade[i] = shadeOf(float(n0 * m0 + n1 * m1 + n2 * m2) * gain,
+                       float(m0 * m0 + m1 * m1 + m2 * m2) * (gain * gain),
+                       float(n0 * n0 + n1 * n1 + n2 * n2), limits);
   }
   for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
 }
 
 MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
-                                  float scale, const ShadeLimits& limits,
+                                  float gain, const ShadeLimits& limits,
                                   uint8_t* __restrict ratio) {
   float shade[64];
   for (int i = 0; i < 64; ++i) {
-    const float n = now[i], m = mean[i] * scale;
+    const float n = now[i], m = mean[i] * gain;
     shade[i] = shadeOf(n * m, m * m, n * n, limits);
   }
   for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));

@@ -42,9 +42,9 @@ class ModelSubtractor : public Subtractor {
     if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
     const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_share = double(classes.changed) / double(image.total());
-    found.mask = cleanBits(classes.foreground, options_);
+    found.mask = openedAndClosed(classes.foreground, options_);
     rim.refine(image, background_, found.light_gain, classes, &found.mask);
-    fillAndSieve(options_, &found.mask);  // the new rim has pinholes and crumbs
+    fillAndSieve(options_, &found.mask);  // last: the new rim has pinholes and crumbs
     renew(image, found.light_gain, found.mask, classes.shade);
     return found;
   }
