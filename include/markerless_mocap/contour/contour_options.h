@@ -1,0 +1,24 @@
+#pragma once
+
+#include "markerless_mocap/options/options.h"
+
+namespace markerless_mocap {
+
+/// Settings of the fit of a body to silhouettes' contours.
+struct ContourOptions {
+  static constexpr const char* kStage = "contour_fitting";
+  int rays = 1500;
+  int iterations = 8;
+  double sigma = 0.012;
+  double contour_weight = 450.0;
+  double containment_weight = 0.2;
+  double outlier_first = 0.08;
+  double outlier_last = 0.03;
+  double turn_rate = 6.0;
+  double move_rate = 1.5;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/body/body_urdf.h"
+
+namespace markerless_mocap {
+
+/// Distances between joints, as in BodyProportions.
+struct ContourLength {
+  enum Id {
+    kTorso,
+    kNeck,
+    kHead,
+    kUpperArm,
+    kForearm,
+    kHand,
+    kThigh,
+    kShank,
+    kFoot,
+    kAnkleHeight,
+    kShoulderWidth,
+    kHipWidth,
+    kCount
+  };
+};
+
+/// Round cones of the body. All but neck and head exist on both sides, mirrored.
+struct ContourCone {
+  enum Kind {
+    kPelvis,
+    kChest,
+    kYoke,
+    kNeck,
+    kHead,
+    kUpperArm,
+    kForearm,
+    kHand,
+    kThigh,
+    kCalf,
+    kShin,
+    kFoot,
+    kCount
+  };
+};
+
+/// One end of a cone has a radius and an offset from where the lengths alone would put it: where
+/// the joint sits in the flesh. The offset is in the frame of the segment, of the left side.
+constexpr int kValuesPerEnd = 4;
+constexpr int radiusIndex(int kind, int end) {
+  return ContourLength::kCount + (2 * kind + end) * kValuesPerEnd;
+}
+constexpr int offsetIndex(int kind, int end) {
+  return radiusIndex(kind, end) + 1;  // x, y, z
+}
+constexpr int kContourSizes = ContourLength::kCount + 2 * ContourCone::kCount * kValuesPerEnd;
+
+/// All sizes of a body, metres: the lengths, then radius and offset x y z of each end of each kind
+/// of cone.
+using ContourSizes = Eigen::Matrix<double, kContourSizes, 1>;
+
+/// "torso", "thigh_cone/a/radius", "thigh_cone/b/offset_x", ...
+const std::string& sizeName(int size);
+bool isOffset(int size);
+
+/// The lengths as the URDF takes them; girth from the estimated radii of chest, thigh and arm.
+BodyProportions proportionsOf(const ContourSizes& sizes);
+
+/// What bodies look like: every size as a share of the stature, its mean and standard deviation
+/// over people. A size of deviation zero is never estimated.
+struct ContourTemplate {
+  ContourSizes mean = ContourSizes::Zero();
+  ContourSizes deviation = ContourSizes::Zero();
+
+  /// Lengths of BodyProportions::fromStature() and the radii that urdf/human.urdf.in draws; only
+  /// lengths and radii vary. To begin with where no template was learned.
+  static ContourTemplate handMade();
+  /// \param stature metres, 0.5 to 2.5, else std::invalid_argument
+  ContourSizes sizes(double stature) const;
+  /// Throws std::invalid_argument in one sentence that names `where` and the size: no YAML map, a
+  /// size missing, doubled or unknown, not a pair of finite numbers, a length or radius that is not
+  /// positive, a negative deviation.
+  static ContourTemplate fromText(const std::string& yaml, const std::string& where);
+  /// What fromText() reads, with its meaning in comments.
+  std::string text() const;
+};
+
+}  // namespace markerless_mocap

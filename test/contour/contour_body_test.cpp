@@ -1,0 +1,151 @@
+#include "markerless_mocap/contour/contour_body.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "contour/contour_tree.h"
+#include "contour/drawn_body.h"
+#include "markerless_mocap/body/body_model.h"
+#include "sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+ContourSizes plainSizes() {
+  return ContourTemplate::handMade().sizes(1.75);
+}
+
+BodyModel urdfOf(const ContourSizes& sizes) {
+  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return BodyModel::fromUrdf(fillUrdfTemplate(text, "p", proportionsOf(sizes)), "p");
+}
+
+TEST(ContourPose, StepsLeadFromPoseToPose) {
+  const ContourPose from = stride(), to = disturbed(from, 0.5, 0.2, 3);
+  const ContourPose there = moved(from, stepBetween(from, to));
+  EXPECT_LT(stepBetween(there, to).norm(), 1e-12);
+  EXPECT_LT(stepBetween(moved(from, PoseStep::Zero()), from).norm(), 1e-12);
+}
+
+TEST(ContourPose, TurnsByItsVector) {
+  const Eigen::Matrix3d R = rotationOf({0, 0, M_PI / 2});
+  EXPECT_TRUE((R * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_TRUE(turnOf(rotationOf({0.3, -2.0, 1.5})).isApprox(Eigen::Vector3d(0.3, -2.0, 1.5), 1e-9));
+  EXPECT_EQ(turnOf(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero());
+}
+
+TEST(ContourBody, StandsAsTheUrdfDoes) {
+  const ContourSizes sizes = plainSizes();
+  const BodyModel urdf = urdfOf(sizes);
+  LinkPoses T_world_link;
+  urdf.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(urdf.angleCount()),
+                         T_world_link);
+  const auto markers = markerPositions(urdf, T_world_link);
+  const Eigen::Matrix3Xd points = ContourBody(sizes).points(ContourPose());
+  ASSERT_EQ(size_t(points.cols()), contourPointNames().size());
+  for (size_t i = 0; i < markers.size(); ++i)
+    EXPECT_LT((points.col(Eigen::Index(i)) - markers[i]).norm(), 0.002) << markerNames()[i];
+}
+
+TEST(ContourBody, MirrorsRightFromLeft) {
+  ContourFrames frames;
+  PlacedCones cones;
+  ContourSizes sizes = plainSizes();
+  sizes[offsetIndex(ContourCone::kThigh, 1)] = 0.02;
+  sizes[offsetIndex(ContourCone::kThigh, 1) + 1] = 0.01;
+  const ContourBody body(sizes);
+  body.place(ContourPose(), frames);
+  body.place(frames, cones);
+  for (int c = 0; c + 1 < kContourCones; ++c) {
+    if (kindOfCone(c) != kindOfCone(c + 1)) continue;
+    const Eigen::Vector3d mirror(1, -1, 1);
+    EXPECT_LT((cones[size_t(c)].a.cwiseProduct(mirror) - cones[size_t(c) + 1].a).norm(), 1e-12);
+    EXPECT_LT((cones[size_t(c)].b.cwiseProduct(mirror) - cones[size_t(c) + 1].b).norm(), 1e-12);
+  }
+}
+
+TEST(ContourBody, DerivativesByPoseAreThoseOfDifferences) {
+  const ContourBody body(plainSizes());
+  const ContourPose pose = stride();
+  ContourFrames frames;
+  body.place(pose, frames);
+  const auto& points = contourTree().points;
+  for (size_t i = 0; i < points.size(); ++i) {
+    Eigen::Matrix<double, 3, kContourDof> J;
+    const Eigen::Vector3d at = body.points(pose).col(Eigen::Index(i));
+    poseJacobian(frames, points[i].segment, at, J);
+    for (int dof = 0; dof < kContourDof; ++dof) {
+      const PoseStep step = 1e-5 * PoseStep::Unit(dof);
+      const Eigen::Vector3d difference = (body.points(moved(pose, step)).col(Eigen::Index(i)) -
+                                          body.points(moved(pose, -step)).col(Eigen::Index(i))) /
+                                         2e-5;
+      EXPECT_LT((J.col(dof) - difference).norm(), 1e-6) << i << " by " << dof;
+    }
+  }
+}
+
+TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
+  const ContourSizes sizes = plainSizes();
+  const ContourPose pose = stride();
+  ContourFrames frames;
+  ContourBody(sizes).place(pose, frames);
+  const auto place = [&](const ContourSizes& s, size_t cone, int end) {
+    ContourFrames moved_frames;
+    PlacedCones cones;
+    const ContourBody body(s);
+    body.place(pose, moved_frames);
+    body.place(moved_frames, cones);
+    return end ? cones[cone].b : cones[cone].a;
+  };
+  for (size_t c = 0; c < kContourCones; ++c)
+    for (int end = 0; end < 2; ++end) {
+      Eigen::Matrix<double, 3, kContourSizes> J;
+      sizeJacobian(frames, contourTree().cones[c].ends[end], J);
+      for (int i = 0; i < kContourSizes; ++i) {
+        const ContourSizes step = 1e-4 * ContourSizes::Unit(i);
+        const Eigen::Vector3d difference =
+            (place(sizes + step, c, end) - place(sizes - step, c, end)) / 2e-4;
+        EXPECT_LT((J.col(i) - difference).norm(), 1e-9) << sizeName(i);
+      }
+    }
+}
+
+TEST(ContourBody, RefusesSizesThatNoBodyHas) {
+  ContourSizes sizes = plainSizes();
+  sizes[ContourLength::kThigh] = 0;
+  EXPECT_EQ(sentenceOf([&] { ContourBody body(sizes); }),
+            "size thigh of a body is 0.000000, it must be finite and positive");
+}
+
+TEST(ContourTemplate, ReadsWhatItWrites) {
+  const ContourTemplate made = ContourTemplate::handMade();
+  const ContourTemplate read = ContourTemplate::fromText(made.text(), "file");
+  EXPECT_LT((read.mean - made.mean).cwiseAbs().maxCoeff(), 6e-6);
+  EXPECT_LT((read.deviation - made.deviation).cwiseAbs().maxCoeff(), 6e-6);
+  EXPECT_NEAR(made.sizes(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
+}
+
+TEST(ContourTemplate, SaysWhatIsWrongWithAFile) {
+  std::string text = ContourTemplate::handMade().text();
+  EXPECT_EQ(sentenceOf([&] { ContourTemplate::fromText(text + "tail: [1, 0]\n", "f"); }),
+            "f has the unknown size tail");
+  EXPECT_EQ(sentenceOf([&] { ContourTemplate::fromText(text + "thigh: [0.2, 0]\n", "f"); }),
+            "f has two sizes thigh");
+  EXPECT_EQ(sentenceOf([] { ContourTemplate::fromText("torso: [0.3, 0]", "f"); }),
+            "f lacks the size neck");
+  EXPECT_EQ(sentenceOf([] { ContourTemplate::fromText("[", "f"); }).substr(0, 13), "f is not YAML");
+  const size_t at = text.find("thigh: [0.24500");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(sentenceOf([&] {
+              ContourTemplate::fromText(std::string(text).replace(at, 15, "thigh: [-0.2450"), "f");
+            }),
+            "f: size thigh must be positive");
+  EXPECT_THROW(ContourTemplate::handMade().sizes(3.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,226 @@
+#include "markerless_mocap/contour/contour_fitter.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "contour/drawn_body.h"
+#include "contour/pose_priors.h"
+#include "contour/pose_problem.h"
+#include "contour/size_equations.h"
+
+namespace markerless_mocap {
+namespace {
+
+class ContourFitterTest : public ::testing::Test {
+ protected:
+  ContourFitterTest()
+      : rig(drawnRig(6)), body(ContourTemplate::handMade().sizes(1.75)), fitter(rig, options) {
+    seen = ContourObserver(rig, options).observe(drawnMasks(rig, body, stride()));
+  }
+  double error(const ContourPose& pose) const { return jointDistance(body, pose, body, stride()); }
+  /// Half the robust error of rays and containment.
+  double energy(const ContourBody& of, const ContourPose& pose, double outlier) const {
+    PoseProblem problem(seen, rig, options);
+    problem.evaluate(of, pose, outlier);
+    double sum = 0;
+    for (const RayMatch& match : problem.matches()) {
+      const double r2 = double(match.residual) * match.residual;
+      sum += options.contour_weight / double(seen.rays.size()) * r2 / (1 + r2 / outlier / outlier);
+    }
+    return 0.5 * sum / (options.sigma * options.sigma);
+  }
+
+  ContourOptions options;
+  CameraRig rig;
+  ContourBody body;
+  ContourFitter fitter;
+  ContourObservation seen;
+};
+
+/// Poses and sizes half a millimetre or milliradian to both sides of given ones, by unknown.
+struct Neighbour {
+  ContourBody body;
+  ContourPose pose;
+};
+std::vector<Neighbour> neighbours(const ContourBody& body, const ContourPose& pose, double by) {
+  std::vector<Neighbour> out;
+  for (int i = 0; i < kContourDof; ++i)
+    for (const double step : {by, -by})
+      out.push_back({body, moved(pose, step * PoseStep::Unit(i))});
+  for (int i = 0; i < kContourSizes; ++i)
+    for (const double step : {by, -by})
+      out.push_back({ContourBody(body.sizes() + step * ContourSizes::Unit(i)), pose});
+  return out;
+}
+
+TEST_F(ContourFitterTest, RayDerivativesAreThoseOfDifferences) {
+  options.containment_weight = 0;
+  constexpr double kOutlier = 0.1, kStep = 2e-4;
+  const ContourPose pose = disturbed(stride(), 0.05, 0.01, 1);
+  const std::vector<Neighbour> around = neighbours(body, pose, kStep);
+  // Only rays that stay with their cone have a derivative there; that of a ray on the wrong side
+  // leaves out that its place on the axis moves.
+  const auto match = [&](const Neighbour& at) {
+    PoseProblem problem(seen, rig, options);
+    problem.evaluate(at.body, at.pose, kOutlier);
+    return problem.matches();
+  };
+  const std::vector<RayMatch> here = match({body, pose});
+  std::vector<bool> stays(here.size());
+  for (size_t i = 0; i < here.size(); ++i) stays[i] = here[i].along_side != 0;
+  for (const Neighbour& at : around) {
+    const std::vector<RayMatch> there = match(at);
+    for (size_t i = 0; i < here.size(); ++i)
+      if (there[i].cone != here[i].cone || there[i].along_side == 0) stays[i] = false;
+  }
+  ContourObservation steady = seen;
+  steady.rays.clear();
+  for (size_t i = 0; i < here.size(); ++i)
+    if (stays[i]) steady.rays.push_back(seen.rays[i]);
+  seen = steady;
+  ASSERT_GT(seen.rays.size(), here.size() * 7 / 10);
+
+  const SizeEquations equations =
+      sizeEquations(rig, options, body, {seen, pose, {}}, pose, kOutlier, 1.0);
+  PoseEquations posture;
+  posture.clear();
+  addPosturePriors(pose, posture);
+  Eigen::VectorXd slope = equations.g;
+  slope.head<kContourDof>() -= posture.g;
+  for (Eigen::Index i = 0; i < slope.size(); ++i) {
+    const Neighbour &more = around[size_t(2 * i)], &less = around[size_t(2 * i + 1)];
+    const double difference =
+        (energy(more.body, more.pose, kOutlier) - energy(less.body, less.pose, kOutlier)) /
+        (2 * kStep);
+    EXPECT_NEAR(slope[i], difference, 2e-3 * slope.norm()) << i;
+  }
+}
+
+TEST_F(ContourFitterTest, PriorDerivativesAreThoseOfDifferences) {
+  ContourPose pose = disturbed(stride(), 0.3, 0.1, 5);
+  pose.angles[ContourAngle::kLeftKnee] = 0.4;                        // beyond its limit
+  pose.balls[ContourBall::kRightHip] = rotationOf({0.8, 0.9, 1.3});  // beyond three
+  const ContourPose expected = disturbed(pose, 0.4, 0.1, 6);
+  PoseEquations equations;
+  equations.clear();
+  addPosturePriors(pose, equations);
+  addPrediction(pose, expected, 0.2, 0.05, equations);
+  const auto energyAt = [&](const ContourPose& at) {
+    return postureEnergy(at) + predictionEnergy(at, expected, 0.2, 0.05);
+  };
+  for (int dof = 0; dof < kContourDof; ++dof) {
+    const PoseStep step = 1e-5 * PoseStep::Unit(dof);
+    const double difference = (energyAt(moved(pose, step)) - energyAt(moved(pose, -step))) / 2e-5;
+    EXPECT_NEAR(equations.g[dof], difference, 1e-3 * (1 + std::abs(difference))) << dof;
+  }
+}
+
+TEST_F(ContourFitterTest, ContainmentPullsABodyBackInside) {
+  ContourPose outside = stride();
+  outside.position.x() += 0.3;
+  PlacedCones cones;
+  ContourFrames frames;
+  body.place(outside, frames);
+  body.place(frames, cones);
+  AllConeSums sums;
+  addContainment(seen, rig, cones, 1.0, sums);
+  PoseEquations equations;
+  equations.clear();
+  addToPose(sums, frames, cones, equations);
+  EXPECT_GT(equations.g[0], 0);  // less x is better
+  EXPECT_GT(equations.g[0], 3 * std::abs(equations.g[1]));
+}
+
+TEST_F(ContourFitterTest, FindsTheDrawnPose) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const ContourPose start = disturbed(stride(), 0.1, 0.03, seed);
+    EXPECT_GT(error(start), 0.03);
+    const ContourFit fit = fitter.fit(seen, body, start, std::nullopt, FitSchedule::wide());
+    ASSERT_EQ(fit.status, ContourFitStatus::kFitted);
+    EXPECT_LT(error(fit.pose), 0.008) << seed;
+    EXPECT_GT(fit.overlap, 0.95);
+    EXPECT_GT(fit.rays_explained, 0.99);
+    for (const LimbEvidence& limb : fit.limbs) {
+      EXPECT_GT(limb.rays, 10);
+      EXPECT_LT(limb.outside, 0.012);
+      EXPECT_LT(limb.deviation, 0.01);
+    }
+  }
+}
+
+TEST_F(ContourFitterTest, FollowsFromThePredictedPose) {
+  const ContourPose start = disturbed(stride(), 0.04, 0.01, 2);
+  const ContourFit fit =
+      fitter.fit(seen, body, start, ContourPrediction{start, 1.0 / 30}, fitter.schedule());
+  EXPECT_LT(error(fit.pose), 0.008);
+}
+
+TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
+  ContourSizes stump = body.sizes();  // forearms and hands so short that nothing is drawn of them
+  stump[ContourLength::kForearm] = stump[ContourLength::kHand] = 0.01;
+  const ContourObservation cut =
+      ContourObserver(rig, options).observe(drawnMasks(rig, ContourBody(stump), stride()));
+  const ContourFit whole = fitter.fit(seen, body, stride(), std::nullopt, fitter.schedule());
+  const ContourFit lacking = fitter.fit(cut, body, stride(), std::nullopt, fitter.schedule());
+  for (const int arm : {ContourLimb::kLeftArm, ContourLimb::kRightArm})
+    EXPECT_LT(lacking.limbs[size_t(arm)].rays, 0.75 * whole.limbs[size_t(arm)].rays);
+  EXPECT_LT(lacking.overlap, whole.overlap - 0.01);
+}
+
+TEST_F(ContourFitterTest, KeepsJointLimits) {
+  ContourPose broken = stride();
+  broken.angles[ContourAngle::kLeftKnee] = 0.6;
+  broken.angles[ContourAngle::kRightElbow] = -0.5;
+  broken.balls[ContourBall::kLeftHip] =
+      rotationOf({0, 0, 1.3}) * broken.balls[ContourBall::kLeftHip];
+  EXPECT_GT(worstLimitExcess(broken), 0.4);
+  const ContourFit fit = fitter.fit(seen, body, broken, std::nullopt, FitSchedule::wide());
+  EXPECT_LT(worstLimitExcess(fit.pose), 0.05);
+}
+
+TEST_F(ContourFitterTest, NeedsTwoUsableViews) {
+  std::vector<cv::Mat> masks(rig.size());
+  const cv::Mat empty = cv::Mat::zeros(240, 320, CV_8UC1), full = empty + 255;
+  masks[0] = empty;
+  masks[1] = full;
+  const auto drawn = drawnMasks(rig, body, stride());
+  masks[2] = drawn[2];
+  const ContourObserver observer(rig, options);
+  const auto statusOf = [&] {
+    return fitter.fit(observer.observe(masks), body, stride(), std::nullopt, fitter.schedule())
+        .status;
+  };
+  EXPECT_EQ(statusOf(), ContourFitStatus::kTooFewViews);
+  masks[3] = drawn[3];
+  EXPECT_EQ(statusOf(), ContourFitStatus::kFitted);
+}
+
+TEST_F(ContourFitterTest, RefusesWhatIsNotFiniteOrOfAnotherRig) {
+  ContourPose bad = stride();
+  bad.position.y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(fitter.fit(seen, body, bad, std::nullopt, fitter.schedule()), std::invalid_argument);
+  EXPECT_THROW(fitter.fit(seen, body, stride(), ContourPrediction{bad, 0.1}, fitter.schedule()),
+               std::invalid_argument);
+  EXPECT_THROW(fitter.fit(seen, body, stride(), ContourPrediction{stride(), 0}, fitter.schedule()),
+               std::invalid_argument);
+  EXPECT_THROW(ContourFitter(drawnRig(3), options)
+                   .fit(seen, body, stride(), std::nullopt, fitter.schedule()),
+               std::invalid_argument);
+}
+
+TEST_F(ContourFitterTest, GoesOnAsFastAsBefore) {
+  ContourPose before, last;
+  last.position.x() = 0.1;
+  last.angles[ContourAngle::kLeftElbow] = 0.2;
+  last.balls[ContourBall::kNeck] = rotationOf({0, 0, 0.4});
+  const ContourPose next = goneOn(before, last, 0.5);
+  EXPECT_NEAR(next.position.x(), 0.15, 1e-12);
+  EXPECT_NEAR(next.angles[ContourAngle::kLeftElbow], 0.3, 1e-12);
+  EXPECT_NEAR(turnOf(next.balls[ContourBall::kNeck]).z(), 0.6, 1e-9);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

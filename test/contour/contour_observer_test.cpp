@@ -1,0 +1,135 @@
+#include "markerless_mocap/contour/contour_observation.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "contour/drawn_body.h"
+#include "contour/outline.h"
+
+namespace markerless_mocap {
+namespace {
+
+cv::Mat blank() {
+  return cv::Mat::zeros(240, 320, CV_8UC1);
+}
+
+TEST(Outline, FindsEveryStepOfABoxAndNoneAtTheImagesEdge) {
+  cv::Mat mask = blank();
+  const cv::Rect box(50, 60, 20, 30);
+  mask(box) = 255;
+  std::vector<Crack> cracks;
+  findCracks(mask, box, cracks);
+  EXPECT_EQ(cracks.size(), size_t(2 * (20 + 30)));
+  for (const Crack& crack : cracks) {
+    const bool upright = crack.x2 % 2 != 0;
+    EXPECT_TRUE(upright ? crack.x2 == 99 || crack.x2 == 139 : crack.y2 == 119 || crack.y2 == 179);
+  }
+  cv::Mat cut = blank();
+  const cv::Rect low(50, 200, 20, 40);  // down to the last row
+  cut(low) = 255;
+  cracks.clear();
+  findCracks(cut, low, cracks);
+  for (const Crack& crack : cracks) EXPECT_LT(crack.y2, 2 * 239);
+}
+
+TEST(Outline, NormalsPointOutOfADisk) {
+  cv::Mat mask = blank();
+  cv::circle(mask, {160, 120}, 40, 255, cv::FILLED);
+  std::vector<Crack> cracks;
+  findCracks(mask, {120, 80, 81, 81}, cracks);
+  ASSERT_GT(cracks.size(), 200u);
+  for (const Crack& crack : cracks) {
+    const Eigen::Vector2d out = (crack.pixel() - Eigen::Vector2d(160, 120)).normalized();
+    EXPECT_GT(outwardNormal(mask, crack, 4).normalized().dot(out), 0.97);
+  }
+}
+
+TEST(ContourObserver, RaysTouchABallFromOutside) {
+  const CameraRig rig = drawnRig(3, -0.1);
+  const Eigen::Vector3d middle(0.1, 0.2, 1.0);
+  constexpr double kRadius = 0.3;
+  std::vector<cv::Mat> masks;
+  for (const Camera& camera : rig) {
+    masks.push_back(blank());
+    for (int y = 0; y < 240; ++y)
+      for (int x = 0; x < 320; ++x) {
+        const Eigen::Vector3d way = middle - camera.position();
+        const Eigen::Vector3d ray = camera.rayDirection(Eigen::Vector2d(x, y));
+        if ((way - ray * ray.dot(way)).norm() < kRadius) masks.back().at<uchar>(y, x) = 255;
+      }
+  }
+  ContourOptions options;
+  options.rays = 600;
+  const ContourObservation seen = ContourObserver(rig, options).observe(masks);
+  EXPECT_EQ(seen.usableViews(), 3);
+  EXPECT_GT(seen.rays.size(), 300u);
+  for (const ContourRay& ray : seen.rays) {
+    const double n = ray.normal.cast<double>().dot(middle) - ray.normal_of_ray;
+    const double s = ray.side.cast<double>().dot(middle) - ray.side_of_ray;
+    EXPECT_NEAR(std::hypot(n, s), kRadius, 0.01);  // a pixel is 13 mm
+    EXPECT_LT(n, -0.93 * kRadius);                 // the ball is on the inner side
+  }
+}
+
+TEST(ContourObserver, DistancesGrowAwayFromTheBorder) {
+  const CameraRig rig = drawnRig(2);
+  cv::Mat mask = blank();
+  mask(cv::Rect(100, 80, 60, 100)) = 255;
+  const ContourObservation seen = ContourObserver(rig, {}).observe({mask, mask});
+  const ContourView& view = seen.views[0];
+  EXPECT_EQ(view.step, 1);
+  const auto at = [&](int x, int y) {
+    return view.distance.at<float>(y - view.corner.y, x - view.corner.x);
+  };
+  EXPECT_NEAR(at(100, 130), -0.5, 1e-3);
+  EXPECT_NEAR(at(99, 130), 0.5, 1e-3);
+  EXPECT_NEAR(at(109, 130), -9.5, 0.1);
+  EXPECT_NEAR(at(92, 130), 7.5, 0.1);
+}
+
+TEST(ContourObserver, SaysWhichViewsAreOfNoUse) {
+  const CameraRig rig = drawnRig(4);
+  cv::Mat person = blank();
+  person(cv::Rect(100, 80, 60, 100)) = 255;
+  const ContourObservation seen =
+      ContourObserver(rig, {}).observe({person, blank(), blank() + 255, cv::Mat()});
+  EXPECT_EQ(seen.views[0].status, ViewStatus::kUsable);
+  EXPECT_EQ(seen.views[1].status, ViewStatus::kEmpty);
+  EXPECT_EQ(seen.views[2].status, ViewStatus::kFull);
+  EXPECT_EQ(seen.views[3].status, ViewStatus::kMissing);
+  for (const ContourRay& ray : seen.rays) EXPECT_EQ(ray.camera, 0);
+  EXPECT_TRUE(ContourObserver(rig, {}).observe(std::vector<cv::Mat>(4)).rays.empty());
+}
+
+TEST(ContourObserver, RefusesMasksOfOtherCameras) {
+  const ContourObserver observer(drawnRig(2), {});
+  EXPECT_THROW(observer.observe({blank()}), std::invalid_argument);
+  EXPECT_THROW(observer.observe({blank(), cv::Mat::zeros(10, 10, CV_8UC1)}), std::invalid_argument);
+  EXPECT_THROW(ContourObserver({}, {}), std::invalid_argument);
+  ContourOptions options;
+  options.outlier_last = 0.5;
+  EXPECT_THROW(ContourObserver(drawnRig(2), options), std::invalid_argument);
+}
+
+TEST(ContourObserver, IsTheSameOnAnyNumberOfThreads) {
+  const CameraRig rig = drawnRig(4);
+  const ContourBody body(ContourTemplate::handMade().sizes(1.7));
+  const auto masks = drawnMasks(rig, body, stride());
+  const ContourObserver observer(rig, {});
+  const auto on = [&](size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return observer.observe(masks);
+  };
+  const ContourObservation one = on(1), two = on(2);
+  ASSERT_EQ(one.rays.size(), two.rays.size());
+  for (size_t i = 0; i < one.rays.size(); ++i) {
+    EXPECT_EQ(one.rays[i].normal, two.rays[i].normal);
+    EXPECT_EQ(one.rays[i].pixel, two.rays[i].pixel);
+  }
+}
+
+}  // namespace
+}  // namespace markerless_mocap
