@@ -10,7 +10,10 @@ mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
 mocap_room(optimisation DEPENDS options LIBRARIES Eigen3::Eigen TBB::tbb)
 mocap_room(appearance DEPENDS body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(contour DEPENDS body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)
-mocap_room(fitting DEPENDS body hull segmentation options LIBRARIES TBB::tbb)
+# Square roots and divisions in vectors; no value changes.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/ray_match.cpp PROPERTIES
+  COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
+mocap_room(fitting DEPENDS optimisation appearance body hull segmentation options LIBRARIES TBB::tbb)
 mocap_room(motion LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)
 mocap_room(capture DEPENDS character body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)

@@ -1,11 +1,8 @@
 #include "contour/ray_match.h"
 
-#include <cmath>
-
-// Two machines, one text; square roots in lanes need to know that nobody reads errno.
-#define MOCAP_WIDEST                               \
-  __attribute__((target_clones("avx2", "default"), \
-                 optimize("O3", "no-math-errno", "no-trapping-math")))
+// A clone inlines nothing that is not a builtin, so the loop calls none and reads plain numbers.
+// That nobody reads errno after its square roots, cmake/core.cmake says.
+#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
 
 namespace markerless_mocap {
 namespace {
@@ -23,23 +20,26 @@ struct Lanes {
   float s[kLanes], residual[kLanes], normal[kLanes], side[kLanes], score[kLanes];
 };
 
-MOCAP_WIDEST void measure(const ConeLanes& cones, const ContourRay& ray, Lanes& out) {
-  const float nx = ray.normal.x(), ny = ray.normal.y(), nz = ray.normal.z();
-  const float sx = ray.side.x(), sy = ray.side.y(), sz = ray.side.z();
-  const float n0 = ray.normal_of_ray, s0 = ray.side_of_ray;
+struct PlainRay {
+  float normal[3], side[3], normal_of_ray, side_of_ray;
+};
+
+MOCAP_WIDEST void measure(const ConeLanes& cones, const PlainRay& ray, Lanes& out) {
+  const float nx = ray.normal[0], ny = ray.normal[1], nz = ray.normal[2], n0 = ray.normal_of_ray;
+  const float sx = ray.side[0], sy = ray.side[1], sz = ray.side[2], s0 = ray.side_of_ray;
   for (int i = 0; i < kLanes; ++i) {
     const float an = nx * cones.ax[i] + ny * cones.ay[i] + nz * cones.az[i] - n0;
     const float as = sx * cones.ax[i] + sy * cones.ay[i] + sz * cones.az[i] - s0;
     const float un = nx * cones.bx[i] + ny * cones.by[i] + nz * cones.bz[i] - n0 - an;
     const float us = sx * cones.bx[i] + sy * cones.by[i] + sz * cones.bz[i] - s0 - as;
     const float length2 = un * un + us * us + kNothing, taper = cones.rb[i] - cones.ra[i];
-    const float across = std::fabs(an * us - as * un);
+    const float across = __builtin_fabsf(an * us - as * un);
     const float rest = length2 - taper * taper;
     const float safe = rest > kNothing ? rest : kNothing;
-    const float foot = (across * taper / std::sqrt(safe) - (an * un + as * us)) / length2;
+    const float foot = (across * taper / __builtin_sqrtf(safe) - (an * un + as * us)) / length2;
     const float low = foot > 0.0f ? foot : 0.0f, s = low < 1.0f ? low : 1.0f;
     const float cn = an + s * un, cs = as + s * us;
-    const float distance = std::sqrt(cn * cn + cs * cs + kNothing),
+    const float distance = __builtin_sqrtf(cn * cn + cs * cs + kNothing),
                 radius = cones.ra[i] + s * taper;
     const float cosine = -cn / distance;
     const bool right_side = cosine >= kWrongSide;
@@ -48,7 +48,7 @@ MOCAP_WIDEST void measure(const ConeLanes& cones, const ContourRay& ray, Lanes& 
     out.residual[i] = residual;
     out.normal[i] = right_side ? cn / distance : -1.0f;
     out.side[i] = right_side ? cs / distance : 0.0f;
-    out.score[i] = std::fabs(residual) + kTurnPenalty * (1.0f - cosine);
+    out.score[i] = __builtin_fabsf(residual) + kTurnPenalty * (1.0f - cosine);
   }
 }
 
@@ -72,7 +72,13 @@ void matchRays(const ConeLanes& cones, const std::vector<ContourRay>& rays,
   matches.resize(rays.size());
   Lanes lanes;
   for (size_t r = 0; r < rays.size(); ++r) {
-    measure(cones, rays[r], lanes);
+    const ContourRay& ray = rays[r];
+    measure(cones,
+            {{ray.normal.x(), ray.normal.y(), ray.normal.z()},
+             {ray.side.x(), ray.side.y(), ray.side.z()},
+             ray.normal_of_ray,
+             ray.side_of_ray},
+            lanes);
     int best = 0;
     for (int i = 1; i < kContourCones; ++i)
       if (lanes.score[i] < lanes.score[best]) best = i;
