@@ -107,10 +107,10 @@ TruncatedCone measured(const ZeroShape& shape, const ConePlan& plan, const Vecto
 std::array<ConePlan, kBodyCones> plansOf(const ZeroShape& shape) {
   const Vector3d hips = (shape.at("l_hip") + shape.at("r_hip")) / 2;
   const Vector3d neck = shape.at("r_head");
-  const double shoulders = (shape.at("l_shoulder").z() + shape.at("r_shoulder").z()) / 2;
   const std::vector<const char*> trunk = {"body", "r_waist", "torso"};
   const std::vector<const char*> skull = {"p_head", "head"};
-  const Vector3d torso_top(neck.x(), 0, shoulders + (neck.z() - shoulders) / 3);
+  // The edge of the shoulders as it is seen runs up to the neck.
+  const Vector3d torso_top(neck.x(), 0, neck.z() + (neck.z() - shape.at("torso").z()) / 2);
   const std::array<double, 2> head = shape.heights({"head"});
   const Vector3d chin(shape.at("head").x(), 0, head[0]), crown(chin.x(), 0, head[1]);
   const auto limb = [&](FleischmannSegment segment, const char* upper, const char* lower,
@@ -175,6 +175,8 @@ ConeBody ConeBody::resized(const std::array<ConeSizes, kBodyCones>& sizes) const
     body.cones_[i].v *= sizes[i].width;
     body.cones_[i].u *= sizes[i].depth;
     body.cones_[i].taper *= sizes[i].taper;
+    body.cones_[i].a.x() += sizes[i].forward;
+    body.cones_[i].b.x() += sizes[i].forward;
   }
   return body;
 }

@@ -39,11 +39,12 @@ struct TruncatedCone {
   double taper = 1.0;  ///< size of the end at `b` against that at `a`
 };
 
-/// How far a person's cones differ from those that are measured on the body model.
+/// How a person's cones differ from those that are measured on the body model.
 struct ConeSizes {
-  double width = 1.0;  ///< factor of the half axis from side to side
-  double depth = 1.0;  ///< factor of the half axis from back to front
-  double taper = 1.0;  ///< factor of the taper
+  double width = 1.0;    ///< factor of the half axis from side to side
+  double depth = 1.0;    ///< factor of the half axis from back to front
+  double taper = 1.0;    ///< factor of the taper
+  double forward = 0.0;  ///< shift to the front of the segment, metres
 };
 
 /// The body as ten truncated cones. Immutable.

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "markerless_mocap/appearance/appearance_fitness.h"
+#include "markerless_mocap/fitting/body_pose.h"
+#include "markerless_mocap/fitting/motion_statistics.h"
+#include "markerless_mocap/fitting/sppso_options.h"
+#include "markerless_mocap/fitting/sppso_plan.h"
+
+namespace markerless_mocap {
+
+/// What the search by images says about one instant.
+struct SppsoPose {
+  PoseStatus status = PoseStatus::kLost;
+  std::string reason;   ///< one sentence when lost
+  FleischmannVector v;  ///< meaningful unless lost
+  Fitness fitness;      ///< of v
+  int views = 0;        ///< that show a person
+  int evaluations = 0;  ///< of the fitness
+};
+
+/// Follows one person from a pose that is given, by comparing the drawn body with silhouettes and
+/// edges: each frame is searched about the last pose, as far as people move in its time
+/// (Fleischmann 2012, 5.3). It never finds a person by itself.
+class SppsoTracker {
+ public:
+  /// Throws std::invalid_argument on options out of range.
+  SppsoTracker(const CameraRig& rig, const FleischmannProfile& profile, const ConeBody& body,
+               const MotionStatistics& statistics, const SppsoOptions& options);
+
+  /// The pose at an instant. The parameters should lie within the limits.
+  void start(int64_t stamp_ns, const FleischmannVector& v);
+  /// \param stamp_ns capture time, later than the last one, else the frame is lost
+  /// \param views one for each camera; throws std::invalid_argument if they do not fit the rig
+  SppsoPose update(int64_t stamp_ns, const std::vector<AppearanceView>& views);
+  /// Where a search at an instant starts: the last pose, and `prediction` of its last change gone
+  /// on. Only after start().
+  FleischmannVector predicted(int64_t stamp_ns) const;
+  const AppearanceFitness& fitness() const { return fitness_; }
+
+ private:
+  struct Known {
+    int64_t stamp_ns;
+    FleischmannVector v;
+  };
+  SearchProblem problem() const;
+  void search(int64_t stamp_ns, SppsoPose& pose) const;
+
+  AppearanceFitness fitness_;
+  LimbCollision collision_;
+  MotionStatistics statistics_;
+  SppsoOptions options_;
+  SppsoPlan plan_;
+  FleischmannLimits limits_ = FleischmannLimits::anatomical();
+  std::optional<Known> last_, before_;
+};
+
+}  // namespace markerless_mocap
