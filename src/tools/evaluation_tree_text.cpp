@@ -85,8 +85,20 @@ std::string curveOf(const LabelErrors& labels) {
     precision.values.push_back(figures.precision);
     recall.values.push_back(figures.recall);
   }
-  return "<p>by the threshold of validity</p>\n" + plotKey({precision, recall}) +
-         linePlot(thresholds, {precision, recall}, 1.0, "", "");
+  return "<h3>Precision and recall by the threshold of validity</h3>\n" +
+         plotKey({precision, recall}) + linePlot(thresholds, {precision, recall}, 1.0, "", "");
+}
+
+/// Whether validity means what it says.
+std::string reliabilityOf(const LabelErrors& labels) {
+  std::string out =
+      "<h3>What validity means</h3>\n<table><tr><th class=n>frames</th><th class=n>mean "
+      "validity</th><th class=n>right</th></tr>\n";
+  for (const ReliabilityBin& bin : labels.reliability)
+    out += "<tr><td class=n>" + std::to_string(bin.frames) + "</td><td class=n>" +
+           figureText("%.2f", bin.mean_validity) + "</td><td class=n>" +
+           figureText("%.2f", bin.share_right) + "</td></tr>\n";
+  return out + "</table>\n";
 }
 
 }  // namespace
@@ -142,6 +154,12 @@ JsonObject treesObject(const TreeEvaluation& trees) {
              JsonObject::number(figures.precision) + ", " + JsonObject::number(figures.recall) +
              "]";
   out.addList("threshold_precision_recall", curve);
+  std::string bins;
+  for (const ReliabilityBin& bin : labels.reliability)
+    bins += (bins.empty() ? "[" : ", [") + std::to_string(bin.frames) + ", " +
+            JsonObject::number(bin.mean_validity) + ", " + JsonObject::number(bin.share_right) +
+            "]";
+  out.addList("frames_validity_right", bins);
   return out;
 }
 
@@ -156,7 +174,7 @@ std::string treesSection(const TreeEvaluation& trees, const std::vector<double>&
          figureText("%.3f", labels.precision_recall_area) + "</p>\n" + bandOf(trees, seconds) +
          "<p>of the valid frames; ends to the middle of the head, knuckles and balls of the "
          "feet</p>\n" +
-         tableOf(trees) + curveOf(labels);
+         tableOf(trees) + curveOf(labels) + reliabilityOf(labels);
 }
 
 }  // namespace markerless_mocap

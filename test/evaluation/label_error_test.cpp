@@ -5,59 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "evaluation/label_scene.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr double kExact_mm = 1e-9;
-enum { kHead, kLeftHand, kRightHand, kLeftFoot, kRightFoot };
-
-/// Somebody who stands with the arms spread and looks along x: points and, beyond them, tips; then
-/// wrists, elbows, ankles and knees.
-JointTrack standing(int frames) {
-  JointTrack truth;
-  truth.names = labelTruthNames();
-  Eigen::Matrix3Xd points(3, 18);
-  points.transpose() << 0, 0, 1.6,  // head
-      0, 0, 1.75,                   //
-      0, 0.7, 1.4,                  // left hand
-      0, 0.8, 1.4,                  //
-      0, -0.7, 1.4,                 // right hand
-      0, -0.8, 1.4,                 //
-      0.1, 0.15, 0.05,              // left foot
-      0.2, 0.15, 0.05,              //
-      0.1, -0.15, 0.05,             // right foot
-      0.2, -0.15, 0.05,             //
-      0, 0.6, 1.4,                  // left wrist, elbow
-      0, 0.4, 1.4,                  //
-      0, -0.6, 1.4,                 // right wrist, elbow
-      0, -0.4, 1.4,                 //
-      0, 0.15, 0.08,                // left ankle, knee
-      0, 0.12, 0.5,                 //
-      0, -0.15, 0.08,               // right ankle, knee
-      0, -0.12, 0.5;
-  for (int f = 0; f < frames; ++f) truth.add(f, points);
-  return truth;
-}
-
-/// Labels that are the truth.
-std::vector<LabelledEnds> trueLabels(const JointTrack& truth) {
-  std::vector<LabelledEnds> labels(truth.frames());
-  for (size_t f = 0; f < labels.size(); ++f) {
-    labels[f].valid = true;
-    labels[f].validity = 1.0;
-    for (int end = 0; end < kEndCount; ++end)
-      labels[f].positions.col(end) = truth.positions[f].col(2 * end);
-  }
-  return labels;
-}
-
-void swapHands(LabelledEnds* labels) {
-  labels->positions.col(kLeftHand).swap(labels->positions.col(kRightHand));
-}
-
-void swapFeet(LabelledEnds* labels) {
-  labels->positions.col(kLeftFoot).swap(labels->positions.col(kRightFoot));
-}
 
 TEST(LabelErrors, TruthAgainstItselfIsRightThroughout) {
   const JointTrack truth = standing(4);
@@ -92,96 +45,6 @@ TEST(LabelErrors, ExchangedSidesAreWrongAndSaidToBeExchanged) {
   EXPECT_NEAR(errors.feet_mm.mean, 300.0 / 4, kExact_mm);
   EXPECT_EQ(errors.hands_if_right_mm.max, 0.0);
   EXPECT_EQ(errors.hands_if_right_mm.count, 4u);  // of two frames
-}
-
-/// Somebody who puts the left foot close to the right of the right one.
-JointTrack crossing() {
-  JointTrack truth = standing(1);
-  Eigen::Matrix3Xd& points = truth.positions[0];
-  for (const int column : {6, 7, 14}) points(1, column) = -0.03;  // ball, toes, ankle
-  for (const int column : {8, 9, 16}) points(1, column) = 0.03;
-  return truth;
-}
-
-/// Labels from the truth, with legs from the balls by the ankles to the knees.
-LabelledEnds labelsWithLegs(const JointTrack& truth) {
-  LabelledEnds labels = trueLabels(truth)[0];
-  const Eigen::Matrix3Xd& points = truth.positions[0];
-  labels.limbs[kLeftFoot] = points(Eigen::all, std::vector<int>{6, 14, 15});
-  labels.limbs[kRightFoot] = points(Eigen::all, std::vector<int>{8, 16, 17});
-  return labels;
-}
-
-TEST(LabelErrors, FeetThatCrossAreToldApartByTheirLegs) {
-  const JointTrack truth = crossing();
-  LabelledEnds labels = labelsWithLegs(truth);
-  // Each foot's end is found 4 cm off, beyond the other foot.
-  labels.positions(1, kLeftFoot) = 0.01;
-  labels.positions(1, kRightFoot) = -0.01;
-  LabelErrors errors = labelErrors(truth, {labels});
-  EXPECT_TRUE(errors.verdicts[0].sides_right);
-  EXPECT_TRUE(errors.verdicts[0].right);
-  labels.limbs = {};
-  errors = labelErrors(truth, {labels});
-  EXPECT_FALSE(errors.verdicts[0].sides_right) << "by the ends alone they are exchanged";
-  EXPECT_TRUE(errors.verdicts[0].kinds_right);
-}
-
-TEST(LabelErrors, LegsThatAreExchangedAreFoundOutHoweverCloseTheFeetAre) {
-  const JointTrack truth = crossing();
-  LabelledEnds labels = labelsWithLegs(truth);
-  swapFeet(&labels);
-  labels.limbs[kLeftFoot].swap(labels.limbs[kRightFoot]);
-  // Even where each end happens to be found at its own foot.
-  const LabelledEnds legs_only = [&] {
-    LabelledEnds out = labels;
-    swapFeet(&out);
-    return out;
-  }();
-  for (const LabelledEnds& wrong : {labels, legs_only}) {
-    const LabelErrors errors = labelErrors(truth, {wrong});
-    EXPECT_FALSE(errors.verdicts[0].sides_right);
-    EXPECT_TRUE(errors.verdicts[0].kinds_right);
-    EXPECT_FALSE(errors.verdicts[0].right);
-    EXPECT_EQ(errors.verdicts[0].end_right,
-              (std::array<bool, kEndCount>{true, true, true, false, false}));
-    EXPECT_EQ(errors.share_kinds_right, 1.0);
-    EXPECT_EQ(errors.share_wrong_but_valid, 1.0);
-  }
-}
-
-TEST(LabelErrors, ArmsAreHeldAgainstElbowsAndWristsToo) {
-  JointTrack truth = standing(1);
-  Eigen::Matrix3Xd& points = truth.positions[0];
-  for (const int column : {2, 3, 10}) points.col(column) << 0.4, -0.02, 1.3;  // crossed before
-  for (const int column : {4, 5, 12}) points.col(column) << 0.4, 0.02, 1.3;   // the chest
-  LabelledEnds labels = trueLabels(truth)[0];
-  labels.limbs[kLeftHand] = points(Eigen::all, std::vector<int>{2, 10, 11});
-  labels.limbs[kRightHand] = points(Eigen::all, std::vector<int>{4, 12, 13});
-  labels.positions(1, kLeftHand) = 0.01;
-  labels.positions(1, kRightHand) = -0.01;
-  EXPECT_TRUE(labelErrors(truth, {labels}).verdicts[0].right);
-  labels.limbs[kLeftHand].swap(labels.limbs[kRightHand]);
-  EXPECT_FALSE(labelErrors(truth, {labels}).verdicts[0].sides_right);
-}
-
-TEST(LabelErrors, TwoLabelsOnOneFootAreWrong) {
-  const JointTrack truth = standing(1);
-  LabelledEnds labels = trueLabels(truth)[0];
-  labels.positions.col(kRightFoot) = labels.positions.col(kLeftFoot);
-  const LabelErrors errors = labelErrors(truth, {labels});
-  EXPECT_FALSE(errors.verdicts[0].kinds_right);
-  EXPECT_EQ(errors.verdicts[0].end_right,
-            (std::array<bool, kEndCount>{true, true, true, true, false}));
-}
-
-TEST(LabelErrors, JointsThatTheTruthDoesNotHaveAreLeftOut) {
-  JointTrack truth = standing(1);
-  truth.positions[0].rightCols<8>().setConstant(NAN);
-  LabelledEnds labels = labelsWithLegs(standing(1));
-  EXPECT_TRUE(labelErrors(truth, {labels}).verdicts[0].right);
-  swapFeet(&labels);
-  EXPECT_FALSE(labelErrors(truth, {labels}).verdicts[0].sides_right);
 }
 
 TEST(LabelErrors, AHandOnAFootIsWrongAloneAndItsSideIsNot) {
@@ -289,6 +152,23 @@ TEST(LabelErrors, FramesOfOneValidityReachTheThresholdTogether) {
   std::vector<LabelledEnds> labels = trueLabels(truth);
   swapFeet(&labels[0]);
   EXPECT_NEAR(labelErrors(truth, labels).precision_recall_area, 0.75, 1e-12);
+}
+
+TEST(LabelErrors, ReliabilityHoldsValidityAgainstWhatIsRight) {
+  const JointTrack truth = standing(6);
+  std::vector<LabelledEnds> labels = trueLabels(truth);
+  const double validities[] = {0.91, 0.95, 1.0, 0.02, 0.04, 0.5};
+  for (int f = 0; f < 6; ++f) labels[f].validity = validities[f];
+  swapHands(&labels[1]);
+  swapHands(&labels[3]);
+  labels[5].positions.setConstant(NAN);
+  const std::vector<ReliabilityBin> bins = labelErrors(truth, labels).reliability;
+  ASSERT_EQ(bins.size(), 2u);
+  EXPECT_EQ(bins[0].frames, 2u);
+  EXPECT_NEAR(bins[0].mean_validity, 0.03, 1e-12);
+  EXPECT_NEAR(bins[0].share_right, 0.5, 1e-12);
+  EXPECT_EQ(bins[1].frames, 3u);
+  EXPECT_NEAR(bins[1].share_right, 2.0 / 3, 1e-12);
 }
 
 TEST(LabelErrors, NothingValidHasNoFigures) {

@@ -110,6 +110,9 @@ TEST_F(EvaluationTreeTest, TableJsonAndPageCarryTheFigures) {
   const std::string page = evaluationPage(found);
   EXPECT_NE(page.find("10.0 % wrong but valid"), std::string::npos);
   EXPECT_NE(page.find("valid, wrong left_foot right_foot"), std::string::npos);
+  EXPECT_NE(json.find("\"frames_validity_right\": [[40, 0.9, 0.9]]"), std::string::npos) << json;
+  EXPECT_NE(page.find("Precision and recall by the threshold of validity"), std::string::npos);
+  EXPECT_NE(page.find(">40</td><td class=n>0.90</td><td class=n>0.90<"), std::string::npos);
 }
 
 TEST_F(EvaluationTreeTest, InstantsWithoutATreeAreMissing) {

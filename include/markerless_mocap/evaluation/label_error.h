@@ -62,6 +62,13 @@ struct ThresholdFigures {
   double recall;     ///< share of the right frames, valid or not, that is among them
 };
 
+/// Complete frames whose validity lies in one tenth of 0..1. Where validity means what it says, the
+/// share is the mean.
+struct ReliabilityBin {
+  size_t frames;
+  double mean_validity, share_right;
+};
+
 /// One end over the valid frames.
 struct EndError {
   std::string name;
@@ -81,6 +88,7 @@ struct LabelErrors {
   Spread hands_mm, feet_mm;                    ///< left and right, over the valid frames
   Spread hands_if_right_mm, feet_if_right_mm;  ///< over those in which all five are right
   std::vector<ThresholdFigures> by_threshold;  ///< from 0 to 1; only complete frames can reach it
+  std::vector<ReliabilityBin> reliability;     ///< by validity; empty tenths are left out
   /// Area under precision over recall, each threshold's step with its precision; 1 when every right
   /// frame has a higher validity than every wrong one. NaN without right frames.
   double precision_recall_area;
