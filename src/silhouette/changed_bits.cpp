@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "silhouette/avx2_pixels.h"
+#include "silhouette/prefetch.h"
 #include "silhouette/row_kernels.h"
 
 namespace markerless_mocap {
@@ -54,13 +55,13 @@ MOCAP_AVX2 uint64_t changedWord(const uint8_t* bgr, const ModeRow* modes, int mo
   return word;
 }
 
-/// Asks memory for the same word of another row, as it takes longer than this row's arithmetic.
-MOCAP_AVX2_INLINE void fetch(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
-                             const RowsAhead& ahead) {
-  for (int i = 0; i < 3; ++i) __builtin_prefetch(bgr + ahead.image + kWord * i);
+/// The same word of another row.
+MOCAP_AVX2_INLINE void prefetchWord(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
+                                    const RowsAhead& ahead) {
+  prefetch(bgr + ahead.image, 3 * kWord);
   for (int mode = 0; mode < mode_count; ++mode) {
-    for (int c = 0; c < 3; ++c) __builtin_prefetch(modes[mode].mean[c] + x + ahead.background);
-    __builtin_prefetch(modes[mode].weight + x + ahead.background);
+    for (int c = 0; c < 3; ++c) prefetch(modes[mode].mean[c] + x + ahead.background, kWord);
+    prefetch(modes[mode].weight + x + ahead.background, kWord);
   }
 }
 
@@ -72,7 +73,7 @@ MOCAP_AVX2 void changedBitsAvx2(const uint8_t* bgr, int cols, const ModeRow* mod
   for (; x + kWord <= cols; x += kWord, ++wanted, ++bits) {
     *bits = 0;
     if (!*wanted) continue;
-    fetch(bgr + 3 * x, modes, mode_count, x, ahead);
+    prefetchWord(bgr + 3 * x, modes, mode_count, x, ahead);
     *bits = changedWord(bgr + 3 * x, modes, mode_count, x, gains, limits);
   }
   if (x == cols) return;

@@ -6,11 +6,6 @@
 
 namespace markerless_mocap {
 
-void fillAndSieve(const SilhouetteOptions& options, BitMask* mask) {
-  fillHoles(options.max_hole_px, mask);
-  removeBlobs(options.min_blob_px, mask);
-}
-
 BitMask openedAndClosed(const BitMask& mask, const SilhouetteOptions& options) {
   const int open = options.open_radius_px, close = options.close_radius_px;
   return eroded(dilated(dilated(eroded(mask, open), open), close), close);
@@ -18,7 +13,8 @@ BitMask openedAndClosed(const BitMask& mask, const SilhouetteOptions& options) {
 
 BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options) {
   BitMask clean = openedAndClosed(mask, options);
-  fillAndSieve(options, &clean);
+  fillHoles(options.max_hole_px, &clean);
+  removeBlobs(options.min_blob_px, &clean);
   return clean;
 }
 

@@ -47,6 +47,23 @@ class RunComponents {
       if (chosen(runs_[root(int(i))])) mask->fill(runs_[i].y, runs_[i].first, runs_[i].last, value);
   }
 
+  /// The runs of each component that `chosen` picks.
+  template <class ChosenT>
+  std::vector<std::vector<MaskRun>> collect(const ChosenT& chosen) {
+    std::vector<std::vector<MaskRun>> found;
+    std::vector<int> place(runs_.size(), -1);
+    for (size_t i = 0; i < runs_.size(); ++i) {
+      const int top = root(int(i));
+      if (!chosen(runs_[top])) continue;
+      if (place[top] < 0) {
+        place[top] = int(found.size());
+        found.emplace_back();
+      }
+      found[place[top]].push_back({runs_[i].y, runs_[i].first, runs_[i].last});
+    }
+    return found;
+  }
+
  private:
   void addRow(const BitMask& mask, int y, bool value) {
     const uint64_t* row = mask.row(y);
@@ -95,6 +112,25 @@ void fillHoles(int max_area, BitMask* mask) {
   RunComponents(*mask, false, false)
       .paint(
           true, [=](const Run& c) { return !c.at_border && c.area <= max_area; }, mask);
+}
+
+void fillHoles(int always, int max_area,
+               const std::function<bool(const std::vector<MaskRun>&)>& is_filled, BitMask* mask) {
+  RunComponents background(*mask, false, false);
+  const auto larger = background.collect(
+      [=](const Run& c) { return !c.at_border && c.area > always && c.area <= max_area; });
+  background.paint(
+      true, [=](const Run& c) { return !c.at_border && c.area <= always; }, mask);
+  for (const std::vector<MaskRun>& hole : larger)
+    if (is_filled(hole)) fillRuns(hole, mask);
+}
+
+std::vector<std::vector<MaskRun>> findBlobs(int max_area, const BitMask& mask) {
+  return RunComponents(mask, true, false).collect([=](const Run& c) { return c.area <= max_area; });
+}
+
+void fillRuns(const std::vector<MaskRun>& runs, BitMask* mask) {
+  for (const MaskRun& run : runs) mask->fill(run.y, run.first, run.last, true);
 }
 
 void removeBlobs(int min_area, BitMask* mask) {

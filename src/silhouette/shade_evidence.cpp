@@ -52,7 +52,8 @@ BitMask blocksWithAny(const BitMask& mask) {
   BitMask blocks(blocksOf({mask.cols(), mask.rows()}));
   for (int y = 0; y < mask.rows(); ++y)
     for (int i = 0; i < mask.rowWords(); ++i)
-      blocks.row(y / ShadeBlocks::kSide)[i / 4] |= quartered(mask.row(y)[i]) << (16 * (i % 4));
+      if (const uint64_t word = mask.row(y)[i])
+        blocks.row(y / ShadeBlocks::kSide)[i / 4] |= quartered(word) << (16 * (i % 4));
   return blocks;
 }
 
@@ -190,6 +191,7 @@ void restoreClothes(const ShadeBlocks& blocks, const ShadowLimits& limits, BitMa
   for (int y = 0; y < shade->rows(); ++y)
     for (int i = 0; i < shade->rowWords(); ++i) {
       uint64_t& shades = shade->row(y)[i];
+      if (!shades) continue;
       const uint64_t restored =
           shades & quadrupled(clothes.row(y / ShadeBlocks::kSide)[i / 4] >> (16 * (i % 4)));
       foreground->row(y)[i] |= restored;

@@ -26,7 +26,9 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "a shadow's mean colour differs at most by this from its background's, relative");
   v.field("open_radius_px", open_radius_px, 0, 20, "radius of the opening that removes specks, px");
   v.field("close_radius_px", close_radius_px, 0, 20, "radius of the closing that joins gaps, px");
-  v.field("max_hole_px", max_hole_px, 0, 1000000, "holes up to this area are filled, px");
+  v.field("max_hole_px", max_hole_px, 0, 1000000,
+          "holes up to this area are filled, px; gaussian and mean_shift also fill those up to 50 "
+          "times as large around which the person looks like the background");
   v.field("min_blob_px", min_blob_px, 0, 1000000, "blobs below this area are removed, px");
   v.field("stale_share", stale_share, 0, 1,
           "more of the image than this share differs from a background that is stale");

@@ -4,7 +4,10 @@
 #include "silhouette/bit_morphology.h"
 #include "silhouette/clean_mask.h"
 #include "silhouette/light_gain.h"
+#include "silhouette/mask_runs.h"
+#include "silhouette/missed.h"
 #include "silhouette/pixel_test.h"
+#include "silhouette/prefetch.h"
 #include "silhouette/rim.h"
 #include "silhouette/row_kernels.h"
 
@@ -44,7 +47,9 @@ class ModelSubtractor : public Subtractor {
     found.changed_share = double(classes.changed) / double(image.total());
     found.mask = openedAndClosed(classes.foreground, options_);
     rim.refine(image, background_, found.light_gain, classes, &found.mask);
-    fillAndSieve(options_, &found.mask);  // last: the new rim has pinholes and crumbs
+    // Last, as the new rim has pinholes and crumbs.
+    fillMissed(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
+    removeBlobs(options_.min_blob_px, &found.mask);
     renew(image, found.light_gain, found.mask, classes.shade);
     return found;
   }
@@ -73,6 +78,10 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
   now_.resize(size_t(3) * n);
   held_.resize(n);
   for (int y = next_row_; y < image.rows; y += kUpdateStride) {
+    if (const int next = y + kUpdateStride; next < image.rows) {
+      prefetch(background_.mean(0, next, 0), sizeof(uint16_t) * channels * n);
+      prefetch(image.ptr(next), size_t(channels) * image.cols);
+    }
     splitRow(image, y, 0, image.cols, n, now_.data());
     nearRow(mask, y, kGuardX, kGuardY, &guarded_);
     for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shade.row(y)[i];

@@ -20,7 +20,7 @@ struct SilhouetteOptions {
   double shadow_chroma_tolerance = 0.018;
   int open_radius_px = 1;
   int close_radius_px = 1;
-  int max_hole_px = 50;
+  int max_hole_px = 10;
   int min_blob_px = 200;
   double stale_share = 0.5;
   int stale_frames = 60;
