@@ -48,6 +48,7 @@ PartCurve curveFromMessage(const BodyPart& message) {
   PartCurve curve;
   curve.seen = message.seen;
   if (!curve.seen) return curve;
+  curve.whole = message.whole;
   curve.voxel_count = message.voxel_count;
   curve.site_values = message.site_values;
   for (const auto& p : message.points) curve.points.emplace_back(p.x, p.y, p.z);
@@ -85,6 +86,7 @@ BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& he
     part.label = static_cast<uint8_t>(label);
     part.seen = curve.seen;
     if (curve.seen) {
+      part.whole = curve.whole;
       part.voxel_count = curve.voxel_count;
       for (const Eigen::Vector3d& p : curve.points) part.points.push_back(pointMessage(p));
       part.site_values = curve.site_values;

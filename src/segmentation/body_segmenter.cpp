@@ -71,12 +71,14 @@ void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<P
   }
   if (!torso.empty()) {
     parts->parts[0] = fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso), kTorsoModes);
+    parts->parts[0].whole = parts->parts[0].seen;
   }
   for (int part = 1; part < kPartCount; ++part) {
     if (!limbs.has(PartLabel(part))) continue;
     std::vector<double> ahead = limbs.way[part];
     for (double& way : ahead) way = -way;
     parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes);
+    parts->parts[part].whole = parts->parts[part].seen && limbs.whole[part];
   }
 }
 
@@ -97,13 +99,15 @@ std::string hullFault(const VisualHull& hull, const SegmentationOptions& options
   return reason.str();
 }
 
-std::string missingParts(const BodyParts& parts) {
-  std::string missing;
+/// Names of the parts that a question is answered with no for.
+template <class Answer>
+std::string partsWithout(const BodyParts& parts, const Answer& answer) {
+  std::string names;
   for (int part = 0; part < kPartCount; ++part) {
-    if (parts.parts[part].seen) continue;
-    missing += (missing.empty() ? "" : ", ") + std::string(toString(PartLabel(part)));
+    if (answer(parts.parts[part])) continue;
+    names += (names.empty() ? "" : ", ") + std::string(toString(PartLabel(part)));
   }
-  return missing;
+  return names;
 }
 
 /// A torso with a head, a leg and one more limb: fewer could be anything.
@@ -115,7 +119,9 @@ bool isBody(const BodyParts& parts) {
 }
 
 void judge(double cost, double highest_cost, BodyParts* result) {
-  const std::string missing = missingParts(*result);
+  const std::string missing = partsWithout(*result, [](const PartCurve& p) { return p.seen; });
+  const std::string merged =
+      partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
   std::ostringstream reason;
   reason.precision(3);
   if (!isBody(*result)) {
@@ -123,11 +129,12 @@ void judge(double cost, double highest_cost, BodyParts* result) {
   } else if (cost > highest_cost) {
     reason << "the hull's branches do not fit a body (cost " << cost << ", allowed " << highest_cost
            << ")";
-  } else if (!missing.empty()) {
-    result->status = SegmentationStatus::kPartial;
-    reason << missing << " not seen";
-  } else {
+  } else if (missing.empty() && merged.empty()) {
     result->status = SegmentationStatus::kOk;
+  } else {
+    result->status = SegmentationStatus::kPartial;
+    if (!missing.empty()) reason << missing << " not seen";
+    if (!merged.empty()) reason << (missing.empty() ? "" : "; ") << merged << " merged with others";
   }
   result->reason = reason.str();
 }

@@ -9,6 +9,7 @@
 #include "markerless_mocap/segmentation/spline_walk.h"
 #include "markerless_mocap/segmentation/tip_measures.h"
 #include "markerless_mocap/segmentation/tip_naming.h"
+#include "segmentation/limb_borders.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,12 +18,8 @@ constexpr int kMergeTreeModes = 10;
 constexpr int kSplineWalkModes = 6;
 constexpr double kResidual = 0.05;  // of the modes: moves one voxel in ten thousand
 constexpr int kLimbs = 5;
-constexpr int kCandidates = 7;         // tips to name; fused hands and elbows leave small ones
-constexpr double kCoreShare = 0.85;    // of the greatest depth under the surface
-constexpr double kBranchShare = 0.12;  // of a tip's height: where a branch ends at the latest
-constexpr double kLegShare = 0.15;     // legs that touch are parted down to here
-constexpr double kSameLimb = 0.6;    // way between two tips of one limb, at most, in the same unit
-constexpr double kHeadReach = 0.80;  // head and neck, in cube roots of the hull's volume
+constexpr int kCandidates = 7;       // tips to name; fused hands and elbows leave small ones
+constexpr double kCoreShare = 0.85;  // of the greatest depth under the surface
 const Eigen::Vector3d kSlant(0.618, 0.354, 1.0);  // no two near voxels lie equally far along it
 
 std::vector<uint32_t> tipsOf(const std::vector<Branch>& branches) {
@@ -56,6 +53,7 @@ Limbs sortByPart(const TipNames& names, const TipMeasures& measures,
     if (tip < 0) continue;
     limbs.branch[part] = branches[tip];
     limbs.way[part] = measures.way[tip];
+    limbs.whole[part] = true;
   }
   return limbs;
 }
@@ -67,53 +65,26 @@ Limbs walkLimbs(const VoxelGraph& voxels, const Eigenmap& map, const std::vector
   return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
 }
 
-/// The tips that bound branches: the named ones, and of the five most persistent those that
-/// are not part of a named tip's own limb. An arm that touches the body may go without a name, but
-/// no leg shall take it in.
-std::vector<int> boundingTips(const TipNames& names, const TipMeasures& measures) {
-  std::vector<int> bounding;
-  for (int part = 1; part < kPartCount; ++part) {
-    if (names.tip[part] >= 0) bounding.push_back(names.tip[part]);
-  }
-  const size_t named = bounding.size();
-  for (int tip = 0; tip < std::min(kLimbs, int(measures.to_core.size())); ++tip) {
-    const bool apart = std::all_of(bounding.begin(), bounding.begin() + named, [&](int other) {
-      return other != tip && measures.distance(tip, other) > std::log(kSameLimb);
-    });
-    if (apart) bounding.push_back(tip);
-  }
-  return bounding;
-}
-
 Limbs mergeTreeLimbs(const VoxelGraph& voxels, const Eigenmap& map,
                      const std::vector<uint32_t>& core) {
-  const Elevation height = distanceFromCore(map, core);
+  const std::vector<double> height = distanceFromCore(map, core);
   const std::vector<uint32_t> tips = persistentMaxima(voxels.graph, height, kCandidates);
   const TipMeasures measures = measureTips(voxels, tips, core);
-  const TipNames names = namesInOrder(voxels, measures, tips);
-  const std::vector<int> bounding = boundingTips(names, measures);
-  std::vector<uint32_t> bounding_nodes;
-  std::vector<int> legs;
-  for (const int tip : bounding) {
-    const bool leg =
-        tip == names.tip[size_t(PartLabel::kLeg1)] || tip == names.tip[size_t(PartLabel::kLeg2)];
-    if (leg) legs.push_back(int(bounding_nodes.size()));
-    bounding_nodes.push_back(tips[tip]);
+  std::vector<Branch> branches;
+  for (const uint32_t tip : tips) branches.push_back({tip, {}});
+  Limbs limbs = sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
+  std::array<double, kPartCount> border{};
+  for (int part = 1; part < kPartCount; ++part) {
+    if (!limbs.way[part].empty()) border[part] = limbBorder(PartLabel(part), limbs.way[part]);
   }
-  std::vector<Branch> found = branchesAtTips(voxels.graph, height, bounding_nodes, kBranchShare);
-  growBranches(voxels.graph, height, legs, kLegShare, &found);
-  std::vector<Branch> branches(tips.size());
-  for (size_t i = 0; i < found.size(); ++i) branches[bounding[i]] = std::move(found[i]);
-  return sortByPart(names, measures, branches);
-}
-
-/// Where a fused arm draws the core down, the head's branch would take in the chest.
-void cutHead(Limbs* limbs) {
-  std::vector<uint32_t>& nodes = limbs->branch[size_t(PartLabel::kHead)].nodes;
-  const std::vector<double>& way = limbs->way[size_t(PartLabel::kHead)];
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
-                             [&](uint32_t node) { return way[node] > kHeadReach; }),
-              nodes.end());
+  auto nodes = nodesOfLimbs(limbs.way, border);
+  const auto all = double(voxels.graph.nodeCount());
+  for (int part = 1; part < kPartCount; ++part) {
+    limbs.whole[part] =
+        isWholeLimb(PartLabel(part), border[part], double(nodes[part].size()) / all);
+    limbs.branch[part].nodes = std::move(nodes[part]);
+  }
+  return limbs;
 }
 
 void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
@@ -137,7 +108,6 @@ Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
       laplacianEigenmap(voxels.graph, options.modes > 0 ? options.modes : best_modes, kResidual);
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
   Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, map, core) : walkLimbs(voxels, map, core);
-  cutHead(&limbs);
   dropImplausible(voxels, &limbs);
   return limbs;
 }

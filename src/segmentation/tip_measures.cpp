@@ -15,6 +15,12 @@ TipMeasures measureTips(const VoxelGraph& voxels, const std::vector<uint32_t>& t
   const auto nodes = double(voxels.graph.nodeCount());
   const double unit = std::cbrt(nodes);  // in voxels
   const auto logarithm = [&](double length) { return std::log(std::max(length, 1.0 / unit)); };
+  const auto higher = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.z() < b.z();
+  };
+  const auto [low, high] =
+      std::minmax_element(voxels.centers.begin(), voxels.centers.end(), higher);
+  const double lowest = low->z(), tall = std::max(high->z() - lowest, voxels.pitch);
   TipMeasures measures;
   measures.distance = Eigen::MatrixXd::Zero(tips.size(), tips.size());
   for (size_t i = 0; i < tips.size(); ++i) {
@@ -25,6 +31,7 @@ TipMeasures measureTips(const VoxelGraph& voxels, const std::vector<uint32_t>& t
     const auto near =
         std::count_if(way.begin(), way.end(), [](double w) { return w <= kFullnessRadius; });
     measures.to_core.push_back(logarithm(to_core));
+    measures.height.push_back((voxels.centers[tips[i]].z() - lowest) / tall);
     measures.fullness.push_back(std::log(double(near) / nodes));
     for (size_t j = 0; j < i; ++j) {
       measures.distance(i, j) = measures.distance(j, i) = logarithm(way[tips[j]]);

@@ -21,29 +21,32 @@ struct Normal {
 
 // Logarithms as in TipMeasures, of clothed adults walking and moving their arms. Deviations are at
 // least 9 % of a length and 15 % of a volume, to leave room for other bodies and clothes.
-constexpr Normal kFullness[kKinds] = {{-2.75, 0.20}, {-4.65, 0.35}, {-3.93, 0.28}};
-constexpr Normal kToCore[kKinds] = {{-0.03, 0.16}, {0.54, 0.15}, {0.72, 0.20}};
+constexpr Normal kFullness[kKinds] = {{-2.78, 0.2}, {-4.6, 0.5}, {-3.75, 0.5}};
+constexpr Normal kToCore[kKinds] = {{-0.05, 0.16}, {0.4, 0.25}, {0.72, 0.2}};
+// Upright people; in other poses the rest has to do.
+constexpr Normal kHeight[kKinds] = {{0.95, 0.12}, {0.55, 0.25}, {0.03, 0.12}};
 constexpr Normal kDistance[kKinds][kKinds] = {
-    {{0.0, 1.0}, {0.87, 0.09}, {1.41, 0.09}},
-    {{0.87, 0.09}, {1.26, 0.10}, {1.53, 0.10}},
-    {{1.41, 0.09}, {1.53, 0.10}, {1.30, 0.25}},
+    {{0.0, 1.0}, {0.86, 0.13}, {1.40, 0.11}},
+    {{0.86, 0.13}, {1.10, 0.25}, {1.40, 0.18}},
+    {{1.40, 0.11}, {1.40, 0.18}, {1.20, 0.5}},
 };
 
 // A stout body, or a hull swollen by arms that touch it, is all over shorter in cube roots of its
 // volume. These shifts of the logarithms are tried.
-constexpr double kBuilds[] = {-0.2, -0.15, -0.1, -0.05, 0.0, 0.05, 0.1};
-constexpr double kBuildDeviation = 0.08;
+constexpr double kBuilds[] = {-0.4, -0.35, -0.3, -0.25, -0.2, -0.15, -0.1, -0.05, 0.0, 0.05, 0.1};
+constexpr double kBuildDeviation = 0.12;
 
 // Of the branches, logarithms too.
-constexpr Normal kVolumeShare[kKinds] = {{-2.60, 0.30}, {-3.05, 0.30}, {-1.95, 0.40}};
-constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.02, 0.12}, {-2.77, 0.14}};
-constexpr double kMostOfLeg = 0.27;      // of the hull's nodes; more is two legs
+constexpr Normal kVolumeShare[kKinds] = {{-3.0, 0.3}, {-3.65, 0.4}, {-1.85, 0.35}};
+constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.2, 0.13}, {-2.72, 0.18}};
+constexpr double kMostOfLeg = 0.33;      // of the hull's nodes; more is two legs
 constexpr double kHighestSquare = 12.0;  // sum of the two squared z-scores of a plausible branch
 
 constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
                                 PartLabel::kArm1, PartLabel::kArm2};
 constexpr Kind kKindOfRole[] = {kHeadKind, kLegKind, kLegKind, kArmKind, kArmKind};
 constexpr int kRoleCount = 5;
+constexpr int kOwnTerms = 3;  // of a tip alone
 
 double squaredScore(const Normal& normal, double value) {
   const double z = (value - normal.mean) / normal.deviation;
@@ -57,7 +60,8 @@ class Scores {
     for (int kind = 0; kind < kKinds; ++kind) {
       for (int tip = 0; tip < tips_; ++tip) {
         own_.push_back(squaredScore(kFullness[kind], measures.fullness[tip]) +
-                       squaredScore(kToCore[kind], measures.to_core[tip] - build));
+                       squaredScore(kToCore[kind], measures.to_core[tip] - build) +
+                       squaredScore(kHeight[kind], measures.height[tip]));
       }
     }
     for (int pair = 0; pair < kKinds * kKinds; ++pair) {
@@ -134,14 +138,14 @@ class Assignment {
   /// Terms that the roles from `role` on add when all are named.
   static int mostTerms(int role, int named) {
     int terms = 0;
-    for (; role < kRoleCount; ++role, ++named) terms += 2 + named;
+    for (; role < kRoleCount; ++role, ++named) terms += kOwnTerms + named;
     return terms;
   }
 
   double termsOf(int role, int tip, int* count) const {
     const Kind kind = kKindOfRole[role];
     double sum = scores_.own(kind, tip);
-    *count = 2;
+    *count = kOwnTerms;
     for (int r = 0; r < role; ++r) {
       if (tip_[r] < 0) continue;
       sum += scores_.distance(kind, tip, kKindOfRole[r], tip_[r]);

@@ -166,7 +166,7 @@ TEST(BodySegmenter, SaysWhyAnEmptyHullIsNoPerson) {
 TEST(BodySegmenter, SaysWhyHullsOfTheWrongSizeAreNoPerson) {
   VisualHull one = VoxelFigure().hull();
   one.voxels.resize(1);
-  expectInvalid(one, "a person 15 to 150");
+  expectInvalid(one, "a person 15 to 200");
   expectInvalid(VoxelFigure().capsule({0, 0, 1}, {0, 0, 1.01}, 0.5).hull(), "litres");
 }
 

@@ -26,29 +26,6 @@ TEST(MergeTree, OrdersMaximaByPersistence) {
   EXPECT_EQ(persistentMaxima(path(5), std::vector<double>(5, 1.0), 3), (Nodes{0}));
 }
 
-TEST(MergeTree, EndsBranchesAtSaddlesBetweenTheGivenTips) {
-  const std::vector<Branch> two = branchesAtTips(path(5), kHills, {0, 2}, 0.0);
-  EXPECT_EQ(two[0].nodes, (Nodes{0}));
-  EXPECT_EQ(two[1].nodes, (Nodes{2, 3, 4}));
-  const std::vector<Branch> three = branchesAtTips(path(5), kHills, {0, 2, 4}, 0.0);
-  EXPECT_EQ(three[1].nodes, (Nodes{2}));
-  EXPECT_EQ(three[2].nodes, (Nodes{4}));
-}
-
-TEST(MergeTree, EndsBranchesAtTheLowestShare) {
-  const std::vector<double> slope = {10.0, 6.0, 4.0, 1.0};
-  const std::vector<Branch> branch = branchesAtTips(path(4), slope, {0}, 0.5);
-  EXPECT_EQ(branch[0].nodes, (Nodes{0, 1}));
-}
-
-TEST(MergeTree, GrowsBranchesInTheirOwnBasin) {
-  std::vector<Branch> branches = branchesAtTips(path(5), kHills, {0, 2, 4}, 0.0);
-  growBranches(path(5), kHills, {1}, 0.2, &branches);
-  EXPECT_EQ(branches[0].nodes, (Nodes{0}));
-  EXPECT_EQ(branches[1].nodes, (Nodes{2, 3}));  // node 1 slopes to node 0
-  EXPECT_EQ(branches[2].nodes, (Nodes{4}));
-}
-
 TEST(MergeTree, MeasuresDistanceFromTheCoreInCommuteTime) {
   Eigenmap map{Eigen::Vector2d(0.1, 0.4), Eigen::MatrixXd(3, 2)};
   map.vectors << 1.0, 0.0, 3.0, 0.0, 2.0, 6.0;
@@ -79,14 +56,15 @@ TEST(SplineWalk, FindsNothingWithoutModes) {
 /// Measures of a body: head, two arms, two legs in this order.
 TipMeasures bodyMeasures() {
   TipMeasures measures;
-  measures.fullness = {-2.75, -4.65, -4.65, -3.93, -3.93};
-  measures.to_core = {-0.03, 0.54, 0.54, 0.72, 0.72};
+  measures.fullness = {-2.78, -4.6, -4.6, -3.75, -3.75};
+  measures.to_core = {-0.05, 0.4, 0.4, 0.72, 0.72};
+  measures.height = {0.95, 0.55, 0.55, 0.03, 0.03};
   measures.distance.resize(5, 5);
-  measures.distance << 0, .87, .87, 1.41, 1.41,  //
-      .87, 0, 1.26, 1.53, 1.53,                  //
-      .87, 1.26, 0, 1.53, 1.53,                  //
-      1.41, 1.53, 1.53, 0, 1.30,                 //
-      1.41, 1.53, 1.53, 1.30, 0;
+  measures.distance << 0, .86, .86, 1.40, 1.40,  //
+      .86, 0, 1.10, 1.40, 1.40,                  //
+      .86, 1.10, 0, 1.40, 1.40,                  //
+      1.40, 1.40, 1.40, 0, 1.20,                 //
+      1.40, 1.40, 1.40, 1.20, 0;
   return measures;
 }
 
@@ -96,6 +74,7 @@ TipMeasures reordered(const TipMeasures& from, const std::vector<int>& order) {
   for (size_t i = 0; i < order.size(); ++i) {
     to.fullness.push_back(from.fullness[order[i]]);
     to.to_core.push_back(from.to_core[order[i]]);
+    to.height.push_back(from.height[order[i]]);
     for (size_t j = 0; j < order.size(); ++j) to.distance(i, j) = from.distance(order[i], order[j]);
   }
   return to;

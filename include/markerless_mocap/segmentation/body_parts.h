@@ -17,6 +17,9 @@ const char* toString(PartLabel label);
 /// One extracted part: its voxels' curve and how much of it there is.
 struct PartCurve {
   bool seen = false;
+  /// Whether it is seen from its tip to where it joins the trunk; else a piece of it may be merged
+  /// with another part.
+  bool whole = false;
   uint32_t voxel_count = 0;
   /// Points of the least-squares cubic spline h(s) (Eq. 3-16), world metres, evenly spaced along
   /// the curve, from the end at the torso to the tip (torso: from the legs to the head).

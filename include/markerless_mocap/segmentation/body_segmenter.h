@@ -15,7 +15,7 @@ struct SegmentationOptions {
   double shrink_weight = 0.0;
   double highest_cost = 2.0;
   double least_litres = 15.0;
-  double most_litres = 150.0;
+  double most_litres = 200.0;
 
   void visit(OptionVisitor& v);
   void validate() const;
@@ -26,9 +26,9 @@ struct SegmentationOptions {
 class BodySegmenter {
  public:
   explicit BodySegmenter(const SegmentationOptions& options);
-  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there;
-  /// kPartial: torso, head, a leg and one more limb, the reason names the rest, whose voxels are
-  /// labelled torso.
+  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there and
+  /// whole; kPartial: torso, head, a leg and one more limb, the reason names the parts that are not
+  /// seen, whose voxels are labelled torso, and those that are merged with others.
   BodyParts segment(const VisualHull& hull) const;
 
  private:

@@ -15,6 +15,7 @@ namespace markerless_mocap {
 struct Limbs {
   std::array<Branch, kPartCount> branch;            ///< by PartLabel; without nodes: not found
   std::array<std::vector<double>, kPartCount> way;  ///< from the branch's tip to each node
+  std::array<bool, kPartCount> whole{};             ///< by PartLabel: ends where such a limb does
   double cost;                                      ///< of the names, see TipNames
 
   bool has(PartLabel label) const { return !branch[size_t(label)].nodes.empty(); }
