@@ -110,7 +110,7 @@ PartAssignment assignParts(const PartMatrix& error) {
 SkeletonError::SkeletonError(const HsiaoProfile& profile, const BodyParts& parts, int samples)
     : profile_(&profile) {
   for (int i = 0; i < kPartCount; ++i)
-    if (parts.parts[i].seen && parts.parts[i].points.size() >= 2)
+    if (parts.parts[i].whole && parts.parts[i].points.size() >= 2)
       take(PartLabel(i), parts.parts[i].points, samples);
 }
 

@@ -96,12 +96,12 @@ TEST_F(SkeletonErrorTest, NeverTakesAnArmForALeg) {
   EXPECT_GT(errorAt(parts, v), 0.1);
 }
 
-TEST_F(SkeletonErrorTest, LeavesOutPartsThatAreNotSeen) {
+TEST_F(SkeletonErrorTest, LeavesOutPartsThatAreNotWhole) {
   const HsiaoVector v = stepping(profile_, 0.0);
   BodyParts parts = curvesOf(profile_, v);
   for (Vector3d& point : parts.parts[2].points) point.z() += 1.0;
   const double with = errorAt(parts, v);
-  parts.parts[2].seen = false;
+  parts.parts[2].whole = false;
   EXPECT_GT(with, 0.1);
   EXPECT_LT(errorAt(parts, v), 0.005);
 }

@@ -85,7 +85,7 @@ inline BodyParts curvesOf(const HsiaoProfile& profile, const HsiaoVector& v) {
       line.push_back(node.inWorld(frames));
     const bool arm = part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
     PartCurve& curve = parts.parts[part];
-    curve.seen = true;
+    curve.seen = curve.whole = true;
     for (int k = 0; k <= 24; ++k) {
       curve.points.push_back(alongLine(line, (arm ? 1.0 - kFingerShare : 1.0) * k / 24.0));
       curve.site_values.push_back(k / 24.0);

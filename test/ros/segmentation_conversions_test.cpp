@@ -16,6 +16,7 @@ BodyParts sampleParts() {
     if (label == int(PartLabel::kArm2)) continue;
     PartCurve& curve = parts.parts[label];
     curve.seen = true;
+    curve.whole = label != int(PartLabel::kLeg2);
     curve.voxel_count = 100u + label;
     curve.points = {{0.1, 0.2, 0.3 + label}, {0.4, 0.5, 0.6 + label}};
     curve.site_values = {0.0, 1.0};
@@ -38,6 +39,7 @@ TEST(SegmentationConversions, PartsComeBackAsTheyWere) {
   EXPECT_EQ(back.reason, there.reason);
   for (int label = 0; label < kPartCount; ++label) {
     EXPECT_EQ(back.parts[label].seen, there.parts[label].seen);
+    EXPECT_EQ(back.parts[label].whole, there.parts[label].whole);
     EXPECT_EQ(back.parts[label].voxel_count, there.parts[label].voxel_count);
     EXPECT_EQ(back.parts[label].points, there.parts[label].points);
     EXPECT_EQ(back.parts[label].site_values, there.parts[label].site_values);
