@@ -236,9 +236,13 @@ EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same)
   return names;
 }
 
+SkeletonEnds candidateEnds(const TreeGraph& graph, const TreeVolume& volume) {
+  return findEnds(graph, volume, kSpur, kMostEnds);
+}
+
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability) {
   LabelChoice choice;
-  const SkeletonEnds ends = findEnds(graph, volume, kSpur, kMostEnds);
+  const SkeletonEnds ends = candidateEnds(graph, volume);
   const EndNames names = nameEnds(ends, graph, kSame);
   *probability = names.probability;
   if (names.ends[0] < 0) {

@@ -17,6 +17,9 @@ struct EndNames {
 /// choice with a body's measures.
 EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same);
 
+/// The ends that may be a body's.
+SkeletonEnds candidateEnds(const TreeGraph& graph, const TreeVolume& volume);
+
 /// Labels a graph so. \param probability as in EndNames
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability);
 

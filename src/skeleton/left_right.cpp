@@ -89,14 +89,17 @@ BodyAxes findAxes(const BodyPaths& body) {
   const double foot = (label_ratio::kFoot + label_ratio::kToe) * body.longest;
   const double first = lengthOf(body.legs[0]), second = lengthOf(body.legs[1]);
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();
+  Eigen::Vector3d legs[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (int leg = 0; leg < 2; ++leg) {
     const bool foot_seen = (leg == 0 ? second - first : first - second) < 2.0 * foot;
     const Eigen::Vector3d normal = legNormal(body.legs[leg], foot_seen, body.longest);
-    if (normal.norm() > 0.0) forward += normal.normalized().cross(axes.up);
+    if (normal.norm() > 0.0) legs[leg] = normal.normalized().cross(axes.up);
+    forward += legs[leg];
     axes.bend += normal.norm();
   }
   axes.known = forward.norm() > 1e-6 && axes.up.norm() > 0.5;
   if (!axes.known) return axes;
+  axes.agreement = legs[0].stableNormalized().dot(legs[1].stableNormalized());
   axes.forward = forward.normalized();
   axes.left = axes.up.cross(axes.forward).normalized();
   return axes;
@@ -123,14 +126,6 @@ double leftOffset(const NodePath& first, const NodePath& second, const BodyAxes&
     return sum / double(std::max<size_t>(1, path.size() - path.size() / 2));
   };
   return upper(first) - upper(second);
-}
-
-double armCertainty(double offset) {
-  return 1.0 - 0.5 * std::exp(-offset * offset / (0.035 * 0.035));
-}
-
-double legCertainty(double offset) {
-  return 1.0 - 0.15 * std::exp(-std::abs(offset) / 0.015);
 }
 
 }  // namespace markerless_mocap

@@ -33,6 +33,7 @@ struct BodyAxes {
   bool known = false;
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  ///< along the torso, to the neck
   Eigen::Vector3d forward = Eigen::Vector3d::Zero(), left = Eigen::Vector3d::Zero();
+  double agreement = 0.0;  ///< cosine between what the two legs say
   double bend = 0.0;  ///< length of the sum of the joints' normals that forward comes from
 };
 
@@ -46,10 +47,5 @@ bool firstIsLeftByAngles(const NodePath (&limbs)[2], double share, const BodyPat
 
 /// How much further to the left the upper half of limb 1 lies than that of limb 2, metres.
 double leftOffset(const NodePath& first, const NodePath& second, const BodyAxes& axes);
-
-/// Probability that arms are named right whose leftOffset() is this share of the longest path, and
-/// legs; curves through the rates of 3600 pairs of the virtual studio.
-double armCertainty(double offset);
-double legCertainty(double offset);
 
 }  // namespace markerless_mocap

@@ -7,19 +7,40 @@ namespace markerless_mocap {
 
 namespace {
 
-/// Calls with x and the row (y + size.y * z) of each voxel; voxels ascend, so no division is needed
-/// from one to the next.
-template <class Visit>
-void visitVoxels(const VisualHull& hull, const Visit& visit) {
-  const uint32_t length = uint32_t(hull.lattice.size.x());
-  uint32_t row = 0, start = 0;
-  for (const HullVoxel& voxel : hull.voxels) {
-    if (voxel.index - start >= 16 * length) {
-      row = voxel.index / length;
-      start = row * length;
-    }
-    for (; voxel.index - start >= length; start += length) ++row;
-    visit(int(voxel.index - start), row);
+/// Neighbouring voxels of one row.
+struct Run {
+  int x, y, z;
+  uint32_t length;
+};
+
+/// Voxels ascend, so where the one `kStride` further on has the index that is `kStride` larger, all
+/// between are there as well.
+std::vector<Run> runsOf(const VisualHull& hull) {
+  constexpr size_t kStride = 8;
+  const std::vector<HullVoxel>& voxels = hull.voxels;
+  std::vector<Run> runs;
+  for (size_t i = 0; i < voxels.size();) {
+    const uint32_t first = voxels[i].index;
+    const Eigen::Vector3i at = hull.lattice.coordinates(first);
+    const size_t most = std::min(voxels.size() - i, size_t(hull.lattice.size.x() - at.x()));
+    size_t length = 1;
+    const auto reaches = [&](size_t n) {
+      return n <= most && voxels[i + n - 1].index - first == uint32_t(n - 1);
+    };
+    while (reaches(length + kStride)) length += kStride;
+    while (reaches(length + 1)) ++length;
+    runs.push_back({at.x(), at.y(), at.z(), uint32_t(length)});
+    i += length;
+  }
+  return runs;
+}
+
+void setBits(size_t from, size_t count, std::vector<uint64_t>* bits) {
+  while (count > 0) {
+    const size_t offset = from & 63, taken = std::min(count, 64 - offset);
+    (*bits)[from >> 6] |= (~uint64_t(0) >> (64 - taken)) << offset;
+    from += taken;
+    count -= taken;
   }
 }
 
@@ -27,31 +48,19 @@ void visitVoxels(const VisualHull& hull, const Visit& visit) {
 
 TreeVolume::TreeVolume(const VisualHull& hull) : lattice_(hull.lattice) {
   if (hull.voxels.empty()) return;
-  const uint32_t rows = uint32_t(lattice_.size.y());
-  lowest_ = lattice_.coordinates(hull.voxels.front().index);
-  Eigen::Vector3i highest = lattice_.coordinates(hull.voxels.back().index);
-  uint32_t last_row = ~0u;
-  visitVoxels(hull, [&](int x, uint32_t row) {
-    lowest_.x() = std::min(lowest_.x(), x);
-    highest.x() = std::max(highest.x(), x);
-    if (row == last_row) return;
-    last_row = row;
-    lowest_.y() = std::min(lowest_.y(), int(row % rows));
-    highest.y() = std::max(highest.y(), int(row % rows));
-  });
+  const std::vector<Run> runs = runsOf(hull);
+  lowest_ = lattice_.size;
+  Eigen::Vector3i highest = Eigen::Vector3i::Zero();
+  for (const Run& run : runs) {
+    lowest_ = lowest_.cwiseMin(Eigen::Vector3i(run.x, run.y, run.z));
+    highest = highest.cwiseMax(Eigen::Vector3i(run.x + int(run.length) - 1, run.y, run.z));
+  }
   size_ = highest - lowest_ + Eigen::Vector3i::Ones();
   bits_.assign((size_t(size_.x()) * size_.y() * size_.z() >> 6) + 1, 0);
-  size_t base = 0;
-  last_row = ~0u;
-  visitVoxels(hull, [&](int x, uint32_t row) {
-    if (row != last_row) {
-      last_row = row;
-      const size_t y = row % rows - uint32_t(lowest_.y()), z = row / rows - uint32_t(lowest_.z());
-      base = (z * size_t(size_.y()) + y) * size_t(size_.x());
-    }
-    const size_t bit = base + size_t(x - lowest_.x());
-    bits_[bit >> 6] |= uint64_t(1) << (bit & 63);
-  });
+  for (const Run& run : runs) {
+    const size_t row = size_t(run.z - lowest_.z()) * size_.y() + (run.y - lowest_.y());
+    setBits(row * size_.x() + (run.x - lowest_.x()), run.length, &bits_);
+  }
 }
 
 double TreeVolume::thickness(const Eigen::Vector3i& voxel) const {

@@ -24,6 +24,10 @@ class TreeVolume {
   /// neighbours, metres; at most 12 % more than the distance to a flat surface.
   double thickness(const Eigen::Vector3i& voxel) const;
   double thickness(uint32_t voxel) const { return thickness(lattice_.coordinates(voxel)); }
+  double thickness(const Eigen::Vector3d& point) const {
+    return thickness(
+        ((point - lattice_.origin) / lattice_.pitch).array().floor().matrix().cast<int>().eval());
+  }
   /// Way from a point along a unit vector to the last voxel of the hull before the first gap.
   double wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double most) const;
 

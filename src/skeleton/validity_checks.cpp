@@ -11,7 +11,7 @@ constexpr double kLeastLitres = 8.0, kMostLitres = 300.0;
 constexpr size_t kMostNodes = 4000;
 constexpr int kMostEnds = 300;
 constexpr double kCell = 0.25;           // metres: nothing of a body is two cells from its skeleton
-constexpr size_t kSample = 32;           // every so many voxels one is looked at
+constexpr size_t kSample = 1000;         // voxels that are looked at, about
 constexpr double kMostOutOfReach = 0.1;  // share of the voxels
 
 const char* const kTooManyBranches = "the skeleton has far more branches than a body";
@@ -97,7 +97,7 @@ std::optional<Refusal> refuseSkeleton(const VisualHull& hull, const TreeGraph& g
     return Refusal{TreeStatus::kNotAPerson, kTooManyBranches};
   const Reach reach(graph);
   size_t looked = 0, out = 0;
-  for (size_t i = 0; i < hull.voxels.size(); i += kSample) {
+  for (size_t i = 0; i < hull.voxels.size(); i += hull.voxels.size() / kSample + 1) {
     ++looked;
     out += !reach.contains(hull.lattice.center(hull.voxels[i].index));
   }
