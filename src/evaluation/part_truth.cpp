@@ -62,10 +62,10 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
     add(kHip + p, kShoulder + p, 0.11, 0, false, false);
     add(kShoulder + p, kElbow + p, 0.06, arm, false, true);
     add(kElbow + p, kWrist + p, 0.05, arm, true, true);
-    add(kWrist + p, kHandTip + p, 0.045, arm, true, false);
+    add(kWrist + p, kHandTip + p, 0.045, arm, true, true);
     add(kHip + p, kKnee + p, 0.10, legs, false, true);
     add(kKnee + p, kAnkle + p, 0.065, legs, true, true);
-    add(kAnkle + p, kFootTip + p, 0.055, legs, true, false);
+    add(kAnkle + p, kFootTip + p, 0.055, legs, true, true);
   }
 }
 

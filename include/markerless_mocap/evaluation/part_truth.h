@@ -30,7 +30,7 @@ class PartTruth {
   /// Whether a point lies in a forearm, hand, shank or foot.
   bool isDistal(const Eigen::Vector3d& point) const;
   /// Metres from a point to the bones that are a part's axis: the spine from the pelvis to the
-  /// thorax, thorax to the top of the head, shoulder to wrist, hip to ankle.
+  /// thorax, thorax to the top of the head, shoulder to hand, hip to foot.
   double toAxis(const Eigen::Vector3d& point, int part) const;
 
  private:
