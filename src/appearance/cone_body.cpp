@@ -181,12 +181,27 @@ ConeBody ConeBody::resized(const std::array<ConeSizes, kBodyCones>& sizes) const
   return body;
 }
 
-LimbCollision::LimbCollision(const ConeBody& body, double share) : share_(share) {
+LimbCollision::LimbCollision(const ConeBody& body, double share)
+    : torso_(body.cones()[kTorsoCone]), share_(share) {
   for (int i = 0; i < kBodyCones; ++i) {
     const TruncatedCone& cone = body.cones()[i];
     const double smaller = std::min(cone.u.norm(), cone.v.norm());
     limbs_[i] = {cone.segment, cone.a, cone.b, smaller * (1.0 + cone.taper) / 2.0};
   }
+}
+
+bool LimbCollision::inTorso(const Vector3d& point, const FleischmannFrames& frames,
+                            double radius) const {
+  const Vector3d along = torso_.b - torso_.a;
+  const Vector3d local =
+      frames.R[torso_.segment].transpose() * (point - frames.p[torso_.segment]) - torso_.a;
+  const double height = local.dot(along) / along.squaredNorm();
+  if (height < 0.0 || height > 1.0) return false;
+  const double size = 1.0 + height * (torso_.taper - 1.0);
+  const double u = torso_.u.norm(), v = torso_.v.norm();
+  const double x = local.dot(torso_.u) / u / (u * size + radius);
+  const double y = local.dot(torso_.v) / v / (v * size + radius);
+  return x * x + y * y < share_ * share_;
 }
 
 bool LimbCollision::operator()(const FleischmannFrames& frames) const {
@@ -196,6 +211,9 @@ bool LimbCollision::operator()(const FleischmannFrames& frames) const {
     start[i] = frames.p[limb.segment] + frames.R[limb.segment] * limb.a;
     along[i] = frames.R[limb.segment] * (limb.b - limb.a);
   }
+  for (const BodyCone arm : {kLeftLowerArmCone, kRightLowerArmCone})
+    for (const double at : {0.0, 0.5, 1.0})
+      if (inTorso(start[arm] + at * along[arm], frames, limbs_[arm].radius)) return true;
   return std::any_of(std::begin(kPairs), std::end(kPairs), [&](const BodyCone(&pair)[2]) {
     const int i = pair[0], j = pair[1];
     const double least = share_ * (limbs_[i].radius + limbs_[j].radius);

@@ -107,10 +107,10 @@ FleischmannLimits FleischmannLimits::anatomical() {
     }
   };
   for (const Side& side : kSides) {
-    set(side.hip, {{-0.6, 1.2}, {-0.8, 2.2}, {-1.0, 1.0}});
+    set(side.hip, {{-0.3, 0.9}, {-0.7, 2.2}, {-0.3, 0.6}});
     set(side.knee, {{0.0, 2.6}});
-    set(side.clavicle, {{-0.4, 0.5}, {-0.3, 0.7}});
-    set(side.shoulder, {{-0.6, 3.0}, {-1.3, 3.2}, {-1.9, 1.9}});
+    set(side.clavicle, {{-0.3, 0.3}, {-0.2, 0.5}});
+    set(side.shoulder, {{-0.2, 3.0}, {-1.1, 3.2}, {-1.4, 1.4}});
     set(side.elbow, {{0.0, 2.6}});
   }
   set(kSpine, {{-0.5, 1.2}, {-0.6, 0.6}});

@@ -8,9 +8,9 @@ namespace markerless_mocap {
 struct AppearanceOptions {
   static constexpr const char* kStage = "appearance";
   int reduction = 1;
-  double edge_threshold = 60.0;
-  int edge_reach = 6;
-  double edge_blur = 3.0;
+  double edge_threshold = 30.0;
+  int edge_reach = 3;
+  double edge_blur = 2.0;
   int edge_samples = 10;
   int least_silhouette = 50;
 

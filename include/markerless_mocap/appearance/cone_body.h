@@ -64,8 +64,9 @@ class ConeBody {
   std::array<TruncatedCone, kBodyCones> cones_;
 };
 
-/// Whether limbs run through each other or through the torso: axes nearer than `share` of the sum
-/// of their radii (Fleischmann 2012, 5.3.2). Limbs that share a joint are not compared.
+/// Whether limbs run through each other or arms through the torso (Fleischmann 2012, 5.3.2): axes
+/// of limbs nearer than `share` of the sum of their radii, or lower arms deeper in the torso than
+/// that share of its section and their radius leave. Limbs that share a joint are not compared.
 class LimbCollision {
  public:
   /// \param share 0 (never) to 1 (surfaces may not touch)
@@ -78,7 +79,10 @@ class LimbCollision {
     Eigen::Vector3d a, b;
     double radius;
   };
+  bool inTorso(const Eigen::Vector3d& point, const FleischmannFrames& frames, double radius) const;
+
   std::array<Limb, kBodyCones> limbs_;
+  TruncatedCone torso_;
   double share_;
 };
 

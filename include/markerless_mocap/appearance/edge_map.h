@@ -6,9 +6,9 @@ namespace markerless_mocap {
 
 /// How edges are found; see AppearanceOptions.
 struct EdgeSettings {
-  double threshold = 60.0;
-  int reach = 6;
-  double blur = 3.0;
+  double threshold = 30.0;
+  int reach = 3;
+  double blur = 2.0;
 };
 
 /// How near each pixel is to an edge of the person, after Fleischmann 2012, 5.2.1: Sobel gradients

@@ -17,7 +17,7 @@ struct SppsoOptions {
   bool torso_top = true;
   double prediction = 0.0;
   double sigma_factor = 1.0;
-  double collision = 0.5;
+  double collision = 0.85;
   double least_fitness = 0.5;
   int seed = 1;
   AppearanceOptions appearance;
