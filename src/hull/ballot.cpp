@@ -10,6 +10,13 @@
 namespace markerless_mocap {
 namespace {
 
+/// Without the processor's own instruction, which not every one has.
+int countOf(CameraSet set) {
+  set -= set >> 1 & 0x55555555u;
+  set = (set & 0x33333333u) + (set >> 2 & 0x33333333u);
+  return int(((set + (set >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24);
+}
+
 class Octree {
  public:
   Octree(const CarvingPlan& plan, const Ballot& ballot, LeafVolume* volume)
@@ -45,11 +52,10 @@ class Octree {
     const BlockLevel& level = plan_.level(level_index);
     const size_t block = level.blockAt(at.x(), at.y(), at.z());
     const CameraSet some = level.sees_some[block] & voters_;
-    if (__builtin_popcount(some) < ballot_.min_views) return;
+    if (countOf(some) < ballot_.min_views) return;
     open &= some;
     if (!ask(level, block, &open, &against)) return;
-    const bool views_known =
-        __builtin_popcount(level.sees_all[block] & voters_) >= ballot_.min_views;
+    const bool views_known = countOf(level.sees_all[block] & voters_) >= ballot_.min_views;
     if (open == 0 && views_known)
       fill(at, level_index);
     else if (level_index == 0)
@@ -92,6 +98,9 @@ class Octree {
   }
 
   uint64_t unopposed(size_t leaf, CameraSet open, uint64_t word) const {
+    // Memory takes longer than a camera's test.
+    for (const uint8_t c : order_)
+      if (open >> c & 1) __builtin_prefetch(plan_.codes(leaf, c));
     for (const uint8_t c : order_) {
       if ((open >> c & 1) == 0 || ballot_.weights[c] == 0) continue;
       word &= ~objection(leaf, c);
@@ -117,6 +126,13 @@ class Octree {
   void descend(int level_index, const Eigen::Vector3i& at, CameraSet open, uint32_t against) const {
     const Eigen::Vector3i& size = plan_.level(level_index).size;
     const Eigen::Vector3i low = 2 * at, high = (low.array() + 2).min(size.array());
+    const BlockLevel& level = plan_.level(level_index);
+    const size_t pair = 2 * plan_.cameras(), per_line = 64 / sizeof(TileBox);
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y) {
+        const TileBox* tiles = &level.tiles[level.blockAt(low.x(), y, z) * plan_.cameras()];
+        for (size_t i = 0; i < pair; i += per_line) __builtin_prefetch(tiles + i);
+      }
     for (int z = low.z(); z < high.z(); ++z)
       for (int y = low.y(); y < high.y(); ++y)
         for (int x = low.x(); x < high.x(); ++x) decide(level_index, {x, y, z}, open, against);

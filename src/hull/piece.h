@@ -54,8 +54,11 @@ void forEachInLatticeOrder(const Piece& piece, const VoxelLattice& lattice, Visi
       const uint32_t first = line + kLeaf * (piece.cells[c].leaf - row_start);
       const uint32_t slot = uint32_t(64 * c) + shift;
       const uint32_t bits = uint32_t(piece.cells[c].voxels >> shift) & 15;
-      for (uint32_t i = 0; i < kLeaf; ++i)
-        if (bits >> i & 1) visit(first + i, slot + i);
+      if (bits == 15)  // as nearly everywhere
+        for (uint32_t i = 0; i < kLeaf; ++i) visit(first + i, slot + i);
+      else
+        for (uint32_t i = 0; i < kLeaf; ++i)
+          if (bits >> i & 1) visit(first + i, slot + i);
     }
   };
   for (size_t begin = 0, end; begin < rows.size(); begin = end) {
