@@ -68,11 +68,10 @@ std::optional<BallInView> look(const Camera& camera, const ContourView& view,
   return ball;
 }
 
-}  // namespace
-
-BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
-                          const PlacedCones& cones, double weight, AllConeSums& sums) {
-  BallExcess most{};
+/// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask.
+template <typename Stick>
+void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
+                   const Stick& stick) {
   for (size_t v = 0; v < rig.size(); ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
     for (size_t c = 0; c < kContourCones; ++c)
@@ -81,13 +80,32 @@ BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
         const PlacedCone& cone = cones[c];
         const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
         const auto ball = look(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
-        if (!ball || !(ball->excess > 0)) continue;
-        most[c][i] = std::max(most[c][i], ball->excess);
-        const double u[4] = {ball->slope.x(), ball->slope.y(), ball->slope.z(), 1.0};
-        sums[c].add(s, u, ball->excess, weight * robustWeight(ball->excess, kOutlier));
+        if (ball && ball->excess > 0) stick(c, i, s, *ball);
       }
   }
+}
+
+}  // namespace
+
+BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
+                          const PlacedCones& cones, double weight, AllConeSums& sums) {
+  BallExcess most{};
+  forEachExcess(seen, rig, cones, [&](size_t c, size_t i, double s, const BallInView& ball) {
+    most[c][i] = std::max(most[c][i], ball.excess);
+    const double u[4] = {ball.slope.x(), ball.slope.y(), ball.slope.z(), 1.0};
+    sums[c].add(s, u, ball.excess, weight * robustWeight(ball.excess, kOutlier));
+  });
   return most;
+}
+
+double excessEnergy(const ContourObservation& seen, const CameraRig& rig,
+                    const PlacedCones& cones) {
+  double sum = 0.0;
+  forEachExcess(seen, rig, cones, [&](size_t, size_t, double, const BallInView& ball) {
+    const double square = ball.excess * ball.excess;
+    sum += square / (1.0 + square / (kOutlier * kOutlier));
+  });
+  return sum;
 }
 
 }  // namespace markerless_mocap

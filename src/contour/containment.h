@@ -20,4 +20,7 @@ using BallExcess = std::array<std::array<double, kBallsPerCone>, kContourCones>;
 BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
                           const PlacedCones& cones, double weight, AllConeSums& sums);
 
+/// Sum of robust squares of all that sticks out, in all views, m^2.
+double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones);
+
 }  // namespace markerless_mocap

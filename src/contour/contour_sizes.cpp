@@ -19,6 +19,7 @@ constexpr const char* kConeNames[] = {"pelvis",  "chest", "yoke",  "neck", "head
 constexpr const char* kValueNames[] = {"radius", "offset_x", "offset_y", "offset_z"};
 
 constexpr const char* kMeaning =
+    "# Written by learn_contour_body.\n"
     "# The body that silhouettes are fitted with: round cones about a skeleton. Every size is\n"
     "# [mean, standard deviation over people] as a share of the stature; deviation 0: never\n"
     "# estimated. Lengths are between joints, as the URDF has them. A cone's end a is the one\n"
@@ -26,6 +27,12 @@ constexpr const char* kMeaning =
     "would\n"
     "# put it, in the frame of its segment: x forward, y to the left, z up while standing with\n"
     "# hanging arms, of the left side; the right side mirrors it.\n";
+
+void checkStature(double stature) {
+  if (!(stature >= 0.5 && stature <= 2.5))
+    throw std::invalid_argument("stature is " + std::to_string(stature) +
+                                " m, allowed is 0.5 to 2.5 m");
+}
 
 double decimal(double value) {
   return std::round(value * 1e5) * 1e-5;
@@ -117,10 +124,30 @@ ContourTemplate ContourTemplate::handMade() {
   return made;
 }
 
+ContourTemplate ContourTemplate::ofPeople(const std::vector<ContourSizes>& sizes,
+                                          const std::vector<double>& statures) {
+  if (sizes.empty() || sizes.size() != statures.size())
+    throw std::invalid_argument("a template needs at least one person and each one's stature");
+  for (const double stature : statures) checkStature(stature);
+  const double people = double(sizes.size());
+  ContourTemplate out;
+  for (size_t i = 0; i < sizes.size(); ++i) out.mean += sizes[i] / statures[i] / people;
+  ContourSizes variance = ContourSizes::Zero();
+  for (size_t i = 0; i < sizes.size(); ++i)
+    variance.array() += (sizes[i] / statures[i] - out.mean).array().square() / people;
+  for (int i = 0; i < kContourSizes; ++i) {
+    if (isOffset(i))
+      out.deviation[i] = out.mean[i] == 0 && variance[i] == 0
+                             ? 0.0
+                             : std::hypot(2.0 * std::sqrt(variance[i]), 0.002);
+    else
+      out.deviation[i] = out.mean[i] * (i < ContourLength::kCount ? 0.05 : 0.25);
+  }
+  return out;
+}
+
 ContourSizes ContourTemplate::sizes(double stature) const {
-  if (!(stature >= 0.5 && stature <= 2.5))
-    throw std::invalid_argument("stature is " + std::to_string(stature) +
-                                " m, allowed is 0.5 to 2.5 m");
+  checkStature(stature);
   return stature * mean;
 }
 

@@ -129,6 +129,20 @@ TEST(ContourTemplate, ReadsWhatItWrites) {
   EXPECT_NEAR(made.sizes(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
 }
 
+TEST(ContourTemplate, IsTheMeanOfPeople) {
+  const ContourSizes one = ContourTemplate::handMade().sizes(1.6);
+  ContourSizes other = ContourTemplate::handMade().sizes(1.8);
+  const int offset = offsetIndex(ContourCone::kChest, 1) + 1, thigh = ContourLength::kThigh;
+  other[offset] += 1.8 * 0.01;
+  const ContourTemplate both = ContourTemplate::ofPeople({one, other}, {1.6, 1.8});
+  EXPECT_NEAR(both.mean[thigh], 0.245, 1e-12);
+  EXPECT_NEAR(both.deviation[thigh], 0.05 * 0.245, 1e-12);
+  EXPECT_NEAR(both.mean[offset], one[offset] / 1.6 + 0.005, 1e-12);
+  EXPECT_NEAR(both.deviation[offset], std::hypot(2 * 0.005, 0.002), 1e-12);
+  EXPECT_EQ(both.deviation[offsetIndex(ContourCone::kNeck, 0) + 1], 0);
+  EXPECT_THROW(ContourTemplate::ofPeople({one}, {1.6, 1.8}), std::invalid_argument);
+}
+
 TEST(ContourTemplate, SaysWhatIsWrongWithAFile) {
   std::string text = ContourTemplate::handMade().text();
   EXPECT_EQ(sentenceOf([&] { ContourTemplate::fromText(text + "tail: [1, 0]\n", "f"); }),

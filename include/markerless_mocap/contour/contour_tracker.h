@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "markerless_mocap/contour/contour_fitter.h"
+
+namespace markerless_mocap {
+
+/// kTracked: follows the last pose. kRecovered: a limb was lost and has been found again in this
+/// instant. kDoubtful: a limb is not where masks are and no better place was found. kLost: there is
+/// no pose; start() is needed.
+enum class ContourTrackStatus { kLost, kTracked, kRecovered, kDoubtful };
+const char* toString(ContourTrackStatus status);
+
+/// One instant of a track.
+struct ContourTrack {
+  ContourTrackStatus status = ContourTrackStatus::kLost;
+  ContourFit fit;  ///< meaningful unless lost
+};
+
+/// Follows one body from instant to instant: predicts, fits, and when the body no longer covers the
+/// masks as it did, also tries the last pose and other places of the limbs that stick out or lack
+/// their rays, and keeps what covers the masks best. Not thread-safe.
+class ContourTracker {
+ public:
+  /// Throws std::invalid_argument if the options do.
+  ContourTracker(const CameraRig& rig, const ContourOptions& options);
+
+  /// (Re)starts at a pose that may be off by tenths of a radian and decimetres. What status the
+  /// result has, the overlap decides: kTracked or kLost.
+  ContourTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
+                     const ContourPose& pose);
+  /// The next instant. A stamp not after the last one, and one more than half a second after it,
+  /// loses the track. Sizes of the body may change in between.
+  ContourTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
+  void lose() { last_.reset(); }
+  bool tracking() const { return last_.has_value(); }
+  const ContourFitter& fitter() const { return fitter_; }
+
+ private:
+  struct Past {
+    int64_t stamp_ns;
+    ContourPose pose;
+    std::optional<ContourPose> before;  ///< one frame time earlier
+    double overlap;                     ///< as it usually is
+  };
+  ContourTrack keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackStatus status);
+  std::array<bool, ContourLimb::kCount> suspicious(const ContourFit& fit) const;
+  bool retry(const ContourObservation& seen, const ContourBody& body,
+             const ContourPrediction& prediction, ContourFit& fit) const;
+
+  CameraRig rig_;
+  ContourFitter fitter_;
+  std::optional<Past> last_;
+};
+
+}  // namespace markerless_mocap

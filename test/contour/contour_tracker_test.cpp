@@ -1,0 +1,102 @@
+#include "markerless_mocap/contour/contour_tracker.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "contour/drawn_body.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kFrame_ns = 33333333;
+
+class ContourTrackerTest : public ::testing::Test {
+ protected:
+  ContourTrackerTest()
+      : rig(drawnRig(6)),
+        body(ContourTemplate::handMade().sizes(1.75)),
+        tracker(rig, {}),
+        observer(rig, {}) {}
+  ContourObservation see(const ContourPose& pose) const {
+    return observer.observe(drawnMasks(rig, body, pose));
+  }
+  /// The stride, walked on and with swinging arms.
+  static ContourPose at(int frame) {
+    ContourPose pose = stride();
+    pose.position.x() += 0.03 * frame;
+    pose.balls[ContourBall::kLeftShoulder] =
+        rotationOf({0, -0.08 * frame, 0}) * pose.balls[ContourBall::kLeftShoulder];
+    pose.angles[ContourAngle::kRightKnee] -= 0.05 * frame;
+    return pose;
+  }
+
+  CameraRig rig;
+  ContourBody body;
+  ContourTracker tracker;
+  ContourObserver observer;
+};
+
+TEST_F(ContourTrackerTest, FollowsAWalk) {
+  EXPECT_FALSE(tracker.tracking());
+  tracker.start(0, see(at(0)), body, disturbed(at(0), 0.05, 0.02, 4));
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrack track = tracker.update(i * kFrame_ns, see(at(i)), body);
+    EXPECT_EQ(track.status, ContourTrackStatus::kTracked);
+    EXPECT_LT(jointDistance(body, track.fit.pose, body, at(i)), 0.012) << i;
+  }
+}
+
+TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kFrame_ns, see(at(0)), body);
+  ContourPose jumped = at(0);  // to the other side of the body, between two instants
+  jumped.balls[ContourBall::kLeftShoulder] = rotationOf({2.2, 0.3, 0});
+  jumped.angles[ContourAngle::kLeftElbow] = 0.3;
+  const ContourObservation seen = see(jumped);
+  const ContourFit alone = tracker.fitter().fit(
+      seen, body, at(0), ContourPrediction{at(0), 1.0 / 30}, tracker.fitter().schedule());
+  ASSERT_GT((body.points(alone.pose) - body.points(jumped)).col(5).norm(), 0.2)
+      << "the fit alone must fail for this test to tell anything";
+  const ContourTrack track = tracker.update(2 * kFrame_ns, seen, body);
+  EXPECT_EQ(track.status, ContourTrackStatus::kRecovered);
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(5).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, DoubtsALimbThatIsNowhere) {
+  tracker.start(0, see(at(0)), body, at(0));
+  ContourSizes stump = body.sizes();
+  stump[ContourLength::kShank] = stump[ContourLength::kFoot] = 0.01;
+  const ContourObservation cut = observer.observe(drawnMasks(rig, ContourBody(stump), at(0)));
+  EXPECT_EQ(tracker.update(kFrame_ns, cut, body).status, ContourTrackStatus::kDoubtful);
+}
+
+TEST_F(ContourTrackerTest, IsLostWithoutMasksAfterAGapAndWhenTimeGoesBack) {
+  const ContourObservation seen = see(at(0));
+  EXPECT_EQ(tracker.update(0, seen, body).status, ContourTrackStatus::kLost);
+  tracker.start(0, seen, body, at(0));
+  const ContourObservation nothing = observer.observe(std::vector<cv::Mat>(rig.size()));
+  EXPECT_EQ(tracker.update(kFrame_ns, nothing, body).status, ContourTrackStatus::kLost);
+  EXPECT_FALSE(tracker.tracking());
+  tracker.start(0, seen, body, at(0));
+  EXPECT_EQ(tracker.update(int64_t(1e9), seen, body).status, ContourTrackStatus::kLost);
+  tracker.start(0, seen, body, at(0));
+  EXPECT_EQ(tracker.update(0, seen, body).status, ContourTrackStatus::kLost);
+}
+
+TEST_F(ContourTrackerTest, IsLostWhereNobodyIs) {
+  ContourPose elsewhere = at(0);
+  elsewhere.position.x() += 1.5;
+  EXPECT_EQ(tracker.start(0, see(at(0)), body, elsewhere).status, ContourTrackStatus::kLost);
+}
+
+TEST_F(ContourTrackerTest, IsTheSameOnAnyNumberOfThreads) {
+  const auto on = [&](size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    tracker.start(0, see(at(0)), body, disturbed(at(0), 0.05, 0.02, 4));
+    return tracker.update(kFrame_ns, see(at(1)), body).fit.pose;
+  };
+  EXPECT_EQ(stepBetween(on(1), on(2)).norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
