@@ -58,7 +58,7 @@ set(tool_mains ${tool_sources})
 list(FILTER tool_mains INCLUDE REGEX "_main\\.cpp$")
 list(FILTER tool_sources EXCLUDE REGEX "_main\\.cpp$")
 if(tool_sources)
-  mocap_room(tools DEPENDS ros pipeline capture evaluation
+  mocap_room(tools DEPENDS ros pipeline capture evaluation contour
     LIBRARIES opencv_calib3d opencv_imgcodecs opencv_videoio)
 endif()
 foreach(main ${tool_mains})
