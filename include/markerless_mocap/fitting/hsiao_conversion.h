@@ -1,21 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <memory>
+#include <vector>
 
 #include "markerless_mocap/fitting/hsiao_profile.h"
+#include "markerless_mocap/fitting/urdf_ball.h"
 
 namespace markerless_mocap {
-
-/// Angles t with R = exp(axes[0] t0) exp(axes[1] t1) exp(axes[2] t2); neighbouring axes must be
-/// perpendicular unit vectors. Of the two solutions (and their full turns) the one nearest to
-/// `near` is taken whose middle angle is inside its limits, if there is one; where only a sum of
-/// the outer angles is defined, the first keeps its value.
-Eigen::Vector3d decomposeRotation(const Eigen::Matrix3d& R,
-                                  const std::array<Eigen::Vector3d, 3>& axes,
-                                  const Eigen::Vector3d& near, double middle_lower,
-                                  double middle_upper);
 
 /// Turns H's parameters into the URDF's root pose and angles, continuously from call to call.
 class HsiaoConversion {
@@ -34,17 +26,13 @@ class HsiaoConversion {
  private:
   struct Ball {
     int parent, child;  ///< segments
-    std::array<Eigen::Vector3d, 3> axes;
-    std::array<int, 3> angle;
-    double lower, upper;  ///< of the middle angle
+    UrdfBall joint;
   };
   struct Hinge {
     int parent, child;
     int angle;
     double sign;
   };
-  void addBall(const std::array<const char*, 3>& joints, const std::string& side, int parent,
-               int child);
   void addHinge(const std::string& joint, int parent, int child);
 
   std::shared_ptr<const BodyModel> model_;
