@@ -1,5 +1,6 @@
 #include "tools/learn_contour_body.h"
 
+#include "markerless_mocap/motion/human_skeleton.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
