@@ -56,7 +56,11 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
 ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& seen,
                                    const ContourBody& body, const ContourPose& pose) {
   last_.reset();
-  const ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, FitSchedule::wide());
+  ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, FitSchedule::wide());
+  // Proposals often lack arms, and an arm at rest may hide one that is elsewhere.
+  for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
+    if (fit.status == ContourFitStatus::kFitted)
+      tryOtherPlaces(seen, body, ContourLimb::Id(limb), fit.pose, std::nullopt, fit);
   return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
 }
 
@@ -68,25 +72,36 @@ std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFi
   return limbs;
 }
 
-/// Whether something clearly better was found, in `fit` then.
+bool ContourTracker::tryPose(const ContourObservation& seen, const ContourBody& body,
+                             const ContourPose& start,
+                             const std::optional<ContourPrediction>& prediction,
+                             ContourFit& fit) const {
+  const ContourFit other = fitter_.fit(seen, body, start, prediction, kRetry);
+  const bool better =
+      other.status == ContourFitStatus::kFitted && other.overlap > fit.overlap + kOverlapGain;
+  if (better) fit = other;
+  return better;
+}
+
+bool ContourTracker::tryOtherPlaces(const ContourObservation& seen, const ContourBody& body,
+                                    ContourLimb::Id limb, const ContourPose& expected,
+                                    const std::optional<ContourPrediction>& prediction,
+                                    ContourFit& fit) const {
+  bool better = false;
+  for (const ContourPose& place :
+       otherPlaces(seen, rig_, fitter_.options(), body, fit.pose, expected, limb))
+    better |= tryPose(seen, body, place, prediction, fit);
+  return better;
+}
+
 bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& body,
                            const ContourPrediction& prediction, ContourFit& fit) const {
-  bool better = false;
   const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  const auto consider = [&](const ContourPose& start) {
-    const ContourFit other = fitter_.fit(seen, body, start, loose, kRetry);
-    if (other.status != ContourFitStatus::kFitted || !(other.overlap > fit.overlap + kOverlapGain))
-      return;
-    fit = other;
-    better = true;
-  };
-  const auto satisfied = [&] { return better && !any(suspicious(fit)); };
-  consider(last_->pose);
-  for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount && !satisfied(); ++i) {
-    if (!suspicious(fit)[i]) continue;
-    for (const ContourPose& place : otherPlaces(seen, rig_, fitter_.options(), body, fit.pose,
-                                                prediction.pose, ContourLimb::Id(i)))
-      consider(place);
+  bool better = tryPose(seen, body, last_->pose, loose, fit);
+  for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
+    if (better && !any(suspicious(fit))) break;
+    if (suspicious(fit)[i])
+      better |= tryOtherPlaces(seen, body, ContourLimb::Id(i), prediction.pose, loose, fit);
   }
   return better;
 }

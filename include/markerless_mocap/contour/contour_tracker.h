@@ -46,7 +46,14 @@ class ContourTracker {
     double overlap;                     ///< as it usually is
   };
   ContourTrack keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackStatus status);
+  /// Limbs that stick out of masks, or all when the overlap has dropped.
   std::array<bool, ContourLimb::kCount> suspicious(const ContourFit& fit) const;
+  // These replace `fit` by what is clearly better and say whether they did.
+  bool tryPose(const ContourObservation& seen, const ContourBody& body, const ContourPose& start,
+               const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
+  bool tryOtherPlaces(const ContourObservation& seen, const ContourBody& body, ContourLimb::Id limb,
+                      const ContourPose& expected,
+                      const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
   bool retry(const ContourObservation& seen, const ContourBody& body,
              const ContourPrediction& prediction, ContourFit& fit) const;
 
