@@ -78,11 +78,11 @@ StudyTable fitnessTerms(const SppsoOptions& base) {
 
 StudyTable predictedStart(const SppsoOptions& base) {
   const auto predicting = [](SppsoOptions& o) {
-    o.prediction = 0.5;
+    o.prediction = 1.0 / 3.0;
     o.sigma_factor = 0.5;
   };
   return {"ours",
-          "Start from the last change gone on by half, with half the spread",
+          "Start from the last change gone on by a third, with half the spread",
           {variant("20 fps, as the thesis has it", base, 20, 5, asItIs),
            variant("20 fps, predicted start", base, 20, 5, predicting),
            variant("60 fps, predicted start", base, 60, 5, predicting)}};
