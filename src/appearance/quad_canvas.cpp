@@ -1,6 +1,7 @@
 #include "appearance/quad_canvas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
@@ -8,6 +9,9 @@
 
 namespace markerless_mocap {
 namespace {
+
+// Pixels by which a side must rise to bound rows; flatter ones have no finite slope.
+constexpr float kFlat = 1e-6f;
 
 /// A side of a quad as x over y.
 struct Line {
@@ -108,7 +112,7 @@ bool QuadCanvas::place(const Quad& quad, int width, int height, Placed& out) {
   for (int i = 0; i < 4; ++i) {
     const int next = (i + 1) & 3;
     const float rise = quad.y[next] - quad.y[i];
-    if (rise == 0.0f) continue;
+    if (std::abs(rise) < kFlat) continue;
     const Line line = {quad.x[i], quad.y[i], (quad.x[next] - quad.x[i]) / rise};
     // Around a quad of positive area (y points down) the sides on the left go up.
     const bool left = (rise < 0.0f) == (area > 0.0f);
