@@ -68,14 +68,15 @@ std::optional<BallInView> look(const Camera& camera, const ContourView& view,
   return ball;
 }
 
-/// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask.
-template <typename Stick>
+/// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask, of the
+/// cones with wanted(cone).
+template <typename Wanted, typename Stick>
 void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
-                   const Stick& stick) {
+                   const Wanted& wanted, const Stick& stick) {
   for (size_t v = 0; v < rig.size(); ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
     for (size_t c = 0; c < kContourCones; ++c)
-      for (size_t i = 0; i < kBallsPerCone; ++i) {
+      for (size_t i = 0; wanted(c) && i < kBallsPerCone; ++i) {
         const double s = double(i) / (kBallsPerCone - 1);
         const PlacedCone& cone = cones[c];
         const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
@@ -90,7 +91,8 @@ void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const P
 BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
                           const PlacedCones& cones, double weight, AllConeSums& sums) {
   BallExcess most{};
-  forEachExcess(seen, rig, cones, [&](size_t c, size_t i, double s, const BallInView& ball) {
+  const auto all = [](size_t) { return true; };
+  forEachExcess(seen, rig, cones, all, [&](size_t c, size_t i, double s, const BallInView& ball) {
     most[c][i] = std::max(most[c][i], ball.excess);
     const double u[4] = {ball.slope.x(), ball.slope.y(), ball.slope.z(), 1.0};
     sums[c].add(s, u, ball.excess, weight * robustWeight(ball.excess, kOutlier));
@@ -98,10 +100,11 @@ BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
   return most;
 }
 
-double excessEnergy(const ContourObservation& seen, const CameraRig& rig,
-                    const PlacedCones& cones) {
+double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
+                    ContourLimb::Id limb) {
   double sum = 0.0;
-  forEachExcess(seen, rig, cones, [&](size_t, size_t, double, const BallInView& ball) {
+  const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
+  forEachExcess(seen, rig, cones, of_limb, [&](size_t, size_t, double, const BallInView& ball) {
     const double square = ball.excess * ball.excess;
     sum += square / (1.0 + square / (kOutlier * kOutlier));
   });

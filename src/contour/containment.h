@@ -20,7 +20,8 @@ using BallExcess = std::array<std::array<double, kBallsPerCone>, kContourCones>;
 BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
                           const PlacedCones& cones, double weight, AllConeSums& sums);
 
-/// Sum of robust squares of all that sticks out, in all views, m^2.
-double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones);
+/// Sum of robust squares of what sticks out of a limb, in all views, m^2.
+double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
+                    ContourLimb::Id limb);
 
 }  // namespace markerless_mocap

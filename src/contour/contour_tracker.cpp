@@ -20,7 +20,7 @@ constexpr double kLimbOutside = 0.035;  // metres, mean over its balls: where li
 
 constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
-constexpr FitSchedule kRetry{8, 0.12, 0.03};
+constexpr FitSchedule kRetry{10, 0.12, 0.03};
 
 bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
