@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSurest = 1e-6;                       // of the model of the ends
 constexpr double kShankLow = 0.10, kShankHigh = 0.25;  // shares of the longest path from the end
+constexpr double kTip = 0.05;                          // share of the longest path
 constexpr double kFoot = label_ratio::kFoot + label_ratio::kToe;
 
 double lengthOf(const NodePath& path) {
@@ -74,6 +75,36 @@ void fillSides(const LabelledBody& body, bool together, LabelDoubts* doubts) {
   }
 }
 
+/// Way from a node to the root, the head's end.
+double wayToHead(const std::vector<TreeNode>& nodes, int32_t node) {
+  double way = 0.0;
+  for (int32_t up = nodes[size_t(node)].parent; up >= 0; node = up, up = nodes[size_t(up)].parent)
+    way += (nodes[size_t(node)].position - nodes[size_t(up)].position).norm();
+  return way;
+}
+
+/// Limbs that are cut off in the hull are short, unlike and thick at the end.
+void fillLimbs(const LabelledBody& body, LabelDoubts* doubts) {
+  const double longest = body.choice.longest;
+  const PlantedTree& tree = body.planted;
+  double ways[kLimbEndCount];
+  for (size_t i = 0; i < kLimbEndCount; ++i) ways[i] = wayToHead(tree.nodes, tree.ends[i]);
+  const auto unlike = [](double a, double b) {
+    return std::abs(std::log(std::max(a, 1e-3) / std::max(b, 1e-3)));
+  };
+  const auto radius = [&](const NodePath& path) {
+    return meanThickness(stretch(path, 0.0, kTip * longest), body.volume) / longest;
+  };
+  const BodyPaths& paths = body.paths;
+  LabelDoubts& out = *doubts;
+  out[kShorterReach] = std::min(ways[1], ways[2]) / longest;
+  out[kArmsUnlike] = unlike(ways[1], ways[2]);
+  out[kLegsUnlike] = unlike(ways[3], ways[4]);
+  out[kHandRadius] = std::max(radius(paths.arms[0]), radius(paths.arms[1]));
+  out[kFootRadius] = std::max(radius(paths.legs[0]), radius(paths.legs[1]));
+  out[kHeadRadius] = radius(paths.head);
+}
+
 void fillHead(const LabelledBody& body, LabelDoubts* doubts) {
   const Eigen::Vector3d& head = body.planted.nodes.front().position;
   double highest = head.z(), lowest = head.z();
@@ -91,10 +122,11 @@ void fillHead(const LabelledBody& body, LabelDoubts* doubts) {
 }  // namespace
 
 const char* toString(LabelDoubt doubt) {
-  constexpr const char* kNames[] = {"names_odds", "arms_offset",  "legs_offset",  "arms_across",
-                                    "legs_agree", "feet_forward", "head_below",   "head_upright",
-                                    "hand_near",  "spur_length",  "shank_radius", "shorter_arm",
-                                    "longer_arm", "feet_gap",     "low_foot_up",  "feet_are_one"};
+  constexpr const char* kNames[] = {
+      "names_odds",  "arms_offset",  "legs_offset", "arms_across",   "legs_agree",   "feet_forward",
+      "head_below",  "head_upright", "hand_near",   "spur_length",   "shank_radius", "shorter_arm",
+      "longer_arm",  "feet_gap",     "low_foot_up", "shorter_reach", "arms_unlike",  "legs_unlike",
+      "hand_radius", "foot_radius",  "head_radius", "feet_are_one"};
   static_assert(std::size(kNames) == kLabelDoubtCount);
   return kNames[doubt];
 }
@@ -108,6 +140,7 @@ LabelDoubts labelDoubts(const LabelledBody& body) {
   out[kNamesOdds] = std::log(p / (1.0 - p));
   fillSides(body, together, &out);
   fillHead(body, &out);
+  fillLimbs(body, &out);
   NodePath trunk = paths.head;
   trunk.insert(trunk.end(), paths.torso.rbegin(), paths.torso.rend());
   const double hands[] = {distanceTo(trunk, paths.arms[0].front()),

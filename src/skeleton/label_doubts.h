@@ -26,8 +26,14 @@ enum LabelDoubt {
   kShankRadius,  ///< of the thicker one
   kShorterArm,
   kLongerArm,
-  kFeetGap,     ///< straight
-  kLowFootUp,   ///< of the lower foot above the lowest node
+  kFeetGap,       ///< straight
+  kLowFootUp,     ///< of the lower foot above the lowest node
+  kShorterReach,  ///< way from the head's end to the nearer hand
+  kArmsUnlike,    ///< absolute log ratio of these ways
+  kLegsUnlike,    ///< of the ways to the feet
+  kHandRadius,    ///< of the thicker hand
+  kFootRadius,
+  kHeadRadius,
   kFeetAreOne,  ///< 1: both feet share one end
   kLabelDoubtCount
 };

@@ -7,6 +7,7 @@
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/pose_tree_conversions.h"
 #include "tools/bag_file.h"
+#include "tools/tree_labels.h"
 
 namespace markerless_mocap {
 namespace {
@@ -14,33 +15,9 @@ namespace {
 constexpr const char* kTopic = "/pose_tree";
 constexpr const char* kMissing = "missing";
 
-static_assert(kEndCount == kExtremityCount);
-
 /// The truth's name of a joint: its thorax lies where the neck begins.
 std::string truthName(TreeJoint joint) {
   return joint == TreeJoint::kNeck ? "thorax" : toString(joint);
-}
-
-/// Nodes of the part that an end belongs to, from the end upwards.
-Eigen::Matrix3Xd limbOf(const PoseTree& tree, int32_t end) {
-  std::vector<Eigen::Vector3d> path;
-  const TreePart part = tree.nodes[size_t(end)].part;
-  for (int32_t at = end; at >= 0 && tree.nodes[size_t(at)].part == part;
-       at = tree.nodes[size_t(at)].parent)
-    path.push_back(tree.nodes[size_t(at)].position);
-  return Eigen::Map<const Eigen::Matrix3Xd>(path.front().data(), 3, Eigen::Index(path.size()));
-}
-
-LabelledEnds labelsOf(const PoseTree& tree) {
-  LabelledEnds labels;
-  labels.valid = tree.valid();
-  labels.validity = tree.validity;
-  for (int i = 0; i < kExtremityCount; ++i) {
-    if (tree.tips[size_t(i)].node < 0) continue;
-    labels.positions.col(i) = tree.tips[size_t(i)].position;
-    labels.limbs[size_t(i)] = limbOf(tree, tree.tips[size_t(i)].node);
-  }
-  return labels;
 }
 
 Eigen::Matrix3Xd jointsOf(const PoseTree& tree) {

@@ -112,6 +112,17 @@ class CaptureWriter {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> changesOf(const std::vector<std::string>& texts) {
+  std::vector<std::pair<std::string, std::string>> changes;
+  for (const std::string& text : texts) {
+    const size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0)
+      throw std::invalid_argument("--set is given \"" + text + "\", allowed is KEY=VALUE");
+    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return changes;
+}
+
 StudioOptions readStudioOptions(const std::string& config,
                                 const std::vector<std::pair<std::string, std::string>>& changes) {
   YAML::Node section = YAML::Clone(sectionOf(config));

@@ -31,6 +31,9 @@ struct RenderSummary {
   double seconds = 0.0;  ///< of film
 };
 
+/// Keys and values of texts KEY=VALUE. Throws std::invalid_argument on others.
+std::vector<std::pair<std::string, std::string>> changesOf(const std::vector<std::string>& texts);
+
 /// The section virtual_studio of a configuration file, then `changes` (key and value as they would
 /// stand there), then the defaults. Throws std::runtime_error or std::invalid_argument with one
 /// sentence: no such file, no such section, unknown keys, bad values.

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <stdexcept>
 
 #include "tools/body_file.h"
 #include "tools/progress.h"
@@ -38,20 +37,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
-std::vector<std::pair<std::string, std::string>> changesOf(const Arguments& arguments) {
-  std::vector<std::pair<std::string, std::string>> changes;
-  for (const std::string& text : arguments.changes) {
-    const size_t sign = text.find('=');
-    if (sign == std::string::npos || sign == 0)
-      throw std::invalid_argument("--set is given \"" + text + "\", allowed is KEY=VALUE");
-    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
-  }
-  return changes;
-}
-
 void run(Arguments* arguments) {
   RenderOptions& render = arguments->render;
-  render.studio = readStudioOptions(arguments->config, changesOf(*arguments));
+  render.studio = readStudioOptions(arguments->config, changesOf(arguments->changes));
   if (!arguments->motion.empty()) render.studio.motion = arguments->motion;
   if (!arguments->rig.empty()) render.studio.rig = arguments->rig;
   const std::string& urdf = arguments->urdf_template;
