@@ -53,6 +53,11 @@ Block lowestOf(const DensePairs& pairs, int width) {
   return x;
 }
 
+GraphModes modesOf(const DensePairs& pairs, int modes) {
+  return {pairs.values.segment(1, modes), pairs.vectors.middleCols(1, modes),
+          Eigen::VectorXd::Zero(modes)};
+}
+
 Block carriedDown(const GraphLevel& level, const Block& coarse) {
   const Block zero(level.nodeCount(), coarse.width);
   Block x = zero;
@@ -77,17 +82,33 @@ GraphModes lowestOf(const Lobpcg& solver, int modes) {
   return result;
 }
 
+/// Columns for so many modes: at least one more, which makes the highest converge.
+int widthFor(int modes) {
+  return (modes / 4 + 1) * 4;
+}
+
 }  // namespace
 
 std::optional<GraphModes> coarseToFineModes(const WeightedGraph& graph, int modes,
                                             double tolerance) {
-  const int width = (modes / 4 + 1) * 4;  // at least one more: it makes the highest converge
-  if (graph.cell.empty() || width > kWidest) return {};
-  const std::vector<GraphLevel> levels = buildHierarchy(graph, size_t(width + kSpare), kEnough);
+  if (graph.cell.empty() || widthFor(modes) > kWidest) return {};
+  const std::vector<GraphLevel> levels = hierarchyForModes(graph, modes);
+  if (levels.size() == 1) return {};
+  return coarseToFineModes(levels, modes, tolerance);
+}
+
+std::vector<GraphLevel> hierarchyForModes(const WeightedGraph& graph, int modes) {
+  return buildHierarchy(graph, size_t(widthFor(modes) + kSpare), kEnough);
+}
+
+std::optional<GraphModes> coarseToFineModes(const std::vector<GraphLevel>& levels, int modes,
+                                            double tolerance) {
+  const int width = widthFor(modes);
   const size_t coarsest = levels.size() - 1;
-  if (coarsest == 0 || levels[coarsest].nodeCount() > kTooMany) return {};
+  if (levels[coarsest].nodeCount() > kTooMany) return {};
   const DensePairs pairs = densePairs(levels[coarsest]);
   if (pairs.values[1] < kConnected) return {};
+  if (coarsest == 0) return modesOf(pairs, modes);
   Multigrid multigrid(levels, pairs.values, pairs.vectors, width);
   Block x = lowestOf(pairs, width);
   for (size_t number = coarsest - 1; number > 0; --number) {

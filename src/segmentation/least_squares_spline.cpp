@@ -26,19 +26,20 @@ Basis basisAt(double s, int pieces) {
 }  // namespace
 
 LeastSquaresSpline::LeastSquaresSpline(const Eigen::VectorXd& sites, const Eigen::MatrixXd& values,
-                                       int pieces)
+                                       const Eigen::VectorXd& weights, int pieces)
     : pieces_(pieces) {
   const int controls = pieces + 3;
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(controls, controls);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(controls, values.cols());
   for (Eigen::Index i = 0; i < sites.size(); ++i) {
     const Basis basis = basisAt(sites[i], pieces);
-    normal.block<4, 4>(basis.first, basis.first) += basis.weights * basis.weights.transpose();
-    right.middleRows<4>(basis.first) += basis.weights * values.row(i);
+    const Eigen::Vector4d weighted = weights[i] * basis.weights;
+    normal.block<4, 4>(basis.first, basis.first) += weighted * basis.weights.transpose();
+    right.middleRows<4>(basis.first) += weighted * values.row(i);
   }
   const Eigen::Vector3d bend(1.0, -2.0, 1.0);
   for (int c = 0; c + 2 < controls; ++c) {
-    normal.block<3, 3>(c, c) += kSmoothing * double(sites.size()) * bend * bend.transpose();
+    normal.block<3, 3>(c, c) += kSmoothing * weights.sum() * bend * bend.transpose();
   }
   controls_ = normal.ldlt().solve(right);
 }

@@ -5,18 +5,18 @@
 #include <utility>
 
 #include "markerless_mocap/segmentation/eigenmap.h"
-#include "markerless_mocap/segmentation/merge_tree.h"
 #include "markerless_mocap/segmentation/spline_walk.h"
 #include "markerless_mocap/segmentation/tip_measures.h"
 #include "markerless_mocap/segmentation/tip_naming.h"
 #include "segmentation/limb_borders.h"
+#include "segmentation/tip_search.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr int kMergeTreeModes = 10;
 constexpr int kSplineWalkModes = 6;
-constexpr double kResidual = 0.05;  // of the modes: moves one voxel in ten thousand
+constexpr double kResidual = 0.05;  // of the spline walk's modes
 constexpr int kLimbs = 5;
 constexpr int kCandidates = 7;       // tips to name; fused hands and elbows leave small ones
 constexpr double kCoreShare = 0.85;  // of the greatest depth under the surface
@@ -58,17 +58,16 @@ Limbs sortByPart(const TipNames& names, const TipMeasures& measures,
   return limbs;
 }
 
-Limbs walkLimbs(const VoxelGraph& voxels, const Eigenmap& map, const std::vector<uint32_t>& core) {
+Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
+  const Eigenmap map = laplacianEigenmap(voxels.graph, modes, kResidual);
   const std::vector<Branch> branches = splineWalkBranches(map, kLimbs);
   const std::vector<uint32_t> tips = tipsOf(branches);
   const TipMeasures measures = measureTips(voxels, tips, core);
   return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
 }
 
-Limbs mergeTreeLimbs(const VoxelGraph& voxels, const Eigenmap& map,
-                     const std::vector<uint32_t>& core) {
-  const std::vector<double> height = distanceFromCore(map, core);
-  const std::vector<uint32_t> tips = persistentMaxima(voxels.graph, height, kCandidates);
+Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
+  const std::vector<uint32_t> tips = findTips(voxels, core, modes, kCandidates);
   const TipMeasures measures = measureTips(voxels, tips, core);
   std::vector<Branch> branches;
   for (const uint32_t tip : tips) branches.push_back({tip, {}});
@@ -102,12 +101,11 @@ void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
 }  // namespace
 
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
-  const bool merge_tree = options.branch_method == "merge_tree";
-  const int best_modes = merge_tree ? kMergeTreeModes : kSplineWalkModes;
-  const Eigenmap map =
-      laplacianEigenmap(voxels.graph, options.modes > 0 ? options.modes : best_modes, kResidual);
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
-  Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, map, core) : walkLimbs(voxels, map, core);
+  const auto modes = [&](int best) { return options.modes > 0 ? options.modes : best; };
+  Limbs limbs = options.branch_method == "merge_tree"
+                    ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
+                    : walkLimbs(voxels, core, modes(kSplineWalkModes));
   dropImplausible(voxels, &limbs);
   return limbs;
 }

@@ -72,8 +72,8 @@ std::vector<double> distanceFromCore(const Eigenmap& map, const std::vector<uint
   return {distance.data(), distance.data() + distance.size()};
 }
 
-std::vector<uint32_t> persistentMaxima(const WeightedGraph& graph,
-                                       const std::vector<double>& height, int count) {
+std::vector<uint32_t> persistentMaxima(const Adjacency& graph, const std::vector<double>& height,
+                                       int count) {
   const std::vector<uint32_t> descending = descendingNodes(height);
   std::vector<std::pair<double, uint32_t>> ended;  // persistence, peak
   const auto higher = [&](uint32_t a, uint32_t b) {

@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
-#include "markerless_mocap/segmentation/eigenmap.h"
+#include "markerless_mocap/segmentation/graph_hierarchy.h"
+#include "markerless_mocap/segmentation/graph_modes.h"
 #include "markerless_mocap/segmentation/least_squares_spline.h"
 
 namespace markerless_mocap {
@@ -14,27 +16,77 @@ constexpr int kPieces = 3;
 constexpr int kSamples = 200;      // of the curve, to measure its length by
 constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
-constexpr double kResidual = 0.05;  // of the modes: moves a curve by about 1 mm
-constexpr size_t kMany = 2000;      // nodes, from which on it moves less
-constexpr double kResidualOfMany = 0.15;
+constexpr size_t kEnoughNodes = 400;  // more tell a curve no better
+// Of the modes: hardly any digits are needed, since combinations of them are taken.
+constexpr double kResidual = 1.0;
 
-/// The combination of the lowest modes that comes nearest to `ahead`.
-Eigen::VectorXd modeAlong(const WeightedGraph& part, const Eigen::VectorXd& ahead, int modes) {
-  const double residual = part.nodeCount() > kMany ? kResidualOfMany : kResidual;
-  const Eigen::MatrixXd vectors = laplacianEigenmap(part, modes, residual).vectors;
-  const Eigen::MatrixXd centered = vectors.rowwise() - vectors.colwise().mean();
-  const Eigen::VectorXd wanted = ahead.array() - ahead.mean();
-  const Eigen::MatrixXd products = centered.transpose() * centered;
-  return centered * products.ldlt().solve(centered.transpose() * wanted);
+/// A part as a graph of few nodes: blocks of its voxels that are connected inside.
+struct Blocks {
+  std::vector<GraphLevel> levels;  ///< the first is of the blocks
+  Eigen::VectorXd count;           ///< voxels of each
+  Eigen::VectorXd ahead;           ///< mean of its voxels, and so the centres, metres
+  Eigen::MatrixXd centers;
+
+  Eigen::Index size() const { return count.size(); }
+};
+
+/// Adds up values of nodes, a row each, over their parents.
+Eigen::MatrixXd sumOverChildren(const GraphLevel& level, size_t parents,
+                                const Eigen::MatrixXd& values) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(parents), values.cols());
+  for (size_t node = 0; node < level.parent.size(); ++node) {
+    sums.row(level.parent[node]) += values.row(Eigen::Index(node));
+  }
+  return sums;
 }
 
-/// 0 and 1 where a few nodes are left beyond: the outermost node may be a corner.
-Eigen::VectorXd siteValues(const Eigen::VectorXd& mode) {
-  std::vector<double> sorted(mode.data(), mode.data() + mode.size());
+Blocks blocksOf(const VoxelGraph& voxels, const WeightedGraph& part,
+                const std::vector<uint32_t>& nodes, const std::vector<double>& ahead, int modes) {
+  Eigen::MatrixXd sums(Eigen::Index(nodes.size()), 5);
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const Eigen::Vector3d& center = voxels.centers[nodes[i]];
+    sums.row(Eigen::Index(i)) << 1.0, ahead[nodes[i]], center.x(), center.y(), center.z();
+  }
+  Blocks blocks;
+  blocks.levels = hierarchyForModes(part, modes);
+  auto finest = blocks.levels.begin();
+  for (; finest->nodeCount() > kEnoughNodes && !finest->parent.empty(); ++finest) {
+    sums = sumOverChildren(*finest, (finest + 1)->nodeCount(), sums);
+  }
+  blocks.levels.erase(blocks.levels.begin(), finest);
+  blocks.count = sums.col(0);
+  const Eigen::VectorXd share = blocks.count.cwiseInverse();
+  blocks.ahead = share.cwiseProduct(sums.col(1));
+  blocks.centers = share.asDiagonal() * sums.rightCols(3);
+  return blocks;
+}
+
+/// The combination of the lowest modes that comes nearest to the ordering wanted; nothing if the
+/// modes are not found.
+Eigen::VectorXd modeAlong(const Blocks& part, int modes) {
+  const int count = int(std::min<Eigen::Index>(modes, part.size() - 1));
+  const auto found = coarseToFineModes(part.levels, count, kResidual);
+  if (!found) return {};
+  const auto centered = [&](const Eigen::MatrixXd& values) -> Eigen::MatrixXd {
+    return values.rowwise() - part.count.transpose() * values / part.count.sum();
+  };
+  const Eigen::MatrixXd vectors = centered(found->vectors);
+  const Eigen::MatrixXd weighted = vectors.transpose() * part.count.asDiagonal();
+  return vectors * (weighted * vectors).ldlt().solve(weighted * centered(part.ahead));
+}
+
+/// 0 and 1 where a few voxels are left beyond: the outermost may be a corner.
+Eigen::VectorXd siteValues(const Eigen::VectorXd& mode, const Eigen::VectorXd& count) {
+  std::vector<std::pair<double, double>> sorted;
+  for (Eigen::Index i = 0; i < mode.size(); ++i) sorted.emplace_back(mode[i], count[i]);
   std::sort(sorted.begin(), sorted.end());
-  const auto outside = size_t(kOutside * double(sorted.size()));
-  const double low = sorted[outside];
-  const double high = sorted[sorted.size() - 1 - outside];
+  const double outside = kOutside * count.sum();
+  const auto valueBeyond = [&](auto at) {
+    for (double passed = at->second; passed <= outside; passed += at->second) ++at;
+    return at->first;
+  };
+  const double low = valueBeyond(sorted.begin());
+  const double high = valueBeyond(sorted.rbegin());
   return ((mode.array() - low) / std::max(high - low, 1e-12)).max(0.0).min(1.0);
 }
 
@@ -66,15 +118,13 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
   const std::vector<uint32_t> kept = largestComponent(part);
   if (kept.size() < nodes.size()) part = subgraph(part, kept);
   if (kept.size() < kFewestNodes) return curve;
-  Eigen::VectorXd along(Eigen::Index(kept.size()));
-  Eigen::MatrixXd centers(along.size(), 3);
-  for (size_t i = 0; i < kept.size(); ++i) {
-    along[Eigen::Index(i)] = ahead[nodes[kept[i]]];
-    centers.row(Eigen::Index(i)) = voxels.centers[nodes[kept[i]]].transpose();
-  }
-  const Eigen::VectorXd mode = modeAlong(part, along, modes);
-  const Eigen::VectorXd sites = siteValues(mode);
-  sampleEvenly(LeastSquaresSpline(sites, centers, kPieces), &curve);
+  std::vector<uint32_t> its_nodes;
+  for (const uint32_t node : kept) its_nodes.push_back(nodes[node]);
+  const Blocks blocks = blocksOf(voxels, part, its_nodes, ahead, modes);
+  const Eigen::VectorXd mode = modeAlong(blocks, modes);
+  if (mode.size() == 0) return curve;
+  const Eigen::VectorXd sites = siteValues(mode, blocks.count);
+  sampleEvenly(LeastSquaresSpline(sites, blocks.centers, blocks.count, kPieces), &curve);
   curve.seen = true;
   return curve;
 }

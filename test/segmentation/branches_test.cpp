@@ -5,16 +5,18 @@
 #include "markerless_mocap/segmentation/merge_tree.h"
 #include "markerless_mocap/segmentation/spline_walk.h"
 #include "markerless_mocap/segmentation/tip_naming.h"
+#include "markerless_mocap/segmentation/weighted_graph.h"
 
 namespace markerless_mocap {
 namespace {
 
 using Nodes = std::vector<uint32_t>;
 
-WeightedGraph path(uint32_t nodes) {
+Adjacency path(uint32_t nodes) {
   std::vector<Edge> edges;
   for (uint32_t i = 0; i + 1 < nodes; ++i) edges.push_back({i, i + 1, 1.0});
-  return graphOfEdges(nodes, edges);
+  const WeightedGraph graph = graphOfEdges(nodes, edges);
+  return {graph.row_start, graph.neighbor};
 }
 
 const std::vector<double> kHills = {9.0, 2.0, 8.0, 5.0, 7.0};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -28,6 +29,18 @@ TEST(LeastSquaresSpline, ContinuesAcrossAGap) {
   for (int i = 0; i < 40; ++i) sites[i] = i < 20 ? i * 0.01 : 0.8 + (i - 20) * 0.01;
   const Eigen::MatrixXd values = 3.0 * sites;  // a line without its middle
   EXPECT_NEAR(LeastSquaresSpline(sites, values, 8).at(0.5)[0], 1.5, 1e-2);
+}
+
+TEST(LeastSquaresSpline, TakesAWeightForSoManyEqualValues) {
+  const Eigen::VectorXd sites = Eigen::VectorXd::LinSpaced(5, 0.0, 1.0);
+  const Eigen::VectorXd values = (3.0 * sites.array()).sin();
+  Eigen::VectorXd repeated_sites(8), repeated(8);
+  repeated_sites << sites, sites[1], sites[1], sites[3];
+  repeated << values, values[1], values[1], values[3];
+  Eigen::VectorXd weights(5);
+  weights << 1, 3, 1, 2, 1;
+  const LeastSquaresSpline one(sites, values, weights, 1), other(repeated_sites, repeated, 1);
+  for (const double s : {0.0, 0.4, 1.0}) EXPECT_NEAR(one.at(s)[0], other.at(s)[0], 1e-9);
 }
 
 std::vector<uint32_t> allNodes(const VoxelGraph& voxels) {
@@ -90,6 +103,24 @@ TEST(PartCurve, GoesUpATrunkWiderThanHigh) {
   const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 10);
   EXPECT_GT(curve.points.back().z() - curve.points.front().z(), 0.25);
   for (const Eigen::Vector3d& p : curve.points) EXPECT_LT(std::abs(p.x()), 0.06);
+}
+
+// A finer hull is merged into blocks on the way: the curve hardly moves.
+TEST(PartCurve, IsThatOfACoarseHullOnAFineOne) {
+  std::array<PartCurve, 2> curves;
+  for (const int fine : {0, 1}) {
+    VoxelFigure elbow(fine ? 0.01 : 0.02);
+    elbow.capsule({-0.4, 0, 0.5}, {0, 0, 0.5}, 0.06).capsule({0, 0, 0.5}, {0, 0, 0.9}, 0.06);
+    const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
+    std::vector<double> ahead;
+    for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
+    curves[fine] = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+    ASSERT_TRUE(curves[fine].seen);
+    EXPECT_EQ(curves[fine].voxel_count, voxels.graph.nodeCount());
+  }
+  for (size_t i = 0; i < curves[0].points.size(); ++i) {
+    EXPECT_LT((curves[0].points[i] - curves[1].points[i]).norm(), 0.01);
+  }
 }
 
 TEST(PartCurve, OfTooFewNodesIsNotSeen) {

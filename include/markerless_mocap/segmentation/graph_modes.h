@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
+#include "markerless_mocap/segmentation/graph_hierarchy.h"
 #include "markerless_mocap/segmentation/weighted_graph.h"
 
 namespace markerless_mocap {
@@ -32,6 +34,16 @@ GraphModes shiftInvertModes(const WeightedGraph& graph, int modes);
 /// \return nothing where the method does not fit (no cells, few nodes, many modes) or does not
 ///   converge
 std::optional<GraphModes> coarseToFineModes(const WeightedGraph& graph, int modes,
+                                            double tolerance);
+
+/// The hierarchy that so many modes of a graph with cells are found on.
+std::vector<GraphLevel> hierarchyForModes(const WeightedGraph& graph, int modes);
+
+/// Modes of the finest of some levels, M of its masses in the place of D: where they are the upper
+/// levels of a hierarchy, modes of the whole graph that are constant on each of its nodes.
+/// \param modes less than that level's nodes
+/// \return nothing where the coarsest level is large or the method does not converge
+std::optional<GraphModes> coarseToFineModes(const std::vector<GraphLevel>& levels, int modes,
                                             double tolerance);
 
 }  // namespace markerless_mocap

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "markerless_mocap/segmentation/eigenmap.h"
-#include "markerless_mocap/segmentation/weighted_graph.h"
 
 namespace markerless_mocap {
+
+/// Which nodes are neighbours, in compressed rows as WeightedGraph has them.
+struct Adjacency {
+  std::vector<uint32_t> row_start;
+  std::vector<uint32_t> neighbor;
+};
 
 /// Distance of each node from the mean position of the `core` nodes in the embedding, mode k scaled
 /// by sqrt(lambda_1 / lambda_k): up to a factor, the square root of the commute time of a random
@@ -17,7 +22,7 @@ std::vector<double> distanceFromCore(const Eigenmap& map, const std::vector<uint
 /// maxima and merge at saddles, the lower maximum ending there; the `count` maxima that persist
 /// longest are returned, most persistent first.
 /// \param height of each node
-std::vector<uint32_t> persistentMaxima(const WeightedGraph& graph,
-                                       const std::vector<double>& height, int count);
+std::vector<uint32_t> persistentMaxima(const Adjacency& graph, const std::vector<double>& height,
+                                       int count);
 
 }  // namespace markerless_mocap
