@@ -1,6 +1,6 @@
 #include "skeleton/doubt_weights.h"
 
-// Made by scripts/fit_pose_tree: penalised logit over 7259 hulls of the virtual studio of 24
+// Made as by scripts/fit_pose_tree: penalised logit over 7259 hulls of the virtual studio of 24
 // persons whom the model of the ends was not fitted to, who do all motions of config/motions before
 // rings of four, seven and eight cameras, some with damaged masks and small images, some with
 // silhouettes from the images, one in ten with a limb cut off.

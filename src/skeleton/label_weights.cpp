@@ -1,11 +1,11 @@
 #include "skeleton/label_weights.h"
 
-// Made by scripts/fit_pose_tree: penalised maximum likelihood (ridge and second differences) over
-// 3456 hulls of the virtual studio, at 2 m / 128 and 2 m / 64: eight persons of 1.5 to 1.9 m in
-// tight and loose clothes and skirts in all motions of config/motions before rings of four, seven
-// and eight cameras, some with damaged masks and small images. An end's curves: multinomial logit
-// of what is within 15 cm of it (head: 25 cm). A body's: logit over all choices of five ends of one
-// skeleton and "none is right".
+// Made as by scripts/fit_pose_tree: penalised maximum likelihood (ridge and second differences)
+// over 3456 hulls of the virtual studio, at 2 m / 128 and 2 m / 64: eight persons of 1.5 to 1.9 m
+// in tight and loose clothes and skirts in all motions of config/motions before rings of four,
+// seven and eight cameras, some with damaged masks and small images. An end's curves: multinomial
+// logit of what is within 15 cm of it (head: 25 cm). A body's: logit over all choices of five ends
+// of one skeleton and "none is right".
 
 namespace markerless_mocap {
 

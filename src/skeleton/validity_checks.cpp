@@ -37,7 +37,12 @@ class Reach {
     size_ = ((highest - lowest_) / kCell).array().floor().matrix().cast<int>() +
             Eigen::Vector3i::Constant(2);
     cells_.assign(size_t(size_.prod()), false);
-    for (const Eigen::Vector3d& p : graph.positions) mark(cellOf(p));
+    Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
+    for (const Eigen::Vector3d& p : graph.positions) {
+      const Eigen::Vector3i cell = cellOf(p);
+      if (cell != last) mark(cell);
+      last = cell;
+    }
   }
 
   bool contains(const Eigen::Vector3d& p) const {
