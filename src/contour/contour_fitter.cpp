@@ -18,6 +18,10 @@ constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kShareDamping = 1e-3;
 
 constexpr double kLongestStep = 0.35;  // rad or metres
 
+// The errors of a body's shape are alike all along a contour, which no ray knows of the next: what
+// the normal equations promise is too good by about this factor.
+constexpr double kAlike = 2.0;
+
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
 void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
@@ -47,7 +51,7 @@ double endDeviation(const ContourBody& body, const PoseProblem& problem, const C
   Eigen::Matrix<double, 3, kContourDof> J;
   poseJacobian(frames, end.segment,
                frames.t[end.segment] + frames.R[end.segment] * end.local.at(body.sizes()), J);
-  return std::sqrt((J * inverse.solve(J.transpose())).trace());
+  return kAlike * std::sqrt((J * inverse.solve(J.transpose())).trace());
 }
 
 void gatherEvidence(const ContourBody& body, const PoseProblem& problem, const Cholesky& inverse,
