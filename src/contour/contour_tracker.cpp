@@ -1,5 +1,7 @@
 #include "markerless_mocap/contour/contour_tracker.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "contour/limb_search.h"
@@ -10,17 +12,27 @@ namespace {
 constexpr double kVelocityKept = 0.7;  // of the last frame's, in the prediction
 constexpr int64_t kLongestGap_ns = 500000000;
 
-// Overlap: below the first there is no person there; a drop by the second below what is usual is
-// suspicious; another pose must be better by the third to be taken; the usual value follows by the
-// share.
-constexpr double kLostOverlap = 0.65, kOverlapDrop = 0.02, kOverlapGain = 0.004;
+// Below this overlap there is no person there.
+constexpr double kLostOverlap = 0.65;
+
+// Quality, see below: a drop by the first below what is usual is suspicious; another pose must be
+// better by the second to be taken; the usual value follows by the share.
+constexpr double kDrop = 0.015, kGain = 0.004;
 constexpr double kUsualShare = 0.1;
+
+constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found nothing
 
 constexpr double kLimbOutside = 0.035;  // metres, mean over its balls: where limbs that fit are not
 
 constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
 constexpr FitSchedule kRetry{10, 0.12, 0.03};
+
+/// Overlap tells of a body that leaves the masks, the rays of a limb that lies hidden in the trunk
+/// while the masks show it elsewhere. 0 to 1.
+double quality(const ContourFit& fit) {
+  return 0.5 * (fit.overlap + fit.rays_explained);
+}
 
 bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
@@ -42,12 +54,12 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
     last_.reset();
     return {ContourTrackStatus::kLost, fit};
   }
-  Past past{stamp_ns, fit.pose, std::nullopt, fit.overlap};
+  Past past{stamp_ns, fit.pose, std::nullopt, quality(fit)};
   if (last_) {
     past.before = last_->pose;
     // Rises at once and falls slowly, so that a loss does not become what is usual.
-    past.overlap =
-        std::max(fit.overlap, last_->overlap + kUsualShare * (fit.overlap - last_->overlap));
+    past.quality =
+        std::max(past.quality, last_->quality + kUsualShare * (past.quality - last_->quality));
   }
   last_ = past;
   return {status, fit};
@@ -56,52 +68,58 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
 ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& seen,
                                    const ContourBody& body, const ContourPose& pose) {
   last_.reset();
+  next_search_ns_ = stamp_ns;
   ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, FitSchedule::wide());
   // Proposals often lack arms, and an arm at rest may hide one that is elsewhere.
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     if (fit.status == ContourFitStatus::kFitted)
-      tryOtherPlaces(seen, body, ContourLimb::Id(limb), fit.pose, std::nullopt, fit);
+      tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(limb), fit, fit.pose), std::nullopt,
+               fit);
   return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
 }
 
 std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFit& fit) const {
   std::array<bool, ContourLimb::kCount> limbs{};
-  const bool dropped = fit.overlap < last_->overlap - kOverlapDrop;
+  const bool dropped = quality(fit) < last_->quality - kDrop;
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i)
     limbs[i] = dropped || fit.limbs[i].outside > kLimbOutside;
   return limbs;
 }
 
-bool ContourTracker::tryPose(const ContourObservation& seen, const ContourBody& body,
-                             const ContourPose& start,
-                             const std::optional<ContourPrediction>& prediction,
-                             ContourFit& fit) const {
-  const ContourFit other = fitter_.fit(seen, body, start, prediction, kRetry);
-  const bool better =
-      other.status == ContourFitStatus::kFitted && other.overlap > fit.overlap + kOverlapGain;
-  if (better) fit = other;
-  return better;
+std::vector<ContourPose> ContourTracker::placesOf(const ContourObservation& seen,
+                                                  const ContourBody& body, ContourLimb::Id limb,
+                                                  const ContourFit& fit,
+                                                  const ContourPose& expected) const {
+  return otherPlaces(seen, rig_, fitter_.options(), body, fit.pose, expected, limb);
 }
 
-bool ContourTracker::tryOtherPlaces(const ContourObservation& seen, const ContourBody& body,
-                                    ContourLimb::Id limb, const ContourPose& expected,
-                                    const std::optional<ContourPrediction>& prediction,
-                                    ContourFit& fit) const {
+bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody& body,
+                              const std::vector<ContourPose>& starts,
+                              const std::optional<ContourPrediction>& prediction,
+                              ContourFit& fit) const {
+  std::vector<ContourFit> others(starts.size());
+  tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
+    others[i] = fitter_.fit(seen, body, starts[i], prediction, kRetry);
+  });
   bool better = false;
-  for (const ContourPose& place :
-       otherPlaces(seen, rig_, fitter_.options(), body, fit.pose, expected, limb))
-    better |= tryPose(seen, body, place, prediction, fit);
+  for (const ContourFit& other : others) {
+    if (other.status != ContourFitStatus::kFitted || !(quality(other) > quality(fit) + kGain))
+      continue;
+    fit = other;
+    better = true;
+  }
   return better;
 }
 
 bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& body,
                            const ContourPrediction& prediction, ContourFit& fit) const {
   const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  bool better = tryPose(seen, body, last_->pose, loose, fit);
+  bool better = tryPoses(seen, body, {last_->pose}, loose, fit);
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
     if (better && !any(suspicious(fit))) break;
     if (suspicious(fit)[i])
-      better |= tryOtherPlaces(seen, body, ContourLimb::Id(i), prediction.pose, loose, fit);
+      better |= tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(i), fit, prediction.pose),
+                         loose, fit);
   }
   return better;
 }
@@ -119,7 +137,9 @@ ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& 
   ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
   ContourTrackStatus status = ContourTrackStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
-    const bool better = retry(seen, body, prediction, fit);
+    const bool search = stamp_ns > next_search_ns_;
+    const bool better = search && retry(seen, body, prediction, fit);
+    if (search && !better) next_search_ns_ = stamp_ns + kBetweenSearches_ns;
     status = any(suspicious(fit)) ? ContourTrackStatus::kDoubtful
              : better             ? ContourTrackStatus::kRecovered
                                   : ContourTrackStatus::kTracked;

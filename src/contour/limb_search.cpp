@@ -1,5 +1,7 @@
 #include "contour/limb_search.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kTriesNear = 240, kTriesAnywhere = 240, kBest = 6, kTriesAround = 10;
+constexpr size_t kTriesNear = 240, kTriesAnywhere = 160, kBest = 6, kTriesAround = 10;
 constexpr size_t kPlaces = 4;
 constexpr double kFarApart = 0.12;  // metres, of the limb's ends
 
@@ -24,6 +26,7 @@ constexpr double kCloser = 0.25;  // of these, around the best of the first trie
 // surroundings are right: distance from which on a ray is mostly ignored, metres.
 constexpr double kOutliers[] = {0.1, 0.25};
 constexpr size_t kJudges = 2;
+constexpr size_t kRays = 120;  // that places are judged by at most
 
 /// The joints of a limb that are tried, and its end among contourPointNames().
 struct LimbJoints {
@@ -56,25 +59,31 @@ class PlaceJudge {
   void lookFor(const ContourBody& body, const ContourPose& pose) {
     PoseProblem problem(seen_, rig_, options_);
     problem.evaluate(body, pose, kOutliers[0]);
+    std::vector<size_t> found;
     for (size_t i = 0; i < seen_.rays.size(); ++i)
       if (std::abs(problem.matches()[i].residual) > kRayExplained ||
           limbOfCone(problem.matches()[i].cone) == limb_)
-        rays_.push_back(seen_.rays[i]);
+        found.push_back(i);
+    const size_t step = found.size() / kRays + 1;
+    for (size_t i = 0; i < found.size(); i += step) rays_.push_back(seen_.rays[found[i]]);
+    rays_per_ray_ = double(step);
   }
 
-  std::array<double, kJudges> energy(const ContourBody& body, const ContourPose& pose) {
+  std::array<double, kJudges> energy(const ContourBody& body, const ContourPose& pose) const {
     ContourFrames frames;
     PlacedCones cones;
     body.place(pose, frames);
     body.place(frames, cones);
-    matchRays(ConeLanes(cones), rays_, matches_);
+    std::vector<RayMatch> matches;
+    matchRays(ConeLanes(cones), rays_, matches);
     const double variance = options_.sigma * options_.sigma;
-    const double one = options_.contour_weight / double(std::max<size_t>(1, seen_.rays.size()));
+    const double one =
+        rays_per_ray_ * options_.contour_weight / double(std::max<size_t>(1, seen_.rays.size()));
     const double outside = options_.containment_weight * excessEnergy(seen_, rig_, cones, limb_);
     std::array<double, kJudges> energies;
     energies.fill(0.5 * outside / variance + postureEnergy(pose));
     for (size_t judge = 0; judge < kJudges; ++judge)
-      for (const RayMatch& match : matches_) {
+      for (const RayMatch& match : matches) {
         const double square = double(match.residual) * double(match.residual);
         const double share = square / (kOutliers[judge] * kOutliers[judge]);
         energies[judge] += 0.5 * one / variance * square / (1.0 + share);
@@ -88,7 +97,7 @@ class PlaceJudge {
   const ContourOptions& options_;
   const ContourLimb::Id limb_;
   std::vector<ContourRay> rays_;
-  std::vector<RayMatch> matches_;
+  double rays_per_ray_ = 1.0;  ///< for how many each stands
 };
 
 /// Directions spread evenly over the sphere, neighbours in turn far apart (Fibonacci lattice).
@@ -104,12 +113,6 @@ Eigen::Matrix3d turnTo(const Eigen::Vector3d& z, const Eigen::Matrix3d& R) {
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(R.col(2)), z).toRotationMatrix() * R;
 }
 
-void sortByEnergy(size_t judge, std::vector<Place>& places) {
-  std::stable_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-    return a.energy[judge] < b.energy[judge];
-  });
-}
-
 /// Adds the first few whose ends are not near to one another.
 void choose(const std::vector<Place>& places, std::vector<Place>& chosen) {
   const size_t enough = chosen.size() + kPlaces;
@@ -122,6 +125,70 @@ void choose(const std::vector<Place>& places, std::vector<Place>& chosen) {
   }
 }
 
+/// Tries in batches: drawn one after another, judged at once.
+class LimbTries {
+ public:
+  LimbTries(const ContourBody& body, const PlaceJudge& judge, const ContourPose& fitted,
+            const LimbJoints& joints)
+      : body_(body), judge_(judge), fitted_(fitted), joints_(joints) {}
+
+  /// Draws a pose whose limb is near to that of `middle` but for the hinge, which is near to
+  /// `bend`. \param share of the spreads
+  void draw(const ContourPose& middle, double bend, double share) {
+    const double spread = share * kBallSpread[places_.size() % std::size(kBallSpread)];
+    const double x = normal_(random_), y = normal_(random_), twist = normal_(random_);
+    const Eigen::Vector3d turn(spread * x, spread * y, share * kTwistSpread * twist);
+    Place place{fitted_, {}, {}};
+    place.pose.balls[size_t(joints_.ball)] = middle.balls[size_t(joints_.ball)] * rotationOf(turn);
+    place.pose.angles[size_t(joints_.hinge)] = std::clamp(
+        bend + share * kHingeSpread * normal_(random_), joints_.hinge_lower, joints_.hinge_upper);
+    places_.push_back(place);
+  }
+
+  /// All places so far, the one that judge likes best first.
+  const std::vector<Place>& judged(size_t judge) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(judged_, places_.size(), 16),
+                      [&](const auto& some) {
+                        for (size_t i = some.begin(); i < some.end(); ++i) {
+                          Place& place = places_[i];
+                          place.energy = judge_.energy(body_, place.pose);
+                          place.end = body_.points(place.pose).col(joints_.end);
+                        }
+                      });
+    std::stable_sort(places_.begin(), places_.end(), [&](const Place& a, const Place& b) {
+      return a.energy[judge] < b.energy[judge];
+    });
+    judged_ = places_.size();
+    return places_;
+  }
+
+ private:
+  const ContourBody& body_;
+  const PlaceJudge& judge_;
+  const ContourPose& fitted_;
+  const LimbJoints joints_;
+  std::mt19937 random_{1};
+  std::normal_distribution<double> normal_;
+  std::vector<Place> places_;
+  size_t judged_ = 0;
+};
+
+/// Half of them bend as expected, half anyhow.
+void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbTries& tries) {
+  const auto bendOf = [&](size_t i, size_t count) {
+    const double range = joints.hinge_upper - joints.hinge_lower;
+    return i % 2 ? joints.hinge_lower + range * double(i) / double(count)
+                 : expected.angles[size_t(joints.hinge)];
+  };
+  for (size_t i = 0; i < kTriesNear; ++i) tries.draw(expected, bendOf(i, kTriesNear), 1.0);
+  for (size_t i = 0; i < kTriesAnywhere; ++i) {
+    ContourPose turned = expected;
+    Eigen::Matrix3d& R = turned.balls[size_t(joints.ball)];
+    R = turnTo(direction(i, kTriesAnywhere), R);
+    tries.draw(turned, bendOf(i, kTriesAnywhere), kCloser);
+  }
+}
+
 }  // namespace
 
 std::vector<ContourPose> otherPlaces(const ContourObservation& seen, const CameraRig& rig,
@@ -131,43 +198,16 @@ std::vector<ContourPose> otherPlaces(const ContourObservation& seen, const Camer
   const LimbJoints joints = jointsOf(limb);
   PlaceJudge judge(seen, rig, options, limb);
   judge.lookFor(body, fitted);
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  std::vector<Place> places;
-  const auto tryAround = [&](const ContourPose& middle, double bend, double share) {
-    const double spread = share * kBallSpread[places.size() % std::size(kBallSpread)];
-    const double x = normal(random), y = normal(random), twist = normal(random);
-    const Eigen::Vector3d turn(spread * x, spread * y, share * kTwistSpread * twist);
-    Place place{fitted, {}, {}};
-    place.pose.balls[size_t(joints.ball)] = middle.balls[size_t(joints.ball)] * rotationOf(turn);
-    place.pose.angles[size_t(joints.hinge)] = std::clamp(
-        bend + share * kHingeSpread * normal(random), joints.hinge_lower, joints.hinge_upper);
-    place.energy = judge.energy(body, place.pose);
-    place.end = body.points(place.pose).col(joints.end);
-    places.push_back(place);
-  };
-  // Half of them bend as expected, half anyhow.
-  const auto bendOf = [&](size_t i, size_t count) {
-    const double range = joints.hinge_upper - joints.hinge_lower;
-    return i % 2 ? joints.hinge_lower + range * double(i) / double(count)
-                 : expected.angles[size_t(joints.hinge)];
-  };
-  for (size_t i = 0; i < kTriesNear; ++i) tryAround(expected, bendOf(i, kTriesNear), 1.0);
-  for (size_t i = 0; i < kTriesAnywhere; ++i) {
-    ContourPose turned = expected;
-    Eigen::Matrix3d& R = turned.balls[size_t(joints.ball)];
-    R = turnTo(direction(i, kTriesAnywhere), R);
-    tryAround(turned, bendOf(i, kTriesAnywhere), kCloser);
-  }
+  LimbTries tries(body, judge, fitted, joints);
+  drawFirst(expected, joints, tries);
   std::vector<Place> chosen;
   for (size_t j = 0; j < kJudges; ++j) {
-    sortByEnergy(j, places);
-    const std::vector<Place> best(places.begin(), places.begin() + kBest);
+    const std::vector<Place>& first = tries.judged(j);
+    const std::vector<Place> best(first.begin(), first.begin() + kBest);
     for (const Place& place : best)
       for (size_t i = 0; i < kTriesAround; ++i)
-        tryAround(place.pose, place.pose.angles[size_t(joints.hinge)], kCloser);
-    sortByEnergy(j, places);
-    choose(places, chosen);
+        tries.draw(place.pose, place.pose.angles[size_t(joints.hinge)], kCloser);
+    choose(tries.judged(j), chosen);
   }
   std::vector<ContourPose> poses;
   for (const Place& place : chosen) poses.push_back(place.pose);

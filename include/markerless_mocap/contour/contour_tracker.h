@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "markerless_mocap/contour/contour_fitter.h"
 
@@ -43,23 +44,25 @@ class ContourTracker {
     int64_t stamp_ns;
     ContourPose pose;
     std::optional<ContourPose> before;  ///< one frame time earlier
-    double overlap;                     ///< as it usually is
+    double quality;                     ///< of the fit, as it usually is
   };
   ContourTrack keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackStatus status);
-  /// Limbs that stick out of masks, or all when the overlap has dropped.
+  /// Limbs that stick out of masks, or all when the fit is worse than usual.
   std::array<bool, ContourLimb::kCount> suspicious(const ContourFit& fit) const;
+  std::vector<ContourPose> placesOf(const ContourObservation& seen, const ContourBody& body,
+                                    ContourLimb::Id limb, const ContourFit& fit,
+                                    const ContourPose& expected) const;
   // These replace `fit` by what is clearly better and say whether they did.
-  bool tryPose(const ContourObservation& seen, const ContourBody& body, const ContourPose& start,
-               const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
-  bool tryOtherPlaces(const ContourObservation& seen, const ContourBody& body, ContourLimb::Id limb,
-                      const ContourPose& expected,
-                      const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
+  bool tryPoses(const ContourObservation& seen, const ContourBody& body,
+                const std::vector<ContourPose>& starts,
+                const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
   bool retry(const ContourObservation& seen, const ContourBody& body,
              const ContourPrediction& prediction, ContourFit& fit) const;
 
   CameraRig rig_;
   ContourFitter fitter_;
   std::optional<Past> last_;
+  int64_t next_search_ns_ = 0;  ///< limbs are not looked for again before
 };
 
 }  // namespace markerless_mocap
