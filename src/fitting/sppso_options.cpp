@@ -14,6 +14,8 @@ void SppsoOptions::visit(OptionVisitor& v) {
           "iterations of the last of two_soft's stages");
   v.field("edges", edges, "edges count beside silhouettes");
   v.field("torso_top", torso_top, "the torso's upper edge counts among the edges");
+  v.field("keep_start", keep_start,
+          "one particle of each swarm stage begins at the start itself, not near it");
   v.field("prediction", prediction, 0.0, 1.0,
           "share of the last change of pose that the search's start goes on by");
   v.field("sigma_factor", sigma_factor, 0.05, 20.0,

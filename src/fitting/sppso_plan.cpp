@@ -53,7 +53,9 @@ class Stages {
     edges_.push_back({options_.edges ? edges : 0, options_.torso_top});
     return *this;
   }
-  SppsoPlan plan() const { return {std::make_shared<StagedSwarm>(stages_), edges_}; }
+  SppsoPlan plan() const {
+    return {std::make_shared<StagedSwarm>(stages_, options_.keep_start), edges_};
+  }
 
  private:
   const SppsoOptions& options_;

@@ -24,12 +24,13 @@ constexpr int kBatch = 3;
 class Swarm {
  public:
   Swarm(const SearchProblem& problem, const SwarmStage& stage, int index, const SearchStart& start,
-        const CounterRandom& random)
+        const CounterRandom& random, bool keep_center)
       : problem_(problem),
         stage_(stage),
         index_(index),
         start_(start),
         random_(random),
+        keep_center_(keep_center),
         position_(start.center.size(), stage.particles),
         velocity_(start.center.size(), stage.particles),
         own_best_(start.center.size(), stage.particles),
@@ -84,9 +85,10 @@ class Swarm {
     const bool drawn = drawAllowed(
         problem_, start_.center,
         [&](int attempt, Eigen::Ref<VectorXd> candidate) {
+          const double scale = keep_center_ && i == 0 && attempt == 0 ? 0.0 : 1.0;
           for (Eigen::Index d = 0; d < dimensions; ++d)
-            candidate[d] = start_.center[d] +
-                           start_.sigma[d] * random.normal(uint64_t(attempt * dimensions + d));
+            candidate[d] = start_.center[d] + scale * start_.sigma[d] *
+                                                  random.normal(uint64_t(attempt * dimensions + d));
         },
         position_.col(i));
     unmoved_[i] += !drawn;
@@ -123,6 +125,7 @@ class Swarm {
   int index_;
   const SearchStart& start_;
   CounterRandom random_;
+  bool keep_center_;
   MatrixXd position_, velocity_, own_best_;  // a particle is a column
   VectorXd cost_, own_cost_;
   Eigen::VectorXi unmoved_;
@@ -135,7 +138,8 @@ double constriction(double phi) {
   return 2.0 / std::abs(2.0 - phi - std::sqrt(phi * phi - 4.0 * phi));
 }
 
-StagedSwarm::StagedSwarm(std::vector<SwarmStage> stages) : stages_(std::move(stages)) {
+StagedSwarm::StagedSwarm(std::vector<SwarmStage> stages, bool keep_center)
+    : stages_(std::move(stages)), keep_center_(keep_center) {
   if (stages_.empty()) throw std::invalid_argument("a staged swarm needs at least one stage");
   for (size_t i = 0; i < stages_.size(); ++i) {
     const SwarmStage& stage = stages_[i];
@@ -166,7 +170,8 @@ SearchOutcome StagedSwarm::minimise(const SearchProblem& problem, const SearchSt
   all.best = start.center;
   for (size_t i = 0; i < stages_.size(); ++i) {
     const SearchStart here = {all.best, start.sigma.cwiseProduct(stages_[i].reach)};
-    const SearchOutcome found = Swarm(problem, stages_[i], int(i), here, random.stream(i)).run();
+    const SearchOutcome found =
+        Swarm(problem, stages_[i], int(i), here, random.stream(i), keep_center_).run();
     all.evaluations += found.evaluations;
     all.unmoved += found.unmoved;
     all.found = found.found;

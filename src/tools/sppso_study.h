@@ -45,8 +45,8 @@ struct StudyResult {
 };
 
 /// The tables: 6.2 (evaluations at 60 fps, and 20 fps), 6.5 (annealed filters), 6.6 (partitions),
-/// 6.8 (particles against iterations), 6.10 (silhouettes alone, no upper edge), and ours: start
-/// from the prediction with a narrower spread.
+/// 6.8 (particles against iterations), 6.10 (silhouettes alone, no upper edge), and ours: other
+/// starts with a narrower spread.
 std::vector<StudyTable> studyTables(const SppsoOptions& base);
 
 /// Tracks the film from its true first pose. Throws std::invalid_argument unless the film's rate is

@@ -95,6 +95,17 @@ TEST(SppsoTracker, predictionGoesOnWithAShareOfTheLastChange) {
   }
 }
 
+// The true pose is the best there is.
+TEST(SppsoTracker, keepsAStartThatIsPerfect) {
+  const Walk walk;
+  SppsoOptions options;
+  options.keep_start = true;
+  options.edges = false;
+  SppsoTracker tracker = walk.tracker(options);
+  tracker.start(0, Walk::at(0));
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(0)).v, Walk::at(0));
+}
+
 TEST(SppsoTracker, saysWhyThereIsNoPose) {
   const Walk walk;
   SppsoTracker tracker = walk.tracker();

@@ -126,6 +126,13 @@ TEST(StagedSwarm, costsThatAreNoNumbersAreInfinitelyBad) {
   EXPECT_LT(found.cost, 0.02);
 }
 
+TEST(StagedSwarm, aCentreThatIsKeptIsNeverLost) {
+  const SearchStart best = {Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d::Ones()};
+  const SearchProblem problem = unbounded(3, bowl(3));
+  EXPECT_EQ(StagedSwarm({stageOf(3, 4, 2)}, true).minimise(problem, best, 5).best, best.center);
+  EXPECT_NE(StagedSwarm({stageOf(3, 4, 2)}).minimise(problem, best, 5).best, best.center);
+}
+
 TEST(StagedSwarm, dependsOnTheSeedAndNotOnThreads) {
   const SearchProblem problem = unbounded(6, bowl(6));
   const StagedSwarm swarm({stageOf(6, 20, 20)});

@@ -15,6 +15,7 @@ struct SppsoOptions {
   int last_iterations = 40;
   bool edges = true;
   bool torso_top = true;
+  bool keep_start = false;
   double prediction = 0.0;
   double sigma_factor = 1.0;
   double collision = 0.85;

@@ -24,9 +24,11 @@ double constriction(double phi);
 /// a constraint is drawn anew.
 class StagedSwarm : public Optimiser {
  public:
+  /// \param keep_center one particle of each stage starts at the centre itself, so that no stage
+  ///   ends worse than it began
   /// Throws std::invalid_argument without stages, particles or iterations, or if reaches are
   /// negative or of different sizes.
-  explicit StagedSwarm(std::vector<SwarmStage> stages);
+  explicit StagedSwarm(std::vector<SwarmStage> stages, bool keep_center = false);
   SearchOutcome minimise(const SearchProblem& problem, const SearchStart& start,
                          uint64_t seed) const override;
   const std::vector<SwarmStage>& stages() const { return stages_; }
@@ -35,6 +37,7 @@ class StagedSwarm : public Optimiser {
 
  private:
   std::vector<SwarmStage> stages_;
+  bool keep_center_;
 };
 
 }  // namespace markerless_mocap
