@@ -49,15 +49,18 @@ Eigen::Vector3d meanCenter(const VoxelGraph& voxels, const std::vector<uint32_t>
   return mean / double(nodes.size());
 }
 
-/// Heights of all nodes along the direction from the legs to the head, as far as both are seen.
+/// Heights of all nodes along the direction from the legs to the head, as far as both are seen;
+/// along the vertical where neither is.
 std::vector<double> upTheTorso(const VoxelGraph& voxels, const Limbs& limbs,
                                const std::vector<uint32_t>& torso) {
   std::vector<uint32_t> legs = limbs.branch[size_t(PartLabel::kLeg1)].nodes;
   const std::vector<uint32_t>& other = limbs.branch[size_t(PartLabel::kLeg2)].nodes;
   legs.insert(legs.end(), other.begin(), other.end());
   const std::vector<uint32_t>& head = limbs.branch[size_t(PartLabel::kHead)].nodes;
-  const Eigen::Vector3d up = meanCenter(voxels, head.empty() ? torso : head) -
-                             meanCenter(voxels, legs.empty() ? torso : legs);
+  const Eigen::Vector3d up = head.empty() && legs.empty()
+                                 ? Eigen::Vector3d::UnitZ()
+                                 : Eigen::Vector3d(meanCenter(voxels, head.empty() ? torso : head) -
+                                                   meanCenter(voxels, legs.empty() ? torso : legs));
   std::vector<double> along;
   for (const Eigen::Vector3d& center : voxels.centers) along.push_back(center.dot(up));
   return along;
@@ -145,6 +148,10 @@ void SegmentationOptions::visit(OptionVisitor& v) {
   v.field("branch_method", branch_method, {"merge_tree", "spline_walk"},
           "how limbs are found in the eigenmap: by the maxima of the distance from the core, or by "
           "splines that walk inwards from the tips");
+  v.field(
+      "walk_stop", walk_stop, {"origin", "outliers"},
+      "where a branch of spline_walk ends: near the eigenmap's origin (Hsiao; with a shrink_weight "
+      "of about 100), or where many nodes lie far from its spline (Sundaresan; with none)");
   v.field("modes", modes, 0, 20,
           "dimensions of the eigenmap; 0: the best of the branch method, 10 for merge_tree, 6 for "
           "spline_walk");

@@ -58,9 +58,10 @@ Limbs sortByPart(const TipNames& names, const TipMeasures& measures,
   return limbs;
 }
 
-Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
+Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes,
+                WalkStop stop) {
   const Eigenmap map = laplacianEigenmap(voxels.graph, modes, kResidual);
-  const std::vector<Branch> branches = splineWalkBranches(map, kLimbs);
+  const std::vector<Branch> branches = splineWalkBranches(map, stop, kLimbs);
   const std::vector<uint32_t> tips = tipsOf(branches);
   const TipMeasures measures = measureTips(voxels, tips, core);
   return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
@@ -103,9 +104,11 @@ void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
   const auto modes = [&](int best) { return options.modes > 0 ? options.modes : best; };
-  Limbs limbs = options.branch_method == "merge_tree"
-                    ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
-                    : walkLimbs(voxels, core, modes(kSplineWalkModes));
+  Limbs limbs =
+      options.branch_method == "merge_tree"
+          ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
+          : walkLimbs(voxels, core, modes(kSplineWalkModes),
+                      options.walk_stop == "outliers" ? WalkStop::kOutliers : WalkStop::kOrigin);
   dropImplausible(voxels, &limbs);
   return limbs;
 }

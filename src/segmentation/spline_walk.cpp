@@ -9,8 +9,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStopRadius = 0.3;   // of the start's distance from the origin
-constexpr double kTubeRadius = 0.2;   // of the same: nodes so near the curve are the branch's
+constexpr double kStopRadius = 0.15;     // of the start's distance from the origin
+constexpr double kTubeRadius = 0.1;      // of the same: nodes so near the curve are the branch's
+constexpr double kOutlierError = 0.007;  // of the same: nodes so far from the curve are outliers
+constexpr double kMostOutliers = 0.001;  // of all nodes: the branch has ended before
 constexpr double kLongestJump = 0.5;  // of the same: no nodes so near the end, the branch is over
 constexpr double kCosTurn = 0.94;     // a turn by more than 20 degrees takes a new direction
 constexpr double kStartShare = 0.02;  // P, of all nodes
@@ -24,20 +26,35 @@ enum State : char { kFree, kWalked, kTaken };
 
 class Walk {
  public:
-  Walk(const Eigen::MatrixXd& positions, std::vector<char>* state, uint32_t start)
-      : positions_(positions), state_(*state), start_(start) {
+  Walk(const Eigen::MatrixXd& positions, WalkStop stop, std::vector<char>* state, uint32_t start)
+      : positions_(positions), stop_(stop), state_(*state), start_(start) {
     reach_ = positions_.row(start_).norm();
   }
 
   Branch run() {
     begin();
-    for (int step = 0; step < kMostSteps && end_.norm() > kStopRadius * reach_; ++step) {
+    for (int step = 0; step < kMostSteps && !isOver(); ++step) {
       if (!propagate()) break;
     }
     return take();
   }
 
  private:
+  bool isOver() const {
+    if (stop_ == WalkStop::kOrigin) return end_.norm() <= kStopRadius * reach_;
+    return double(outliers()) > kMostOutliers * double(positions_.rows());
+  }
+
+  size_t outliers() const {
+    const LeastSquaresSpline fitted = curve();
+    size_t count = 0;
+    for (size_t i = 0; i < members_.size(); ++i) {
+      const Eigen::VectorXd at = fitted.at((sites_[i] - low_) / range());
+      if ((positions_.row(members_[i]).transpose() - at).norm() > kOutlierError * reach_) ++count;
+    }
+    return count;
+  }
+
   int nodeCount(double share) const {
     return std::max(kFewestNodes, int(share * double(positions_.rows())));
   }
@@ -87,12 +104,13 @@ class Walk {
     end_ = curve().at(1.0).transpose();
   }
 
+  double range() const { return std::max(high_ - low_, 1e-12); }
+
   LeastSquaresSpline curve() const {
     Eigen::VectorXd unit(Eigen::Index(members_.size()));
     Eigen::MatrixXd values(unit.size(), positions_.cols());
-    const double range = std::max(high_ - low_, 1e-12);
     for (size_t i = 0; i < members_.size(); ++i) {
-      unit[Eigen::Index(i)] = (sites_[i] - low_) / range;
+      unit[Eigen::Index(i)] = (sites_[i] - low_) / range();
       values.row(Eigen::Index(i)) = positions_.row(members_[i]);
     }
     return {unit, values, kPieces};
@@ -116,18 +134,23 @@ class Walk {
     return true;
   }
 
+  /// Free nodes beside the curve and not at the torso: near the origin, or beyond the curve's end.
   Branch take() {
     const LeastSquaresSpline fitted = curve();
     Branch branch{start_, {}};
     Eigen::VectorXd nearest = Eigen::VectorXd::Constant(positions_.rows(), 1e300);
+    Eigen::VectorXd to_end;
     for (int i = 0; i < kCurveSamples; ++i) {
       const Eigen::RowVectorXd at = fitted.at(i / double(kCurveSamples - 1)).transpose();
-      nearest = nearest.cwiseMin((positions_.rowwise() - at).rowwise().norm());
+      to_end = (positions_.rowwise() - at).rowwise().norm();
+      if (i + 1 < kCurveSamples) nearest = nearest.cwiseMin(to_end);
     }
     for (uint32_t node = 0; node < state_.size(); ++node) {
       if (state_[node] == kTaken) continue;
       const bool beside = nearest[node] < kTubeRadius * reach_;
-      const bool outside = positions_.row(node).norm() > kStopRadius * reach_;
+      const bool outside = stop_ == WalkStop::kOrigin
+                               ? positions_.row(node).norm() > kStopRadius * reach_
+                               : nearest[node] < to_end[node];
       state_[node] = node == start_ || (beside && outside) ? kTaken : kFree;
       if (state_[node] == kTaken) branch.nodes.push_back(node);
     }
@@ -135,6 +158,7 @@ class Walk {
   }
 
   const Eigen::MatrixXd& positions_;
+  WalkStop stop_;
   std::vector<char>& state_;
   uint32_t start_;
   double reach_;
@@ -148,7 +172,7 @@ class Walk {
 
 }  // namespace
 
-std::vector<Branch> splineWalkBranches(const Eigenmap& map, int count) {
+std::vector<Branch> splineWalkBranches(const Eigenmap& map, WalkStop stop, int count) {
   std::vector<char> state(size_t(map.vectors.rows()), kFree);
   const Eigen::VectorXd distance = map.vectors.rowwise().norm();
   std::vector<Branch> branches;
@@ -159,7 +183,7 @@ std::vector<Branch> splineWalkBranches(const Eigenmap& map, int count) {
         start = int(node);
     }
     if (start < 0) break;
-    branches.push_back(Walk(map.vectors, &state, uint32_t(start)).run());
+    branches.push_back(Walk(map.vectors, stop, &state, uint32_t(start)).run());
   }
   return branches;
 }

@@ -19,6 +19,7 @@ constexpr double kHalfRaised = 0.8;
 BodyParts segment(const VisualHull& hull, const std::string& method = "merge_tree") {
   SegmentationOptions options;
   options.branch_method = method;
+  if (method == "spline_walk") options.shrink_weight = 100.0;  // its stop at the origin needs it
   return BodySegmenter(options).segment(hull);
 }
 

@@ -1,11 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "markerless_mocap/segmentation/merge_tree.h"
 #include "markerless_mocap/segmentation/spline_walk.h"
 #include "markerless_mocap/segmentation/tip_naming.h"
+#include "markerless_mocap/segmentation/voxel_graph.h"
 #include "markerless_mocap/segmentation/weighted_graph.h"
+#include "voxel_figure.h"
 
 namespace markerless_mocap {
 namespace {
@@ -42,17 +47,75 @@ TEST(SplineWalk, TakesTheArmsOfAStar) {
   for (int arm = 0; arm < 4; ++arm) {
     for (int i = 1; i <= 100; ++i) map.vectors.row(arm * 100 + i) = directions[arm] * i / 100.0;
   }
-  const std::vector<Branch> branches = splineWalkBranches(map, 4);
+  const std::vector<Branch> branches = splineWalkBranches(map, WalkStop::kOrigin, 4);
   ASSERT_EQ(branches.size(), 4u);
   for (uint32_t arm = 0; arm < 4; ++arm) {
     EXPECT_EQ(branches[arm].tip, arm * 100 + 100);
-    EXPECT_NEAR(double(branches[arm].nodes.size()), 70.0, 3.0);  // stops at 0.3 of its length
+    EXPECT_NEAR(double(branches[arm].nodes.size()), 85.0, 3.0);  // stops at 0.15 of its length
     for (const uint32_t node : branches[arm].nodes) EXPECT_EQ((node - 1) / 100, arm);
   }
 }
 
+/// A straight chain of 100 nodes that ends at the middle of one edge of a square of 30 x 30.
+Eigenmap paddle() {
+  Eigenmap map{Eigen::Vector2d(0.1, 0.1), Eigen::MatrixXd(1000, 2)};
+  for (int i = 0; i < 100; ++i) map.vectors.row(i) << 2.0 - 0.01 * i, 0.0;
+  for (int i = 0; i < 900; ++i) {
+    map.vectors.row(100 + i) << 1.0 - 0.02 * (i / 30), 0.02 * (i % 30) - 0.29;
+  }
+  return map;
+}
+
+TEST(SplineWalk, EndsWhereNodesSpreadAsideOfTheSpline) {
+  const Branch handle = splineWalkBranches(paddle(), WalkStop::kOutliers, 1).front();
+  EXPECT_EQ(handle.tip, 0u);
+  const auto of_blade = std::count_if(handle.nodes.begin(), handle.nodes.end(),
+                                      [](uint32_t node) { return node >= 100; });
+  EXPECT_GE(handle.nodes.size() - size_t(of_blade), 95u);
+  EXPECT_LT(of_blade, 150);  // the origin is far behind: the other stop takes the blade's middle
+  const Branch all = splineWalkBranches(paddle(), WalkStop::kOrigin, 1).front();
+  EXPECT_GT(all.nodes.size(), handle.nodes.size() + 100);
+}
+
+struct Variant {
+  const char* name;
+  WalkStop stop;
+  double shrink_weight;
+};
+
+class SeedsVariants : public testing::TestWithParam<Variant> {};
+
+// Sundaresan's walk overruns into the torso before its outliers tell.
+TEST_P(SeedsVariants, FindTheFiveLimbsOfAFigure) {
+  const VoxelFigure figure = standingFigure(1.0);
+  const VoxelGraph voxels = buildVoxelGraph(figure.hull(), false, GetParam().shrink_weight);
+  const std::vector<PartLabel> parts = figure.parts();
+  const std::vector<Branch> branches =
+      splineWalkBranches(laplacianEigenmap(voxels.graph, 6), GetParam().stop, 5);
+  std::set<PartLabel> found;
+  for (const Branch& branch : branches) {
+    const PartLabel part = parts[voxels.hull_voxel[branch.tip]];
+    found.insert(part);
+    const auto of_part = double(std::count(parts.begin(), parts.end(), part));
+    const auto right =
+        double(std::count_if(branch.nodes.begin(), branch.nodes.end(), [&](uint32_t node) {
+          return parts[voxels.hull_voxel[node]] == part;
+        }));
+    EXPECT_GT(right / of_part, 0.7) << toString(part);
+    EXPECT_GT(right / double(branch.nodes.size()), 0.6) << toString(part);
+  }
+  EXPECT_EQ(found.size(), 5u);
+  EXPECT_EQ(found.count(PartLabel::kTorso), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(SplineWalk, SeedsVariants,
+                         testing::Values(Variant{"sundaresan", WalkStop::kOutliers, 0.0},
+                                         Variant{"modified", WalkStop::kOrigin, 100.0}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
 TEST(SplineWalk, FindsNothingWithoutModes) {
-  EXPECT_TRUE(splineWalkBranches({Eigen::VectorXd(0), Eigen::MatrixXd(1, 0)}, 5).empty());
+  EXPECT_TRUE(splineWalkBranches({Eigen::VectorXd(0), Eigen::MatrixXd(1, 0)}, WalkStop::kOrigin, 5)
+                  .empty());
 }
 
 /// Measures of a body: head, two arms, two legs in this order.

@@ -10,6 +10,7 @@ namespace markerless_mocap {
 struct SegmentationOptions {
   static constexpr const char* kStage = "body_segmentation";
   std::string branch_method = "merge_tree";
+  std::string walk_stop = "origin";
   int modes = 0;
   bool use_color_votes = false;
   double shrink_weight = 0.0;
