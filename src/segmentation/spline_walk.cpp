@@ -9,8 +9,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStopRadius = 0.15;     // of the start's distance from the origin
-constexpr double kTubeRadius = 0.1;      // of the same: nodes so near the curve are the branch's
+constexpr double kTubeRadius = 0.1;      // of the start's distance from the origin: nodes so
+                                         // near the curve are the branch's
 constexpr double kOutlierError = 0.007;  // of the same: nodes so far from the curve are outliers
 constexpr double kMostOutliers = 0.001;  // of all nodes: the branch has ended before
 constexpr double kLongestJump = 0.5;  // of the same: no nodes so near the end, the branch is over
@@ -26,9 +26,11 @@ enum State : char { kFree, kWalked, kTaken };
 
 class Walk {
  public:
-  Walk(const Eigen::MatrixXd& positions, WalkStop stop, std::vector<char>* state, uint32_t start)
+  Walk(const Eigen::MatrixXd& positions, WalkStop stop, double stop_radius,
+       std::vector<char>* state, uint32_t start)
       : positions_(positions), stop_(stop), state_(*state), start_(start) {
     reach_ = positions_.row(start_).norm();
+    stop_distance_ = stop_radius * reach_;
   }
 
   Branch run() {
@@ -41,7 +43,7 @@ class Walk {
 
  private:
   bool isOver() const {
-    if (stop_ == WalkStop::kOrigin) return end_.norm() <= kStopRadius * reach_;
+    if (stop_ == WalkStop::kOrigin) return end_.norm() <= stop_distance_;
     return double(outliers()) > kMostOutliers * double(positions_.rows());
   }
 
@@ -148,9 +150,8 @@ class Walk {
     for (uint32_t node = 0; node < state_.size(); ++node) {
       if (state_[node] == kTaken) continue;
       const bool beside = nearest[node] < kTubeRadius * reach_;
-      const bool outside = stop_ == WalkStop::kOrigin
-                               ? positions_.row(node).norm() > kStopRadius * reach_
-                               : nearest[node] < to_end[node];
+      const bool outside = stop_ == WalkStop::kOrigin ? positions_.row(node).norm() > stop_distance_
+                                                      : nearest[node] < to_end[node];
       state_[node] = node == start_ || (beside && outside) ? kTaken : kFree;
       if (state_[node] == kTaken) branch.nodes.push_back(node);
     }
@@ -161,7 +162,7 @@ class Walk {
   WalkStop stop_;
   std::vector<char>& state_;
   uint32_t start_;
-  double reach_;
+  double reach_, stop_distance_;
   Eigen::RowVectorXd direction_;
   std::vector<uint32_t> members_;
   std::vector<double> sites_;
@@ -172,7 +173,8 @@ class Walk {
 
 }  // namespace
 
-std::vector<Branch> splineWalkBranches(const Eigenmap& map, WalkStop stop, int count) {
+std::vector<Branch> splineWalkBranches(const Eigenmap& map, WalkStop stop, int count,
+                                       double stop_radius) {
   std::vector<char> state(size_t(map.vectors.rows()), kFree);
   const Eigen::VectorXd distance = map.vectors.rowwise().norm();
   std::vector<Branch> branches;
@@ -183,7 +185,7 @@ std::vector<Branch> splineWalkBranches(const Eigenmap& map, WalkStop stop, int c
         start = int(node);
     }
     if (start < 0) break;
-    branches.push_back(Walk(map.vectors, stop, &state, uint32_t(start)).run());
+    branches.push_back(Walk(map.vectors, stop, stop_radius, &state, uint32_t(start)).run());
   }
   return branches;
 }
