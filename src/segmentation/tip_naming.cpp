@@ -12,6 +12,8 @@ namespace {
 constexpr double kClip = 9.0;       // of a squared z-score: one odd measure is not the end
 constexpr double kAllowance = 3.0;  // squared z-score up to which a measure speaks for a name
 
+constexpr double kNever = 100.0;  // added for two arms that are one
+
 enum Kind { kHeadKind, kArmKind, kLegKind, kKinds };
 
 struct Normal {
@@ -48,6 +50,11 @@ constexpr Kind kKindOfRole[] = {kHeadKind, kLegKind, kLegKind, kArmKind, kArmKin
 constexpr int kRoleCount = 5;
 constexpr int kOwnTerms = 3;  // of a tip alone
 
+/// Whether the way from one of two tips to the core leads past the other.
+bool onOneLimb(const TipMeasures& measures, int a, int b) {
+  return measures.distance(a, b) < std::max(measures.to_core[a], measures.to_core[b]);
+}
+
 double squaredScore(const Normal& normal, double value) {
   const double z = (value - normal.mean) / normal.deviation;
   return std::min(z * z, kClip);
@@ -68,7 +75,9 @@ class Scores {
       const Normal& normal = kDistance[pair / kKinds][pair % kKinds];
       for (int a = 0; a < tips_; ++a) {
         for (int b = 0; b < tips_; ++b) {
-          distance_.push_back(squaredScore(normal, measures.distance(a, b) - build));
+          const bool arms = pair == kArmKind * kKinds + kArmKind;
+          distance_.push_back(squaredScore(normal, measures.distance(a, b) - build) +
+                              (arms && onOneLimb(measures, a, b) ? kNever : 0.0));
         }
       }
     }

@@ -169,6 +169,17 @@ TEST(TipNaming, DoesNotCallASecondFootAnArm) {
   EXPECT_EQ(names.tip[size_t(PartLabel::kArm1)], 1);
 }
 
+TEST(TipNaming, DoesNotNameAnArmTwice) {
+  TipMeasures measures = bodyMeasures();  // hand and elbow of one arm
+  measures.to_core[2] = -0.1;
+  measures.distance(1, 2) = measures.distance(2, 1) = 0.38;  // less than from the hand to the core
+  const TipNames names = nameTips(measures);
+  EXPECT_EQ(names.tip[size_t(PartLabel::kArm1)], 1);
+  EXPECT_EQ(names.tip[size_t(PartLabel::kArm2)], -1);
+  measures.distance(1, 2) = measures.distance(2, 1) = 0.42;
+  EXPECT_EQ(nameTips(measures).tip[size_t(PartLabel::kArm2)], 2);
+}
+
 TEST(TipNaming, AllowsForAStoutBody) {
   TipMeasures measures = bodyMeasures();
   for (double& length : measures.to_core) length -= 0.15;
