@@ -18,7 +18,7 @@ struct Widening {
 };
 
 constexpr Widening kHead{0.5, 0.018, 0.22, 0.3, 0.02};
-constexpr Widening kArm{0.4, 0.008, 0.0, 0.95, 0.016};
+constexpr Widening kArm{0.4, 0.009, 0.0, 0.95, 0.016};
 // A leg is never short: nothing before 1.6 is its end, so that trousers fused down to the knees are
 // shared out between both legs rather than lost. That they are fused is not told.
 constexpr Widening kLeg{1.6, 0.032, 0.0, 0.0, 0.05};

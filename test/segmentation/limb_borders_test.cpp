@@ -20,9 +20,9 @@ std::vector<double> limbOnATrunk(int thin, double length) {
 
 TEST(LimbBorders, LieWhereTheHullWidens) {
   // From 30 to 500 nodes at 1.2: smoothed over three stretches the fronts' middles at 1.15 and 1.25
-  // have 147.5 and 382.5; 80, an arm's last front, lies between 30 at 1.05 and 147.5.
+  // have 147.5 and 382.5; 90, an arm's last front, lies between 30 at 1.05 and 147.5.
   EXPECT_NEAR(limbBorder(PartLabel::kArm1, limbOnATrunk(30, 1.2)),
-              1.05 + 0.1 * (80.0 - 30.0) / 117.5, 1e-9);
+              1.05 + 0.1 * (90.0 - 30.0) / 117.5, 1e-9);
   // A leg's last front of 320 lies between 222.5 at 2.05 and 407.5 at 2.15.
   EXPECT_NEAR(limbBorder(PartLabel::kLeg2, limbOnATrunk(130, 2.1)),
               2.05 + 0.1 * (320.0 - 222.5) / 185.0, 1e-9);
