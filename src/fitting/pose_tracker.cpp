@@ -68,6 +68,13 @@ std::string partsObstacle(const BodyParts& parts) {
   return "";
 }
 
+// Legs that pass each other touch, and their curves may change sides there.
+bool areLegsMerged(const BodyParts& parts) {
+  const PartCurve& one = parts.part(PartLabel::kLeg1);
+  const PartCurve& other = parts.part(PartLabel::kLeg2);
+  return (one.seen && !one.whole) || (other.seen && !other.whole);
+}
+
 // With a leg missing an arm may pass for one, and nothing but the last pose tells.
 bool canStartFrom(const std::array<bool, kPartCount>& seen) {
   return seen[size_t(PartLabel::kTorso)] && seen[size_t(PartLabel::kHead)] &&
@@ -100,6 +107,7 @@ struct PoseTracker::State {
   std::optional<Refinement> startAnew(const FittingInstant& now, int attempts) const;
   Refinement refine(const FittingInstant& now, const HsiaoVector& v) const;
   ProfileFit fitTemporal(const FittingInstant& now, double seconds) const;
+  ProfileFit goOn() const;
   bool isReplaced(const FittingInstant& now, const ProfileFit& temporal, const Refinement& kept,
                   Refinement& other);
   bool isTurnBelieved(const Refinement& kept, const Refinement& other);
@@ -178,6 +186,13 @@ ProfileFit PoseTracker::State::fitTemporal(const FittingInstant& now, double sec
   return fitter.fitNear(now.curves, *last, reach, guesses, seed());
 }
 
+// From where the last motion leads the refinement goes the shortest way.
+ProfileFit PoseTracker::State::goOn() const {
+  ProfileFit fit;
+  fit.v = before ? HsiaoVector(2.0 * *last - *before) : *last;
+  return fit;
+}
+
 bool PoseTracker::State::isTurnBelieved(const Refinement& kept, const Refinement& other) {
   turn_evidence = kEvidenceFade * turn_evidence + (kept.cost - other.cost) / kept.cost;
   turn_evidence = std::max(0.0, turn_evidence);
@@ -215,11 +230,12 @@ BodyPose PoseTracker::State::follow(double seconds, const FittingInstant& now) {
   Refinement found;
   BodyPose pose;
   if (last) {
-    const ProfileFit temporal = fitTemporal(now, seconds);
+    const bool legs_told = !areLegsMerged(now.parts);
+    const ProfileFit temporal = legs_told ? fitTemporal(now, seconds) : goOn();
     found = refine(now, temporal.v);
     pose = judge.judge(found.v, now);
     Refinement other;
-    if (isReplaced(now, temporal, found, other)) {
+    if (legs_told && isReplaced(now, temporal, found, other)) {
       const BodyPose started = judgeStart(now, other.v);
       if (started.status != PoseStatus::kLost) {
         pose = started;

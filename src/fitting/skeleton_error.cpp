@@ -63,6 +63,12 @@ std::vector<double> boneLengths(const HsiaoProfile& profile, PartLabel part) {
   return arcLengths(line);
 }
 
+/// Legs are shared out where they touch, arms end there.
+bool drawsThePose(PartLabel part, const PartCurve& curve) {
+  const bool leg = part == PartLabel::kLeg1 || part == PartLabel::kLeg2;
+  return curve.points.size() >= 2 && (curve.whole || (leg && curve.seen));
+}
+
 }  // namespace
 
 double pairedDistance(const Vector3d* a, const Vector3d* b, int count) {
@@ -110,7 +116,7 @@ PartAssignment assignParts(const PartMatrix& error) {
 SkeletonError::SkeletonError(const HsiaoProfile& profile, const BodyParts& parts, int samples)
     : profile_(&profile) {
   for (int i = 0; i < kPartCount; ++i)
-    if (parts.parts[i].whole && parts.parts[i].points.size() >= 2)
+    if (drawsThePose(PartLabel(i), parts.parts[i]))
       take(PartLabel(i), parts.parts[i].points, samples);
 }
 

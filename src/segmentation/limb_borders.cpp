@@ -19,9 +19,9 @@ struct Widening {
 
 constexpr Widening kHead{0.5, 0.018, 0.22, 0.3, 0.02};
 constexpr Widening kArm{0.4, 0.009, 0.0, 0.95, 0.016};
-// A leg is never short: nothing before 1.6 is its end, so that trousers fused down to the knees are
-// shared out between both legs rather than lost. That they are fused is not told.
-constexpr Widening kLeg{1.6, 0.032, 0.0, 0.0, 0.05};
+// Nothing before 1.6 is a leg's end, so that legs that pass each other and trousers fused down to
+// the knees are shared out between both legs; a border below says that they are fused.
+constexpr Widening kLeg{1.6, 0.032, 0.0, 1.56, 0.05};
 
 const Widening& wideningOf(PartLabel limb) {
   if (limb == PartLabel::kHead) return kHead;

@@ -35,7 +35,8 @@ PartAssignment assignParts(const PartMatrix& error);
 class SkeletonError {
  public:
   /// \param samples points per part, at least 2
-  /// Parts that are not seen whole, or have fewer than two points, are left out.
+  /// Parts that are not seen or have fewer than two points are left out, and but for legs those
+  /// that are not whole.
   SkeletonError(const HsiaoProfile& profile, const BodyParts& parts, int samples);
 
   bool has(PartLabel part) const { return !data_[size_t(part)].empty(); }
