@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -76,6 +77,35 @@ TEST_F(PoseTrackerTest, FollowsAMovingPersonAndSaysSo) {
     EXPECT_LT(distance(pose, v).first, 0.02) << "frame " << i;
     EXPECT_TRUE(pose.reason.empty()) << pose.reason;
   }
+}
+
+TEST_F(PoseTrackerTest, KeepsLegsApartThatPassEachOther) {
+  HsiaoVector v = stepping(profile_, 0.0);
+  const double stride = 0.35;
+  const auto stand = [&](double share) {
+    v[hsiaoTheta(13)] = stride * share;
+    v[hsiaoTheta(14)] = -stride * share;
+  };
+  stand(1.0);
+  show(v);
+  for (int i = 1; i <= 10; ++i) {
+    stand(1.0 - 0.2 * i);
+    BodyParts parts = curvesOf(profile_, v);
+    PartCurve& one = parts.parts[size_t(PartLabel::kLeg1)];
+    PartCurve& other = parts.parts[size_t(PartLabel::kLeg2)];
+    if (i >= 3 && i <= 7) {  // they touch, and each is drawn where the other is
+      one.whole = other.whole = false;
+      for (size_t k = 0; k < one.points.size(); ++k) {
+        const Vector3d between = other.points[k] - one.points[k];
+        one.points[k] += 0.6 * between;
+        other.points[k] -= 0.6 * between;
+      }
+    }
+    const BodyPose pose = show(parts, v);
+    ASSERT_EQ(pose.status, PoseStatus::kTracked) << i << ": " << pose.reason;
+    EXPECT_LT(distance(pose, v).second, 0.1) << i;
+  }
+  EXPECT_LT(distance(show(v), v).second, 0.03);
 }
 
 TEST_F(PoseTrackerTest, StartsAnewWhenThePersonJumps) {
