@@ -15,10 +15,10 @@ struct TipNames {
   double cost;
 };
 
-/// Names tips by their fullness and the ways between them, which need no body model and no up
-/// direction: of all assignments of tips to head, arms and legs the one with the least sum of
-/// clipped squared z-scores, where a part left out costs nothing and a part named must pay for
-/// itself. Of the two arms (legs) the first has the earlier tip.
+/// Names tips by their fullness, the ways between them and their heights, which need no body model
+/// and do not insist on an upright person: of all assignments of tips to head, arms and legs the
+/// one with the least sum of clipped squared z-scores, where a part left out costs nothing and a
+/// part named must pay for itself. Of the two arms (legs) the first has the earlier tip.
 TipNames nameTips(const TipMeasures& measures);
 
 /// Whether a branch has a size that a limb of this name can have.
