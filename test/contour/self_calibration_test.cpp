@@ -1,0 +1,174 @@
+#include "markerless_mocap/contour/self_calibration.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/QR>
+#include <stdexcept>
+
+#include "contour/drawn_body.h"
+#include "sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+const Eigen::Vector3d kMiddle(0, 0, 0.95);
+
+/// Cameras that are told to look past where they look, each in another direction.
+CameraRig misjudged(const CameraRig& rig, double pixels) {
+  CameraRig told;
+  for (size_t i = 0; i < rig.size(); ++i) {
+    CameraCalibration camera = rig[i].calibration();
+    const double direction = 2.4 * double(i);
+    const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
+    camera.T_world_camera.rotate(Eigen::AngleAxisd(pixels / camera.K(0, 0), axis));
+    told.emplace_back(camera);
+  }
+  return told;
+}
+
+/// By how much the images of the middle differ, two rows per camera, pixels.
+Eigen::VectorXd shiftBetween(const CameraRig& from, const CameraRig& to) {
+  Eigen::VectorXd shift(2 * from.size());
+  for (size_t i = 0; i < from.size(); ++i)
+    shift.segment<2>(Eigen::Index(2 * i)) = *to[i].project(kMiddle) - *from[i].project(kMiddle);
+  return shift;
+}
+
+/// What is left of shifts when the body may be elsewhere, which no contour can tell.
+Eigen::VectorXd relative(const CameraRig& rig, const Eigen::VectorXd& shifts) {
+  Eigen::MatrixXd moves(shifts.size(), 3);
+  for (int k = 0; k < 3; ++k)
+    for (size_t i = 0; i < rig.size(); ++i)
+      moves.col(k).segment<2>(Eigen::Index(2 * i)) =
+          1e3 *
+          (*rig[i].project(kMiddle + 1e-3 * Eigen::Vector3d::Unit(k)) - *rig[i].project(kMiddle));
+  return shifts - moves * moves.colPivHouseholderQr().solve(shifts);
+}
+
+class SelfCalibrationTest : public ::testing::Test {
+ protected:
+  SelfCalibrationTest()
+      : truth(drawnRig(6)), body(ContourTemplate::handMade().sizes(1.7)), told(truth) {}
+
+  void film(const CameraRig& calibration, int count = 8) {
+    told = calibration;
+    const ContourObserver observer(told, options);
+    for (int i = 0; i < count; ++i) {
+      poses.push_back(disturbed(stride(), 0.25, 0.1, 10 + unsigned(i)));
+      PointingInstant instant;
+      instant.seen = observer.observe(drawnMasks(truth, body, poses.back()));
+      instant.start = disturbed(poses.back(), 0.05, 0.02, 30 + unsigned(i));
+      instants.push_back(std::move(instant));
+    }
+  }
+  PointingEstimate estimate() const {
+    return estimatePointing(told, options, body, instants, settings);
+  }
+
+  CameraRig truth;
+  ContourOptions options;
+  PointingOptions settings;
+  ContourBody body;
+  CameraRig told;
+  std::vector<ContourPose> poses;
+  std::vector<PointingInstant> instants;
+};
+
+TEST_F(SelfCalibrationTest, FindsHowCamerasPointRelativeToEachOther) {
+  film(misjudged(truth, 3.0));
+  const Eigen::VectorXd off = relative(truth, shiftBetween(truth, told));
+  ASSERT_GT(off.norm() / std::sqrt(6), 2.0);
+  const PointingEstimate found = estimate();
+  EXPECT_EQ(found.status, PointingStatus::kCorrected);
+  EXPECT_LT(relative(truth, shiftBetween(truth, found.rig)).cwiseAbs().maxCoeff(), 0.3);
+  EXPECT_GT(found.after.overlap, found.before.overlap + 0.02);
+  EXPECT_LT(found.after.distance, 0.4 * found.before.distance);
+  EXPECT_EQ(found.instants_used, 8);
+  ASSERT_EQ(found.corrections.size(), 6u);
+  for (size_t c = 0; c < 6; ++c) {
+    EXPECT_EQ(found.corrections[c].camera, truth[c].name());
+    const Eigen::Vector2d moved = shiftBetween(told, found.rig).segment<2>(Eigen::Index(2 * c));
+    EXPECT_LT((moved - found.corrections[c].pixels).norm(), 0.2);
+    EXPECT_GT(found.corrections[c].deviation.minCoeff(), 0.0);
+    EXPECT_LT(found.corrections[c].deviation.maxCoeff(), settings.deviation_px);
+    EXPECT_GT(found.corrections[c].rays, 500u);
+  }
+  EXPECT_EQ(found.sentence().rfind("the cameras' pointing is corrected: by 8 instants", 0), 0u)
+      << found.sentence();
+}
+
+TEST_F(SelfCalibrationTest, WhatContoursCannotTellStaysAtLeastCorrection) {
+  CameraRig shifted = truth;  // all cameras as if the person stood 20 mm higher
+  for (Camera& camera : shifted) {
+    CameraCalibration c = camera.calibration();
+    const Eigen::Vector3d way = kMiddle - camera.position();
+    c.T_world_camera.linear() =
+        Eigen::Quaterniond::FromTwoVectors(way, way + Eigen::Vector3d(0, 0, 0.02)) *
+        c.T_world_camera.linear();
+    camera = Camera(c);
+  }
+  film(shifted);
+  const PointingEstimate found = estimate();
+  EXPECT_EQ(found.status, PointingStatus::kNoGain);
+  for (const PointingCorrection& one : found.corrections) EXPECT_LT(one.pixels.norm(), 0.3);
+}
+
+TEST_F(SelfCalibrationTest, ARigThatIsRightStaysAndIsSaidTo) {
+  film(truth);
+  const PointingEstimate found = estimate();
+  EXPECT_EQ(found.status, PointingStatus::kNoGain);
+  for (size_t c = 0; c < truth.size(); ++c)
+    EXPECT_EQ(found.rig[c].calibration().T_world_camera.matrix(),
+              truth[c].calibration().T_world_camera.matrix());
+  for (const PointingCorrection& one : found.corrections) EXPECT_LT(one.pixels.norm(), 0.3);
+  EXPECT_EQ(found.sentence().rfind("the calibration is kept: ", 0), 0u) << found.sentence();
+}
+
+TEST_F(SelfCalibrationTest, PosesComeWithTheRig) {
+  film(misjudged(truth, 3.0));
+  const PointingEstimate found = estimate();
+  ASSERT_EQ(found.poses.size(), poses.size());
+  // A body that is elsewhere as a whole, as contours cannot tell where it is.
+  Eigen::MatrixXd off(3, poses.size());
+  for (size_t i = 0; i < poses.size(); ++i)
+    off.col(Eigen::Index(i)) =
+        (body.points(found.poses[i]) - body.points(poses[i])).leftCols<15>().rowwise().mean();
+  EXPECT_LT((off.colwise() - off.rowwise().mean()).colwise().norm().maxCoeff(), 0.004);
+}
+
+TEST_F(SelfCalibrationTest, IsTheSameOnAnyNumberOfThreads) {
+  film(misjudged(truth, 2.0), 4);
+  const auto on = [&](size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return estimate();
+  };
+  const PointingEstimate one = on(1), two = on(2);
+  for (size_t c = 0; c < one.corrections.size(); ++c)
+    EXPECT_EQ(one.corrections[c].pixels, two.corrections[c].pixels);
+}
+
+TEST_F(SelfCalibrationTest, TooFewInstantsSaySo) {
+  film(truth, 4);
+  instants[2].seen = ContourObserver(told, options).observe(std::vector<cv::Mat>(told.size()));
+  const PointingEstimate found = estimate();
+  EXPECT_EQ(found.status, PointingStatus::kTooFewInstants);
+  EXPECT_EQ(found.rig.size(), told.size());
+  EXPECT_EQ(found.sentence(),
+            "the cameras' pointing was not estimated: only 3 instants could be fitted");
+}
+
+TEST_F(SelfCalibrationTest, RefusesOtherRigsAndBadSettings) {
+  film(truth, 4);
+  settings.deviation_px = 0.0;
+  EXPECT_EQ(sentenceOf([&] { estimate(); }),
+            "contour: an estimate of the cameras' pointing needs at least one iteration, positive "
+            "deviations and an outlier distance that does not grow");
+  settings = {};
+  told.pop_back();
+  EXPECT_EQ(sentenceOf([&] { estimate(); }),
+            "contour: an instant for the estimate of pointing is of another rig");
+}
+
+}  // namespace
+}  // namespace markerless_mocap
