@@ -13,7 +13,8 @@ mocap_room(contour DEPENDS body camera options LIBRARIES opencv_core opencv_imgp
 # Square roots and divisions in vectors; no value changes.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/ray_match.cpp PROPERTIES
   COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
-mocap_room(fitting DEPENDS optimisation appearance body hull segmentation options LIBRARIES TBB::tbb)
+mocap_room(fitting DEPENDS optimisation appearance contour body hull skeleton segmentation options
+  LIBRARIES TBB::tbb)
 mocap_room(motion LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)
 mocap_room(capture DEPENDS character body camera options LIBRARIES opencv_core opencv_imgproc TBB::tbb)

@@ -219,4 +219,32 @@ void OptionDescriber::field(const char* key, Eigen::Vector3d& value, double lowe
   row(key, text(value), "each " + rangeText(lowest, highest), meaning);
 }
 
+void PrefixedVisitor::field(const char* key, bool& value, const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, meaning);
+}
+
+void PrefixedVisitor::field(const char* key, int& value, int lowest, int highest,
+                            const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+}
+
+void PrefixedVisitor::field(const char* key, double& value, double lowest, double highest,
+                            const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+}
+
+void PrefixedVisitor::field(const char* key, std::string& value,
+                            const std::vector<std::string>& allowed, const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, allowed, meaning);
+}
+
+void PrefixedVisitor::field(const char* key, std::vector<std::string>& value, const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, meaning);
+}
+
+void PrefixedVisitor::field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+                            const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+}
+
 }  // namespace markerless_mocap

@@ -25,15 +25,20 @@ std::vector<HullView> viewsOf(const std::vector<CameraFrame>& frames,
   return views;
 }
 
+std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
+  std::vector<cv::Mat> images;
+  for (const CameraFrame& frame : frames) images.push_back(frame.image);
+  return images;
+}
+
 }  // namespace
 
-Pipeline::Pipeline(CameraRig rig, std::shared_ptr<const BodyModel> model,
-                   const PipelineOptions& options)
+Pipeline::Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineOptions& options)
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),
       tree_builder_(options.pose_tree),
-      tracker_(std::move(model), options.fitting) {
+      tracker_(makeBodyTracker(carver_.rig(), sources, options.fitting)) {
   for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
 }
 
@@ -54,8 +59,9 @@ PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame
   result.tree = tree_builder_.build(result.hull);
   stage_done_(PoseTreeOptions::kStage);
 
-  result.pose = tracker_.update(stamp_ns, result.parts, result.hull);
-  stage_done_(FittingOptions::kStage);
+  result.pose = tracker_->update(
+      {stamp_ns, result.masks, imagesOf(frames), result.hull, result.parts, result.tree});
+  stage_done_(TrackerOptions::kStage);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "markerless_mocap/body/body_urdf.h"
-#include "markerless_mocap/fitting/pose_tracker.h"
+#include "markerless_mocap/fitting/tracker_options.h"
 #include "tools/body_file.h"
 #include "tools/run_tool.h"
 
@@ -15,7 +15,7 @@ namespace {
 /// The stature that the configuration gives the pose fitting, metres.
 double statureOf(const std::string& config) {
   const YAML::Node root = YAML::Load(config.empty() ? "{}" : readText(config));
-  return loadOptions<FittingOptions>(root[FittingOptions::kStage]).stature;
+  return loadOptions<TrackerOptions>(root[TrackerOptions::kStage]).skeleton.stature;
 }
 
 }  // namespace

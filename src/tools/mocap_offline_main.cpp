@@ -30,8 +30,11 @@ void describe(CLI::App& app, Arguments* arguments) {
                  "rig file that calibrates the cameras in place of camera_info and tf");
   app.add_option("--world", run.recording.world_frame, "frame of the results")
       ->capture_default_str();
-  app.add_option("--stature", arguments->stature, "body height, m; before the configuration's");
+  app.add_option("--stature", arguments->stature,
+                 "body height, m; before the configuration's; measuring begins with it");
   app.add_option("--id", run.body_id, "id of the body")->capture_default_str();
+  app.add_option("--body", run.body_file, "sizes of the person from --save-body of an earlier run");
+  app.add_option("--save-body", run.save_body, "file to write the person's measured sizes to");
   app.add_option("--urdf-template", run.urdf_template, "in place of the package's own body");
   app.add_option("--start", run.recording.start, "begin this many seconds after the first image")
       ->check(CLI::NonNegativeNumber);
@@ -46,7 +49,7 @@ void describe(CLI::App& app, Arguments* arguments) {
 void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
-  if (arguments->stature) options.pipeline.fitting.stature = *arguments->stature;
+  if (arguments->stature) options.pipeline.fitting.skeleton.stature = *arguments->stature;
   options.interrupted = catchInterruptions();
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());

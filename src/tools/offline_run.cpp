@@ -1,10 +1,12 @@
 #include "tools/offline_run.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 
-#include "tools/body_file.h"
+#include "markerless_mocap/contour/sizes_file.h"
+#include "markerless_mocap/ros/package_files.h"
 #include "tools/progress.h"
 #include "tools/result_writer.h"
 #include "tools/run_report.h"
@@ -37,6 +39,31 @@ void remarkOn(const Recording& recording, std::ostream& notes) {
           << " images cannot be read, the first: " << recording.firstUnreadable() << '\n';
 }
 
+// Whoever does not move enough in this time is not measured.
+constexpr double kLongestMeasuring = 20.0;  // seconds
+
+/// Runs over the first seconds until the body is measured, so that the whole recording can be
+/// fitted with it.
+void measureBody(const OfflineOptions& options, TrackerSources* sources, std::ostream* notes) {
+  RecordingOptions beginning = options.recording;
+  beginning.duration = std::min(beginning.duration, kLongestMeasuring);
+  Recording recording(options.input, beginning);
+  Pipeline pipeline(recording.rig(), *sources, options.pipeline);
+  recording.forEachInstant(
+      [&](const RecordedInstant& instant) {
+        if (options.interrupted())
+          throw std::runtime_error("interrupted, " + options.output + " is not written");
+        if (!pipeline.body()->measured) pipeline.process(instant.stamp_ns, instant.frames);
+      },
+      [](double) {});
+  if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
+  if (!notes) return;
+  char stature[16];
+  std::snprintf(stature, sizeof stature, "%.2f m", statureOf(pipeline.body()->sizes));
+  *notes << (sources->measured ? "the body is measured: " : "the body could not be measured: ")
+         << "its stature is taken as " << stature << '\n';
+}
+
 }  // namespace
 
 PipelineOptions readConfiguration(const std::string& path) {
@@ -58,24 +85,28 @@ PipelineOptions readConfiguration(const std::string& path) {
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
   checkFiles(options);
   Recording recording(options.input, options.recording);
-  const std::string urdf =
-      bodyUrdf(options.urdf_template, options.body_id, options.pipeline.fitting.stature);
-  const auto model = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, options.body_id));
-  Pipeline pipeline(recording.rig(), model, options.pipeline);
+  TrackerSources sources =
+      readTrackerSources(options.body_id, options.urdf_template, options.body_file);
+  PipelineOptions stages = options.pipeline;
+  if (stages.fitting.measure && stages.fitting.method == "contour" && !sources.measured)
+    measureBody(options, &sources, notes);
+  stages.fitting.measure = false;
+  Pipeline pipeline(recording.rig(), sources, stages);
+  const BodyModel& model = *pipeline.body()->model;
   RunSummary summary;
   pipeline.setStageListener([&](const char* stage) { summary.stageDone(stage); });
 
   NewBag bag(options.output);
-  ResultWriter writer(&bag, *model, options.recording.world_frame);
+  ResultWriter writer(&bag, model, options.recording.world_frame);
   Progress progress("mocap_offline", notes, terminal);
   std::optional<RunReport> report;
-  if (!options.report_folder.empty()) report.emplace(options.report_folder, *model, pipeline.rig());
+  if (!options.report_folder.empty()) report.emplace(options.report_folder, model, pipeline.rig());
   const auto process = [&](const RecordedInstant& instant) {
     if (options.interrupted())
       throw std::runtime_error("interrupted, " + options.output + " is not written");
     if (summary.instants() == 0) {
       writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
-      writer.writeDescription(instant.stamp_ns, urdf);
+      writer.writeDescription(instant.stamp_ns, pipeline.body()->urdf);
     }
     summary.startInstant();
     const PipelineResult result = pipeline.process(instant.stamp_ns, instant.frames);

@@ -15,9 +15,11 @@ struct OfflineOptions {
   RecordingOptions recording;
   PipelineOptions pipeline;
   std::string body_id = "person1";
-  std::string urdf_template;                                 ///< empty: the package's own
-  std::string report_folder;                                 ///< empty: no report
-  bool masks_out = false;                                    ///< write the silhouettes too
+  std::string urdf_template;  ///< empty: the package's own
+  std::string body_file;      ///< sizes measured before; empty: none
+  std::string save_body;      ///< where to write them; empty: nowhere
+  std::string report_folder;  ///< empty: no report
+  bool masks_out = false;     ///< write the silhouettes too
   std::function<bool()> interrupted = [] { return false; };  ///< asked at every instant
 };
 

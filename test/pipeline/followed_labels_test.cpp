@@ -57,7 +57,9 @@ class FollowedLabels : public ::testing::Test {
     PipelineOptions options = options_;
     options.pose_tree.follow_labels = follow;
     const CameraRig rig = makeRig(kCameras);
-    Pipeline pipeline(rig, std::make_shared<const BodyModel>(human()), options);
+    TrackerSources sources;
+    sources.urdf_template = humanTemplate();
+    Pipeline pipeline(rig, sources, options);
     PoseTree tree;
     for (const bool leaping : {false, true}) {
       const std::vector<Sphere> spheres = person(leaping);

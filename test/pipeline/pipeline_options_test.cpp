@@ -26,7 +26,7 @@ TEST(PipelineOptions, EachSectionReachesItsStage) {
   EXPECT_EQ(options.hull.pitch, 0.05);
   EXPECT_EQ(options.segmentation.modes, 6);
   EXPECT_EQ(options.pose_tree.prune_ratio, 0.1);
-  EXPECT_EQ(options.fitting.stature, 1.6);
+  EXPECT_EQ(options.fitting.skeleton.stature, 1.6);
 }
 
 TEST(PipelineOptions, UnknownSectionNamesTheNearestOne) {

@@ -22,7 +22,11 @@ class PipelineTest : public ::testing::Test {
     options_.silhouette.background_frames = kBackgroundFrames;
   }
 
-  Pipeline pipeline() const { return {rig_, std::make_shared<const BodyModel>(human()), options_}; }
+  Pipeline pipeline() const {
+    TrackerSources sources;
+    sources.urdf_template = humanTemplate();
+    return {rig_, sources, options_};
+  }
 
   std::vector<CameraFrame> empty() const {
     const cv::Mat grey(rig_[0].height(), rig_[0].width(), CV_8UC3, cv::Scalar(90, 90, 90));

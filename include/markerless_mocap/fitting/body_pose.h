@@ -13,6 +13,14 @@ namespace markerless_mocap {
 enum class PoseStatus { kLost, kTracked, kReinitialized };
 const char* toString(PoseStatus status);
 
+/// Nothing but NaN.
+template <size_t kCount>
+constexpr std::array<double, kCount> allUntold() {
+  std::array<double, kCount> values{};
+  for (double& value : values) value = NAN;
+  return values;
+}
+
 /// What `pose_fitting` says about one instant. Meaningful beyond status and reason only when the
 /// status is not kLost.
 struct BodyPose {
@@ -21,9 +29,15 @@ struct BodyPose {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   Eigen::VectorXd angles;                    ///< radians, in the order of BodyModel::angleNames()
   std::array<bool, kPartCount> part_seen{};  ///< by PartLabel; the model's left limb is 1, right 2
-  double skeleton_error_m = 0.0;  ///< mean distance between part curves and model (Eq. 3-27)
-  double hull_explained = 0.0;    ///< share of hull voxels inside the body's shape, 0..1
-  double body_in_hull = 0.0;      ///< share of the body's volume inside the hull, 0..1
+  /// Expected error of each part's end (neck, head, wrists, ankles), metres, one standard
+  /// deviation; NaN when the method does not tell.
+  std::array<double, kPartCount> part_deviation_m = allUntold<kPartCount>();
+  // Fitness; what the method does not go by is NaN.
+  double silhouette_overlap = NAN;  ///< half the share of the body in the masks plus half the share
+                                    ///< of the masks in the body, mean over the views, 0..1
+  double skeleton_error_m = NAN;    ///< mean distance between part curves and model (Eq. 3-27)
+  double hull_explained = NAN;      ///< share of hull voxels inside the body's shape, 0..1
+  double body_in_hull = NAN;        ///< share of the body's volume inside the hull, 0..1
 };
 
 }  // namespace markerless_mocap

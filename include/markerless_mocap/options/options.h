@@ -93,6 +93,28 @@ class OptionDescriber : public OptionVisitor {
   std::string rows_;
 };
 
+/// Shows another visitor fields under keys that begin with a prefix: one section holds the fields
+/// of several structs.
+class PrefixedVisitor : public OptionVisitor {
+ public:
+  /// \param inner must outlive this
+  PrefixedVisitor(std::string prefix, OptionVisitor& inner)
+      : prefix_(std::move(prefix)), inner_(inner) {}
+  void field(const char* key, bool& value, const char* meaning) override;
+  void field(const char* key, int& value, int lowest, int highest, const char* meaning) override;
+  void field(const char* key, double& value, double lowest, double highest,
+             const char* meaning) override;
+  void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
+             const char* meaning) override;
+  void field(const char* key, std::vector<std::string>& value, const char* meaning) override;
+  void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+             const char* meaning) override;
+
+ private:
+  std::string prefix_;
+  OptionVisitor& inner_;
+};
+
 /// Range check of all fields; for use in a struct's own validate(). Options structs have
 /// `static constexpr const char* kStage` and `void visit(OptionVisitor&)`.
 template <class OptionsT>

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/fitting/pose_tracker.h"
+#include "markerless_mocap/fitting/body_tracker.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
@@ -22,7 +21,7 @@ struct PipelineOptions {
   HullOptions hull;
   SegmentationOptions segmentation;
   PoseTreeOptions pose_tree;
-  FittingOptions fitting;
+  TrackerOptions fitting;
 };
 
 /// Reads a configuration file's map: one section per stage (its kStage), each optional. Throws
@@ -36,7 +35,7 @@ void forEachStage(PipelineOptions& options, const Function& function) {
   function(HullOptions::kStage, options.hull);
   function(SegmentationOptions::kStage, options.segmentation);
   function(PoseTreeOptions::kStage, options.pose_tree);
-  function(FittingOptions::kStage, options.fitting);
+  function(TrackerOptions::kStage, options.fitting);
 }
 
 /// One camera's share of an instant; empty mats where missing.
@@ -64,7 +63,7 @@ class Pipeline {
   using StageListener = std::function<void(const char* stage)>;
 
   /// Throws std::invalid_argument on options or a rig that a stage refuses.
-  Pipeline(CameraRig rig, std::shared_ptr<const BodyModel> model, const PipelineOptions& options);
+  Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineOptions& options);
 
   /// \param stamp_ns capture time, nanoseconds
   /// \param frames one per camera of the rig, in its order; throws std::invalid_argument on a wrong
@@ -72,6 +71,8 @@ class Pipeline {
   PipelineResult process(int64_t stamp_ns, const std::vector<CameraFrame>& frames);
 
   const CameraRig& rig() const { return carver_.rig(); }
+  /// The person's body now; process() changes it when it has been measured.
+  const std::shared_ptr<const TrackedBody>& body() const { return tracker_->body(); }
   void setStageListener(StageListener listener) { stage_done_ = std::move(listener); }
 
  private:
@@ -84,7 +85,7 @@ class Pipeline {
   HullCarver carver_;
   BodySegmenter segmenter_;
   PoseTreeBuilder tree_builder_;
-  PoseTracker tracker_;
+  std::unique_ptr<BodyTracker> tracker_;
   StageListener stage_done_ = [](const char*) {};
 };
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/fitting/body_tracker.h"
+
+namespace markerless_mocap {
+
+/// Path of a file that belongs to the package, such as "urdf/human.urdf.in". Throws
+/// std::runtime_error if ROS does not find the package.
+std::string packageFile(const std::string& relative_path);
+
+/// Text of a file. Throws std::runtime_error if it cannot be read.
+std::string readText(const std::string& path);
+
+/// What a tracker is made from, read from the package's files. Throws std::runtime_error if one
+/// cannot be read, std::invalid_argument if it does not hold what it should.
+/// \param urdf_template empty: the package's own
+/// \param body_file sizes of the person, as sizesText() writes them; empty: none
+TrackerSources readTrackerSources(const std::string& body_id, const std::string& urdf_template,
+                                  const std::string& body_file);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,64 @@
+#include "fitting/body_measurer.h"
+
+#include <chrono>
+#include <utility>
+
+namespace markerless_mocap {
+namespace {
+
+// Another pose: the joints have moved by this on average; one who stands still is taken in more
+// rarely.
+constexpr double kOtherPose = 0.04;  // metres
+constexpr int64_t kSoonest_ns = 60000000, kLatest_ns = 300000000;
+
+constexpr double kLeastOverlap = 0.7;  // with sizes that are not this person's
+
+// The second estimate starts with correspondences that the first has put right.
+constexpr int kRounds = 2;
+
+ContourSizes estimated(const CameraRig& rig, const ContourOptions& contour, const SizePrior& prior,
+                       std::vector<SizeInstant> instants) {
+  ContourSizes sizes = prior.people.sizes(prior.stature);
+  for (int round = 0; round < kRounds; ++round) {
+    const SizeEstimate estimate = estimateSizes(rig, contour, prior, sizes, instants, {});
+    sizes = estimate.sizes;
+    for (size_t i = 0; i < instants.size(); ++i) instants[i].start = estimate.poses[i];
+  }
+  return sizes;
+}
+
+}  // namespace
+
+BodyMeasurer::BodyMeasurer(const CameraRig& rig, const ContourOptions& contour,
+                           const SizePrior& prior, int poses, bool in_background)
+    : rig_(rig),
+      contour_(contour),
+      prior_(prior),
+      poses_(size_t(poses)),
+      in_background_(in_background) {}
+
+void BodyMeasurer::add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
+                       const ContourFit& fit) {
+  if (isEstimating() || fit.overlap < kLeastOverlap) return;
+  const Eigen::Matrix3Xd points = body.points(fit.pose);
+  if (!instants_.empty()) {
+    const int64_t passed = stamp_ns - last_stamp_ns_;
+    const double moved = (points - last_points_).colwise().norm().mean();
+    if (passed < kSoonest_ns || (passed < kLatest_ns && moved < kOtherPose)) return;
+  }
+  instants_.push_back({seen, fit.pose, {}});
+  last_points_ = points;
+  last_stamp_ns_ = stamp_ns;
+  if (instants_.size() < poses_) return;
+  estimate_ = std::async(in_background_ ? std::launch::async : std::launch::deferred, &estimated,
+                         rig_, contour_, prior_, instants_);
+}
+
+std::optional<ContourSizes> BodyMeasurer::sizes() {
+  if (!estimate_.valid()) return std::nullopt;
+  if (in_background_ && estimate_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  return estimate_.get();
+}
+
+}  // namespace markerless_mocap

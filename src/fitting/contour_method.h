@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fitting/body_measurer.h"
+#include "markerless_mocap/contour/contour_conversion.h"
+#include "markerless_mocap/contour/contour_tracker.h"
+#include "markerless_mocap/fitting/body_tracker.h"
+#include "markerless_mocap/fitting/pose_tracker.h"
+
+namespace markerless_mocap {
+
+/// Fits the body to the silhouettes' contours from instant to instant; where there is no last pose,
+/// part curves and hull propose some.
+class ContourMethod : public BodyTracker {
+ public:
+  /// Throws std::invalid_argument as makeBodyTracker().
+  ContourMethod(const CameraRig& rig, TrackerSources sources, const TrackerOptions& options);
+  BodyPose update(const TrackingInstant& now) override;
+  void reset() override;
+  const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
+
+ private:
+  void takeOver(std::shared_ptr<const TrackedBody> body);
+  ContourTrack follow(int64_t stamp_ns, const ContourObservation& seen);
+  ContourTrack start(const TrackingInstant& now, const ContourObservation& seen);
+  std::vector<ContourPose> proposals(const TrackingInstant& now);
+  /// While the body is being measured nothing is claimed.
+  std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
+                                  const ContourTrack& track);
+  BodyPose lost(const ContourObservation& seen, const ContourTrack& track) const;
+  BodyPose claimed(const ContourTrack& track, bool started);
+
+  TrackerSources sources_;
+  TrackerOptions options_;
+  ContourObserver observer_;
+  ContourTracker tracker_;
+  std::optional<ContourTracker> rival_;  ///< that takes back for front
+  double rival_gain_ = 0.0;
+  std::optional<BodyMeasurer> measurer_;
+  std::shared_ptr<const TrackedBody> body_;
+  std::optional<ContourBody> shape_;             ///< of body_
+  std::optional<ContourConversion> conversion_;  ///< to body_
+  std::optional<PoseTracker> seeker_;            ///< proposes starts
+  std::optional<int64_t> stamp_;                 ///< of the last instant
+  std::string seeker_reason_;                    ///< why it proposes nothing
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,43 @@
+#include "markerless_mocap/ros/package_files.h"
+
+#include <ros/package.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "markerless_mocap/contour/sizes_file.h"
+
+namespace markerless_mocap {
+
+std::string packageFile(const std::string& relative_path) {
+  const std::string package = ros::package::getPath("markerless_mocap");
+  if (package.empty())
+    throw std::runtime_error(
+        "ROS does not find the package markerless_mocap: source the setup.sh of its workspace");
+  return package + "/" + relative_path;
+}
+
+std::string readText(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return text.str();
+}
+
+TrackerSources readTrackerSources(const std::string& body_id, const std::string& urdf_template,
+                                  const std::string& body_file) {
+  TrackerSources sources;
+  sources.body_id = body_id;
+  sources.urdf_template =
+      readText(urdf_template.empty() ? packageFile("urdf/human.urdf.in") : urdf_template);
+  const std::string people = packageFile("config/contour_body.yaml");
+  sources.people = ContourTemplate::fromText(readText(people), people);
+  sources.motion =
+      MotionStatistics::fromYaml(readText(packageFile("config/motion_statistics.yaml")));
+  if (!body_file.empty()) sources.measured = sizesFromText(readText(body_file), body_file);
+  return sources;
+}
+
+}  // namespace markerless_mocap
