@@ -78,4 +78,22 @@ Eigen::Matrix3Xd bodyPoints(const BodyModel& model, const LinkPoses& T_world_lin
   return out;
 }
 
+Eigen::Vector2d soleHeights(const BodyModel& model, const LinkPoses& T_world_link) {
+  Eigen::Vector2d heights;
+  for (int side = 0; side < 2; ++side) {
+    const std::string name = side == 0 ? "l_ankle" : "r_ankle";
+    const int link = model.linkIndex(name);
+    std::vector<double> lows;
+    for (const RoundCone& cone : model.shape())
+      if (cone.link == link)
+        for (const auto& [end, radius] :
+             {std::pair{cone.a, cone.radius_a}, {cone.b, cone.radius_b}})
+          lows.push_back((T_world_link[link] * end).z() - radius);
+    if (lows.empty())
+      throw std::invalid_argument("link " + name + " of body " + model.id() + " has no shape");
+    heights[side] = *std::min_element(lows.begin(), lows.end());
+  }
+  return heights;
+}
+
 }  // namespace markerless_mocap

@@ -113,7 +113,9 @@ void separateOffsets(const JointTrack& truth, const JointTrack& estimate, JointE
     frame -= offset;
     errors->D_unbiased.push_back(meanDistance(frame));
   }
-  errors->D_mean_unbiased = meanOfFinite(errors->D_unbiased);
+  const Spread unbiased = spreadOf(errors->D_unbiased);
+  errors->D_mean_unbiased = unbiased.mean;
+  errors->D_max_unbiased = unbiased.max;
   for (Eigen::Index i = 0; i < columns; ++i) {
     std::vector<double> rest;
     for (const Eigen::Matrix3Xd& frame : local) rest.push_back(kMillimetres * frame.col(i).norm());

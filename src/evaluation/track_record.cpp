@@ -50,11 +50,16 @@ TrackRecord trackRecord(const std::vector<int64_t>& stamps_ns,
     if (begun && !pose && !losing) record.losses.push_back({f, 0, 0.0});
     losing = begun && !pose;
     if (losing) ++record.losses.back().frames;
+    record.frames_after_start += begun;
   }
+  size_t without = 0;
   for (LossRun& run : record.losses) {
+    without += run.frames;
     const size_t next = std::min(run.first + run.frames, stamps_ns.size() - 1);
     run.seconds = secondsBetween(stamps_ns[run.first], stamps_ns[next]);
   }
+  record.share_without_pose_after_start =
+      record.frames_after_start == 0 ? NAN : double(without) / double(record.frames_after_start);
   return record;
 }
 

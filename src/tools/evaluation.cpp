@@ -69,7 +69,8 @@ std::vector<int64_t> stampsOf(const std::vector<AngleFrame>& frames) {
   return stamps;
 }
 
-void judgeStatus(const ResultRecord& results, int64_t tolerance_ns, Evaluation* out) {
+void judgeStatus(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
+                 Evaluation* out) {
   const auto match = matchStamps(out->stamps_ns, stampsOf(results.frames), tolerance_ns);
   for (const int index : match) {
     const ResultFrame* frame = index < 0 ? nullptr : &results.frames[index];
@@ -81,6 +82,7 @@ void judgeStatus(const ResultRecord& results, int64_t tolerance_ns, Evaluation* 
   for (const double latency : results.latencies) latencies.push_back(1e3 * latency);
   out->latency_ms = spreadOf(latencies);
   if (!(out->latency_ms.max > kOffline_ms)) out->latency_ms.count = 0;
+  out->feet = judgeFeet(truth.joints, results, match);
   if (!results.has_status)
     out->notes.push_back("There is no /pose: each transform counts as a tracked frame.");
 }
@@ -88,7 +90,9 @@ void judgeStatus(const ResultRecord& results, int64_t tolerance_ns, Evaluation* 
 void judgeJoints(const TruthRecord& truth, const ResultRecord& results, Evaluation* out) {
   const JointTrack real = truth.joints.select(markerNames());
   const JointTrack tips = truth.joints.select(tipNames());
-  out->joints = jointErrors(real, alignedTo(real, results.joints));
+  const JointTrack found = alignedTo(real, results.joints);
+  out->joints = jointErrors(real, found);
+  out->limbs = limbLosses(real, found);
   out->delay = estimateDelay(real, results.joints);
   const JointTrack found_tips = alignedTo(tips, results.joints);
   for (const char* name : {"hand", "foot"})
@@ -195,7 +199,7 @@ Evaluation evaluate(const EvaluationRequest& request, const std::function<void(d
   out.request = request;
   out.body_id = results.body_id;
   out.stamps_ns = truth.joints.stamps_ns;
-  judgeStatus(results, tolerance, &out);
+  judgeStatus(truth, results, tolerance, &out);
   judgeJoints(truth, results, &out);
   judgeAngles(truth, results, tolerance, &out);
   judgePoseTrees(truth, tolerance, &out);

@@ -11,6 +11,7 @@
 #include "markerless_mocap/evaluation/delay.h"
 #include "markerless_mocap/evaluation/joint_error.h"
 #include "markerless_mocap/evaluation/track_record.h"
+#include "tools/evaluation_feet.h"
 #include "tools/evaluation_images.h"
 #include "tools/evaluation_parts.h"
 #include "tools/evaluation_tree.h"
@@ -40,6 +41,8 @@ struct Evaluation {
   Spread latency_ms;  ///< count 0 when stamps of record and capture are the same
   std::vector<ExtremityError> extremities;      ///< hand, foot
   std::map<std::string, double> tip_errors_mm;  ///< mean by name
+  FeetEvaluation feet;
+  std::vector<LimbLoss> limbs;
   std::vector<AngleError> angles;
   ImageMeasures images;
   std::vector<EvaluatedPicture> pictures;

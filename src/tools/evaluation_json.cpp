@@ -1,5 +1,6 @@
 #include "tools/evaluation_json.h"
 
+#include "tools/evaluation_feet_text.h"
 #include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_tree_text.h"
 #include "tools/json_text.h"
@@ -28,6 +29,7 @@ void addJoints(const JointErrors& joints, JsonObject* out) {
   out->add("D_p95", joints.D_spread.p95);
   out->add("D_max", joints.D_spread.max);
   out->add("D_mean_without_marker_bias", joints.D_mean_unbiased);
+  out->add("D_max_without_marker_bias", joints.D_max_unbiased);
   JsonObject means, maxima, unbiased, offsets;
   for (const MarkerError& marker : joints.markers) {
     means.add(marker.name, marker.mean_mm);
@@ -55,6 +57,8 @@ JsonObject statusObject(const Evaluation& evaluation) {
   out.add("missing", record.missing);
   out.add("seconds_to_first_pose", record.seconds_to_first_pose);
   out.add("longest_loss", record.longest_loss());
+  out.add("frames_after_start", record.frames_after_start);
+  out.add("share_without_pose_after_start", record.share_without_pose_after_start);
   std::string runs;
   for (const LossRun& run : record.losses) {
     JsonObject loss;
@@ -126,6 +130,8 @@ std::string evaluationJson(const Evaluation& evaluation) {
   out.add("hands_and_feet", extremitiesObject(evaluation));
   for (const auto& tip : evaluation.tip_errors_mm) tips.add(tip.first, tip.second);
   out.add("per_tip_mean", tips);
+  out.add("feet", feetObject(evaluation.feet));
+  out.add("limbs_lost", limbsObject(evaluation.limbs));
   for (const AngleError& angle : evaluation.angles)
     angles.add(angle.joint, spreadObject(angle.error_deg));
   out.add("angles_deg", angles);

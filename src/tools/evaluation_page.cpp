@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tools/evaluation_feet_text.h"
 #include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_table.h"
 #include "tools/evaluation_tree_text.h"
@@ -39,7 +40,9 @@ std::string cards(const Evaluation& evaluation) {
   out += card(figureText("%.1f mm", joints.D_spread.mean), "mean joint error D");
   out += card(figureText("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
   out += card(figureText("%.1f mm", joints.D_spread.max), "largest D of a frame");
+  out += card(figureText("%.1f mm", joints.D_max_unbiased), "largest without offsets");
   out += card(percentText(1.0 - joints.share_without_estimate), "frames with a pose");
+  out += card(percentText(record.share_without_pose_after_start), "without one after the first");
   out += card(percentText(joints.share_markers_missing), "joints missing there");
   out += card(percentText(joints.swaps.all), "frames with sides swapped");
   out += card(figureText("%.0f ms", 1e3 * evaluation.delay.seconds), "delay of the motion");
@@ -157,6 +160,8 @@ std::string evaluationPage(const Evaluation& evaluation) {
                      errorPerJoint(evaluation.joints) +
                      "<h2>How often which error</h2>\n<p>frames by their D</p>\n" +
                      histogram(evaluation.joints.D, kBins, kBlue, "mm") + swapsAndTips(evaluation) +
+                     limbsSection(evaluation.limbs, secondsOf(evaluation.stamps_ns)) +
+                     feetSection(evaluation.feet, secondsOf(evaluation.stamps_ns)) +
                      overlaps(evaluation) + anglesSection(evaluation.angles);
   if (evaluation.trees) body += treesSection(*evaluation.trees, secondsOf(evaluation.stamps_ns));
   if (evaluation.parts) body += partsSection(*evaluation.parts, secondsOf(evaluation.stamps_ns));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "tools/evaluation_feet_text.h"
 #include "tools/evaluation_parts_text.h"
 #include "tools/evaluation_tree_text.h"
 #include "tools/figure_text.h"
@@ -22,7 +23,9 @@ void printD(const JointErrors& joints, std::ostream& out) {
            figureText("%.1f", D.mean) + "   (" + figureText("%.1f", joints.D_mean_unbiased) +
                " with the constant offset of each joint taken out)");
   printRow(out, "median / 95 %", figureText("%.1f", D.median) + " / " + figureText("%.1f", D.p95));
-  printRow(out, "largest", figureText("%.1f", D.max));
+  printRow(out, "largest",
+           figureText("%.1f", D.max) + "   (" + figureText("%.1f", joints.D_max_unbiased) +
+               " with them taken out)");
   printRow(out, "swapped sides",
            "all " + percentText(joints.swaps.all) + ", arms " + percentText(joints.swaps.arms) +
                ", legs " + percentText(joints.swaps.legs));
@@ -41,6 +44,9 @@ void printFrames(const Evaluation& evaluation, std::ostream& out) {
                " reinitialized, " + std::to_string(record.lost) + " lost, " +
                std::to_string(record.missing) + " missing");
   printRow(out, "first pose", figureText("after %.2f s", record.seconds_to_first_pose));
+  printRow(out, "after the start",
+           percentText(record.share_without_pose_after_start) + " of " +
+               std::to_string(record.frames_after_start) + " frames without a pose");
   printRow(
       out, "losses",
       std::to_string(record.losses.size()) +
@@ -113,6 +119,8 @@ void printEvaluation(const Evaluation& evaluation, std::ostream& out) {
   printD(evaluation.joints, out);
   printFrames(evaluation, out);
   printMarkers(evaluation.joints, out);
+  printLimbs(evaluation.limbs, out);
+  printFeet(evaluation.feet, out);
   printRest(evaluation, out);
   if (evaluation.trees) printTrees(*evaluation.trees, out);
   if (evaluation.parts) printParts(*evaluation.parts, out);

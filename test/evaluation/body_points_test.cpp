@@ -42,6 +42,24 @@ TEST(BodyPoints, MarkersComeFirst) {
   for (size_t i = 0; i < markers.size(); ++i) EXPECT_EQ(points.col(i), markers[i]);
 }
 
+TEST(BodyPoints, SolesAreTheLowestPointsOfTheFeet) {
+  const BodyModel model = human();
+  const BodyProportions lengths = BodyProportions::fromStature(1.75);
+  const Eigen::Isometry3d T_world_body(Eigen::Translation3d(0, 0, 1));
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(model.angleCount());
+  LinkPoses T_world_link;
+  model.forwardKinematics(T_world_body, angles, T_world_link);
+  const double ankle = T_world_link[size_t(model.linkIndex("l_ankle"))].translation().z();
+  EXPECT_NEAR(soleHeights(model, T_world_link)[0], ankle - lengths.ankle_height, 1e-6);
+  EXPECT_NEAR(soleHeights(model, T_world_link)[1], ankle - lengths.ankle_height, 1e-6);
+  angles[model.angleIndex("r_knee")] = -M_PI / 2;  // toes down
+  model.forwardKinematics(T_world_body, angles, T_world_link);
+  const double knee = T_world_link[size_t(model.linkIndex("r_knee"))].translation().z();
+  EXPECT_NEAR(soleHeights(model, T_world_link)[1], knee - 0.76 * lengths.foot, 1e-6);
+  T_world_link[size_t(model.linkIndex("r_ankle"))].matrix().setConstant(NAN);
+  EXPECT_TRUE(std::isnan(soleHeights(model, T_world_link)[1]));
+}
+
 TEST(BodyPoints, OfALinkThatIsNotSeenAreMissing) {
   const BodyModel model = human();
   LinkPoses T_world_link;

@@ -62,6 +62,18 @@ TEST(JointErrors, AnErrorThatComesAndGoesIsNoOffset) {
   for (int f = 0; f < 20; ++f) estimate.positions[f].row(2).array() += f % 2 ? 0.06 : -0.06;
   const JointErrors errors = jointErrors(truth, estimate);
   EXPECT_NEAR(errors.D_mean_unbiased, 60, 1e-6);
+  EXPECT_NEAR(errors.D_max_unbiased, 60, 1e-6);
+}
+
+TEST(JointErrors, TheLargestErrorIsToldWithoutOffsetsToo) {
+  const JointTrack truth = walkingTrack(20);
+  JointTrack estimate = truth;
+  for (int f = 0; f < 20; ++f) estimate.positions[f].row(2).array() += f == 7 ? 0.30 : 0.10;
+  const JointErrors errors = jointErrors(truth, estimate);
+  // The offset is the mean, 110 mm.
+  EXPECT_NEAR(errors.D_spread.max, 300, 1e-6);
+  EXPECT_NEAR(errors.D_max_unbiased, 190, 1e-6);
+  EXPECT_NEAR(errors.D_mean_unbiased, (19 * 10 + 190) / 20.0, 1e-6);
 }
 
 TEST(JointErrors, SwappedFramesAreCounted) {

@@ -40,12 +40,15 @@ TEST(TrackRecord, LossesRunUntilTheNextPoseAndBeginAfterTheFirst) {
   EXPECT_NEAR(record.losses[0].seconds, 0.3, 1e-12);
   EXPECT_EQ(record.losses[1].frames, 1u);
   EXPECT_NEAR(record.longest_loss(), 0.3, 1e-12);
+  EXPECT_EQ(record.frames_after_start, 10u);
+  EXPECT_NEAR(record.share_without_pose_after_start, 0.5, 1e-12);
 }
 
 TEST(TrackRecord, WithoutAPoseThereIsNoLoss) {
   const TrackRecord record = recordOf("mmll");
   EXPECT_TRUE(std::isnan(record.seconds_to_first_pose));
   EXPECT_TRUE(record.losses.empty());
+  EXPECT_TRUE(std::isnan(record.share_without_pose_after_start));
   EXPECT_EQ(record.longest_loss(), 0.0);
 }
 

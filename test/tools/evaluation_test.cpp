@@ -89,6 +89,29 @@ TEST_F(EvaluationTest, PartsThatAreNotSeenAreMissingMarkers) {
   const Evaluation found = judged();
   EXPECT_NEAR(found.joints.share_markers_missing, 3.0 / 15, 1e-12);
   EXPECT_NEAR(found.extremities[0].share_right, 0.5, 1e-12);
+  ASSERT_EQ(found.limbs.size(), 5u);
+  EXPECT_EQ(found.limbs[1].limb, "left_arm");
+  EXPECT_EQ(found.limbs[1].not_published, size_t(kFrames));
+  EXPECT_EQ(found.limbs[2].share_lost, 0.0);
+  EXPECT_NE(evaluationJson(found).find("\"frames_not_published\": 40"), std::string::npos);
+}
+
+TEST_F(EvaluationTest, FeetAreJudgedByTheFloorAndTheTruth) {
+  writeTruth();
+  writeResults([](int, BodyPose* pose) { pose->T_world_body.translation().z() -= 0.05; });
+  const Evaluation found = judged();
+  const double sole = soleHeights(model_, linksOf(poseOf(0)))[0] - 0.05;
+  ASSERT_LT(sole, -0.011);
+  for (const FootEvaluation& foot : found.feet) {
+    EXPECT_EQ(foot.sole.frames, size_t(kFrames));
+    EXPECT_EQ(foot.sole.share_below, 1.0);
+    EXPECT_NEAR(foot.sole.deepest_mm, -1e3 * sole, 1e-6);
+    EXPECT_GT(foot.ball.contacts.size(), 0u);  // this one glides, but turns round on the way
+    EXPECT_EQ(foot.ball.truth, foot.ball.estimate);
+    EXPECT_NEAR(foot.ball.path_mm_per_s.mean, foot.ball.true_path_mm_per_s.mean, 1e-6);
+  }
+  EXPECT_NE(evaluationJson(found).find("\"share_below_10_mm\": 1"), std::string::npos);
+  EXPECT_NE(evaluationPage(found).find("Feet on the floor"), std::string::npos);
 }
 
 TEST_F(EvaluationTest, DelayComesBack) {

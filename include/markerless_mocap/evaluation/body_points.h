@@ -20,4 +20,8 @@ std::vector<std::string> bodyPointNames();
 /// Throws std::invalid_argument if hand, foot or head have no shape.
 Eigen::Matrix3Xd bodyPoints(const BodyModel& model, const LinkPoses& T_world_link);
 
+/// World z of the lowest point of the left and the right foot's shape, metres; NaN where the link's
+/// frame is NaN. Throws std::invalid_argument if a foot has no shape.
+Eigen::Vector2d soleHeights(const BodyModel& model, const LinkPoses& T_world_link);
+
 }  // namespace markerless_mocap

@@ -36,7 +36,7 @@ struct JointErrors {
   std::vector<double> D;           ///< per frame; NaN without estimate
   std::vector<double> D_unbiased;  ///< the same with each marker's offset taken out
   Spread D_spread;
-  double D_mean_unbiased;
+  double D_mean_unbiased, D_max_unbiased;  ///< NaN without estimate
   size_t frames = 0, frames_estimated = 0;
   double share_without_estimate;  ///< of the frames
   double share_markers_missing;   ///< of the markers in frames with estimate

@@ -20,9 +20,11 @@ struct LossRun {
 struct TrackRecord {
   size_t missing = 0;  ///< nothing was said about the frame
   size_t lost = 0, tracked = 0, reinitialized = 0;
-  double seconds_to_first_pose;  ///< from the first frame; NaN without any pose
-  std::vector<LossRun> losses;   ///< lost or missing, after the first pose
-  double longest_loss() const;   ///< seconds; 0 without losses
+  double seconds_to_first_pose;           ///< from the first frame; NaN without any pose
+  std::vector<LossRun> losses;            ///< lost or missing, after the first pose
+  size_t frames_after_start = 0;          ///< from the first pose on
+  double share_without_pose_after_start;  ///< of these; NaN without any pose
+  double longest_loss() const;            ///< seconds; 0 without losses
 };
 
 /// Throws std::invalid_argument unless there is a stamp for each status.
