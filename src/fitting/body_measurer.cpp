@@ -13,6 +13,10 @@ constexpr int64_t kSoonest_ns = 60000000, kLatest_ns = 300000000;
 
 constexpr double kLeastOverlap = 0.7;  // with sizes that are not this person's
 
+// One who hardly moves is measured from fewer poses after this time.
+constexpr int64_t kPatience_ns = 5000000000;
+constexpr size_t kFewestPoses = 8;
+
 // The second estimate starts with correspondences that the first has put right.
 constexpr int kRounds = 2;
 
@@ -49,7 +53,12 @@ void BodyMeasurer::add(int64_t stamp_ns, const ContourObservation& seen, const C
   instants_.push_back({seen, fit.pose, {}});
   last_points_ = points;
   last_stamp_ns_ = stamp_ns;
-  if (instants_.size() < poses_) return;
+  if (instants_.size() == 1) first_stamp_ns_ = stamp_ns;
+  if (instants_.size() >= poses_ || stamp_ns - first_stamp_ns_ > kPatience_ns) estimateNow();
+}
+
+void BodyMeasurer::estimateNow() {
+  if (isEstimating() || instants_.size() < kFewestPoses) return;
   estimate_ = std::async(in_background_ ? std::launch::async : std::launch::deferred, &estimated,
                          rig_, contour_, prior_, instants_);
 }

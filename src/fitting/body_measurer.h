@@ -18,9 +18,12 @@ class BodyMeasurer {
   BodyMeasurer(const CameraRig& rig, const ContourOptions& contour, const SizePrior& prior,
                int poses, bool in_background);
 
-  /// Takes an instant in if its pose has changed from the last one taken, or time has passed.
+  /// Takes an instant in if its pose has changed from the last one taken, or time has passed. The
+  /// estimate begins with enough poses, or after a while with fewer.
   void add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
            const ContourFit& fit);
+  /// Estimates from the instants taken in so far, if they are not too few.
+  void estimateNow();
   /// Instants taken in so far.
   int poses() const { return int(instants_.size()); }
   bool isEstimating() const { return estimate_.valid(); }
@@ -35,7 +38,7 @@ class BodyMeasurer {
   bool in_background_;
   std::vector<SizeInstant> instants_;
   Eigen::Matrix3Xd last_points_;
-  int64_t last_stamp_ns_ = 0;
+  int64_t first_stamp_ns_ = 0, last_stamp_ns_ = 0;
   std::future<ContourSizes> estimate_;
 };
 

@@ -116,7 +116,7 @@ ContourTrack ContourMethod::start(const TrackingInstant& now, const ContourObser
 std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
                                                const ContourTrack& track) {
   if (!measurer_) return std::nullopt;
-  if (!rival_ && track.status == ContourTrackStatus::kTracked)
+  if (!rival_ && track.status != ContourTrackStatus::kLost)
     measurer_->add(stamp_ns, seen, *shape_, track.fit);
   if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
     takeOver(bodyOfSizes(sources_, *sizes));
@@ -127,6 +127,15 @@ std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourOb
   pose.reason = "the body is being measured, " + std::to_string(measurer_->poses()) + " of " +
                 std::to_string(options_.measuring_poses) + " different poses have been seen";
   return pose;
+}
+
+void ContourMethod::measureNow() {
+  if (!measurer_) return;
+  measurer_->estimateNow();
+  if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
+    takeOver(bodyOfSizes(sources_, *sizes));
+    measurer_.reset();
+  }
 }
 
 BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack& track) const {

@@ -20,6 +20,7 @@ class ContourMethod : public BodyTracker {
   /// Throws std::invalid_argument as makeBodyTracker().
   ContourMethod(const CameraRig& rig, TrackerSources sources, const TrackerOptions& options);
   BodyPose update(const TrackingInstant& now) override;
+  void measureNow() override;
   void reset() override;
   const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
 

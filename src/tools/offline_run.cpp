@@ -56,6 +56,7 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
         if (!pipeline.body()->measured) pipeline.process(instant.stamp_ns, instant.frames);
       },
       [](double) {});
+  pipeline.measureBodyNow();
   if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
   if (!notes) return;
   char stature[16];

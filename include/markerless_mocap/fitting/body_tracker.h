@@ -55,6 +55,8 @@ class BodyTracker {
   ///   images that do not fit the rig
   virtual BodyPose update(const TrackingInstant& now) = 0;
   virtual void reset() = 0;
+  /// Measures the body from what has been seen so far, however little, instead of waiting for more.
+  virtual void measureNow() {}
   /// The person's body now; it changes when it has been measured, within update() only.
   virtual const std::shared_ptr<const TrackedBody>& body() const = 0;
 };

@@ -73,6 +73,8 @@ class Pipeline {
   const CameraRig& rig() const { return carver_.rig(); }
   /// The person's body now; process() changes it when it has been measured.
   const std::shared_ptr<const TrackedBody>& body() const { return tracker_->body(); }
+  /// As BodyTracker::measureNow().
+  void measureBodyNow() { tracker_->measureNow(); }
   void setStageListener(StageListener listener) { stage_done_ = std::move(listener); }
 
  private:
