@@ -55,8 +55,8 @@ class PointingEstimation {
   }
 
   const PointingPixels& pixels() const { return pixels_; }
-  /// \param last sums at the last pose
-  std::vector<PointingCorrection> corrections() const;
+  /// \param disagreement of parts of the instants: of what is no scatter from one to the next
+  std::vector<PointingCorrection> corrections(const PointingPixels& disagreement) const;
 
  private:
   std::vector<ReducedPointing> reducedInstants(double outlier) const;
@@ -117,8 +117,10 @@ void PointingEstimation::step(double outlier) {
 }
 
 /// Deviations by the scatter of the instants' own wishes, which holds however the rays of one
-/// instant hang together, and the prior, which is all there is where they wish nothing.
-std::vector<PointingCorrection> PointingEstimation::corrections() const {
+/// instant hang together, by the prior, which is all there is where they wish nothing, and by the
+/// disagreement.
+std::vector<PointingCorrection> PointingEstimation::corrections(
+    const PointingPixels& disagreement) const {
   Eigen::MatrixXd H = prior(), scatter = prior();
   std::vector<PointingCorrection> out(rig_.size());
   for (const ReducedPointing& part : reducedInstants(options_.outlier_last)) {
@@ -132,7 +134,9 @@ std::vector<PointingCorrection> PointingEstimation::corrections() const {
     const auto at = Eigen::Index(2 * c);
     out[c].camera = rig_[c].name();
     out[c].pixels = pixels_.segment<2>(at);
-    out[c].deviation = covariance.diagonal().segment<2>(at).cwiseSqrt();
+    out[c].deviation =
+        (covariance.diagonal().segment<2>(at) + disagreement.segment<2>(at).cwiseAbs2())
+            .cwiseSqrt();
   }
   return out;
 }
@@ -213,20 +217,23 @@ void check(const CameraRig& rig, const std::vector<PointingInstant>& instants,
 }
 
 /// Each half of the instants, fitted with what the other half says of the cameras.
-std::vector<std::optional<Judged>> judgedByOtherHalf(const CameraRig& rig,
-                                                     const ContourOptions& contour,
-                                                     const ContourBody& body,
-                                                     const Instants& instants,
-                                                     const PointingOptions& options) {
+/// \param disagreement half of what both halves differ by
+std::vector<std::optional<Judged>> judgedByOtherHalf(
+    const CameraRig& rig, const ContourOptions& contour, const ContourBody& body,
+    const Instants& instants, const PointingOptions& options, PointingPixels& disagreement) {
   const auto middle = instants.begin() + std::ptrdiff_t(instants.size() / 2);
   const Instants halves[2] = {{instants.begin(), middle}, {middle, instants.end()}};
-  std::vector<std::optional<Judged>> fits;
+  PointingPixels said[2];
   for (int half = 0; half < 2; ++half) {
-    PointingEstimation other(rig, contour, body, halves[1 - half], options);
-    other.run();
-    for (auto& fit : judged(rig, contour, body, halves[half], other.pixels()))
-      fits.push_back(std::move(fit));
+    PointingEstimation estimation(rig, contour, body, halves[half], options);
+    estimation.run();
+    said[half] = estimation.pixels();
   }
+  disagreement = 0.5 * (said[0] - said[1]);
+  std::vector<std::optional<Judged>> fits;
+  for (int half = 0; half < 2; ++half)
+    for (auto& fit : judged(rig, contour, body, halves[half], said[1 - half]))
+      fits.push_back(std::move(fit));
   return fits;
 }
 
@@ -277,12 +284,13 @@ PointingEstimate estimatePointing(const CameraRig& rig, const ContourOptions& co
   const PointingPixels none = PointingPixels::Zero(Eigen::Index(2 * rig.size()));
   const auto before = judged(rig, contour, body, usable, none);
   out.instants_used = 0;
-  compare(before, judgedByOtherHalf(rig, contour, body, usable, options), &out);
+  PointingPixels disagreement;
+  compare(before, judgedByOtherHalf(rig, contour, body, usable, options, disagreement), &out);
   if (out.instants_used < kFewestInstants) return out;
 
   PointingEstimation all(rig, contour, body, usable, options);
   all.run();
-  out.corrections = all.corrections();
+  out.corrections = all.corrections(disagreement);
   const bool gains = out.significance >= options.least_significance &&
                      out.after.distance <= (1.0 - options.least_gain) * out.before.distance &&
                      out.after.overlap >= out.before.overlap;

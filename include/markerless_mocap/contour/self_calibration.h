@@ -19,14 +19,12 @@ struct PointingInstant {
 struct PointingOptions {
   int iterations = 12;
   double outlier_first = 0.08, outlier_last = 0.03;  ///< metres
-  /// Standard deviation of the pointing as given, pixels. What the contours cannot tell, a shift of
-  /// all cameras together that moves the person as a whole, stays where this puts it: at least
-  /// correction.
+  /// Standard deviation of the pointing as given, pixels: what contours do not tell stays as it is.
   double deviation_px = 2.0;
   /// A gain counts when it is this many times its standard error over the instants, and when the
   /// rays' distance from the body falls by this share at least.
   double least_significance = 4.0;
-  double least_gain = 0.1;
+  double least_gain = 0.03;
 };
 
 /// How one camera points otherwise than its calibration says.
@@ -35,8 +33,8 @@ struct PointingCorrection {
   /// By which the image of a point in the middle of the image moves when the correction is applied,
   /// right and down, pixels.
   Eigen::Vector2d pixels = Eigen::Vector2d::Zero();
-  /// Standard deviation of both, with that of what contours cannot tell; by the scatter of the
-  /// instants, so an error that the body's sizes make in all of them alike is not in it.
+  /// Standard deviation of both: by the scatter of the instants and by what their first and second
+  /// half differ in. An error that the body's sizes make in all instants alike is not in it.
   Eigen::Vector2d deviation = Eigen::Vector2d::Zero();
   size_t rays = 0;  ///< explained ones that it is from
 };
@@ -71,7 +69,9 @@ struct PointingEstimate {
 /// eliminated by its Schur complement (Triggs et al., Bundle adjustment, 2000, 6.1). Cameras'
 /// places, roll and lenses are taken to be right, and so is the body. The estimate is handed out
 /// as a corrected rig only if it serves the instants it is not from; else the rig comes back as
-/// it is. Instants should be of many postures and places. The result does not depend on thread
+/// it is. A shift of all cameras that is as if the person stood elsewhere is told by perspective
+/// alone, so less well than how cameras point relative to each other: instants should be of many
+/// postures and places. The result does not depend on thread
 /// count.
 /// Throws std::invalid_argument if an observation is of another rig, a start is not finite, or the
 /// options are out of range.
