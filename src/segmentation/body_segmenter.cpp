@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kTorsoModes = 10;  // stumps of arms and legs have the lowest ones
 constexpr int kLimbModes = 3;
+constexpr double kLeastLeg = 0.6;  // of the other leg's voxels
 
 std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
   std::vector<PartLabel> labels(voxels.graph.nodeCount(), PartLabel::kTorso);
@@ -121,10 +122,20 @@ bool isBody(const BodyParts& parts) {
   return seen(PartLabel::kTorso) && seen(PartLabel::kHead) && legs >= 1 && legs + arms >= 2;
 }
 
+/// Whether legs that touch, if any do, have been shared out alike: else one has a piece of the
+/// other, of a skirt or of the trunk.
+bool areLegsAlike(const BodyParts& parts) {
+  const auto [less, more] = std::minmax(parts.part(PartLabel::kLeg1).voxel_count,
+                                        parts.part(PartLabel::kLeg2).voxel_count);
+  return double(less) >= kLeastLeg * double(more);
+}
+
 void judge(double cost, double highest_cost, BodyParts* result) {
   const std::string missing = partsWithout(*result, [](const PartCurve& p) { return p.seen; });
   const std::string merged =
       partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
+  const bool arms_whole =
+      result->part(PartLabel::kArm1).whole && result->part(PartLabel::kArm2).whole;
   std::ostringstream reason;
   reason.precision(3);
   if (!isBody(*result)) {
@@ -132,12 +143,13 @@ void judge(double cost, double highest_cost, BodyParts* result) {
   } else if (cost > highest_cost) {
     reason << "the hull's branches do not fit a body (cost " << cost << ", allowed " << highest_cost
            << ")";
-  } else if (missing.empty() && merged.empty()) {
+  } else if (missing.empty() && arms_whole && areLegsAlike(*result)) {
     result->status = SegmentationStatus::kOk;
   } else {
     result->status = SegmentationStatus::kPartial;
     if (!missing.empty()) reason << missing << " not seen";
     if (!merged.empty()) reason << (missing.empty() ? "" : "; ") << merged << " merged with others";
+    if (missing.empty() && merged.empty()) reason << "the legs differ in size";
   }
   result->reason = reason.str();
 }

@@ -18,7 +18,8 @@ struct Widening {
 };
 
 constexpr Widening kHead{0.5, 0.018, 0.22, 0.3, 0.02};
-constexpr Widening kArm{0.4, 0.009, 0.0, 0.95, 0.016};
+// From an elbow on, the upper arm can be told from the trunk.
+constexpr Widening kArm{0.4, 0.009, 0.0, 0.75, 0.01};
 // Nothing before 1.6 is a leg's end, so that legs that pass each other and trousers fused down to
 // the knees are shared out between both legs; a border below says that they are fused.
 constexpr Widening kLeg{1.6, 0.032, 0.0, 1.56, 0.05};

@@ -10,6 +10,7 @@
 #include "markerless_mocap/segmentation/tip_naming.h"
 #include "segmentation/limb_borders.h"
 #include "segmentation/tip_search.h"
+#include "segmentation/upper_arms.h"
 
 namespace markerless_mocap {
 namespace {
@@ -104,12 +105,13 @@ void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
   const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
   const auto modes = [&](int best) { return options.modes > 0 ? options.modes : best; };
-  Limbs limbs =
-      options.branch_method == "merge_tree"
-          ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
-          : walkLimbs(voxels, core, modes(kSplineWalkModes),
-                      options.walk_stop == "outliers" ? WalkStop::kOutliers : WalkStop::kOrigin);
+  const bool merge_tree = options.branch_method == "merge_tree";
+  Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
+                           : walkLimbs(voxels, core, modes(kSplineWalkModes),
+                                       options.walk_stop == "outliers" ? WalkStop::kOutliers
+                                                                       : WalkStop::kOrigin);
   dropImplausible(voxels, &limbs);
+  if (merge_tree) addUpperArms(voxels, &limbs);
   return limbs;
 }
 

@@ -106,6 +106,18 @@ TEST(BodySegmenter, NamesArmsAboveTheHead) {
   EXPECT_GE(labelOf(PartLabel::kLeg1, figure, parts), PartLabel::kLeg1);
 }
 
+TEST(BodySegmenter, TellsUpperArmsFromTheTrunkThatTheyLieAgainst) {
+  const VoxelFigure figure =
+      bentArmsFigure({0.225, 0.0, 1.08}, {0.47, 0.0, 1.05}, {0.65, 0.0, 1.05});
+  const BodyParts parts = segment(figure.hull());
+  ASSERT_EQ(parts.status, SegmentationStatus::kOk) << parts.reason;
+  for (const PartLabel arm : {PartLabel::kArm1, PartLabel::kArm2}) {
+    const PartLabel label = labelOf(arm, figure, parts);
+    EXPECT_GT(overlap(arm, label, figure, parts), 0.7);
+    EXPECT_GT(parts.part(label).points.front().z(), 1.2) << "its curve begins at the shoulder";
+  }
+}
+
 TEST(BodySegmenter, DoesNotInventArmsThatTouchTheBody) {
   const BodyParts parts = segment(standingFigure(kHanging).hull());
   ASSERT_EQ(parts.status, SegmentationStatus::kPartial) << parts.reason;

@@ -35,8 +35,8 @@ TEST(LimbBorders, LeaveTheNeckToTheHead) {
 
 TEST(LimbBorders, TellAWholeLimbFromAStump) {
   EXPECT_TRUE(isWholeLimb(PartLabel::kArm1, 1.2, 0.03));
-  EXPECT_FALSE(isWholeLimb(PartLabel::kArm1, 0.7, 0.03)) << "it touches the hip at the elbow";
-  EXPECT_FALSE(isWholeLimb(PartLabel::kArm1, 1.5, 0.01)) << "most of it is another's";
+  EXPECT_FALSE(isWholeLimb(PartLabel::kArm1, 0.6, 0.03)) << "it touches the hip before the elbow";
+  EXPECT_FALSE(isWholeLimb(PartLabel::kArm1, 1.5, 0.005)) << "most of it is another's";
 }
 
 TEST(LimbBorders, GiveNodesToTheLimbTheyAreFartherInside) {

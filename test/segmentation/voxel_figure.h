@@ -57,29 +57,56 @@ class VoxelFigure {
   std::map<uint32_t, PartLabel> part_;
 };
 
-/// A person of 1.73 m who faces +y, arms straight, `arm_angle` radians from hanging. The right
-/// limbs (x > 0) are arm 1 and leg 1.
+/// A person of 1.73 m without arms, the right limbs (x > 0) are arm 1 and leg 1.
+inline void paintTrunkAndLegs(VoxelFigure* figure) {
+  for (const int side : {1, -1}) {
+    const PartLabel leg = side > 0 ? PartLabel::kLeg1 : PartLabel::kLeg2;
+    const Eigen::Vector3d knee(side * 0.16, 0.0, 0.46);
+    figure->capsule({side * 0.12, 0.0, 0.80}, knee, 0.08, leg);
+    figure->capsule(knee, {side * 0.18, 0.0, 0.08}, 0.055, leg);
+    figure->capsule({side * 0.18, -0.02, 0.04}, {side * 0.18, 0.14, 0.04}, 0.04, leg);
+  }
+  figure->capsule({0, 0, 1.52}, {0, 0, 1.46}, 0.06, PartLabel::kHead);
+  figure->capsule({0, 0, 1.65}, {0, 0, 1.61}, 0.09, PartLabel::kHead);
+  figure->capsule({-0.21, 0, 1.38}, {0.21, 0, 1.38}, 0.06);
+  figure->capsule({-0.04, 0, 0.90}, {-0.04, 0, 1.28}, 0.125);
+  figure->capsule({0.04, 0, 0.90}, {0.04, 0, 1.28}, 0.125);
+}
+
+/// The same who faces +y, arms straight, `arm_angle` radians from hanging.
 inline VoxelFigure standingFigure(double arm_angle, double pitch = 0.03) {
   VoxelFigure figure(pitch);
   for (const int side : {1, -1}) {
     const PartLabel arm = side > 0 ? PartLabel::kArm1 : PartLabel::kArm2;
-    const PartLabel leg = side > 0 ? PartLabel::kLeg1 : PartLabel::kLeg2;
     const Eigen::Vector3d shoulder(side * 0.21, 0.0, 1.38);
     const Eigen::Vector3d along(side * std::sin(arm_angle), 0.0, -std::cos(arm_angle));
-    const Eigen::Vector3d knee(side * 0.16, 0.0, 0.46);
-    const Eigen::Vector3d ankle(side * 0.18, 0.0, 0.08);
     figure.capsule(shoulder + 0.08 * along, shoulder + 0.28 * along, 0.050, arm);
     figure.capsule(shoulder + 0.28 * along, shoulder + 0.52 * along, 0.042, arm);
     figure.capsule(shoulder + 0.52 * along, shoulder + 0.70 * along, 0.034, arm);
-    figure.capsule({side * 0.12, 0.0, 0.80}, knee, 0.08, leg);
-    figure.capsule(knee, ankle, 0.055, leg);
-    figure.capsule({side * 0.18, -0.02, 0.04}, {side * 0.18, 0.14, 0.04}, 0.04, leg);
   }
-  figure.capsule({0, 0, 1.52}, {0, 0, 1.46}, 0.06, PartLabel::kHead);
-  figure.capsule({0, 0, 1.65}, {0, 0, 1.61}, 0.09, PartLabel::kHead);
-  figure.capsule({-0.21, 0, 1.38}, {0.21, 0, 1.38}, 0.06);
-  figure.capsule({-0.04, 0, 0.90}, {-0.04, 0, 1.28}, 0.125);
-  figure.capsule({0.04, 0, 0.90}, {0.04, 0, 1.28}, 0.125);
+  paintTrunkAndLegs(&figure);
+  return figure;
+}
+
+/// The same with bent arms: upper arms from the shoulder to an elbow, from there to a wrist and a
+/// hand, given for the right arm and mirrored for the left.
+inline VoxelFigure bentArmsFigure(const Eigen::Vector3d& elbow, const Eigen::Vector3d& wrist,
+                                  const Eigen::Vector3d& hand, bool both = true) {
+  VoxelFigure figure;
+  for (const int side : {1, -1}) {
+    const PartLabel arm = side > 0 ? PartLabel::kArm1 : PartLabel::kArm2;
+    const Eigen::Vector3d mirror(side, 1, 1);
+    const bool bent = both || side > 0;
+    const Eigen::Vector3d straight(-0.75, 0.0, 1.15);
+    const Eigen::Vector3d shoulder(side * 0.21, 0.0, 1.38);
+    const Eigen::Vector3d along = (straight - shoulder).normalized();
+    const Eigen::Vector3d a = bent ? elbow.cwiseProduct(mirror).eval() : shoulder + 0.28 * along;
+    const Eigen::Vector3d b = bent ? wrist.cwiseProduct(mirror).eval() : shoulder + 0.52 * along;
+    const Eigen::Vector3d c = bent ? hand.cwiseProduct(mirror).eval() : shoulder + 0.70 * along;
+    figure.capsule(shoulder + 0.08 * (a - shoulder).normalized(), a, 0.050, arm);
+    figure.capsule(a, b, 0.042, arm).capsule(b, c, 0.034, arm);
+  }
+  paintTrunkAndLegs(&figure);
   return figure;
 }
 

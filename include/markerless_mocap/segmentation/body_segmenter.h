@@ -27,9 +27,10 @@ struct SegmentationOptions {
 class BodySegmenter {
  public:
   explicit BodySegmenter(const SegmentationOptions& options);
-  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there and
-  /// whole; kPartial: torso, head, a leg and one more limb, the reason names the parts that are not
-  /// seen, whose voxels are labelled torso, and those that are merged with others.
+  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there,
+  /// the arms whole, and legs that touch shared out alike; kPartial: torso, head, a leg and one
+  /// more limb, the reason names the parts that are not seen, whose voxels are labelled torso, and
+  /// those that are merged with others.
   BodyParts segment(const VisualHull& hull) const;
 
  private:
