@@ -85,7 +85,7 @@ class ShareField {
     const double neck_share =
         ramp(q.z() + 0.5 * (q.x() - neck.x()), neck.z() - scaled(0.015), scaled(0.035));
     const double chin = 1.2 * std::max(q.x() - scaled(0.03), 0.0);
-    const double head_share = ramp(q.z() + chin, head.z() - scaled(0.01), scaled(0.035));
+    const double head_share = ramp(q.z() + chin, head.z() - scaled(0.022), scaled(0.035));
     const double collar = ramp(q.y(), scaled(0.08), scaled(0.06)) *
                           ramp(q.z(), shoulder.z() - scaled(0.06), scaled(0.06));
     shares[int(Bone::kHips)] += share * (1.0 - spine);

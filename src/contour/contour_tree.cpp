@@ -12,7 +12,7 @@ using C = ContourCone;
 
 // Shares of the URDF body, urdf/human.urdf.in: where the waist bends, where the clavicles begin,
 // where the head's middle is and how the foot lies before the ankle.
-constexpr double kWaist = 0.3, kClavicleRoot = 0.1, kHeadMiddle = 0.67, kHeadForward = 0.06;
+constexpr double kWaist = 0.3, kClavicleRoot = 0.1, kHeadMiddle = 0.71, kHeadForward = 0.026;
 constexpr double kHeel = 0.24, kToes = 0.76;
 
 SizedPoint sized(std::initializer_list<SizedPoint::Term> terms) {

@@ -15,10 +15,16 @@ struct Ratios {
 
 // Segment lengths after Winter, Biomechanics and Motor Control of Human Movement, figure 4.1
 // (from Drillis and Contini 1966), widths, feet and sexes after Gordon et al., ANSUR 1988. The
-// shoulder is the joint's centre, 4 cm below the acromion; the head turns below the ears.
-constexpr Ratios kWoman{0.520, 0.575, 0.675, 0.843, 0.903, 0.803, 0.277, 0.041,
+// shoulder is the joint's centre, 4 cm below the acromion.
+// Hips: 0.36 of the breadth between the iliac spines to each side and 6 cm behind them in standing
+// (Bell et al. 1990; Hara et al. 2016, CT of 157 people). Knees: the axis through the epicondyles
+// is that of bending (Churchill et al. 1998), 2.4 cm before the condyles' back, so 0.55 to 0.6 of
+// the knee's depth behind the kneecap. Head: it turns about the atlanto-occipital joint, 11 mm
+// behind and 22 mm below the tragion (Reed et al. 1999), which is 13 cm below the crown and midway
+// between forehead and back of the head.
+constexpr Ratios kWoman{0.520, 0.575, 0.675, 0.843, 0.910, 0.803, 0.277, 0.041,
                         0.012, 0.052, 0.093, 0.168, 0.140, 0.105, 0.075, 0.041};
-constexpr Ratios kMan{0.523, 0.578, 0.680, 0.845, 0.905, 0.806, 0.281, 0.043,
+constexpr Ratios kMan{0.523, 0.578, 0.680, 0.845, 0.912, 0.806, 0.281, 0.043,
                       0.012, 0.049, 0.099, 0.172, 0.145, 0.108, 0.077, 0.042};
 
 Eigen::Vector3d mirrored(const Eigen::Vector3d& left) {
@@ -57,12 +63,12 @@ HumanSkeleton HumanSkeleton::adult(double stature, double male) {
   const Eigen::Vector3d hips(0, 0, of(&Ratios::hip)),
       lumbar(-0.008 * stature, 0, of(&Ratios::lumbar)),
       ribs(-0.006 * stature, 0, of(&Ratios::ribs)), neck(-0.010 * stature, 0, of(&Ratios::neck)),
-      head(0, 0, of(&Ratios::head));
+      head(-0.006 * stature, 0, of(&Ratios::head));
   bone(Bone::kHips, hips, lumbar);
   bone(Bone::kSpine, lumbar, ribs);
   bone(Bone::kChest, ribs, neck);
   bone(Bone::kNeck, neck, head);
-  bone(Bone::kHead, head, {0.005 * stature, 0, stature});
+  bone(Bone::kHead, head, {head.x(), 0, stature});
 
   const double shoulder_z = of(&Ratios::shoulder);
   const Eigen::Vector3d collar(0.005 * stature, 0.018 * stature, shoulder_z),
@@ -75,8 +81,7 @@ HumanSkeleton HumanSkeleton::adult(double stature, double male) {
   bone(Bone::kLeftHand, wrist, wrist + Eigen::Vector3d(0, of(&Ratios::hand), 0));
 
   const double side = of(&Ratios::hip_half);
-  const Eigen::Vector3d hip(0, side, of(&Ratios::hip)),
-      knee(0.004 * stature, side, of(&Ratios::knee)),
+  const Eigen::Vector3d hip(0, side, of(&Ratios::hip)), knee(0, side, of(&Ratios::knee)),
       ankle(-0.006 * stature, side, of(&Ratios::ankle)),
       ball(ankle.x() + of(&Ratios::ankle_to_ball), side, of(&Ratios::ball));
   bone(Bone::kLeftThigh, hip, knee);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include "sentence_of.h"
@@ -51,6 +53,19 @@ void expectClosed(const ColoredMesh& mesh) {
     ASSERT_TRUE(count == 1 && back != edges.end() && back->second == 1)
         << "edge " << edge.first << " " << edge.second;
   }
+}
+
+/// How far behind the front of the flesh a joint lies, as a share of the flesh's depth, in a window
+/// of +-12 mm about it.
+double shareOfDepth(const Character& person, const Vector3d& joint) {
+  double front = -1.0, back = 1.0;
+  for (const Vector3f& vertex : person.mesh.vertices) {
+    const Vector3d off = vertex.cast<double>() - joint;
+    if (std::abs(off.y()) > 0.012 || std::abs(off.z()) > 0.012) continue;
+    front = std::max(front, off.x());
+    back = std::min(back, off.x());
+  }
+  return front / (front - back);
 }
 
 /// Winding number by solid angles (van Oosterom and Strackee 1983): 1 inside, 0 outside.
@@ -122,6 +137,22 @@ TEST(MakeCharacter, HoldsItsJointsInside) {
   for (int b = 0; b < kBoneCount; ++b)
     EXPECT_NEAR(windings(man().mesh, skeleton.headOf(Bone(b))), 1.0, 1e-3) << boneName(Bone(b));
   EXPECT_NEAR(windings(man().mesh, {0.0, 0.0, 0.4}), 0.0, 1e-3);  // between the legs
+}
+
+// Hips: Hara et al. 2016 and the buttocks of ANSUR; knees: behind the condyles' middle.
+TEST(MakeCharacter, JointsLieInTheFleshWhereAnatomyHasThem) {
+  for (const double male : {0.0, 1.0}) {
+    CharacterOptions options;
+    options.male = male;
+    const Character person = makeCharacter(options);
+    const HumanSkeleton& s = person.skeleton;
+    EXPECT_NEAR(shareOfDepth(person, s.headOf(Bone::kLeftThigh)), 0.38, 0.04) << male;
+    EXPECT_NEAR(s.headOf(Bone::kLeftThigh).y(), 0.088, 0.006) << male;
+    EXPECT_NEAR(shareOfDepth(person, s.headOf(Bone::kLeftShank)), 0.57, 0.04) << male;
+    const Vector3d skull = s.headOf(Bone::kHead);
+    EXPECT_NEAR(options.stature - skull.z(), 0.155, 0.006) << male;
+    EXPECT_NEAR(skull.x() - s.headOf(Bone::kNeck).x(), 0.007, 0.003) << male;
+  }
 }
 
 TEST(MakeCharacter, IsMirrorSymmetric) {
