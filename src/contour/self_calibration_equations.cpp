@@ -4,42 +4,64 @@
 #include <cmath>
 
 #include "contour/pose_priors.h"
-#include "contour/robust.h"
 
 namespace markerless_mocap {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using PointJacobian = Eigen::Matrix<double, 3, kContourDof>;
+using ConeJacobian = Eigen::Matrix<double, 8, kContourDof + 2>;
 
 /// The turn of a camera in its own axes by which its image shifts.
 Vector3d turnOfShift(const Camera& camera, double right, double down) {
-  const Matrix3d& K = camera.calibration().K;
+  const Eigen::Matrix3d& K = camera.calibration().K;
   return {down / K(1, 1), -right / K(0, 0), 0.0};
 }
 
-/// What moves the axes of the cones.
-struct AxisJacobians {
-  std::array<std::array<PointJacobian, 2>, kContourCones> end;
+/// One camera's share of an observation.
+ContourObservation seenBy(size_t camera, const ContourObservation& seen) {
+  ContourObservation out;
+  out.views.resize(seen.views.size());
+  out.views[camera] = seen.views[camera];
+  for (const ContourRay& ray : seen.rays)
+    if (size_t(ray.camera) == camera) out.rays.push_back(ray);
+  return out;
+}
 
-  AxisJacobians(const ContourFrames& frames, const PlacedCones& cones) {
-    for (int c = 0; c < kContourCones; ++c) {
-      const TreeCone& cone = contourTree().cones[size_t(c)];
-      const PlacedCone& placed = cones[size_t(c)];
-      poseJacobian(frames, cone.ends[0].segment, placed.a, end[size_t(c)][0]);
-      poseJacobian(frames, cone.ends[1].segment, placed.b, end[size_t(c)][1]);
-    }
+/// How a cone's ends move, seen by a camera, with the pose and the camera's shift to the right and
+/// down. That the camera turns is as if the body turned about it the other way.
+ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, size_t cone,
+                          const PlacedCone& placed) {
+  const int segment = contourTree().cones[cone].ends[0].segment;
+  const Eigen::Matrix3d& R = camera.calibration().T_world_camera.linear();
+  ConeJacobian J = ConeJacobian::Zero();
+  for (int end = 0; end < 2; ++end) {
+    const Vector3d& at = end ? placed.b : placed.a;
+    poseJacobian(frames, segment, at, J.block<3, kContourDof>(4 * end, 0));
+    const Vector3d way = at - camera.position();
+    J.block<3, 1>(4 * end, kContourDof) = way.cross(R * turnOfShift(camera, 1, 0));
+    J.block<3, 1>(4 * end, kContourDof + 1) = way.cross(R * turnOfShift(camera, 0, 1));
   }
-};
+  return J;
+}
 
-/// Derivatives of a residual by its camera's shift to the right and down. That the camera turns is
-/// as if the body turned about it the other way.
-Eigen::Vector2d slopeByShift(const Camera& camera, const Vector3d& axis_point,
-                             const Vector3d& slope) {
-  const Vector3d by_turn = slope.cross(axis_point - camera.position());
-  const Matrix3d& R = camera.calibration().T_world_camera.linear();
-  return {by_turn.dot(R * turnOfShift(camera, 1, 0)), by_turn.dot(R * turnOfShift(camera, 0, 1))};
+/// Adds what one camera sees.
+void addCamera(size_t index, const Camera& camera, const PoseProblem& problem,
+               PointingEquations& out) {
+  const auto at = Eigen::Index(2 * index);
+  for (size_t c = 0; c < kContourCones; ++c) {
+    const ConeJacobian J = coneJacobian(camera, problem.frames(), c, problem.cones()[c]);
+    const Eigen::Matrix<double, kContourDof + 2, kContourDof + 2> H =
+        J.transpose() * problem.sums()[c].hessian() * J;
+    const Eigen::Matrix<double, kContourDof + 2, 1> g =
+        J.transpose() * problem.sums()[c].gradient();
+    out.pose.H += H.topLeftCorner<kContourDof, kContourDof>();
+    out.pose.g += g.head<kContourDof>();
+    out.mixed.middleCols<2>(at) += H.topRightCorner<kContourDof, 2>();
+    out.H.block<2, 2>(at, at) += H.bottomRightCorner<2, 2>();
+    out.g.segment<2>(at) += g.tail<2>();
+  }
+  for (const RayMatch& match : problem.matches())
+    out.explained[index] += std::abs(double(match.residual)) < kRayExplained;
 }
 
 }  // namespace
@@ -77,8 +99,6 @@ ContourObservation turnedObservation(const ContourObservation& seen, const Camer
 PointingEquations pointingEquations(const CameraRig& rig, const ContourOptions& contour,
                                     const ContourBody& body, const ContourObservation& seen,
                                     const ContourPose& pose, double outlier) {
-  PoseProblem problem(seen, rig, contour);
-  problem.evaluate(body, pose, outlier);
   const auto count = Eigen::Index(2 * rig.size());
   PointingEquations out{{},
                         Eigen::MatrixXd::Zero(kContourDof, count),
@@ -86,28 +106,14 @@ PointingEquations pointingEquations(const CameraRig& rig, const ContourOptions& 
                         Eigen::VectorXd::Zero(count),
                         std::vector<size_t>(rig.size())};
   out.pose.clear();
-  addToPose(problem.sums(), problem.frames(), problem.cones(), out.pose);
   addPosturePriors(pose, out.pose);
-  const AxisJacobians jacobians(problem.frames(), problem.cones());
-  const double one = contour.contour_weight / (contour.sigma * contour.sigma) /
-                     std::max(1.0, double(seen.rays.size()));
-  for (size_t i = 0; i < seen.rays.size(); ++i) {
-    const RayMatch& match = problem.matches()[i];
-    const ContourRay& ray = seen.rays[i];
-    const auto cone = size_t(match.cone), camera = size_t(ray.camera);
-    const Vector3d slope =
-        (match.along_normal * ray.normal + match.along_side * ray.side).cast<double>();
-    const double s = match.s, weight = one * robustWeight(match.residual, outlier);
-    const PlacedCone& placed = problem.cones()[cone];
-    const Eigen::Vector2d by_shift =
-        slopeByShift(rig[camera], placed.a + s * (placed.b - placed.a), slope);
-    const PoseStep by_pose =
-        ((1 - s) * jacobians.end[cone][0] + s * jacobians.end[cone][1]).transpose() * slope;
-    const auto at = Eigen::Index(2 * camera);
-    out.mixed.middleCols<2>(at) += weight * by_pose * by_shift.transpose();
-    out.H.block<2, 2>(at, at) += weight * by_shift * by_shift.transpose();
-    out.g.segment<2>(at) += weight * match.residual * by_shift;
-    out.explained[camera] += std::abs(double(match.residual)) < kRayExplained;
+  for (size_t i = 0; i < rig.size(); ++i) {
+    const ContourObservation part = seenBy(i, seen);
+    ContourOptions options = contour;  // each ray weighs what it does among all
+    options.contour_weight *= double(part.rays.size()) / std::max(1.0, double(seen.rays.size()));
+    PoseProblem problem(part, rig, options);
+    problem.evaluate(body, pose, outlier);
+    addCamera(i, rig[i], problem, out);
   }
   return out;
 }

@@ -26,7 +26,7 @@ struct PointingEquations {
   std::vector<size_t> explained;  ///< rays by camera nearer than kRayExplained
 };
 
-/// Sums up one instant: rays by pose and pointing, containment and posture by pose alone.
+/// Sums up one instant: rays, containment, posture.
 /// \param rig, seen as turned so far \param outlier distance from which on a ray is mostly ignored,
 /// metres
 PointingEquations pointingEquations(const CameraRig& rig, const ContourOptions& contour,
