@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kTorsoModes = 10;  // stumps of arms and legs have the lowest ones
 constexpr int kLimbModes = 3;
+constexpr const char* kClosesLoop = " closes a loop: its hand touches the body";
 constexpr double kLeastLeg = 0.6;  // of the other leg's voxels
 
 std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
@@ -130,7 +131,16 @@ bool areLegsAlike(const BodyParts& parts) {
   return double(less) >= kLeastLeg * double(more);
 }
 
-void judge(double cost, double highest_cost, BodyParts* result) {
+/// Says which arms close a loop, after a semicolon, or nothing.
+std::string loopsIn(const Limbs& limbs) {
+  std::string sentence;
+  for (int part = 1; part < kPartCount; ++part)
+    if (limbs.loop[part]) sentence += "; " + std::string(toString(PartLabel(part))) + kClosesLoop;
+  if (limbs.unnamed_loops > 0) sentence += std::string("; an arm") + kClosesLoop;
+  return sentence;
+}
+
+void judge(const Limbs& limbs, double highest_cost, BodyParts* result) {
   const std::string missing = partsWithout(*result, [](const PartCurve& p) { return p.seen; });
   const std::string merged =
       partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
@@ -140,9 +150,9 @@ void judge(double cost, double highest_cost, BodyParts* result) {
   reason.precision(3);
   if (!isBody(*result)) {
     reason << "no body is recognised: " << missing << " not seen";
-  } else if (cost > highest_cost) {
-    reason << "the hull's branches do not fit a body (cost " << cost << ", allowed " << highest_cost
-           << ")";
+  } else if (limbs.cost > highest_cost) {
+    reason << "the hull's branches do not fit a body (cost " << limbs.cost << ", allowed "
+           << highest_cost << ")";
   } else if (missing.empty() && arms_whole && areLegsAlike(*result)) {
     result->status = SegmentationStatus::kOk;
   } else {
@@ -150,6 +160,7 @@ void judge(double cost, double highest_cost, BodyParts* result) {
     if (!missing.empty()) reason << missing << " not seen";
     if (!merged.empty()) reason << (missing.empty() ? "" : "; ") << merged << " merged with others";
     if (missing.empty() && merged.empty()) reason << "the legs differ in size";
+    reason << loopsIn(limbs);
   }
   result->reason = reason.str();
 }
@@ -201,7 +212,7 @@ BodyParts BodySegmenter::segment(const VisualHull& hull) const {
     const std::vector<PartLabel> labels = nodeLabels(voxels, limbs);
     result.labels = voxelLabels(hull, voxels, labels);
     fitCurves(voxels, limbs, labels, &result);
-    judge(limbs.cost, options_.highest_cost, &result);
+    judge(limbs, options_.highest_cost, &result);
   } catch (const std::runtime_error& error) {
     result.reason = error.what();
   }

@@ -9,6 +9,7 @@
 #include "markerless_mocap/segmentation/tip_measures.h"
 #include "markerless_mocap/segmentation/tip_naming.h"
 #include "segmentation/limb_borders.h"
+#include "segmentation/loops.h"
 #include "segmentation/tip_search.h"
 #include "segmentation/upper_arms.h"
 
@@ -68,12 +69,30 @@ Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int
   return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
 }
 
+/// An arm that closes a loop has no end; one part of it, or the other arm, may have its name.
+void findLoops(const VoxelGraph& voxels, const TipMeasures& measures, const TipNames& names,
+               Limbs* limbs) {
+  for (int tip = 0; tip < int(measures.way.size()); ++tip) {
+    const auto named = std::find(names.tip.begin(), names.tip.end(), tip);
+    const auto part = size_t(named - names.tip.begin());
+    const bool arm = part == size_t(PartLabel::kArm1) || part == size_t(PartLabel::kArm2);
+    if ((named != names.tip.end() && !arm) || !closesLoop(voxels, measures.way[tip])) continue;
+    if (!arm) {
+      ++limbs->unnamed_loops;
+      continue;
+    }
+    limbs->loop[part] = true;
+    limbs->whole[part] = false;
+  }
+}
+
 Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
   const std::vector<uint32_t> tips = findTips(voxels, core, modes, kCandidates);
   const TipMeasures measures = measureTips(voxels, tips, core);
   std::vector<Branch> branches;
   for (const uint32_t tip : tips) branches.push_back({tip, {}});
-  Limbs limbs = sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
+  const TipNames names = namesInOrder(voxels, measures, tips);
+  Limbs limbs = sortByPart(names, measures, branches);
   std::array<double, kPartCount> border{};
   for (int part = 1; part < kPartCount; ++part) {
     if (!limbs.way[part].empty()) border[part] = limbBorder(PartLabel(part), limbs.way[part]);
@@ -85,6 +104,7 @@ Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core
         isWholeLimb(PartLabel(part), border[part], double(nodes[part].size()) / all);
     limbs.branch[part].nodes = std::move(nodes[part]);
   }
+  findLoops(voxels, measures, names, &limbs);
   return limbs;
 }
 
