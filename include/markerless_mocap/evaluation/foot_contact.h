@@ -13,7 +13,7 @@ namespace markerless_mocap {
 // kContactRise_m, moves slower than kContactSpeed_m_s, measured over kContactSpan_s about the
 // frame, and does so for kShortestContact_s.
 constexpr double kContactRise_m = 0.03;
-constexpr double kContactSpeed_m_s = 0.25;
+constexpr double kContactSpeed_m_s = 0.15;
 constexpr double kContactSpan_s = 0.1;
 constexpr double kShortestContact_s = 0.1;
 
