@@ -14,6 +14,7 @@ constexpr double kWidth = 0.12;      // of a ring
 constexpr size_t kLeast = 6;         // nodes of a side
 constexpr double kBalance = 0.2;     // of the larger side
 constexpr double kThickest = 0.011;  // share of the hull's nodes in a ring around an arm
+constexpr double kMost = 3.0;        // such sides in a ring
 
 /// Nodes that can be reached from one of them over 26 neighbours, all from `near` to `far` of the
 /// tip; those that are found are marked.
@@ -33,26 +34,28 @@ std::vector<uint32_t> flood(const VoxelGraph& voxels, const std::vector<double>&
   return found;
 }
 
-/// The components of a ring, the largest first.
+/// The components of a ring's nodes, the largest first.
 std::vector<std::vector<uint32_t>> sidesOf(const VoxelGraph& voxels, const std::vector<double>& way,
-                                           double ring) {
+                                           const std::vector<uint32_t>& nodes, double ring) {
   std::vector<std::vector<uint32_t>> sides;
   std::vector<char> marked(way.size(), 0);
-  for (uint32_t node = 0; node < way.size(); ++node) {
-    if (marked[node] || way[node] < ring || way[node] >= ring + kWidth) continue;
-    sides.push_back(flood(voxels, way, node, ring, ring + kWidth, &marked));
-  }
+  for (const uint32_t node : nodes)
+    if (!marked[node]) sides.push_back(flood(voxels, way, node, ring, ring + kWidth, &marked));
   std::sort(sides.begin(), sides.end(),
             [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return sides;
 }
 
 bool liesOnTwoSides(const VoxelGraph& voxels, const std::vector<double>& way, double ring) {
-  const auto sides = sidesOf(voxels, way, ring);
+  std::vector<uint32_t> nodes;
+  for (uint32_t node = 0; node < way.size(); ++node)
+    if (way[node] >= ring && way[node] < ring + kWidth) nodes.push_back(node);
+  const double thickest = kThickest * double(way.size());
+  if (double(nodes.size()) > kMost * thickest) return false;
+  const auto sides = sidesOf(voxels, way, nodes, ring);
   if (sides.size() < 2) return false;
-  const size_t more = sides[0].size(), less = sides[1].size();
-  if (less < kLeast || double(less) < kBalance * double(more) ||
-      double(more) > kThickest * double(way.size()))
+  const size_t more = sides[0].size(), fewer = sides[1].size();
+  if (fewer < kLeast || double(fewer) < kBalance * double(more) || double(more) > thickest)
     return false;
   std::vector<char> marked(way.size(), 0);
   flood(voxels, way, sides[0].front(), ring, std::numeric_limits<double>::infinity(), &marked);

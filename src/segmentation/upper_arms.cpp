@@ -67,6 +67,7 @@ std::optional<Eigen::Vector3d> acrossTheChest(const VoxelGraph& voxels,
                                               const Eigen::Vector3d& neck,
                                               const Eigen::Vector3d& up) {
   const double unit = unitOf(voxels);
+  const double radius = kChestRadius * unit;
   std::vector<Eigen::Vector3d> chest;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (size_t node = 0; node < owner.size(); ++node) {
@@ -74,7 +75,8 @@ std::optional<Eigen::Vector3d> acrossTheChest(const VoxelGraph& voxels,
     const Eigen::Vector3d from = voxels.centers[node] - neck;
     const double above = from.dot(up);
     const Eigen::Vector3d aside = from - above * up;
-    if (above > 0.0 || above < -kChestDepth * unit || aside.norm() > kChestRadius * unit) continue;
+    if (above > 0.0 || above < -kChestDepth * unit || aside.squaredNorm() > radius * radius)
+      continue;
     chest.push_back(aside);
     mean += aside;
   }
@@ -85,24 +87,34 @@ std::optional<Eigen::Vector3d> acrossTheChest(const VoxelGraph& voxels,
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
 }
 
-double toLine(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
-              const Eigen::Vector3d& to) {
-  const Eigen::Vector3d line = to - from;
-  const double length = std::max(line.squaredNorm(), 1e-12);
-  const double share = std::clamp((point - from).dot(line) / length, 0.0, 1.0);
-  return (point - from - share * line).norm();
-}
+/// A line from one point to another.
+class Line {
+ public:
+  Line(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+      : from_(from), along_(to - from), scale_(1.0 / std::max(along_.squaredNorm(), 1e-12)) {}
+
+  double squaredDistance(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d offset = point - from_;
+    const double share = std::clamp(offset.dot(along_) * scale_, 0.0, 1.0);
+    return (offset - share * along_).squaredNorm();
+  }
+
+ private:
+  Eigen::Vector3d from_, along_;
+  double scale_;
+};
 
 void addUpperArm(const VoxelGraph& voxels, const Eigen::Vector3d& end, const TrunkSide& side,
                  const std::vector<PartLabel>& owner, std::vector<uint32_t>* nodes) {
   const double unit = unitOf(voxels);
+  const double radius = kArmRadius * unit;
+  const Line arm(end, side.shoulder), trunk(side.shoulder, side.hip);
   for (uint32_t node = 0; node < owner.size(); ++node) {
     if (owner[node] != PartLabel::kTorso) continue;
-    const Eigen::Vector3d& at = voxels.centers[node];
-    const double to_arm = toLine(at, end, side.shoulder);
-    if (to_arm >= kArmRadius * unit) continue;
-    if (to_arm + kSideThickness * unit < toLine(at, side.shoulder, side.hip))
-      nodes->push_back(node);
+    const double to_arm = arm.squaredDistance(voxels.centers[node]);
+    if (to_arm >= radius * radius) continue;
+    const double to_side = std::sqrt(trunk.squaredDistance(voxels.centers[node]));
+    if (std::sqrt(to_arm) + kSideThickness * unit < to_side) nodes->push_back(node);
   }
   std::sort(nodes->begin(), nodes->end());
 }
