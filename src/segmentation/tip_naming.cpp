@@ -41,8 +41,9 @@ constexpr double kBuildDeviation = 0.12;
 // Of the branches, logarithms too.
 constexpr Normal kVolumeShare[kKinds] = {{-3.0, 0.3}, {-3.65, 0.4}, {-1.85, 0.35}};
 constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.2, 0.13}, {-2.72, 0.18}};
-constexpr double kMostOfLeg = 0.33;      // of the hull's nodes; more is two legs
-constexpr double kHighestSquare = 12.0;  // sum of the two squared z-scores of a plausible branch
+constexpr double kMostOfLeg = 0.33;  // of the hull's nodes; more is two legs
+// Sum of the two squared z-scores of a plausible branch; arms that touch are cut short.
+constexpr double kHighestSquare[kKinds] = {12.0, 25.0, 12.0};
 
 constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
                                 PartLabel::kArm1, PartLabel::kArm2};
@@ -194,7 +195,7 @@ bool isPlausible(PartLabel label, double volume_share, double thickness) {
   const double volume =
       (std::log(volume_share) - kVolumeShare[kind].mean) / kVolumeShare[kind].deviation;
   const double depth = (std::log(thickness) - kThickness[kind].mean) / kThickness[kind].deviation;
-  return volume * volume + depth * depth <= kHighestSquare;
+  return volume * volume + depth * depth <= kHighestSquare[kind];
 }
 
 }  // namespace markerless_mocap
