@@ -22,7 +22,9 @@ constexpr double kUsualShare = 0.1;
 
 constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found nothing
 
-constexpr double kLimbOutside = 0.035;  // metres, mean over its balls: where limbs that fit are not
+// A limb that sticks out of masks by so much more than usual, mean over its balls, is suspicious:
+// damaged masks and clothes let limbs that fit stick out, too.
+constexpr double kLimbOutside = 0.025;  // metres
 
 constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
@@ -54,12 +56,16 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
     last_.reset();
     return {ContourTrackStatus::kLost, fit};
   }
-  Past past{stamp_ns, fit.pose, std::nullopt, quality(fit)};
+  Past past{stamp_ns, fit.pose, std::nullopt, quality(fit), {}};
+  for (size_t i = 0; i < past.outside.size(); ++i) past.outside[i] = fit.limbs[i].outside;
   if (last_) {
     past.before = last_->pose;
-    // Rises at once and falls slowly, so that a loss does not become what is usual.
+    // Gets better at once and worse slowly, so that a loss does not become what is usual.
     past.quality =
         std::max(past.quality, last_->quality + kUsualShare * (past.quality - last_->quality));
+    for (size_t i = 0; i < past.outside.size(); ++i)
+      past.outside[i] = std::min(
+          past.outside[i], last_->outside[i] + kUsualShare * (past.outside[i] - last_->outside[i]));
   }
   last_ = past;
   return {status, fit};
@@ -67,14 +73,18 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
 
 ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& seen,
                                    const ContourBody& body, const ContourPose& pose) {
-  last_.reset();
-  next_search_ns_ = stamp_ns;
   ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, FitSchedule::wide());
   // Proposals often lack arms, and an arm at rest may hide one that is elsewhere.
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     if (fit.status == ContourFitStatus::kFitted)
       tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(limb), fit, fit.pose), std::nullopt,
                fit);
+  return startFrom(stamp_ns, fit);
+}
+
+ContourTrack ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
+  last_.reset();
+  next_search_ns_ = stamp_ns;
   return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
 }
 
@@ -82,7 +92,7 @@ std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFi
   std::array<bool, ContourLimb::kCount> limbs{};
   const bool dropped = quality(fit) < last_->quality - kDrop;
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i)
-    limbs[i] = dropped || fit.limbs[i].outside > kLimbOutside;
+    limbs[i] = dropped || fit.limbs[i].outside > last_->outside[i] + kLimbOutside;
   return limbs;
 }
 

@@ -1,17 +1,19 @@
 #include "fitting/contour_method.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
-#include "fitting/mirrored_pose.h"
+#include "fitting/start_poses.h"
 #include "fitting/tracked_person.h"
 
 namespace markerless_mocap {
 namespace {
 
 // A limb is seen when contours hold its end to this, and it is not mostly outside the masks.
-constexpr double kSeenDeviation = 0.08, kSeenOutside = 0.035;  // metres
+constexpr double kSeenDeviation = 0.06, kSeenOutside = 0.10;  // metres
 
 // Both hypotheses of front and back are followed until the one's quality, summed over instants, is
 // ahead by this.
@@ -90,27 +92,36 @@ std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
   seeker_reason_ = pose.reason;
   if (pose.status != PoseStatus::kLost)
     poses.push_back(conversion_->poseOf(pose.T_world_body, pose.angles));
+  if (const auto of_tree = poseOfTree(now.tree)) poses.push_back(*of_tree);
+  if (poses.empty()) poses = uprightPoses(now.hull, *shape_);
   return poses;
 }
 
+ContourFit ContourMethod::bestFit(const ContourObservation& seen,
+                                  const std::vector<ContourPose>& starts) const {
+  std::vector<ContourFit> fits(starts.size());
+  tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
+    fits[i] = tracker_.fitter().fit(seen, *shape_, starts[i], std::nullopt, FitSchedule::wide());
+  });
+  ContourFit best;
+  for (const ContourFit& fit : fits)
+    if (fit.status == ContourFitStatus::kFitted &&
+        (best.status != ContourFitStatus::kFitted || qualityOf(fit) > qualityOf(best)))
+      best = fit;
+  return best;
+}
+
 ContourTrack ContourMethod::start(const TrackingInstant& now, const ContourObservation& seen) {
-  ContourTrack best;
-  for (const ContourPose& pose : proposals(now)) {
-    ContourTracker other = tracker_;
-    const ContourTrack track = other.start(now.stamp_ns, seen, *shape_, pose);
-    if (track.status == ContourTrackStatus::kLost) continue;
-    if (best.status != ContourTrackStatus::kLost && qualityOf(track.fit) <= qualityOf(best.fit))
-      continue;
-    best = track;
-    tracker_ = other;
-  }
-  if (best.status == ContourTrackStatus::kLost) return best;
+  if (seen.usableViews() < 2) return {};
+  const ContourFit best = bestFit(seen, proposals(now));
+  if (best.status != ContourFitStatus::kFitted) return {};
+  const ContourTrack track = tracker_.start(now.stamp_ns, seen, *shape_, best.pose);
+  if (track.status == ContourTrackStatus::kLost) return track;
   rival_.emplace(tracker_);
   rival_gain_ = 0.0;
-  const ContourTrack other =
-      rival_->start(now.stamp_ns, seen, *shape_, mirrored(*shape_, best.fit.pose));
-  if (other.status == ContourTrackStatus::kLost) rival_.reset();
-  return best;
+  const ContourFit other = bestFit(seen, {mirrored(*shape_, track.fit.pose)});
+  if (rival_->startFrom(now.stamp_ns, other).status == ContourTrackStatus::kLost) rival_.reset();
+  return track;
 }
 
 std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
@@ -143,7 +154,7 @@ BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack&
   if (seen.usableViews() < 2)
     pose.reason =
         "the person shows in " + std::to_string(seen.usableViews()) + " silhouettes, needed are 2";
-  else if (!seeker_reason_.empty())
+  else if (track.fit.status != ContourFitStatus::kFitted)
     pose.reason = seeker_reason_;
   else
     pose.reason = "no pose covers the silhouettes, the best one's overlap is " +

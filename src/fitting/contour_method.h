@@ -29,6 +29,7 @@ class ContourMethod : public BodyTracker {
   ContourTrack follow(int64_t stamp_ns, const ContourObservation& seen);
   ContourTrack start(const TrackingInstant& now, const ContourObservation& seen);
   std::vector<ContourPose> proposals(const TrackingInstant& now);
+  ContourFit bestFit(const ContourObservation& seen, const std::vector<ContourPose>& starts) const;
   /// While the body is being measured nothing is claimed.
   std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
                                   const ContourTrack& track);

@@ -28,10 +28,12 @@ class ContourTracker {
   /// Throws std::invalid_argument if the options do.
   ContourTracker(const CameraRig& rig, const ContourOptions& options);
 
-  /// (Re)starts at a pose that may be off by tenths of a radian and decimetres. What status the
-  /// result has, the overlap decides: kTracked or kLost.
+  /// (Re)starts at a pose that may be off by tenths of a radian and decimetres; its limbs are
+  /// looked for elsewhere, too. What status the result has, the overlap decides: kTracked or kLost.
   ContourTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                      const ContourPose& pose);
+  /// The same from a fit that needs no more looking.
+  ContourTrack startFrom(int64_t stamp_ns, const ContourFit& fit);
   /// The next instant. A stamp not after the last one, and one more than half a second after it,
   /// loses the track. Sizes of the body may change in between.
   ContourTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
@@ -45,9 +47,11 @@ class ContourTracker {
     ContourPose pose;
     std::optional<ContourPose> before;  ///< one frame time earlier
     double quality;                     ///< of the fit, as it usually is
+    /// By which limbs stick out of masks, as they usually do, metres.
+    std::array<double, ContourLimb::kCount> outside;
   };
   ContourTrack keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackStatus status);
-  /// Limbs that stick out of masks, or all when the fit is worse than usual.
+  /// Limbs that stick out of masks more than usual, or all when the fit is worse than usual.
   std::array<bool, ContourLimb::kCount> suspicious(const ContourFit& fit) const;
   std::vector<ContourPose> placesOf(const ContourObservation& seen, const ContourBody& body,
                                     ContourLimb::Id limb, const ContourFit& fit,

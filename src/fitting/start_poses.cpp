@@ -1,0 +1,117 @@
+#include "fitting/start_poses.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+using A = ContourAngle;
+using B = ContourBall;
+using S = ContourSegment;
+
+constexpr double kKneeKept = 0.3;  // of the bend
+
+constexpr int kFacings = 6;
+
+// A limb straighter than this tells little of the plane it bends in.
+constexpr double kStraight = 0.06;  // sine of the bend
+
+/// A limb's three joints and what they move. `sense`: 1 bends forward, -1 backward.
+struct LimbJoints {
+  TreeJoint root, middle, end;
+  double sense;
+  size_t ball, hinge;
+};
+constexpr LimbJoints kLimbs[] = {{TreeJoint::kLeftShoulder, TreeJoint::kLeftElbow,
+                                  TreeJoint::kLeftWrist, 1.0, B::kLeftShoulder, A::kLeftElbow},
+                                 {TreeJoint::kRightShoulder, TreeJoint::kRightElbow,
+                                  TreeJoint::kRightWrist, 1.0, B::kRightShoulder, A::kRightElbow},
+                                 {TreeJoint::kLeftHip, TreeJoint::kLeftKnee, TreeJoint::kLeftAnkle,
+                                  -1.0, B::kLeftHip, A::kLeftKnee},
+                                 {TreeJoint::kRightHip, TreeJoint::kRightKnee,
+                                  TreeJoint::kRightAnkle, -1.0, B::kRightHip, A::kRightKnee}};
+
+/// Lays the upper bone from root to middle, its front to where the limb bends.
+void layLimb(const LimbJoints& limb, const PoseTree& tree, ContourPose& pose) {
+  const auto &root = tree.joint(limb.root), &middle = tree.joint(limb.middle),
+             &end = tree.joint(limb.end);
+  if (!root || !middle || !end) return;
+  const Eigen::Matrix3d& trunk = pose.balls[B::kRoot];
+  const Eigen::Vector3d along = (*middle - *root).normalized();
+  const Eigen::Vector3d beyond = (*end - *middle).normalized();
+  const Eigen::Vector3d aside = beyond - along * along.dot(beyond);
+  Eigen::Vector3d front =
+      limb.sense * aside + std::max(0.0, kStraight - aside.norm()) * trunk.col(0);
+  front = (front - along * along.dot(front)).normalized();
+  Eigen::Matrix3d upper;
+  upper << front, front.cross(along), -along;
+  if (!upper.allFinite()) return;
+  pose.balls[limb.ball] = trunk.transpose() * upper;
+  pose.angles[limb.hinge] = limb.sense * std::atan2(aside.norm(), along.dot(beyond));
+}
+
+}  // namespace
+
+ContourPose mirrored(const ContourBody& body, const ContourPose& pose) {
+  ContourFrames frames;
+  body.place(pose, frames);
+  const Eigen::Matrix3d about = Eigen::Vector3d(-1, -1, 1).asDiagonal();
+  ContourPose out = pose;
+  out.balls[B::kRoot] = pose.balls[B::kRoot] * about;
+  out.angles[A::kSpinePitch] = -pose.angles[A::kSpinePitch];
+  out.angles[A::kSpineRoll] = -pose.angles[A::kSpineRoll];
+  out.balls[B::kNeck] = about * pose.balls[B::kNeck] * about;
+  const Eigen::Matrix3d pelvis = frames.R[S::kPelvis] * about, chest = frames.R[S::kChest] * about;
+  for (const size_t side : {0, 1}) {
+    const size_t other = 1 - side;
+    out.angles[A::kLeftClavicleYaw + 2 * side] = 0.0;
+    out.angles[A::kLeftClavicleRoll + 2 * side] = 0.0;
+    out.balls[B::kLeftShoulder + side] = chest.transpose() * frames.R[S::kLeftUpperArm + other];
+    out.angles[A::kLeftElbow + side] = pose.angles[A::kLeftElbow + other];
+    out.balls[B::kLeftHip + side] = pelvis.transpose() * frames.R[S::kLeftThigh + other] * about;
+    out.angles[A::kLeftKnee + side] = kKneeKept * pose.angles[A::kLeftKnee + other];
+    out.angles[A::kLeftAnkle + side] = 0.0;
+  }
+  return out;
+}
+
+std::optional<ContourPose> poseOfTree(const PoseTree& tree) {
+  const auto &left = tree.joint(TreeJoint::kLeftHip), &right = tree.joint(TreeJoint::kRightHip),
+             &neck = tree.joint(TreeJoint::kNeck);
+  if (!left || !right || !neck) return std::nullopt;
+  ContourPose pose;
+  pose.position = 0.5 * (*left + *right);
+  const Eigen::Vector3d y = (*left - *right).normalized();
+  const Eigen::Vector3d x = y.cross(*neck - pose.position).normalized();
+  pose.balls[B::kRoot] << x, y, x.cross(y);
+  for (const LimbJoints& limb : kLimbs) layLimb(limb, tree, pose);
+  if (!pose.isFinite()) return std::nullopt;
+  return pose;
+}
+
+std::vector<ContourPose> uprightPoses(const VisualHull& hull, const ContourBody& body) {
+  if (hull.voxels.empty()) return {};
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double top = -INFINITY;
+  for (const HullVoxel& voxel : hull.voxels) {
+    const Eigen::Vector3d center = hull.lattice.center(voxel.index);
+    sum += center;
+    top = std::max(top, center.z());
+  }
+  const ContourSizes& sizes = body.sizes();
+  const double above_hips =
+      sizes[ContourLength::kTorso] + sizes[ContourLength::kNeck] + sizes[ContourLength::kHead];
+  ContourPose pose;
+  pose.position = sum / double(hull.voxels.size());
+  pose.position.z() = top - above_hips;
+  std::vector<ContourPose> poses;
+  for (int i = 0; i < kFacings; ++i) {
+    pose.balls[B::kRoot] = rotationOf({0.0, 0.0, 2.0 * M_PI * i / kFacings});
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace markerless_mocap
