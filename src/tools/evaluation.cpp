@@ -83,6 +83,7 @@ void judgeStatus(const TruthRecord& truth, const ResultRecord& results, int64_t 
   out->latency_ms = spreadOf(latencies);
   if (!(out->latency_ms.max > kOffline_ms)) out->latency_ms.count = 0;
   out->feet = judgeFeet(truth.joints, results, match);
+  out->deviations = judgeDeviations(truth.joints, results, match);
   if (!results.has_status)
     out->notes.push_back("There is no /pose: each transform counts as a tracked frame.");
 }

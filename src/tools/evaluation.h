@@ -11,6 +11,7 @@
 #include "markerless_mocap/evaluation/delay.h"
 #include "markerless_mocap/evaluation/joint_error.h"
 #include "markerless_mocap/evaluation/track_record.h"
+#include "tools/evaluation_deviation.h"
 #include "tools/evaluation_feet.h"
 #include "tools/evaluation_images.h"
 #include "tools/evaluation_parts.h"
@@ -43,6 +44,7 @@ struct Evaluation {
   std::map<std::string, double> tip_errors_mm;  ///< mean by name
   FeetEvaluation feet;
   std::vector<LimbLoss> limbs;
+  std::vector<DeviationError> deviations;  ///< of the parts whose error is told
   std::vector<AngleError> angles;
   ImageMeasures images;
   std::vector<EvaluatedPicture> pictures;

@@ -132,6 +132,7 @@ std::string evaluationJson(const Evaluation& evaluation) {
   out.add("per_tip_mean", tips);
   out.add("feet", feetObject(evaluation.feet));
   out.add("limbs_lost", limbsObject(evaluation.limbs));
+  out.add("expected_errors", deviationsObject(evaluation.deviations));
   for (const AngleError& angle : evaluation.angles)
     angles.add(angle.joint, spreadObject(angle.error_deg));
   out.add("angles_deg", angles);

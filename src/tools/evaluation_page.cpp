@@ -161,6 +161,7 @@ std::string evaluationPage(const Evaluation& evaluation) {
                      "<h2>How often which error</h2>\n<p>frames by their D</p>\n" +
                      histogram(evaluation.joints.D, kBins, kBlue, "mm") + swapsAndTips(evaluation) +
                      limbsSection(evaluation.limbs, secondsOf(evaluation.stamps_ns)) +
+                     deviationsSection(evaluation.deviations) +
                      feetSection(evaluation.feet, secondsOf(evaluation.stamps_ns)) +
                      overlaps(evaluation) + anglesSection(evaluation.angles);
   if (evaluation.trees) body += treesSection(*evaluation.trees, secondsOf(evaluation.stamps_ns));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -18,6 +20,8 @@ struct ResultFrame {
   FrameStatus status = FrameStatus::kMissing;
   std::string reason;
   LinkPoses T_world_link;  ///< NaN where a link is not seen; empty without a pose
+  /// Expected errors of thorax, head, wrists, ankles, metres; NaN where not told.
+  std::array<double, 6> part_deviation_m{NAN, NAN, NAN, NAN, NAN, NAN};
 };
 
 /// What a bag says that a tracker found.

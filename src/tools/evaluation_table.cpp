@@ -120,6 +120,7 @@ void printEvaluation(const Evaluation& evaluation, std::ostream& out) {
   printFrames(evaluation, out);
   printMarkers(evaluation.joints, out);
   printLimbs(evaluation.limbs, out);
+  printDeviations(evaluation.deviations, out);
   printFeet(evaluation.feet, out);
   printRest(evaluation, out);
   if (evaluation.trees) printTrees(*evaluation.trees, out);
