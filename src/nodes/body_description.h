@@ -1,36 +1,29 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
-#include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/ros/node_options.h"
+#include "markerless_mocap/fitting/body_tracker.h"
 
 namespace markerless_mocap {
 
-/// Text of the URDF template. Throws std::invalid_argument if it cannot be read.
-/// \param file empty: the package's own
-std::string readUrdfTemplate(const std::string& file);
-
-/// The body's URDF on the parameter server.
+/// The body's URDF on the parameter server, in /human_description_<id>.
 class BodyDescription {
  public:
-  /// Reads the parameter /human_description_<id>, or sets it from the template. Throws
-  /// std::invalid_argument: a parameter that is not set, or as readUrdfTemplate(),
-  /// fillUrdfTemplate() and BodyModel::fromUrdf().
-  /// \param stature metres
-  BodyDescription(const FittingNodeOptions& options, double stature);
-  /// Takes back a parameter that it set.
+  explicit BodyDescription(const std::string& id) : parameter_("/human_description_" + id) {}
+  /// Takes back the parameter if it was set here.
   ~BodyDescription();
   BodyDescription(const BodyDescription&) = delete;
   BodyDescription& operator=(const BodyDescription&) = delete;
 
-  const std::shared_ptr<const BodyModel>& model() const { return model_; }
+  void set(const TrackedBody& body);
 
  private:
   std::string parameter_;
-  bool set_here_;
-  std::shared_ptr<const BodyModel> model_;
+  bool set_ = false;
 };
+
+/// Writes a person's sizes so that the file is there whole or not at all. Throws std::runtime_error
+/// if it cannot be written.
+void writeBodyFile(const std::string& path, const ContourSizes& sizes);
 
 }  // namespace markerless_mocap

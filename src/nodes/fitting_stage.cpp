@@ -1,78 +1,129 @@
 #include "nodes/fitting_stage.h"
 
-#include <stdexcept>
+#include <ros/console.h>
+#include <sensor_msgs/JointState.h>
 
+#include <exception>
+#include <fstream>
+
+#include "markerless_mocap/contour/sizes_file.h"
+#include "markerless_mocap/ros/body_markers.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/hull_conversions.h"
+#include "markerless_mocap/ros/image_conversions.h"
+#include "markerless_mocap/ros/package_files.h"
 #include "markerless_mocap/ros/pose_conversions.h"
+#include "markerless_mocap/ros/pose_tree_conversions.h"
 #include "markerless_mocap/ros/segmentation_conversions.h"
 #include "nodes/publish_shared.h"
 
 namespace markerless_mocap {
 namespace {
 
-// While a pose is fitted the newest wait, and the hulls are ahead of their segmentation.
-constexpr uint32_t kQueue = 2;
-constexpr uint32_t kHullQueue = 12;
+constexpr size_t kMostWaiting = 8;  // instants while one is searched for long
 
-AssemblerOptions exactStamps() {
-  AssemblerOptions options;
-  options.tolerance = 0.0;
-  options.min_streams = 3;
-  options.deadline = 2.0;  // the segmentation of an instant may lag behind the hulls by this
-  return options;
+FittingNeeds needsOf(const std::string& method) {
+  return {method != "skeleton", method == "sppso"};
+}
+
+bool isThere(const std::string& file) {
+  return !file.empty() && std::ifstream(file).good();
+}
+
+TrackerSources sourcesOf(const FittingNodeOptions& options) {
+  TrackerSources sources = readTrackerSources(options.body_id, options.urdf_template,
+                                              isThere(options.body_file) ? options.body_file : "");
+  sources.in_background = true;
+  return sources;
+}
+
+/// The body as far as it is known without a camera: whatever the method, that of the skeleton's.
+std::shared_ptr<const TrackedBody> bodyBeforehand(const TrackerSources& sources,
+                                                  TrackerOptions options) {
+  options.method = "skeleton";
+  return makeBodyTracker({}, sources, options)->body();
+}
+
+std::vector<cv::Mat> masksOf(const FittingInput& input) {
+  std::vector<cv::Mat> masks;
+  for (const auto& mask : input.masks) masks.push_back(mask ? maskFromMessage(*mask) : cv::Mat());
+  return masks;
+}
+
+std::vector<cv::Mat> imagesOf(const FittingInput& input) {
+  std::vector<cv::Mat> images(input.masks.size());
+  for (size_t i = 0; i < input.images.size(); ++i)
+    if (input.images[i].raw || input.images[i].compressed) images[i] = input.images[i].mat();
+  return images;
+}
+
+BodyParts partsOf(const FittingInput& input) {
+  if (!input.parts || !input.labels) return BodyParts();
+  BodyParts parts = partsFromMessage(*input.parts);
+  parts.labels = labelsFromMessage(*input.labels);
+  return parts;
+}
+
+PoseTree treeOf(const FittingInput& input) {
+  return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
+}
+
+/// Names the stage that said nothing of the instant, as a part of a sentence.
+std::string lackOf(const FittingInput& input) {
+  const std::string what = !input.parts || !input.labels ? "body_segmentation" : "pose_tree";
+  return "; what " + what + " says of this instant has not come";
 }
 
 }  // namespace
 
 FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                           const FittingOptions& options, const FittingNodeOptions& node_options)
-    : description_(node_options, options.stature),
-      tracker_(description_.model(), options),
-      assembler_(kStreams, exactStamps()),
+                           const TrackerOptions& options, const FittingNodeOptions& node_options)
+    : options_(options),
+      node_options_(node_options),
+      sources_(sourcesOf(node_options)),
       status_(handle, private_handle, "pose fitting"),
-      announcer_(handle, node_options.body_id) {
+      description_(node_options.body_id),
+      announcer_(handle, node_options.body_id),
+      queue_(kMostWaiting) {
+  node_options_.checkCamerasFor(options_.method);
+  takeOver(bodyBeforehand(sources_, options_));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
-      "/humans/bodies/" + node_options.body_id + "/joint_states", 4);
+      "/humans/bodies/" + node_options_.body_id + "/joint_states", 4);
   pose_ = handle.advertise<BodyPoseMsg>("pose", 4);
-  subscribe(handle);
+  markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
+  inputs_ = std::make_unique<FittingInputs>(
+      handle, node_options_, needsOf(options_.method), &status_,
+      [this](FittingInput input) { queue_.push(std::move(input)); });
+  worker_ = std::thread([this] { work(); });
 }
 
-void FittingStage::subscribe(ros::NodeHandle& handle) {
-  subscribers_.push_back(handle.subscribe<VoxelGrid>(
-      "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; })));
-  subscribers_.push_back(handle.subscribe<BodyPartsMsg>(
-      "segmentation/parts", kQueue, gate_.guarded([this](const BodyPartsMsg::ConstPtr& parts) {
-        receive(kParts, parts->header, {parts, nullptr});
-      })));
-  const auto subscribe_cloud = [&](const char* topic, uint32_t queue, Stream stream) {
-    subscribers_.push_back(handle.subscribe<sensor_msgs::PointCloud2>(
-        topic, queue, gate_.guarded([this, stream](const sensor_msgs::PointCloud2ConstPtr& cloud) {
-          receive(stream, cloud->header, {nullptr, cloud});
-        })));
-  };
-  subscribe_cloud("segmentation/points", kQueue, kLabels);
-  subscribe_cloud("hull/points", kHullQueue, kHull);
+FittingStage::~FittingStage() {
+  inputs_.reset();
+  queue_.close();
+  worker_.join();
 }
 
-void FittingStage::receive(Stream stream, const std_msgs::Header& header, Item item) {
-  const uint64_t jumps = assembler_.counts().time_jumps_back;
-  const auto instants = assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item));
-  if (assembler_.counts().time_jumps_back != jumps) tracker_.reset();
-  for (const auto& instant : instants) publish(fit(instant), instant.items[kHull].cloud->header);
-  status_.set("instants", assembler_.counts().complete);
-  status_.set("abandoned instants", assembler_.counts().abandoned);
-  status_.set("duplicate or late", assembler_.counts().duplicate + assembler_.counts().late);
-  status_.set("time went back", assembler_.counts().time_jumps_back);
+void FittingStage::work() {
+  while (const std::optional<FittingInput> input = queue_.take()) {
+    const ros::WallTime start = ros::WallTime::now();
+    const BodyPose pose = fit(*input);
+    const double fitting = (ros::WallTime::now() - start).toSec();
+    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
+    publish(pose, input->header);
+    reportTimes(fitting, input->header.stamp);
+  }
 }
 
-BodyPose FittingStage::fit(const InstantAssembler<Item>::Instant& instant) {
+BodyPose FittingStage::fit(const FittingInput& input) {
   try {
-    if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
-    const VisualHull hull = hullFromMessage(*instant.items[kHull].cloud, *grid_);
-    BodyParts parts = partsFromMessage(*instant.items[kParts].parts);
-    parts.labels = labelsFromMessage(*instant.items[kLabels].cloud);
-    return tracker_.update(instant.stamp_ns, parts, hull);
+    if (!input.refusal.empty()) throw std::invalid_argument(input.refusal);
+    prepareTracker(input);
+    const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
+    const std::vector<cv::Mat> masks = masksOf(input), images = imagesOf(input);
+    BodyPose pose = tracker_->update(
+        {nanosecondsOf(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
+    if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);
+    return pose;
   } catch (const std::exception& error) {
     BodyPose lost;
     lost.reason = error.what();
@@ -80,19 +131,59 @@ BodyPose FittingStage::fit(const InstantAssembler<Item>::Instant& instant) {
   }
 }
 
+void FittingStage::prepareTracker(const FittingInput& input) {
+  if (tracker_ && input.rig == rig_) return;
+  if (body_->measured) sources_.measured = body_->sizes;
+  tracker_ = makeBodyTracker(*input.rig, sources_, options_);
+  rig_ = input.rig;
+}
+
+void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
+  const bool newly_measured = body->measured && !sources_.measured;
+  announcer_.announce(false, ros::Time::now());
+  body_ = body;
+  description_.set(*body_);
+  if (!newly_measured) return;
+  ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
+           statureOf(body_->sizes));
+  sources_.measured = body_->sizes;
+  saveBody();
+}
+
+void FittingStage::saveBody() {
+  if (node_options_.body_file.empty()) return;
+  try {
+    writeBodyFile(node_options_.body_file, body_->sizes);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("pose fitting: " << error.what());
+  }
+}
+
 void FittingStage::publish(const BodyPose& pose, const std_msgs::Header& header) {
-  const BodyModel& model = *description_.model();
+  const BodyModel& model = *body_->model;
   const bool tracked = pose.status != PoseStatus::kLost;
   status_.count(toString(pose.status));
   if (tracked) {
     joint_states_.publish(jointStateFromPose(model, pose, header));
-    broadcaster_.sendTransform(rootTransform(model, pose, header));
+    broadcaster_.sendTransform(linkTransforms(model, pose, header));
     status_.good(pose.reason.empty() ? "the pose is followed" : pose.reason);
   } else {
     status_.problem(pose.reason);
   }
   announcer_.announce(tracked, header.stamp);
+  if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
   publishShared(pose_, messageFromPose(model, pose, header));
+}
+
+void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {
+  fitting_times_.add(fitting);
+  status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
+  status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
+  status_.set("instants passed over for newer ones", queue_.passedOver());
+  if (!ros::Time::isSystemTime()) return;
+  latencies_.add((ros::Time::now() - stamp).toSec());
+  status_.set("capture to tf, median ms", latencies_.milliseconds(0.5));
+  status_.set("capture to tf, 99 % within ms", latencies_.milliseconds(0.99));
 }
 
 }  // namespace markerless_mocap

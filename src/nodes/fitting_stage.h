@@ -1,50 +1,61 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <sensor_msgs/PointCloud2.h>
 #include <tf2_ros/transform_broadcaster.h>
 
-#include "markerless_mocap/camera/instant_assembler.h"
-#include "markerless_mocap/fitting/pose_tracker.h"
-#include "markerless_mocap/ros/messages.h"
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "markerless_mocap/fitting/body_tracker.h"
 #include "markerless_mocap/ros/node_options.h"
 #include "nodes/body_announcer.h"
 #include "nodes/body_description.h"
-#include "nodes/callback_gate.h"
+#include "nodes/fitting_inputs.h"
+#include "nodes/lag_queue.h"
+#include "nodes/latency_meter.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {
 
-/// Joins parts, labels and hull of one stamp and follows the person. Its callbacks come one at a
-/// time.
+/// Follows the person, in a thread of its own so that messages are never kept waiting, and
+/// publishes the pose and the body.
 class FittingStage {
  public:
+  /// Throws std::invalid_argument or std::runtime_error as readTrackerSources(),
+  /// makeBodyTracker() and FittingNodeOptions::checkCamerasFor().
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-               const FittingOptions& options, const FittingNodeOptions& node_options);
+               const TrackerOptions& options, const FittingNodeOptions& node_options);
+  ~FittingStage();
+  FittingStage(const FittingStage&) = delete;
+  FittingStage& operator=(const FittingStage&) = delete;
 
  private:
-  enum Stream : size_t { kParts, kLabels, kHull, kStreams };
-  /// A message of one of the streams.
-  struct Item {
-    BodyPartsMsg::ConstPtr parts;
-    sensor_msgs::PointCloud2ConstPtr cloud;
-  };
-
-  void subscribe(ros::NodeHandle& handle);
-  void receive(Stream stream, const std_msgs::Header& header, Item item);
-  BodyPose fit(const InstantAssembler<Item>::Instant& instant);
+  void work();
+  BodyPose fit(const FittingInput& input);
+  /// Makes the tracker anew if the rig is another one. What has been measured is kept.
+  void prepareTracker(const FittingInput& input);
+  /// Takes the body back that was announced, and publishes the description of the new one.
+  void takeOver(const std::shared_ptr<const TrackedBody>& body);
+  void saveBody();
   void publish(const BodyPose& pose, const std_msgs::Header& header);
+  void reportTimes(double fitting, const ros::Time& stamp);
 
-  BodyDescription description_;
-  PoseTracker tracker_;
-  InstantAssembler<Item> assembler_;
+  TrackerOptions options_;
+  FittingNodeOptions node_options_;
+  TrackerSources sources_;
   StageStatus status_;
-  VoxelGridConstPtr grid_;
-  ros::Publisher joint_states_, pose_;
+  ros::Publisher joint_states_, pose_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;
+  BodyDescription description_;
   BodyAnnouncer announcer_;
-  std::vector<ros::Subscriber> subscribers_;
-  CallbackGate gate_;
+  std::shared_ptr<const TrackedBody> body_;
+  std::shared_ptr<const CameraRig> rig_;  ///< of the tracker
+  std::unique_ptr<BodyTracker> tracker_;  ///< none until the rig is known
+  LatencyMeter fitting_times_, latencies_;
+  LagQueue<FittingInput> queue_;
+  std::unique_ptr<FittingInputs> inputs_;
+  std::thread worker_;
 };
 
 }  // namespace markerless_mocap

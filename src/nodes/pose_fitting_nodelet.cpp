@@ -9,7 +9,8 @@
 
 namespace markerless_mocap {
 
-/// `segmentation/parts` and `hull/points` of one stamp -> joint states, tf, `pose`.
+/// Silhouettes, `hull/points`, `segmentation/parts` and `pose_tree` of one instant -> joint states,
+/// tf, `pose`, `pose/body`.
 class PoseFittingNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -17,7 +18,7 @@ class PoseFittingNodelet : public nodelet::Nodelet {
   }
 
   void start() {
-    FittingOptions options;
+    TrackerOptions options;
     FittingNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
     stage_ = std::make_unique<FittingStage>(getNodeHandle(), getPrivateNodeHandle(), options,

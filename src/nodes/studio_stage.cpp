@@ -1,7 +1,6 @@
 #include "nodes/studio_stage.h"
 
 #include <ros/master.h>
-#include <ros/package.h>
 #include <ros/param.h>
 #include <rosgraph_msgs/Clock.h>
 
@@ -10,9 +9,9 @@
 #include "markerless_mocap/capture/truth.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
+#include "markerless_mocap/ros/package_files.h"
 #include "markerless_mocap/ros/pose_conversions.h"
 #include "markerless_mocap/ros/truth_conversions.h"
-#include "nodes/body_description.h"
 #include "nodes/publish_shared.h"
 
 namespace markerless_mocap {
@@ -20,9 +19,10 @@ namespace {
 
 constexpr int64_t kClockStart = 1000'000'000'000;  // nanoseconds
 
-StudioFiles packageFiles(const StudioNodeOptions& options) {
-  return {readUrdfTemplate(options.urdf_template),
-          ros::package::getPath("markerless_mocap") + "/config/motions"};
+StudioFiles filesFor(const StudioNodeOptions& options) {
+  return {readText(options.urdf_template.empty() ? packageFile("urdf/human.urdf.in")
+                                                 : options.urdf_template),
+          packageFile("config/motions")};
 }
 
 std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
@@ -37,7 +37,7 @@ StudioStage::StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private
                          const StudioOptions& options, const StudioNodeOptions& node_options)
     : handle_(handle),
       node_options_(node_options),
-      studio_(options, packageFiles(node_options), node_options.body_id),
+      studio_(options, filesFor(node_options), node_options.body_id),
       status_(handle, private_handle, "virtual studio") {
   ros::param::set("/human_description_" + node_options_.body_id, studio_.urdf());
   advertise(handle);

@@ -27,6 +27,12 @@ void checkCameras(const char* stage, const std::vector<std::string>& cameras, si
                                   "\", allowed are names that are not empty and all different");
 }
 
+void checkWorldFrame(const char* stage, const std::string& frame) {
+  if (frame.empty())
+    throw std::invalid_argument(std::string(stage) +
+                                "/world_frame is empty, allowed is a frame's name");
+}
+
 void checkBodyId(const char* stage, const std::string& id) {
   bool usable = !id.empty() && std::isalpha(static_cast<unsigned char>(id[0]));
   for (const char c : id) usable = usable && std::isalnum(static_cast<unsigned char>(c));
@@ -68,8 +74,7 @@ void HullNodeOptions::visit(OptionVisitor& v) {
 void HullNodeOptions::validate() const {
   checkFields(*this);
   checkCameras(kStage, cameras, 2);
-  if (world_frame.empty())
-    throw std::invalid_argument("visual_hull/world_frame is empty, allowed is a frame's name");
+  checkWorldFrame(kStage, world_frame);
   if (min_cameras > static_cast<int>(cameras.size()))
     throw std::invalid_argument("visual_hull/min_cameras is " + std::to_string(min_cameras) +
                                 ", allowed is at most the number of cameras, " +
@@ -84,16 +89,28 @@ size_t HullNodeOptions::fewestCameras() const {
 }
 
 void FittingNodeOptions::visit(OptionVisitor& v) {
+  v.field("cameras", cameras, kCamerasMeaning);
+  v.field("world_frame", world_frame, {}, "frame of the hulls; tf connects the cameras to it");
+  v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
+          "a silhouette whose stamp is this close to a hull's belongs to it, s; as that of "
+          "visual_hull");
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
-  v.field("urdf_from_parameter", urdf_from_parameter,
-          "whether /human_description_<body_id> is set already; false: the node sets it from the "
-          "template and the stature");
+  v.field("body_file", body_file, {},
+          "file of the person's sizes: read at the start if it is there, else written as soon as "
+          "the body has been measured; empty: none");
 }
 
 void FittingNodeOptions::validate() const {
   checkFields(*this);
+  checkCameras(kStage, cameras, 0);
+  checkWorldFrame(kStage, world_frame);
   checkBodyId(kStage, body_id);
+}
+
+void FittingNodeOptions::checkCamerasFor(const std::string& method) const {
+  if (method != "skeleton") checkCameras(kStage, cameras, 2);
 }
 
 void StudioNodeOptions::visit(OptionVisitor& v) {

@@ -2,6 +2,7 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace markerless_mocap {
@@ -86,6 +87,9 @@ BodyPoseMsg messageFromPose(const BodyModel& model, const BodyPose& pose,
   message.body_id = model.id();
   message.status = statusToMessage(pose.status);
   message.reason = pose.reason;
+  std::copy(pose.part_deviation_m.begin(), pose.part_deviation_m.end(),
+            message.part_deviation.begin());
+  message.silhouette_overlap = pose.silhouette_overlap;
   message.skeleton_error = pose.skeleton_error_m;
   message.hull_explained = pose.hull_explained;
   message.body_in_hull = pose.body_in_hull;

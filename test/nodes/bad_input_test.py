@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Each bad input gets its sentence; no node crashes, hangs or publishes a pose it does not have."""
 import subprocess
+import tempfile
 import unittest
 
 import rospy
@@ -9,7 +10,7 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
 from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
-from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2, PointField
 
 SIZE = (64, 48)
 
@@ -58,30 +59,31 @@ class Refusals(unittest.TestCase):
     def test_camera_twice(self):
         self.expect('visual_hull/cameras holds "a"', 'visual_hull', cameras=['a', 'a'])
 
+    def test_silhouettes_without_cameras(self):
+        self.expect('pose_fitting/cameras lists 0 cameras, allowed is 2 to 32', 'pose_fitting')
+
+    def test_unknown_method(self):
+        self.expect('/pose_fitting/method is "magic", allowed is one of contour, skeleton', 'pose_fitting', cameras=['a', 'b'],
+                    method='magic')
+
     def test_unreadable_urdf_template(self):
-        self.expect('the URDF template /no/such/file cannot be read', 'pose_fitting',
+        self.expect('cannot read /no/such/file', 'pose_fitting', cameras=['a', 'b'],
                     urdf_template='/no/such/file')
 
-    def test_no_urdf(self):
-        self.expect('parameter /human_description_person1 is not set', 'pose_fitting',
-                    urdf_from_parameter=True)
+    def expect_of_file(self, sentence, option, text):
+        with tempfile.NamedTemporaryFile('w') as file:
+            file.write(text)
+            file.flush()
+            self.expect(sentence, 'pose_fitting', cameras=['a', 'b'], **{option: file.name})
 
     def test_urdf_that_is_none(self):
-        rospy.set_param('/human_description_person1', 'no xml')
-        try:
-            self.expect('URDF for parameter /human_description_person1: ', 'pose_fitting',
-                        urdf_from_parameter=True)
-        finally:
-            rospy.delete_param('/human_description_person1')
+        self.expect_of_file('URDF', 'urdf_template', 'no xml')
 
     def test_urdf_without_the_links(self):
-        rospy.set_param('/human_description_person1',
-                        '<robot name="r"><link name="base_person1"/></robot>')
-        try:
-            self.expect('URDF for parameter /human_description_person1: ', 'pose_fitting',
-                        urdf_from_parameter=True)
-        finally:
-            rospy.delete_param('/human_description_person1')
+        self.expect_of_file('URDF', 'urdf_template', '<robot name="r"><link name="base"/></robot>')
+
+    def test_body_file_that_is_none(self):
+        self.expect_of_file('lacks the size torso', 'body_file', 'height: 1.8')
 
 
 class Diagnosed(unittest.TestCase):
@@ -130,6 +132,14 @@ def mask(stamp, value, size=SIZE, encoding='mono8'):
     message.header.stamp = stamp
     message.data = bytes([value]) * (size[0] * size[1])
     return message
+
+
+def empty_cloud(words, single_bytes):
+    """No points of float fields, then byte fields."""
+    fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate(words)]
+    fields += [PointField(name, 4 * len(words) + i, PointField.UINT8, 1)
+               for i, name in enumerate(single_bytes)]
+    return PointCloud2(fields=fields, height=1, point_step=4 * len(words) + len(single_bytes))
 
 
 class HullNode(Diagnosed):
@@ -265,25 +275,93 @@ class OtherStages(Diagnosed):
         self.send_until('no hull/grid has come yet', send)
         self.assertEqual({PoseTree.NO_SKELETON}, {a.status for a in answers})
 
-    def test_nothing_to_fit(self):
-        topics = {'hull/points': PointCloud2, 'segmentation/points': PointCloud2,
-                  'segmentation/parts': BodyParts}
-        publishers = {t: rospy.Publisher(t, kind, queue_size=5) for t, kind in topics.items()}
-        grid = rospy.Publisher('hull/grid', VoxelGrid, queue_size=1, latch=True)
-        self.addCleanup(grid.unregister)
-        grid.publish(VoxelGrid(pitch=float('nan')))
-        poses = []
-        rospy.Subscriber('pose', BodyPose, poses.append)
+
+class FittingNode(Diagnosed):
+    """pose_fitting is given the other stages' messages by hand: none of them holds a person."""
+    method = 'contour'
+    grid = VoxelGrid(pitch=0.02, size=[10, 10, 10])
+    grid.header.frame_id = 'world'
+    stages = {
+        'hull/points': empty_cloud(['x', 'y', 'z', 'rgb'],
+                                   ['views', 'votes_x', 'votes_y', 'votes_z', 'possible_x',
+                                    'possible_y', 'possible_z']),
+        'segmentation/points': empty_cloud(['x', 'y', 'z', 'rgb'], ['label']),
+        'segmentation/parts': BodyParts(reason='the hull has no voxels'),
+        'pose_tree': PoseTree(status=PoseTree.NO_SKELETON, origin=-1, reason='the hull has no voxels')}
+
+    def setUp(self):
+        rospy.set_param('/pose_fitting/method', self.method)
+        rospy.set_param('/pose_fitting/measure', False)
+        rospy.set_param('/pose_fitting/cameras', ['a', 'b'] if self.method == 'contour' else [])
+        self.publishers = {t: rospy.Publisher(t, type(message), queue_size=5)
+                           for t, message in self.stages.items()}
+        self.infos = [rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5) for c in 'ab']
+        self.masks = [rospy.Publisher(c + '/silhouette', Image, queue_size=5) for c in 'ab']
+        self.latched = rospy.Publisher('hull/grid', VoxelGrid, queue_size=1, latch=True)
+        self.addCleanup(self.latched.unregister)
+        self.latched.publish(self.grid)
+        self.poses = []
+        self.poses_in = rospy.Subscriber('pose', BodyPose, self.poses.append)
+        self.addCleanup(self.poses_in.unregister)
         self.run_node('pose_fitting')
 
+    def expect(self, sentence, infos=(), size=SIZE, encoding='mono8', stages=None, late=0.0):
         def send(stamp):
-            for topic, kind in topics.items():
-                message = kind()
+            for publisher, message in zip(self.infos, infos):
+                publisher.publish(message)
+            for publisher in self.masks:
+                publisher.publish(mask(stamp + rospy.Duration(late), 0, size, encoding))
+            for topic in stages or self.stages:
+                message = self.stages[topic]
                 message.header.stamp = stamp
-                publishers[topic].publish(message)
-        self.send_until('hull cloud', send)
-        self.assertEqual({BodyPose.LOST}, {p.status for p in poses})
-        self.assertTrue(all(p.reason for p in poses))
+                message.header.frame_id = 'world'
+                self.publishers[topic].publish(message)
+        self.send_until(sentence, send)
+        self.assertEqual({BodyPose.LOST}, {p.status for p in self.poses})
+        self.assertTrue(all(p.reason for p in self.poses))
+
+
+class NothingToFit(FittingNode):
+    method = 'skeleton'
+    grid = VoxelGrid(pitch=float('nan'))
+
+    def test_grid_that_is_none(self):
+        self.expect('hull cloud is in the frame "world"')
+
+
+class FittingSkeletons(FittingNode):
+    method = 'skeleton'
+
+    def test_needs_neither_cameras_nor_tree(self):
+        self.expect('the hull has no voxels', stages=['hull/points', 'segmentation/points', 'segmentation/parts'])
+        self.assertTrue(self.poses)
+
+
+class FittingContours(FittingNode):
+    both = [info('a_optical'), info('b_optical')]
+
+    def test_no_camera_info(self):
+        self.expect('no camera_info has come from b', [info('a_optical')])
+        self.assertTrue(self.poses)
+
+    def test_no_tf(self):
+        self.expect('tf does not connect nowhere of a to world', [info('nowhere'), self.both[1]])
+
+    def test_zero_k(self):
+        self.expect("camera 'a': K is all zero", [info('a_optical', focal=0.0), self.both[1]])
+
+    def test_mask_of_another_size(self):
+        self.expect("the mask of camera 'a' must have", self.both, size=(32, 24))
+
+    def test_mask_of_another_encoding(self):
+        self.expect('has the encoding "8SC1", allowed is mono8', self.both, encoding='8SC1')
+
+    def test_masks_of_other_stamps_are_not_taken(self):
+        self.expect('the person shows in 0 silhouettes', self.both, late=0.05)
+
+    def test_a_stage_that_says_nothing_is_named(self):
+        self.expect('what pose_tree says of this instant has not come', self.both,
+                    stages=['hull/points', 'segmentation/points', 'segmentation/parts'])
 
 
 def place_cameras(broadcaster):

@@ -1,6 +1,10 @@
 #!/usr/bin/python3
-"""The studio's film through every stage: poses come, frames move, stamps stay the capture's."""
+"""The studio's film through every stage: the body is measured, poses come and are where the person
+is, stamps stay the capture's."""
+import math
+import statistics
 import unittest
+import xml.etree.ElementTree
 
 import rospy
 import rostest
@@ -8,9 +12,22 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
 from sensor_msgs.msg import Image, JointState, PointCloud2
-from visualization_msgs.msg import MarkerArray
+from visualization_msgs.msg import Marker, MarkerArray
 
 POSES_WANTED = 8
+JOINTS = ('body', 'head', 'l_elbow', 'r_wrist', 'l_knee', 'r_ankle')
+
+
+def bones(body):
+    """Parent, child and distance of all joints in the description on the parameter server."""
+    robot = xml.etree.ElementTree.fromstring(rospy.get_param('/human_description_' + body))
+    found = []
+    for joint in robot.findall('joint'):
+        origin = joint.find('origin')
+        offset = '0 0 0' if origin is None else origin.get('xyz')
+        found.append((joint.find('parent').get('link'), joint.find('child').get('link'),
+                      math.hypot(*[float(x) for x in offset.split()])))
+    return found
 
 
 class Recorder:
@@ -39,8 +56,10 @@ class Graph(unittest.TestCase):
         cls.tree_markers = Recorder('pose_tree/markers', MarkerArray)
         cls.masks = Recorder('cam0/silhouette', Image)
         cls.joints = Recorder('/humans/bodies/person1/joint_states', JointState)
+        cls.surfaces = Recorder('pose/body', MarkerArray)
         cls.diagnostics = Recorder('/diagnostics', DiagnosticArray)
-        end = rospy.get_time() + 90
+        cls.method = rospy.get_param('/pose_fitting/method')
+        end = rospy.get_time() + 150
         while rospy.get_time() < end and len(cls.tracked()) < POSES_WANTED:
             rospy.sleep(0.2)
         rospy.sleep(1.0)
@@ -51,6 +70,10 @@ class Graph(unittest.TestCase):
     @classmethod
     def tracked(cls):
         return [p for p in cls.poses.messages if p.status != BodyPose.LOST]
+
+    @classmethod
+    def whole(cls):
+        return [p for p in cls.tracked() if not p.parts_not_seen]
 
     def test_poses_come(self):
         reasons = {p.reason for p in self.poses.messages}
@@ -83,20 +106,70 @@ class Graph(unittest.TestCase):
         self.assertLessEqual({'tree', 'tips', 'tip_names', 'forward'}, kinds)
 
     def test_frames_of_all_links_follow_the_person(self):
-        first, last = self.tracked()[0], self.tracked()[-1]
+        first, *_, last = self.whole()
         for frame in ('body_person1', 'head_person1', 'l_ankle_person1'):
             a = self.tf.lookup_transform('world', frame, first.header.stamp).transform.translation
             b = self.tf.lookup_transform('world', frame, last.header.stamp).transform.translation
             moved = ((a.x - b.x) ** 2 + (a.y - b.y) ** 2) ** 0.5
             self.assertGreater(moved, 0.05, frame)
 
+    def place(self, frame, stamp, parent='world'):
+        t = self.tf.lookup_transform(parent, frame, stamp).transform.translation
+        return t.x, t.y, t.z
+
     def test_the_person_is_where_the_truth_is(self):
         far = 0
         for pose in self.tracked():
-            truth = self.tf.lookup_transform('world', 'body_truth', pose.header.stamp)
-            t, p = truth.transform.translation, pose.pose.position
-            far += ((t.x - p.x) ** 2 + (t.y - p.y) ** 2 + (t.z - p.z) ** 2) ** 0.5 > 0.25
+            p = pose.pose.position
+            truth = self.place('body_truth', pose.header.stamp)
+            far += math.dist(truth, (p.x, p.y, p.z)) > 0.25
         self.assertLessEqual(far, len(self.tracked()) // 4)
+
+    def test_contours_put_joints_where_the_truth_is(self):
+        if self.method != 'contour':
+            self.skipTest('skeletons are not that near')
+        errors = []
+        for pose in self.tracked():
+            self.assertGreater(pose.silhouette_overlap, 0.6)
+        for pose in self.whole():
+            self.assertTrue(all(math.isfinite(d) for d in pose.part_deviation))
+            errors += [math.dist(self.place(j + '_person1', pose.header.stamp),
+                                 self.place(j + '_truth', pose.header.stamp)) for j in JOINTS]
+        self.assertTrue(errors)
+        self.assertLess(statistics.median(errors), 0.06)
+
+    def test_nothing_is_claimed_before_the_body_is_measured(self):
+        if self.method != 'contour':
+            self.skipTest('skeletons are not measured')
+        measuring = [p for p in self.poses.messages if 'the body is being measured' in p.reason]
+        self.assertTrue(measuring)
+        self.assertEqual({BodyPose.LOST}, {p.status for p in measuring})
+        self.assertLess(max(p.header.stamp for p in measuring), self.tracked()[0].header.stamp)
+        self.assertGreaterEqual(min(self.joints.stamps()),
+                                self.tracked()[0].header.stamp.to_nsec())
+
+    def test_measured_limbs_are_as_long_as_the_person_s(self):
+        if self.method != 'contour':
+            self.skipTest('skeletons are not measured')
+        length = {child.rsplit('_', 1)[0]: distance for _, child, distance in bones('person1')}
+        for _, child, distance in bones('truth'):
+            joint = child.rsplit('_', 1)[0]
+            if joint.endswith(('knee', 'ankle', 'elbow', 'wrist')):
+                self.assertLess(abs(length[joint] - distance), 0.06, joint)
+
+    def test_frames_are_as_far_apart_as_the_description_says(self):
+        pose = self.whole()[-1]
+        described = bones('person1')
+        self.assertGreater(len(described), 20)
+        for parent, child, distance in described:
+            apart = math.hypot(*self.place(child, pose.header.stamp, parent))
+            self.assertAlmostEqual(distance, apart, 5, child)
+
+    def test_the_surface_is_shown_to_who_looks_on(self):
+        shown = [a for a in self.surfaces.messages if a.markers[0].action == Marker.ADD]
+        self.assertTrue(shown)
+        self.assertEqual(6, len(shown[-1].markers))
+        self.assertTrue(shown[-1].markers[0].points)
 
     def test_joint_states_are_the_pose_s_joints(self):
         by_stamp = {j.header.stamp: j for j in self.joints.messages}

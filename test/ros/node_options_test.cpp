@@ -47,5 +47,24 @@ TEST(NodeOptions, BodyIdIsLettersAndDigits) {
   }
 }
 
+TEST(NodeOptions, OnlySkeletonsAreFittedWithoutCameras) {
+  FittingNodeOptions options;
+  EXPECT_EQ(sentenceOf([&] { options.validate(); }), "");
+  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("skeleton"); }), "");
+  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("contour"); }),
+            "pose_fitting/cameras lists 0 cameras, allowed is 2 to 32");
+  options.cameras = {"a", "b"};
+  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("contour"); }), "");
+  options.cameras = {"a", "a"};
+  EXPECT_NE(sentenceOf([&] { options.validate(); }), "");
+}
+
+TEST(NodeOptions, WorldFrameIsNamed) {
+  FittingNodeOptions options;
+  options.world_frame.clear();
+  EXPECT_EQ(sentenceOf([&] { options.validate(); }),
+            "pose_fitting/world_frame is empty, allowed is a frame's name");
+}
+
 }  // namespace
 }  // namespace markerless_mocap

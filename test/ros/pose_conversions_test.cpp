@@ -5,6 +5,7 @@
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -41,6 +42,8 @@ BodyPose samplePose() {
   pose.angles = Eigen::VectorXd::LinSpaced(person().angleCount(), 0.01, 0.2);
   pose.part_seen.fill(true);
   pose.skeleton_error_m = 0.02;
+  pose.silhouette_overlap = 0.9;
+  pose.part_deviation_m[size_t(PartLabel::kLeg2)] = 0.03;
   return pose;
 }
 
@@ -65,6 +68,8 @@ TEST(PoseConversions, TrackedPoseCarriesEveryJoint) {
   EXPECT_EQ(message.joint_names.size(), size_t(person().angleCount()));
   EXPECT_TRUE(message.parts_not_seen.empty());
   EXPECT_DOUBLE_EQ(message.skeleton_error, 0.02);
+  EXPECT_DOUBLE_EQ(message.silhouette_overlap, 0.9);
+  EXPECT_DOUBLE_EQ(message.part_deviation[5], 0.03);  // r_leg
   EXPECT_DOUBLE_EQ(message.pose.position.z, 0.9);
 }
 
@@ -98,6 +103,7 @@ TEST(PoseConversions, LostPoseCarriesNothingButTheReason) {
   EXPECT_EQ(message.status, BodyPoseMsg::LOST);
   EXPECT_EQ(message.reason, pose.reason);
   EXPECT_TRUE(message.joint_names.empty());
+  EXPECT_TRUE(std::isnan(messageFromPose(person(), BodyPose(), worldHeader()).part_deviation[0]));
   EXPECT_TRUE(jointStateFromPose(person(), pose, worldHeader()).name.empty());
   EXPECT_THROW(rootTransform(person(), pose, worldHeader()), std::invalid_argument);
 }

@@ -36,15 +36,22 @@ struct HullNodeOptions {
   size_t fewestCameras() const;
 };
 
-/// What the node `pose_fitting` asks for beside FittingOptions.
+/// What the node `pose_fitting` asks for beside TrackerOptions.
 struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
+  std::vector<std::string> cameras;
+  std::string world_frame = "world";
+  std::string image_transport = "raw";
+  double stamp_tolerance = 0.005;
   std::string body_id = "person1";
   std::string urdf_template;
-  bool urdf_from_parameter = false;
+  std::string body_file;
 
   void visit(OptionVisitor& v);
   void validate() const;
+  /// Throws std::invalid_argument unless there are the two cameras that a method which looks at
+  /// silhouettes needs.
+  void checkCamerasFor(const std::string& method) const;
 };
 
 /// What the node `virtual_studio` asks for beside StudioOptions.

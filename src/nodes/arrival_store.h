@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// What has come of several cameras and waits to be asked for by stamp. `Item` is cheap to move and
+/// empty when default-constructed.
+template <class Item>
+class ArrivalStore {
+ public:
+  /// \param most of one camera; the earliest go when there are more
+  ArrivalStore(size_t cameras, size_t most) : waiting_(cameras), most_(most) {}
+
+  void add(size_t camera, int64_t stamp_ns, Item item) {
+    auto& waiting = waiting_.at(camera);
+    waiting.push_back({stamp_ns, std::move(item)});
+    if (waiting.size() > most_) waiting.pop_front();
+  }
+
+  /// The item of the nearest stamp within the tolerance, an empty one if there is none. It goes
+  /// out, and with it those that came before it: nobody asks for them any more.
+  Item take(size_t camera, int64_t stamp_ns, int64_t tolerance_ns) {
+    auto& waiting = waiting_.at(camera);
+    auto nearest = waiting.end();
+    for (auto it = waiting.begin(); it != waiting.end(); ++it) {
+      const int64_t distance = std::abs(it->stamp_ns - stamp_ns);
+      if (distance > tolerance_ns) continue;
+      if (nearest == waiting.end() || distance <= std::abs(nearest->stamp_ns - stamp_ns))
+        nearest = it;
+    }
+    if (nearest == waiting.end()) return Item();
+    Item item = std::move(nearest->item);
+    waiting.erase(waiting.begin(), std::next(nearest));
+    return item;
+  }
+
+ private:
+  struct Arrival {
+    int64_t stamp_ns;
+    Item item;
+  };
+  std::vector<std::deque<Arrival>> waiting_;  ///< by camera, as they came
+  size_t most_;
+};
+
+}  // namespace markerless_mocap
