@@ -88,7 +88,10 @@ FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms
     const auto pose = entry.instantiate<BodyPoseMsg>();
     if (!pose || pose->body_id != results->body_id) continue;
     const int64_t stamp = nanosecondsOf(pose->header.stamp);
-    frames[stamp] = {stamp, statusOf(*pose), pose->reason, {}};
+    ResultFrame& frame = frames[stamp];
+    frame = {stamp, statusOf(*pose), pose->reason, {}};
+    std::copy(pose->part_deviation.begin(), pose->part_deviation.end(),
+              frame.part_deviation_m.begin());
     results->latencies.push_back(double(nanosecondsOf(entry.getTime()) - stamp) * 1e-9);
   }
   results->has_status = !frames.empty();

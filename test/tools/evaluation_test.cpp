@@ -96,6 +96,24 @@ TEST_F(EvaluationTest, PartsThatAreNotSeenAreMissingMarkers) {
   EXPECT_NE(evaluationJson(found).find("\"frames_not_published\": 40"), std::string::npos);
 }
 
+TEST_F(EvaluationTest, ExpectedErrorsAreHeldAgainstThoseMade) {
+  writeTruth();
+  writeResults([](int, BodyPose* pose) {
+    pose->T_world_body.translation().z() += 0.03;
+    pose->part_deviation_m[size_t(PartLabel::kHead)] = 0.02;
+    pose->part_deviation_m[size_t(PartLabel::kLeg2)] = 0.01;
+  });
+  const Evaluation found = judged();
+  ASSERT_EQ(found.deviations.size(), 2u);
+  EXPECT_EQ(found.deviations[0].point, "head");
+  EXPECT_NEAR(found.deviations[0].expected_mm, 20.0, 1e-9);
+  EXPECT_NEAR(found.deviations[0].actual_mm, 30.0, kSameTransforms_mm);
+  EXPECT_EQ(found.deviations[0].share_within_two, 1.0);
+  EXPECT_EQ(found.deviations[1].point, "r_ankle");
+  EXPECT_EQ(found.deviations[1].share_within_two, 0.0);
+  EXPECT_NE(evaluationPage(found).find("Errors that were expected"), std::string::npos);
+}
+
 TEST_F(EvaluationTest, FeetAreJudgedByTheFloorAndTheTruth) {
   writeTruth();
   writeResults([](int, BodyPose* pose) { pose->T_world_body.translation().z() -= 0.05; });
