@@ -21,6 +21,17 @@ bool isSeen(const BodyModel& model, const BodyPose& pose, const BodyJoint& joint
   return pose.part_seen[static_cast<size_t>(partOfJoint(baseName(model, joint.name)))];
 }
 
+/// By link: whether its part is seen or one that hangs on it.
+std::vector<bool> neededLinks(const BodyModel& model, const BodyPose& pose) {
+  std::vector<bool> needed(model.links().size(), false);
+  for (auto joint = model.joints().rbegin(); joint != model.joints().rend(); ++joint) {
+    const size_t child = size_t(joint->child_link);
+    needed[child] = needed[child] || isSeen(model, pose, *joint);
+    if (needed[child]) needed[size_t(joint->parent_link)] = true;
+  }
+  return needed;
+}
+
 uint8_t statusToMessage(PoseStatus status) {
   switch (status) {
     case PoseStatus::kLost:
@@ -117,8 +128,9 @@ std::vector<geometry_msgs::TransformStamped> linkTransforms(const BodyModel& mod
   std::vector<geometry_msgs::TransformStamped> transforms{rootTransform(model, pose, header)};
   LinkPoses T_world_link;
   model.forwardKinematics(pose.T_world_body, pose.angles, T_world_link);
+  const std::vector<bool> needed = neededLinks(model, pose);
   for (const BodyJoint& joint : model.joints()) {
-    if (!isSeen(model, pose, joint)) continue;
+    if (!needed[size_t(joint.child_link)]) continue;
     const Eigen::Isometry3d T_parent_child =
         T_world_link[joint.parent_link].inverse() * T_world_link[joint.child_link];
     transforms.push_back(stamped(T_parent_child, header, model.links()[joint.parent_link],

@@ -95,6 +95,19 @@ TEST(PoseConversions, UnseenArmIsLeftOutAndNamed) {
     EXPECT_EQ(transform.child_frame_id.find("l_elbow"), std::string::npos);
 }
 
+TEST(PoseConversions, FramesOfSeenArmsConnectThroughATrunkThatIsNot) {
+  BodyPose pose = samplePose();
+  pose.part_seen.fill(false);
+  pose.part_seen[size_t(PartLabel::kArm1)] = true;
+  tf2::BufferCore tf;
+  for (const auto& transform : linkTransforms(person(), pose, worldHeader()))
+    tf.setTransform(transform, "test");
+  EXPECT_TRUE(tf.canTransform("world", "l_wrist_person1", ros::Time(1000, 7)));
+  for (const std::string frame : {"head_person1", "r_elbow_person1", "l_knee_person1"})
+    EXPECT_FALSE(tf.canTransform("world", frame, ros::Time(1000, 7))) << frame;
+  EXPECT_FALSE(anyContains(jointStateFromPose(person(), pose, worldHeader()).name, "waist"));
+}
+
 TEST(PoseConversions, LostPoseCarriesNothingButTheReason) {
   BodyPose pose = samplePose();
   pose.status = PoseStatus::kLost;

@@ -33,7 +33,8 @@ sensor_msgs::JointState jointStateFromPose(const BodyModel& model, const BodyPos
 geometry_msgs::TransformStamped rootTransform(const BodyModel& model, const BodyPose& pose,
                                               const std_msgs::Header& header);
 
-/// Parent -> child for every link of seen parts, root first. Throws as `rootTransform`.
+/// Parent -> child for every link of seen parts and those they hang on, root first, so that frames
+/// connect. Throws as `rootTransform`.
 std::vector<geometry_msgs::TransformStamped> linkTransforms(const BodyModel& model,
                                                             const BodyPose& pose,
                                                             const std_msgs::Header& header);

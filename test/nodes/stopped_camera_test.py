@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+"""A camera stops in the middle: the person is followed with the other seven, and it is said."""
+import unittest
+
+import rosnode
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from markerless_mocap.msg import BodyPose
+
+LACK = 'instants without the silhouette of cam7'
+
+
+class StoppedCamera(unittest.TestCase):
+    def setUp(self):
+        rospy.init_node('stopped_camera_test')
+        self.poses, self.counts = [], {}
+        rospy.Subscriber('pose', BodyPose, self.poses.append, queue_size=200)
+        rospy.Subscriber('/diagnostics', DiagnosticArray, self.keep, queue_size=200)
+
+    def keep(self, message):
+        for status in message.status:
+            if status.name.endswith('pose fitting'):
+                self.counts = {v.key: int(v.value) for v in status.values if v.value.isdigit()}
+
+    def tracked(self, since=rospy.Time(0)):
+        return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since]
+
+    def lacking(self):
+        return self.counts.get(LACK, 0)
+
+    def wait_for(self, condition, seconds):
+        end = rospy.get_time() + seconds
+        while rospy.get_time() < end and not condition():
+            rospy.sleep(0.1)
+
+    def test_the_person_is_followed_without_it(self):
+        self.wait_for(lambda: len(self.tracked()) >= 5, 120)
+        self.assertGreaterEqual(len(self.tracked()), 5, {p.reason for p in self.poses})
+        before = self.lacking()
+        rosnode.kill_nodes(['/silhouette_of_cam7'])
+        stopped = rospy.Time.now()
+        self.wait_for(lambda: len(self.tracked(stopped)) >= 10 and self.lacking() > before + 5, 40)
+        after = [p for p in self.poses if p.header.stamp > stopped]
+        self.assertGreaterEqual(len(self.tracked(stopped)), 10, {p.reason for p in after})
+        self.assertLessEqual(len(after) - len(self.tracked(stopped)), 1, {p.reason for p in after})
+        self.assertGreater(self.lacking(), before + 5)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('markerless_mocap', 'stopped_camera', StoppedCamera)

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <thread>
+
+#include "nodes/arrival_store.h"
+#include "nodes/lag_queue.h"
+#include "nodes/latency_meter.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Item = std::shared_ptr<int>;
+
+Item item(int value) {
+  return std::make_shared<int>(value);
+}
+
+TEST(ArrivalStore, NearestStampWithinTheToleranceIsTaken) {
+  ArrivalStore<Item> store(2, 8);
+  for (const int stamp : {100, 104, 110}) store.add(1, stamp, item(stamp));
+  EXPECT_EQ(store.take(0, 104, 5), nullptr);
+  EXPECT_EQ(store.take(1, 120, 5), nullptr);
+  const Item found = store.take(1, 106, 5);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(*found, 104);
+}
+
+TEST(ArrivalStore, WhatCameBeforeGoesToo) {
+  ArrivalStore<Item> store(1, 8);
+  for (const int stamp : {100, 110, 120}) store.add(0, stamp, item(stamp));
+  EXPECT_TRUE(store.take(0, 110, 0));
+  EXPECT_EQ(store.take(0, 100, 0), nullptr);
+  EXPECT_EQ(store.take(0, 110, 0), nullptr);
+  EXPECT_TRUE(store.take(0, 120, 0));
+}
+
+TEST(ArrivalStore, EarlierStampsAfterLaterOnesAreKept) {
+  ArrivalStore<Item> store(1, 8);  // a bag that begins again
+  for (const int stamp : {500, 510, 100, 110}) store.add(0, stamp, item(stamp));
+  EXPECT_TRUE(store.take(0, 510, 0));
+  EXPECT_TRUE(store.take(0, 100, 0));
+}
+
+TEST(ArrivalStore, HoldsNoMoreThanItMay) {
+  ArrivalStore<Item> store(1, 3);
+  const Item first = item(0);
+  store.add(0, 0, first);
+  for (int stamp = 1; stamp < 4; ++stamp) store.add(0, stamp, item(stamp));
+  EXPECT_EQ(first.use_count(), 1);
+  EXPECT_TRUE(store.take(0, 1, 0));
+}
+
+TEST(LagQueue, ItemsBehindASlowOneWait) {
+  LagQueue<int> queue(3);
+  for (int i = 0; i < 3; ++i) queue.push(i);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(queue.take(), i);
+  EXPECT_EQ(queue.passedOver(), 0u);
+}
+
+TEST(LagQueue, WhoFallsBehindGetsTheNewestUntilNoneIsLeft) {
+  LagQueue<int> queue(3);
+  for (int i = 0; i < 6; ++i) queue.push(i);
+  EXPECT_EQ(queue.take(), 5);
+  EXPECT_EQ(queue.passedOver(), 5u);
+  queue.push(6);  // still behind: brought while 5 is worked on
+  queue.push(7);
+  EXPECT_EQ(queue.take(), 7);
+  EXPECT_EQ(queue.passedOver(), 6u);
+}
+
+TEST(LagQueue, WhoHasHadToWaitHasCaughtUp) {
+  LagQueue<int> queue(3);
+  for (int i = 0; i < 6; ++i) queue.push(i);
+  EXPECT_EQ(queue.take(), 5);
+  int oldest = 0;
+  for (int i = 0; i < 1000 && oldest != 7; ++i) {  // until take() comes before push()
+    std::thread later([&] { queue.push(6); });
+    EXPECT_EQ(queue.take(), 6);
+    later.join();
+    queue.push(7);
+    queue.push(8);
+    oldest = *queue.take();
+    if (oldest == 7) EXPECT_EQ(queue.take(), 8);
+  }
+  EXPECT_EQ(oldest, 7);
+}
+
+TEST(LagQueue, ClosedItGivesNothing) {
+  LagQueue<int> queue(3);
+  std::thread closer([&] { queue.close(); });
+  EXPECT_EQ(queue.take(), std::nullopt);
+  closer.join();
+  queue.push(1);
+  EXPECT_EQ(queue.take(), std::nullopt);
+}
+
+TEST(LatencyMeter, MedianAndTailOfTheLastThreeHundred) {
+  LatencyMeter meter;
+  EXPECT_EQ(meter.milliseconds(0.5), 0u);
+  for (int i = 0; i < 300; ++i) meter.add(9.0);
+  for (int i = 1; i <= 300; ++i) meter.add(1e-3 * i);
+  EXPECT_NEAR(double(meter.milliseconds(0.5)), 150.0, 1.0);
+  EXPECT_NEAR(double(meter.milliseconds(0.99)), 297.0, 1.0);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
