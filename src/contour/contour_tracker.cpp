@@ -18,6 +18,7 @@ constexpr double kLostOverlap = 0.65;
 // Quality, see below: a drop by the first below what is usual is suspicious; another pose must be
 // better by the second to be taken; the usual value follows by the share.
 constexpr double kDrop = 0.015, kGain = 0.004;
+constexpr double kMoreThanUsual = 1.5;  // damaged masks let the quality vary
 constexpr double kUsualShare = 0.1;
 
 constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found nothing
@@ -32,7 +33,7 @@ constexpr FitSchedule kRetry{10, 0.12, 0.03};
 
 /// Overlap tells of a body that leaves the masks, the rays of a limb that lies hidden in the trunk
 /// while the masks show it elsewhere. 0 to 1.
-double quality(const ContourFit& fit) {
+double qualityOf(const ContourFit& fit) {
   return 0.5 * (fit.overlap + fit.rays_explained);
 }
 
@@ -56,13 +57,14 @@ ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
     last_.reset();
     return {ContourTrackStatus::kLost, fit};
   }
-  Past past{stamp_ns, fit.pose, std::nullopt, quality(fit), {}};
+  Past past{stamp_ns, fit.pose, std::nullopt, qualityOf(fit), 0.0, {}};
   for (size_t i = 0; i < past.outside.size(); ++i) past.outside[i] = fit.limbs[i].outside;
   if (last_) {
     past.before = last_->pose;
     // Gets better at once and worse slowly, so that a loss does not become what is usual.
-    past.quality =
-        std::max(past.quality, last_->quality + kUsualShare * (past.quality - last_->quality));
+    const double below = std::max(0.0, last_->quality - past.quality);
+    past.quality = std::max(past.quality, last_->quality - kUsualShare * below);
+    past.below = last_->below + kUsualShare * (below - last_->below);
     for (size_t i = 0; i < past.outside.size(); ++i)
       past.outside[i] = std::min(
           past.outside[i], last_->outside[i] + kUsualShare * (past.outside[i] - last_->outside[i]));
@@ -90,7 +92,7 @@ ContourTrack ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) 
 
 std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFit& fit) const {
   std::array<bool, ContourLimb::kCount> limbs{};
-  const bool dropped = quality(fit) < last_->quality - kDrop;
+  const bool dropped = qualityOf(fit) < last_->quality - kDrop - kMoreThanUsual * last_->below;
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i)
     limbs[i] = dropped || fit.limbs[i].outside > last_->outside[i] + kLimbOutside;
   return limbs;
@@ -113,7 +115,7 @@ bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody&
   });
   bool better = false;
   for (const ContourFit& other : others) {
-    if (other.status != ContourFitStatus::kFitted || !(quality(other) > quality(fit) + kGain))
+    if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + kGain))
       continue;
     fit = other;
     better = true;

@@ -1,7 +1,5 @@
 #include "fitting/contour_method.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -15,13 +13,8 @@ namespace {
 // A limb is seen when contours hold its end to this, and it is not mostly outside the masks.
 constexpr double kSeenDeviation = 0.06, kSeenOutside = 0.10;  // metres
 
-// Both hypotheses of front and back are followed until the one's quality, summed over instants, is
-// ahead by this.
-constexpr double kDecided = 0.15;
-
-double qualityOf(const ContourFit& fit) {
-  return 0.5 * (fit.overlap + fit.rays_explained);
-}
+constexpr int64_t kUnsure_ns = 2000000000;  // after a start
+constexpr int64_t kBetweenQuestions_ns = 200000000;
 
 SizePrior priorOf(const TrackerSources& sources, const TrackerOptions& options) {
   return {sources.people, options.skeleton.stature, options.stature_deviation};
@@ -48,7 +41,7 @@ ContourMethod::ContourMethod(const CameraRig& rig, TrackerSources sources,
     : sources_(std::move(sources)),
       options_(options),
       observer_(rig, options.contour),
-      tracker_(rig, options.contour) {
+      hypotheses_(rig, options.contour) {
   takeOver(bodyBeforehand(sources_, options_.skeleton.stature));
   if (options_.measure && !body_->measured)
     measurer_.emplace(rig, options_.contour, priorOf(sources_, options_), options_.measuring_poses,
@@ -63,27 +56,10 @@ void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
 }
 
 void ContourMethod::reset() {
-  tracker_.lose();
-  rival_.reset();
+  hypotheses_.lose();
   seeker_->reset();
   conversion_->reset();
   stamp_.reset();
-}
-
-ContourTrack ContourMethod::follow(int64_t stamp_ns, const ContourObservation& seen) {
-  ContourTrack track = tracker_.update(stamp_ns, seen, *shape_);
-  if (!rival_) return track;
-  const ContourTrack other = rival_->update(stamp_ns, seen, *shape_);
-  const bool own = track.status != ContourTrackStatus::kLost;
-  const bool others = other.status != ContourTrackStatus::kLost;
-  if (own && others) rival_gain_ += qualityOf(other.fit) - qualityOf(track.fit);
-  const bool replaced = others && (!own || rival_gain_ > kDecided);
-  if (replaced) {
-    tracker_ = *rival_;
-    track = other;
-  }
-  if (replaced || !others || rival_gain_ < -kDecided) rival_.reset();
-  return track;
 }
 
 std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
@@ -97,38 +73,35 @@ std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
   return poses;
 }
 
-ContourFit ContourMethod::bestFit(const ContourObservation& seen,
-                                  const std::vector<ContourPose>& starts) const {
-  std::vector<ContourFit> fits(starts.size());
-  tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
-    fits[i] = tracker_.fitter().fit(seen, *shape_, starts[i], std::nullopt, FitSchedule::wide());
-  });
-  ContourFit best;
-  for (const ContourFit& fit : fits)
-    if (fit.status == ContourFitStatus::kFitted &&
-        (best.status != ContourFitStatus::kFitted || qualityOf(fit) > qualityOf(best)))
-      best = fit;
-  return best;
+HeldTrack ContourMethod::start(const TrackingInstant& now, const ContourObservation& seen) {
+  if (seen.usableViews() < 2) return {};
+  return hypotheses_.start(now.stamp_ns, seen, *shape_, proposals(now));
 }
 
-ContourTrack ContourMethod::start(const TrackingInstant& now, const ContourObservation& seen) {
-  if (seen.usableViews() < 2) return {};
-  const ContourFit best = bestFit(seen, proposals(now));
-  if (best.status != ContourFitStatus::kFitted) return {};
-  const ContourTrack track = tracker_.start(now.stamp_ns, seen, *shape_, best.pose);
-  if (track.status == ContourTrackStatus::kLost) return track;
-  rival_.emplace(tracker_);
-  rival_gain_ = 0.0;
-  const ContourFit other = bestFit(seen, {mirrored(*shape_, track.fit.pose)});
-  if (rival_->startFrom(now.stamp_ns, other).status == ContourTrackStatus::kLost) rival_.reset();
-  return track;
+// A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is
+// not sure, other trees and other sides are, too.
+void ContourMethod::question(const TrackingInstant& now, const ContourObservation& seen,
+                             const ContourTrack& track) {
+  const bool started = now.stamp_ns < sure_after_ns_;
+  const bool unsure = started || track.status == ContourTrackStatus::kDoubtful;
+  if (now.stamp_ns < next_question_ns_ || hypotheses_.isChallenged()) return;
+  std::vector<ContourPose> others;
+  const auto of_tree = poseOfTree(now.tree);
+  if (of_tree && (now.tree.valid() || unsure) && isElsewhere(*shape_, track.fit.pose, *of_tree))
+    others.push_back(*of_tree);
+  if (started) {
+    others.push_back(mirrored(*shape_, track.fit.pose));
+    others.push_back(withLegsExchanged(*shape_, track.fit.pose));
+  }
+  if (others.empty()) return;
+  next_question_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+  hypotheses_.challenge(now.stamp_ns, seen, *shape_, others);
 }
 
 std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
                                                const ContourTrack& track) {
   if (!measurer_) return std::nullopt;
-  if (!rival_ && track.status != ContourTrackStatus::kLost)
-    measurer_->add(stamp_ns, seen, *shape_, track.fit);
+  if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, track.fit);
   if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
     takeOver(bodyOfSizes(sources_, *sizes));
     measurer_.reset();
@@ -162,13 +135,20 @@ BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack&
   return pose;
 }
 
-BodyPose ContourMethod::claimed(const ContourTrack& track, bool started) {
+BodyPose ContourMethod::undecided() {
   BodyPose pose;
-  pose.status = started ? PoseStatus::kReinitialized : PoseStatus::kTracked;
-  conversion_->convert(track.fit.pose, pose.T_world_body, pose.angles);
-  pose.silhouette_overlap = track.fit.overlap;
+  pose.reason = "the person is found, front and back are not told apart yet";
+  return pose;
+}
+
+BodyPose ContourMethod::claimed(const HeldTrack& held) {
+  BodyPose pose;
+  pose.status = held.jumped || !claimed_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
+  claimed_ = true;
+  conversion_->convert(held.track.fit.pose, pose.T_world_body, pose.angles);
+  pose.silhouette_overlap = held.track.fit.overlap;
   for (int part = 0; part < kPartCount; ++part) {
-    const LimbEvidence& limb = track.fit.limbs[limbOf(part)];
+    const LimbEvidence& limb = held.track.fit.limbs[limbOf(part)];
     pose.part_deviation_m[size_t(part)] = limb.deviation;
     pose.part_seen[size_t(part)] = limb.deviation < kSeenDeviation && limb.outside < kSeenOutside;
   }
@@ -179,13 +159,20 @@ BodyPose ContourMethod::update(const TrackingInstant& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const ContourObservation seen = observer_.observe(now.masks);
-  ContourTrack track = follow(now.stamp_ns, seen);
-  const bool started = track.status == ContourTrackStatus::kLost;
-  if (started) track = start(now, seen);
-  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, track))
+  HeldTrack held = hypotheses_.update(now.stamp_ns, seen, *shape_);
+  if (held.track.status == ContourTrackStatus::kLost) {
+    held = start(now, seen);
+    decided_ = false;
+    claimed_ = false;
+  } else {
+    question(now, seen, held.track);
+  }
+  if (held.jumped) sure_after_ns_ = now.stamp_ns + kUnsure_ns;
+  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track))
     return *measuring;
-  if (track.status == ContourTrackStatus::kLost) return lost(seen, track);
-  return claimed(track, started);
+  if (held.track.status == ContourTrackStatus::kLost) return lost(seen, held.track);
+  decided_ = decided_ || hypotheses_.isAhead();
+  return decided_ ? claimed(held) : undecided();
 }
 
 }  // namespace markerless_mocap

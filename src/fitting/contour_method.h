@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fitting/body_measurer.h"
+#include "fitting/contour_hypotheses.h"
 #include "markerless_mocap/contour/contour_conversion.h"
-#include "markerless_mocap/contour/contour_tracker.h"
 #include "markerless_mocap/fitting/body_tracker.h"
 #include "markerless_mocap/fitting/pose_tracker.h"
 
@@ -26,22 +26,24 @@ class ContourMethod : public BodyTracker {
 
  private:
   void takeOver(std::shared_ptr<const TrackedBody> body);
-  ContourTrack follow(int64_t stamp_ns, const ContourObservation& seen);
-  ContourTrack start(const TrackingInstant& now, const ContourObservation& seen);
+  HeldTrack start(const TrackingInstant& now, const ContourObservation& seen);
   std::vector<ContourPose> proposals(const TrackingInstant& now);
-  ContourFit bestFit(const ContourObservation& seen, const std::vector<ContourPose>& starts) const;
+  void question(const TrackingInstant& now, const ContourObservation& seen,
+                const ContourTrack& track);
   /// While the body is being measured nothing is claimed.
   std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
                                   const ContourTrack& track);
   BodyPose lost(const ContourObservation& seen, const ContourTrack& track) const;
-  BodyPose claimed(const ContourTrack& track, bool started);
+  static BodyPose undecided();
+  BodyPose claimed(const HeldTrack& held);
 
   TrackerSources sources_;
   TrackerOptions options_;
   ContourObserver observer_;
-  ContourTracker tracker_;
-  std::optional<ContourTracker> rival_;  ///< that takes back for front
-  double rival_gain_ = 0.0;
+  ContourHypotheses hypotheses_;
+  bool decided_ = false;  ///< which way the person faces, since the last start
+  bool claimed_ = false;  ///< a pose, since the last start
+  int64_t sure_after_ns_ = 0, next_question_ns_ = 0;
   std::optional<BodyMeasurer> measurer_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> shape_;             ///< of body_

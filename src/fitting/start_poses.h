@@ -9,11 +9,6 @@
 
 namespace markerless_mocap {
 
-/// The pose of a body that fills the same space turned about: front becomes back, and what was the
-/// left limb's place is the right one's. Knees and ankles straighten, as they bend to one side
-/// only.
-ContourPose mirrored(const ContourBody& body, const ContourPose& pose);
-
 /// The pose that a pose tree's joints tell; limbs without joints hang down. Empty without both hips
 /// and the neck.
 std::optional<ContourPose> poseOfTree(const PoseTree& tree);

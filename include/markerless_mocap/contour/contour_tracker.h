@@ -39,6 +39,11 @@ class ContourTracker {
   ContourTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
   void lose() { last_.reset(); }
   bool tracking() const { return last_.has_value(); }
+  /// How well the body usually explains the masks, 0 to 1: mean of overlap and rays explained; 0
+  /// while lost.
+  double quality() const { return last_ ? last_->quality : 0.0; }
+  /// The last pose. Only while tracking.
+  const ContourPose& pose() const { return last_->pose; }
   const ContourFitter& fitter() const { return fitter_; }
 
  private:
@@ -46,7 +51,8 @@ class ContourTracker {
     int64_t stamp_ns;
     ContourPose pose;
     std::optional<ContourPose> before;  ///< one frame time earlier
-    double quality;                     ///< of the fit, as it usually is
+    double quality;                     ///< of the fit, as it usually is at best
+    double below;                       ///< by which it usually is worse
     /// By which limbs stick out of masks, as they usually do, metres.
     std::array<double, ContourLimb::kCount> outside;
   };

@@ -1,0 +1,151 @@
+#include "fitting/contour_hypotheses.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+
+namespace markerless_mocap {
+namespace {
+
+using A = ContourAngle;
+using B = ContourBall;
+using S = ContourSegment;
+
+constexpr double kKneeKept = 0.3;  // of the bend, when front becomes back
+
+// One of two hypotheses is dropped when the other's quality, summed over instants, is ahead by
+// this.
+constexpr double kDecided = 0.15;
+constexpr double kAhead = 0.05;
+
+// A pose so much worse than the one held contradicts nothing.
+constexpr double kHopeless = 0.06;
+
+constexpr double kElsewhere = 0.15;  // metres, of a limb's end
+
+/// Overlap tells of a body that leaves the masks, rays of masks that the body leaves. 0 to 1.
+double qualityOf(const ContourFit& fit) {
+  return 0.5 * (fit.overlap + fit.rays_explained);
+}
+
+bool isLost(const ContourTrack& track) {
+  return track.status == ContourTrackStatus::kLost;
+}
+
+}  // namespace
+
+ContourHypotheses::ContourHypotheses(const CameraRig& rig, const ContourOptions& options)
+    : held_(rig, options) {}
+
+bool ContourHypotheses::isAhead() const {
+  return held_.tracking() && (!rival_ || rival_gain_ < -kAhead);
+}
+
+void ContourHypotheses::lose() {
+  held_.lose();
+  rival_.reset();
+}
+
+ContourFit ContourHypotheses::bestFit(const ContourObservation& seen, const ContourBody& body,
+                                      const std::vector<ContourPose>& poses) const {
+  std::vector<ContourFit> fits(poses.size());
+  tbb::parallel_for(size_t(0), poses.size(), [&](size_t i) {
+    fits[i] = held_.fitter().fit(seen, body, poses[i], std::nullopt, FitSchedule::wide());
+  });
+  ContourFit best;
+  for (const ContourFit& fit : fits)
+    if (fit.status == ContourFitStatus::kFitted &&
+        (best.status != ContourFitStatus::kFitted || qualityOf(fit) > qualityOf(best)))
+      best = fit;
+  return best;
+}
+
+void ContourHypotheses::letRival(int64_t stamp_ns, const ContourFit& fit) {
+  rival_.emplace(held_);
+  rival_gain_ = 0.0;
+  if (isLost(rival_->startFrom(stamp_ns, fit))) rival_.reset();
+}
+
+HeldTrack ContourHypotheses::start(int64_t stamp_ns, const ContourObservation& seen,
+                                   const ContourBody& body, const std::vector<ContourPose>& poses) {
+  lose();
+  const ContourFit best = bestFit(seen, body, poses);
+  if (best.status != ContourFitStatus::kFitted) return {};
+  HeldTrack held{held_.start(stamp_ns, seen, body, best.pose), true};
+  if (!isLost(held.track))
+    letRival(stamp_ns, bestFit(seen, body, {mirrored(body, held.track.fit.pose)}));
+  return held;
+}
+
+HeldTrack ContourHypotheses::update(int64_t stamp_ns, const ContourObservation& seen,
+                                    const ContourBody& body) {
+  HeldTrack held{held_.update(stamp_ns, seen, body), false};
+  if (!rival_) return held;
+  const ContourTrack other = rival_->update(stamp_ns, seen, body);
+  const bool both = !isLost(held.track) && !isLost(other);
+  if (both) rival_gain_ += qualityOf(other.fit) - qualityOf(held.track.fit);
+  held.jumped = !isLost(other) && (isLost(held.track) || rival_gain_ > kDecided);
+  if (held.jumped) {
+    held.track = other;
+    held_ = *rival_;
+  }
+  // Hypotheses often grow together.
+  const bool same = both && !isElsewhere(body, held.track.fit.pose, other.fit.pose);
+  if (held.jumped || isLost(other) || same || rival_gain_ < -kDecided) rival_.reset();
+  return held;
+}
+
+void ContourHypotheses::challenge(int64_t stamp_ns, const ContourObservation& seen,
+                                  const ContourBody& body, const std::vector<ContourPose>& poses) {
+  if (rival_ || !held_.tracking()) return;
+  const ContourFit best = bestFit(seen, body, poses);
+  if (best.status == ContourFitStatus::kFitted && qualityOf(best) > held_.quality() - kHopeless &&
+      isElsewhere(body, best.pose, held_.pose()))
+    letRival(stamp_ns, best);
+}
+
+bool isElsewhere(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
+  const Eigen::Matrix3Xd points = body.points(pose), others = body.points(other);
+  for (const Eigen::Index end : {5, 8, 11, 14})  // wrists and ankles of contourPointNames()
+    if ((points.col(end) - others.col(end)).norm() > kElsewhere) return true;
+  return false;
+}
+
+ContourPose mirrored(const ContourBody& body, const ContourPose& pose) {
+  ContourFrames frames;
+  body.place(pose, frames);
+  const Eigen::Matrix3d about = Eigen::Vector3d(-1, -1, 1).asDiagonal();
+  ContourPose out = pose;
+  out.balls[B::kRoot] = pose.balls[B::kRoot] * about;
+  out.angles[A::kSpinePitch] = -pose.angles[A::kSpinePitch];
+  out.angles[A::kSpineRoll] = -pose.angles[A::kSpineRoll];
+  out.balls[B::kNeck] = about * pose.balls[B::kNeck] * about;
+  const Eigen::Matrix3d pelvis = frames.R[S::kPelvis] * about, chest = frames.R[S::kChest] * about;
+  for (const size_t side : {0, 1}) {
+    const size_t other = 1 - side;
+    out.angles[A::kLeftClavicleYaw + 2 * side] = 0.0;
+    out.angles[A::kLeftClavicleRoll + 2 * side] = 0.0;
+    out.balls[B::kLeftShoulder + side] = chest.transpose() * frames.R[S::kLeftUpperArm + other];
+    out.angles[A::kLeftElbow + side] = pose.angles[A::kLeftElbow + other];
+    out.balls[B::kLeftHip + side] = pelvis.transpose() * frames.R[S::kLeftThigh + other] * about;
+    out.angles[A::kLeftKnee + side] = kKneeKept * pose.angles[A::kLeftKnee + other];
+    out.angles[A::kLeftAnkle + side] = 0.0;
+  }
+  return out;
+}
+
+ContourPose withLegsExchanged(const ContourBody& body, const ContourPose& pose) {
+  ContourFrames frames;
+  body.place(pose, frames);
+  ContourPose out = pose;
+  for (const size_t side : {0, 1}) {
+    const size_t other = 1 - side;
+    out.balls[B::kLeftHip + side] =
+        frames.R[S::kPelvis].transpose() * frames.R[S::kLeftThigh + other];
+    out.angles[A::kLeftKnee + side] = pose.angles[A::kLeftKnee + other];
+    out.angles[A::kLeftAnkle + side] = pose.angles[A::kLeftAnkle + other];
+  }
+  return out;
+}
+
+}  // namespace markerless_mocap
