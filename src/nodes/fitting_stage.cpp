@@ -20,7 +20,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostWaiting = 8;  // instants while one is searched for long
+// Instants while one is searched for long: worked off in order, as the next pose is found from the
+// last one.
+constexpr size_t kMostWaiting = 40;
 
 FittingNeeds needsOf(const std::string& method) {
   return {method != "skeleton", method == "sppso"};
