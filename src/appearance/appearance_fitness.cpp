@@ -14,6 +14,10 @@
 
 namespace markerless_mocap {
 
+namespace {
+constexpr ConeSet kAllCones = (1u << kBodyCones) - 1;
+}
+
 struct AppearanceFitness::View {
   ViewCamera camera;
   std::string name;
@@ -39,10 +43,10 @@ struct AppearanceFitness::Scratch {
   int quad_count = 0;
   QuadCanvas canvas;
 
-  void drawQuads(int width, int height) {
+  void drawQuads(int width, int height, ConeSet cones = kAllCones) {
     quad_count = 0;
     for (int i = 0; i < kBodyCones; ++i) {
-      if (!corners.seen[i]) continue;
+      if (!corners.seen[i] || !(cones & coneBit(BodyCone(i)))) continue;
       Quad& quad = quads[quad_count++];
       for (int k = 0; k < 4; ++k) {
         quad.x[k] = corners.x[k][i];
@@ -153,6 +157,25 @@ Fitness AppearanceFitness::fitness(const double* candidate, const EdgeChoice& ch
   }
   if (views > 0) sum.silhouette /= views;
   if (views_with_edges > 0) sum.edge /= views_with_edges;
+  return sum;
+}
+
+ConeEvidence AppearanceFitness::evidence(const double* candidate, ConeSet cones) const {
+  Scratch& s = scratch();
+  place(candidate, s);
+  ConeEvidence sum;
+  for (const View& view : views_) {
+    if (!view.shows_person) continue;
+    view.camera.outlines(s.cones, s.corners);
+    const auto overlap = [&](ConeSet drawn) {
+      s.drawQuads(view.camera.width(), view.camera.height(), drawn);
+      return s.canvas.overlap(view.silhouette);
+    };
+    const Overlap all = overlap(kAllCones), others = overlap(kAllCones & ~cones);
+    sum.drawn += overlap(cones).drawn;
+    sum.alone += all.drawn - others.drawn;
+    sum.inside += all.shared - others.shared;
+  }
   return sum;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fitting/contour_method.h"
 #include "fitting/skeleton_method.h"
+#include "fitting/sppso_method.h"
 
 namespace markerless_mocap {
 
@@ -14,6 +15,7 @@ std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const Tracker
   if (rig.empty())
     throw std::invalid_argument("pose_fitting/method is " + options.method +
                                 ", which needs cameras; without any, allowed is skeleton");
+  if (options.method == "sppso") return std::make_unique<SppsoMethod>(rig, sources, options);
   return std::make_unique<ContourMethod>(rig, sources, options);
 }
 

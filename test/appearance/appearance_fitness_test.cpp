@@ -94,6 +94,24 @@ TEST(AppearanceFitness, viewsWithoutAPersonDoNotCount) {
   EXPECT_EQ(none.edge, 0.0);
 }
 
+// An arm that is raised sticks out; one that is not in the silhouettes has none of them.
+TEST(AppearanceFitness, evidenceTellsWhatSilhouettesShowOfALimb) {
+  Figure figure;
+  FleischmannVector raised = stride();
+  raised[kLeftShoulder] = 1.5;
+  const ConeSet arm = coneBit(kLeftUpperArmCone) | coneBit(kLeftLowerArmCone);
+  figure.fitness.observe(figure.viewsOf(raised));
+  ConeEvidence seen = figure.fitness.evidence(raised.data(), arm);
+  EXPECT_EQ(seen.inside, seen.alone);
+  EXPECT_GT(double(seen.alone), 0.7 * double(seen.drawn));
+  EXPECT_LT(seen.alone, seen.drawn);
+  figure.fitness.observe(figure.viewsOf(stride()));
+  seen = figure.fitness.evidence(raised.data(), arm);
+  EXPECT_LT(double(seen.inside), 0.2 * double(seen.alone));
+  figure.fitness.observe(std::vector<AppearanceView>(4));
+  EXPECT_EQ(figure.fitness.evidence(raised.data(), arm).drawn, 0);
+}
+
 TEST(AppearanceFitness, aBodyOutOfSightIsWorthNothing) {
   Figure figure;
   figure.fitness.observe(figure.viewsOf(stride()));

@@ -132,7 +132,7 @@ TEST(SppsoTracker, doesNotClaimWhatTheSilhouettesDeny) {
   tracker.start(0, elsewhere);
   const SppsoPose pose = tracker.update(kFrame_ns, walk.viewsAt(0));
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose near the last one looks like the silhouettes");
+  EXPECT_EQ(pose.reason, "no pose near the one to start from looks like the silhouettes");
 }
 
 TEST(SppsoTracker, oneViewLessIsNoHindrance) {

@@ -30,6 +30,13 @@ struct Fitness {
   double total() const { return silhouette + edge; }
 };
 
+/// What the silhouettes say of some of the cones: pixels, sums over the views.
+struct ConeEvidence {
+  int64_t drawn = 0;   ///< of these cones
+  int64_t alone = 0;   ///< those that no other cone covers
+  int64_t inside = 0;  ///< of `alone`, in the silhouette
+};
+
 /// Draws the ten cones into all views and compares them with what was observed (Fleischmann 2012,
 /// 5.2). Each cone is the quadrilateral between the two lines of its visible contour. fitness() may
 /// be called from many threads at once.
@@ -49,6 +56,9 @@ class AppearanceFitness {
   /// body's edges (Eq. 5.1). 0 in a view that the body is not in, or without views.
   /// \param candidate kFleischmannParameters values
   Fitness fitness(const double* candidate, const EdgeChoice& edges) const;
+
+  /// Cones that no view shows apart from the others have nothing that speaks for their pose.
+  ConeEvidence evidence(const double* candidate, ConeSet cones) const;
 
   /// The drawing in a view: CV_8UC1 of the reduced image's size, 255 = body.
   cv::Mat drawing(const double* candidate, int view) const;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "markerless_mocap/appearance/appearance_fitness.h"
@@ -31,8 +32,15 @@ class SppsoTracker {
   SppsoTracker(const CameraRig& rig, const FleischmannProfile& profile, const ConeBody& body,
                const MotionStatistics& statistics, const SppsoOptions& options);
 
-  /// The pose at an instant. The parameters should lie within the limits.
+  /// The pose at an instant, which is taken as it is. The parameters should lie within the limits.
   void start(int64_t stamp_ns, const FleischmannVector& v);
+  /// Looks for the person about a pose that is only roughly right, in rounds that search ever
+  /// nearer to the best so far, and goes on from there. Keeps the last pose if nothing is found.
+  /// \param views as for update()
+  SppsoPose startNear(int64_t stamp_ns, const FleischmannVector& v,
+                      const std::vector<AppearanceView>& views);
+  /// Forgets all poses.
+  void reset();
   /// \param stamp_ns capture time, later than the last one, else the frame is lost
   /// \param views one for each camera; throws std::invalid_argument if they do not fit the rig
   SppsoPose update(int64_t stamp_ns, const std::vector<AppearanceView>& views);
@@ -47,7 +55,12 @@ class SppsoTracker {
     FleischmannVector v;
   };
   SearchProblem problem() const;
-  void search(int64_t stamp_ns, SppsoPose& pose) const;
+  FleischmannVector withinLimits(const FleischmannVector& v) const;
+  /// Why the last pose is of no use now; empty if it is.
+  std::string obstacle(int64_t stamp_ns, int views) const;
+  void search(const SearchStart& start, uint64_t seed, SppsoPose& pose) const;
+  /// Goes on from a pose if it is good enough to be claimed.
+  void take(int64_t stamp_ns, SppsoPose& pose);
 
   AppearanceFitness fitness_;
   LimbCollision collision_;

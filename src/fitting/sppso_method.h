@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "markerless_mocap/fitting/body_tracker.h"
+#include "markerless_mocap/fitting/fleischmann_conversion.h"
+#include "markerless_mocap/fitting/pose_tracker.h"
+#include "markerless_mocap/fitting/sppso_tracker.h"
+
+namespace markerless_mocap {
+
+/// Searches the body by silhouettes and edges from instant to instant (Fleischmann 2012); where
+/// there is no last pose, it starts near the one that part curves and hull propose.
+class SppsoMethod : public BodyTracker {
+ public:
+  /// Throws std::invalid_argument as makeBodyTracker(), and if the motion statistics let nothing
+  /// move.
+  SppsoMethod(const CameraRig& rig, const TrackerSources& sources, const TrackerOptions& options);
+  BodyPose update(const TrackingInstant& now) override;
+  void reset() override;
+  const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
+
+ private:
+  std::vector<AppearanceView> viewsOf(const TrackingInstant& now) const;
+  BodyPose start(const TrackingInstant& now, const std::vector<AppearanceView>& views);
+  BodyPose claimed(const SppsoPose& found, PoseStatus status);
+
+  bool with_edges_;
+  std::shared_ptr<const TrackedBody> body_;
+  FleischmannConversion conversion_;
+  SppsoTracker tracker_;
+  PoseTracker seeker_;            ///< proposes starts
+  std::optional<int64_t> stamp_;  ///< of the last instant
+};
+
+}  // namespace markerless_mocap
