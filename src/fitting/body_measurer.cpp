@@ -54,11 +54,12 @@ void BodyMeasurer::add(int64_t stamp_ns, const ContourObservation& seen, const C
   last_points_ = points;
   last_stamp_ns_ = stamp_ns;
   if (instants_.size() == 1) first_stamp_ns_ = stamp_ns;
-  if (instants_.size() >= poses_ || stamp_ns - first_stamp_ns_ > kPatience_ns) estimateNow();
+  const bool patient = stamp_ns - first_stamp_ns_ < kPatience_ns || instants_.size() < kFewestPoses;
+  if (instants_.size() >= poses_ || !patient) estimateNow();
 }
 
 void BodyMeasurer::estimateNow() {
-  if (isEstimating() || instants_.size() < kFewestPoses) return;
+  if (isEstimating() || instants_.empty()) return;
   estimate_ = std::async(in_background_ ? std::launch::async : std::launch::deferred, &estimated,
                          rig_, contour_, prior_, instants_);
 }

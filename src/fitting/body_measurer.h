@@ -22,7 +22,7 @@ class BodyMeasurer {
   /// estimate begins with enough poses, or after a while with fewer.
   void add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
            const ContourFit& fit);
-  /// Estimates from the instants taken in so far, if they are not too few.
+  /// Estimates from the instants taken in so far, if there are any.
   void estimateNow();
   /// Instants taken in so far.
   int poses() const { return int(instants_.size()); }

@@ -17,9 +17,7 @@ constexpr double kKneeKept = 0.3;  // of the bend, when front becomes back
 // this.
 constexpr double kDecided = 0.15;
 constexpr double kAhead = 0.05;
-
-// A pose so much worse than the one held contradicts nothing.
-constexpr double kHopeless = 0.06;
+constexpr double kAtOnce = 0.03;  // in one instant
 
 constexpr double kElsewhere = 0.15;  // metres, of a limb's end
 
@@ -72,8 +70,9 @@ HeldTrack ContourHypotheses::start(int64_t stamp_ns, const ContourObservation& s
   const ContourFit best = bestFit(seen, body, poses);
   if (best.status != ContourFitStatus::kFitted) return {};
   HeldTrack held{held_.start(stamp_ns, seen, body, best.pose), true};
-  if (!isLost(held.track))
-    letRival(stamp_ns, bestFit(seen, body, {mirrored(body, held.track.fit.pose)}));
+  if (isLost(held.track)) return held;
+  const ContourFit other = bestFit(seen, body, {mirrored(body, held.track.fit.pose)});
+  if (qualityOf(other) > qualityOf(held.track.fit) - kAtOnce) letRival(stamp_ns, other);
   return held;
 }
 
@@ -99,7 +98,7 @@ void ContourHypotheses::challenge(int64_t stamp_ns, const ContourObservation& se
                                   const ContourBody& body, const std::vector<ContourPose>& poses) {
   if (rival_ || !held_.tracking()) return;
   const ContourFit best = bestFit(seen, body, poses);
-  if (best.status == ContourFitStatus::kFitted && qualityOf(best) > held_.quality() - kHopeless &&
+  if (best.status == ContourFitStatus::kFitted && qualityOf(best) > held_.quality() - kAtOnce &&
       isElsewhere(body, best.pose, held_.pose()))
     letRival(stamp_ns, best);
 }

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "fitting/start_poses.h"
 #include "fitting/tracked_person.h"
+#include "fitting/tree_pose.h"
 
 namespace markerless_mocap {
 namespace {
@@ -57,6 +57,7 @@ void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
 
 void ContourMethod::reset() {
   hypotheses_.lose();
+  sure_after_ns_ = decide_after_ns_ = next_question_ns_ = 0;
   seeker_->reset();
   conversion_->reset();
   stamp_.reset();
@@ -69,7 +70,6 @@ std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
   if (pose.status != PoseStatus::kLost)
     poses.push_back(conversion_->poseOf(pose.T_world_body, pose.angles));
   if (const auto of_tree = poseOfTree(now.tree)) poses.push_back(*of_tree);
-  if (poses.empty()) poses = uprightPoses(now.hull, *shape_);
   return poses;
 }
 
@@ -99,9 +99,9 @@ void ContourMethod::question(const TrackingInstant& now, const ContourObservatio
 }
 
 std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
-                                               const ContourTrack& track) {
+                                               const ContourFit& fit) {
   if (!measurer_) return std::nullopt;
-  if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, track.fit);
+  if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, fit);
   if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
     takeOver(bodyOfSizes(sources_, *sizes));
     measurer_.reset();
@@ -162,16 +162,18 @@ BodyPose ContourMethod::update(const TrackingInstant& now) {
   HeldTrack held = hypotheses_.update(now.stamp_ns, seen, *shape_);
   if (held.track.status == ContourTrackStatus::kLost) {
     held = start(now, seen);
-    decided_ = false;
+    decided_ = hypotheses_.isAhead();
     claimed_ = false;
   } else {
+    // What has just changed may do so again.
+    if (held.jumped) decide_after_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+    decided_ = decided_ || (now.stamp_ns > decide_after_ns_ && hypotheses_.isAhead());
     question(now, seen, held.track);
   }
   if (held.jumped) sure_after_ns_ = now.stamp_ns + kUnsure_ns;
-  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track))
-    return *measuring;
   if (held.track.status == ContourTrackStatus::kLost) return lost(seen, held.track);
-  decided_ = decided_ || hypotheses_.isAhead();
+  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track.fit))
+    return *measuring;
   return decided_ ? claimed(held) : undecided();
 }
 

@@ -32,7 +32,7 @@ class ContourMethod : public BodyTracker {
                 const ContourTrack& track);
   /// While the body is being measured nothing is claimed.
   std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
-                                  const ContourTrack& track);
+                                  const ContourFit& fit);
   BodyPose lost(const ContourObservation& seen, const ContourTrack& track) const;
   static BodyPose undecided();
   BodyPose claimed(const HeldTrack& held);
@@ -43,7 +43,7 @@ class ContourMethod : public BodyTracker {
   ContourHypotheses hypotheses_;
   bool decided_ = false;  ///< which way the person faces, since the last start
   bool claimed_ = false;  ///< a pose, since the last start
-  int64_t sure_after_ns_ = 0, next_question_ns_ = 0;
+  int64_t sure_after_ns_ = 0, decide_after_ns_ = 0, next_question_ns_ = 0;
   std::optional<BodyMeasurer> measurer_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> shape_;             ///< of body_

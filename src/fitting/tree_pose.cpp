@@ -1,4 +1,4 @@
-#include "fitting/start_poses.h"
+#include "fitting/tree_pose.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,8 +9,6 @@ namespace {
 
 using A = ContourAngle;
 using B = ContourBall;
-
-constexpr int kFacings = 6;
 
 // A limb straighter than this tells little of the plane it bends in.
 constexpr double kStraight = 0.06;  // sine of the bend
@@ -63,29 +61,6 @@ std::optional<ContourPose> poseOfTree(const PoseTree& tree) {
   for (const LimbJoints& limb : kLimbs) layLimb(limb, tree, pose);
   if (!pose.isFinite()) return std::nullopt;
   return pose;
-}
-
-std::vector<ContourPose> uprightPoses(const VisualHull& hull, const ContourBody& body) {
-  if (hull.voxels.empty()) return {};
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double top = -INFINITY;
-  for (const HullVoxel& voxel : hull.voxels) {
-    const Eigen::Vector3d center = hull.lattice.center(voxel.index);
-    sum += center;
-    top = std::max(top, center.z());
-  }
-  const ContourSizes& sizes = body.sizes();
-  const double above_hips =
-      sizes[ContourLength::kTorso] + sizes[ContourLength::kNeck] + sizes[ContourLength::kHead];
-  ContourPose pose;
-  pose.position = sum / double(hull.voxels.size());
-  pose.position.z() = top - above_hips;
-  std::vector<ContourPose> poses;
-  for (int i = 0; i < kFacings; ++i) {
-    pose.balls[B::kRoot] = rotationOf({0.0, 0.0, 2.0 * M_PI * i / kFacings});
-    poses.push_back(pose);
-  }
-  return poses;
 }
 
 }  // namespace markerless_mocap
