@@ -93,5 +93,56 @@ TEST(Options, DescriberWritesOneRowPerField) {
   EXPECT_NE(rows.find("| `pitch` | 0.03 | 0.005 to 0.2 | edge of a voxel, m |"), std::string::npos);
 }
 
+/// The fields of two structs in one section.
+struct TwinOptions {
+  static constexpr const char* kStage = "twins";
+  SampleOptions one, other;
+
+  void visit(OptionVisitor& v) {
+    one.visit(v);
+    PrefixedVisitor of_other("other_", v);
+    other.visit(of_other);
+  }
+  void validate() const { checkFields(*this); }
+};
+
+TEST(PrefixedVisitor, EveryTypeIsReadUnderThePrefix) {
+  const TwinOptions o = loadOptions<TwinOptions>(
+      YAML::Load("{pitch: 0.02, other_pitch: 0.05, other_views: 4, other_color: false, "
+                 "other_method: tree, other_cameras: [a], other_corner: [1, 2, 3]}"));
+  EXPECT_EQ(o.one.pitch, 0.02);
+  EXPECT_EQ(o.one.views, 2);
+  EXPECT_EQ(o.other.pitch, 0.05);
+  EXPECT_EQ(o.other.views, 4);
+  EXPECT_FALSE(o.other.color);
+  EXPECT_EQ(o.other.method, "tree");
+  EXPECT_EQ(o.other.cameras, std::vector<std::string>{"a"});
+  EXPECT_EQ(o.other.corner, Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(PrefixedVisitor, RefusalsNameTheWholeKey) {
+  const auto refused = [](const std::string& yaml) {
+    return sentenceOf([&] { loadOptions<TwinOptions>(YAML::Load(yaml)); });
+  };
+  EXPECT_EQ(refused("other_pitch: 0.5"), "twins/other_pitch is 0.5, allowed is 0.005 to 0.2");
+  EXPECT_EQ(refused("other_corner: [1]"),
+            "twins/other_corner is [1], allowed is three numbers, each -10 to 10");
+  EXPECT_EQ(refused("other_views: x"),
+            "twins/other_views is x, allowed is a whole number, 2 to 32");
+  EXPECT_EQ(refused("other_pich: 0.1"),
+            "twins/other_pich is not an option (value 0.1), did you mean other_pitch?");
+}
+
+TEST(PrefixedVisitor, CheckerAndDescriberSeeTheWholeKeyToo) {
+  TwinOptions options;
+  options.other.method = "swim";
+  EXPECT_EQ(sentenceOf([&] { options.validate(); }),
+            "twins/other_method is \"swim\", allowed is one of walk, tree");
+  OptionDescriber describer;
+  PrefixedVisitor outer("a_", describer), inner("b_", outer);
+  SampleOptions().visit(inner);
+  EXPECT_NE(describer.rows().find("| `a_b_views` | 2 | 2 to 32 | cameras |"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace markerless_mocap
