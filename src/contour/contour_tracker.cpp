@@ -27,6 +27,12 @@ constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found noth
 // damaged masks and clothes let limbs that fit stick out, too.
 constexpr double kLimbOutside = 0.025;  // metres
 
+// An arm that has been lost from the start on is usual. While rays are left over, the limb that is
+// least certain is looked for now and then.
+constexpr double kAllExplained = 0.985;
+constexpr double kUncertain = 0.025;  // metres, of its end
+constexpr int64_t kBetweenLooks_ns = 500000000;
+
 constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
 constexpr FitSchedule kRetry{10, 0.12, 0.03};
@@ -87,6 +93,7 @@ ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& s
 ContourTrack ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
   last_.reset();
   next_search_ns_ = stamp_ns;
+  next_look_ns_ = stamp_ns + kBetweenLooks_ns;
   return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
 }
 
@@ -136,6 +143,18 @@ bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& bo
   return better;
 }
 
+bool ContourTracker::lookForWeakest(const ContourObservation& seen, const ContourBody& body,
+                                    const ContourPrediction& prediction, ContourFit& fit) const {
+  int weakest = ContourLimb::kLeftArm;
+  for (int i = weakest; i < ContourLimb::kCount; ++i)
+    if (fit.limbs[size_t(i)].deviation > fit.limbs[size_t(weakest)].deviation) weakest = i;
+  if (fit.rays_explained > kAllExplained && fit.limbs[size_t(weakest)].deviation < kUncertain)
+    return false;
+  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
+  return tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(weakest), fit, prediction.pose),
+                  loose, fit);
+}
+
 ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& seen,
                                     const ContourBody& body) {
   const int64_t gap = last_ ? stamp_ns - last_->stamp_ns : 0;
@@ -155,6 +174,10 @@ ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& 
     status = any(suspicious(fit)) ? ContourTrackStatus::kDoubtful
              : better             ? ContourTrackStatus::kRecovered
                                   : ContourTrackStatus::kTracked;
+  }
+  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_look_ns_) {
+    next_look_ns_ = stamp_ns + kBetweenLooks_ns;
+    if (lookForWeakest(seen, body, prediction, fit)) status = ContourTrackStatus::kRecovered;
   }
   return keep(stamp_ns, fit, status);
 }

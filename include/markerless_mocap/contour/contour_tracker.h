@@ -72,7 +72,10 @@ class ContourTracker {
   CameraRig rig_;
   ContourFitter fitter_;
   std::optional<Past> last_;
-  int64_t next_search_ns_ = 0;  ///< limbs are not looked for again before
+  int64_t next_search_ns_ = 0;  ///< suspicious limbs are not looked for again before
+  int64_t next_look_ns_ = 0;    ///< nor is the one that the least speaks for
+  bool lookForWeakest(const ContourObservation& seen, const ContourBody& body,
+                      const ContourPrediction& prediction, ContourFit& fit) const;
 };
 
 }  // namespace markerless_mocap
