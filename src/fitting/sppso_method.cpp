@@ -1,5 +1,6 @@
 #include "fitting/sppso_method.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -11,6 +12,12 @@ namespace {
 // A part is seen when the silhouettes show this share of it apart from the rest of the body, and
 // have this share of what sticks out.
 constexpr double kLeastAlone = 0.05, kLeastInside = 0.5;
+
+// A pose is questioned when its silhouette fitness falls behind the best of late by this, and given
+// up for one whose whole fitness is clearly better.
+constexpr double kDoubt = 0.03, kClearlyBetter = 0.02;
+constexpr double kForgetting = 0.9995;  // of the best, per instant
+constexpr int64_t kBetweenQuestions_ns = 400000000;
 
 /// By PartLabel.
 constexpr std::array<ConeSet, kPartCount> kPartCones = {
@@ -78,18 +85,42 @@ BodyPose SppsoMethod::claimed(const SppsoPose& found, PoseStatus status) {
   return pose;
 }
 
+SppsoPose SppsoMethod::proposed(const TrackingInstant& now,
+                                const std::vector<AppearanceView>& views, double better_than) {
+  seeker_.reset();
+  const BodyPose seen = seeker_.update(now.stamp_ns, now.parts, now.hull);
+  if (seen.status == PoseStatus::kLost) {
+    SppsoPose none;
+    none.reason = seen.reason;
+    return none;
+  }
+  FleischmannConversion conversion = conversion_;  // what is not claimed leaves no trace
+  return tracker_.startNear(now.stamp_ns, conversion.parametersOf(seen.T_world_body, seen.angles),
+                            views, better_than);
+}
+
 BodyPose SppsoMethod::start(const TrackingInstant& now, const std::vector<AppearanceView>& views) {
-  const BodyPose proposed = seeker_.update(now.stamp_ns, now.parts, now.hull);
-  std::string obstacle = proposed.reason;
-  if (proposed.status != PoseStatus::kLost) {
-    const SppsoPose found = tracker_.startNear(
-        now.stamp_ns, conversion_.parametersOf(proposed.T_world_body, proposed.angles), views);
-    if (found.status == PoseStatus::kTracked) return claimed(found, PoseStatus::kReinitialized);
-    obstacle = found.reason;
+  const SppsoPose found = proposed(now, views, 0.0);
+  if (found.status == PoseStatus::kTracked) {
+    usual_ = found.fitness.silhouette;
+    next_question_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+    return claimed(found, PoseStatus::kReinitialized);
   }
   BodyPose lost;
-  lost.reason = "no pose to start from: " + obstacle;
+  lost.reason = "no pose to start from: " + found.reason;
   return lost;
+}
+
+std::optional<SppsoPose> SppsoMethod::question(const TrackingInstant& now,
+                                               const std::vector<AppearanceView>& views,
+                                               const SppsoPose& found) {
+  usual_ = std::max(kForgetting * usual_, found.fitness.silhouette);
+  if (now.stamp_ns < next_question_ns_ || found.fitness.silhouette > usual_ - kDoubt)
+    return std::nullopt;
+  next_question_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+  const SppsoPose other = proposed(now, views, found.fitness.total() + kClearlyBetter);
+  if (other.status != PoseStatus::kTracked) return std::nullopt;
+  return other;
 }
 
 BodyPose SppsoMethod::update(const TrackingInstant& now) {
@@ -97,8 +128,10 @@ BodyPose SppsoMethod::update(const TrackingInstant& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const SppsoPose found = tracker_.update(now.stamp_ns, views);
-  if (found.status == PoseStatus::kTracked) return claimed(found, PoseStatus::kTracked);
-  return start(now, views);
+  if (found.status != PoseStatus::kTracked) return start(now, views);
+  if (const std::optional<SppsoPose> other = question(now, views, found))
+    return claimed(*other, PoseStatus::kReinitialized);
+  return claimed(found, PoseStatus::kTracked);
 }
 
 }  // namespace markerless_mocap

@@ -24,7 +24,14 @@ class SppsoMethod : public BodyTracker {
 
  private:
   std::vector<AppearanceView> viewsOf(const TrackingInstant& now) const;
+  /// The pose that part curves and hull tell of this instant alone, searched on.
+  SppsoPose proposed(const TrackingInstant& now, const std::vector<AppearanceView>& views,
+                     double better_than);
   BodyPose start(const TrackingInstant& now, const std::vector<AppearanceView>& views);
+  /// A swarm that has lost a limb rarely finds it again, but it looks less like the person.
+  std::optional<SppsoPose> question(const TrackingInstant& now,
+                                    const std::vector<AppearanceView>& views,
+                                    const SppsoPose& found);
   BodyPose claimed(const SppsoPose& found, PoseStatus status);
 
   bool with_edges_;
@@ -33,6 +40,8 @@ class SppsoMethod : public BodyTracker {
   SppsoTracker tracker_;
   PoseTracker seeker_;            ///< proposes starts
   std::optional<int64_t> stamp_;  ///< of the last instant
+  double usual_ = 0.0;            ///< silhouette fitness, near the best of this track
+  int64_t next_question_ns_ = 0;
 };
 
 }  // namespace markerless_mocap

@@ -13,7 +13,7 @@ constexpr int kLeastViews = 2;  // one alone does not tell how far away anything
 // A pose that another method proposes is off by about this; each round about it searches half as
 // far as the one before.
 constexpr double kProposedTurn = 0.15, kProposedPlace = 0.05;  // rad, m; standard deviations
-constexpr int kStartRounds = 4;
+constexpr int kStartRounds = 8;
 
 double secondsBetween(int64_t from_ns, int64_t to_ns) {
   return double(to_ns - from_ns) * 1e-9;
@@ -114,7 +114,7 @@ SppsoPose SppsoTracker::update(int64_t stamp_ns, const std::vector<AppearanceVie
 }
 
 SppsoPose SppsoTracker::startNear(int64_t stamp_ns, const FleischmannVector& v,
-                                  const std::vector<AppearanceView>& views) {
+                                  const std::vector<AppearanceView>& views, double better_than) {
   SppsoPose best;
   best.views = fitness_.observe(views);
   best.reason = viewObstacle(best.views);
@@ -123,11 +123,15 @@ SppsoPose SppsoTracker::startNear(int64_t stamp_ns, const FleischmannVector& v,
   best.fitness = fitness_.fitness(best.v.data(), plan_.edges.back());
   Eigen::VectorXd sigma = Eigen::VectorXd::Constant(kFleischmannParameters, kProposedTurn);
   sigma.segment<3>(kPelvisPlace).setConstant(kProposedPlace);
-  for (int round = 0; round < kStartRounds; ++round, sigma /= 2.0) {
+  for (int round = 0; round < kStartRounds; ++round, sigma *= 0.7) {
     SppsoPose found = best;
     search({best.v, sigma}, uint64_t(stamp_ns) + uint64_t(round), found);
     best.evaluations = found.evaluations;
     if (found.fitness.total() > best.fitness.total()) best = found;
+  }
+  if (best.fitness.total() <= better_than) {
+    best.reason = "the pose found is not better than the one known";
+    return best;
   }
   take(stamp_ns, best);
   if (best.status == PoseStatus::kTracked) before_.reset();

@@ -65,14 +65,18 @@ class SppsoMethodTest : public testing::Test {
   }
 
   void place(int frame, Eigen::Isometry3d& root, Eigen::VectorXd& angles) const {
+    place(at(profile_, frame), root, angles);
+  }
+  void place(const HsiaoVector& v, Eigen::Isometry3d& root, Eigen::VectorXd& angles) const {
     HsiaoConversion conversion(body_, std::make_shared<HsiaoProfile>(*body_));
-    conversion.convert(at(profile_, frame), root, angles);
+    conversion.convert(v, root, angles);
   }
 
-  Seen see(int frame) const {
+  Seen see(int frame) const { return see(at(profile_, frame)); }
+  Seen see(const HsiaoVector& pose) const {
     Eigen::Isometry3d root;
     Eigen::VectorXd angles;
-    place(frame, root, angles);
+    place(pose, root, angles);
     const FleischmannVector v = FleischmannConversion(body_).parametersOf(root, angles);
     Seen seen;
     for (int i = 0; i < int(rig_.size()); ++i) {
@@ -80,8 +84,8 @@ class SppsoMethodTest : public testing::Test {
       seen.images.emplace_back(seen.masks.back().size(), CV_8UC1, cv::Scalar(160));
       seen.images.back().setTo(70, seen.masks.back());
     }
-    seen.hull = hullOf(profile_, shape_, at(profile_, frame));
-    seen.parts = curvesOf(profile_, at(profile_, frame));
+    seen.hull = hullOf(profile_, shape_, pose);
+    seen.parts = curvesOf(profile_, pose);
     return seen;
   }
 
@@ -99,10 +103,11 @@ class SppsoMethodTest : public testing::Test {
   BodyPose show(const Seen& seen) { return show(seen, stamp_ += kFrame_ns); }
 
   /// Mean distance of the fifteen markers, metres.
-  double error(const BodyPose& pose, int frame) const {
+  double error(const BodyPose& pose, int frame) const { return error(pose, at(profile_, frame)); }
+  double error(const BodyPose& pose, const HsiaoVector& v) const {
     Eigen::Isometry3d root;
     Eigen::VectorXd angles;
-    place(frame, root, angles);
+    place(v, root, angles);
     LinkPoses links, true_links;
     body_->forwardKinematics(pose.T_world_body, pose.angles, links);
     body_->forwardKinematics(root, angles, true_links);
@@ -152,8 +157,30 @@ TEST_F(SppsoMethodTest, isLostWithoutMasksAndGoesOnAfterwards) {
   for (cv::Mat& mask : nobody.masks) mask.setTo(0);
   const BodyPose pose = show(nobody);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose to start from: no camera shows a person");
+  EXPECT_EQ(pose.reason, "no pose to start from: no body is recognised");
   EXPECT_EQ(show(seeMasks(1)).status, PoseStatus::kTracked);
+}
+
+// An arm goes up faster than motion statistics allow for.
+TEST_F(SppsoMethodTest, aLostArmIsFoundAgainByPartCurvesAfterAWhile) {
+  TrackerSources slow = sources();
+  slow.motion.largest_change.setConstant(0.002);
+  tracker_ = makeBodyTracker(rig_, slow, sppso());
+  HsiaoVector raised = at(profile_, 0);
+  show(see(raised));
+  raised[hsiaoTheta(4)] -= degrees(90);
+  const Seen seen = see(raised);
+  int frames_lost = 0;
+  BodyPose pose = show(seen);
+  for (; pose.status == PoseStatus::kTracked && frames_lost < 30; ++frames_lost) {
+    EXPECT_GT(error(pose, raised), 0.04);
+    EXPECT_FALSE(pose.part_seen[size_t(PartLabel::kArm2)]);
+    pose = show(seen);
+  }
+  EXPECT_NEAR(double(frames_lost * kFrame_ns), 0.4e9, 0.05e9);
+  EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
+  EXPECT_LT(error(pose, raised), 0.04);
+  for (int i = 0; i < 15; ++i) EXPECT_EQ(show(seen).status, PoseStatus::kTracked);
 }
 
 TEST_F(SppsoMethodTest, oneCameraIsNotEnough) {

@@ -95,6 +95,34 @@ TEST(SppsoTracker, predictionGoesOnWithAShareOfTheLastChange) {
   }
 }
 
+TEST(SppsoTracker, startsNearAPoseThatIsRoughlyRight) {
+  const Walk walk;
+  SppsoTracker tracker = walk.tracker();
+  FleischmannVector rough = Walk::at(0);
+  rough[kPelvisPlace] += 0.06;
+  rough[kRightShoulder + 1] += 0.25;
+  rough[kLeftKnee] += 0.2;
+  const SppsoPose pose = tracker.startNear(0, rough, walk.viewsAt(0));
+  ASSERT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
+  EXPECT_LT(walk.meanError(pose.v, 0), 0.03);
+  EXPECT_GT(walk.meanError(rough, 0), 0.06);
+  EXPECT_EQ(tracker.predicted(kFrame_ns), pose.v);
+  EXPECT_EQ(tracker.startNear(0, rough, std::vector<AppearanceView>(4)).reason,
+            "no camera shows a person");
+  tracker.reset();
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(1)).reason, "no pose is known to start from");
+}
+
+TEST(SppsoTracker, keepsThePoseThatNoneIsBetterThan) {
+  const Walk walk;
+  SppsoTracker tracker = walk.tracker();
+  tracker.start(0, Walk::at(0));
+  const SppsoPose pose = tracker.startNear(kFrame_ns, Walk::at(1), walk.viewsAt(1), 2.0);
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "the pose found is not better than the one known");
+  EXPECT_EQ(tracker.predicted(kFrame_ns), Walk::at(0));
+}
+
 // The true pose is the best there is.
 TEST(SppsoTracker, keepsAStartThatIsPerfect) {
   const Walk walk;

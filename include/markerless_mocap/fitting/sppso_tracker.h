@@ -36,9 +36,9 @@ class SppsoTracker {
   void start(int64_t stamp_ns, const FleischmannVector& v);
   /// Looks for the person about a pose that is only roughly right, in rounds that search ever
   /// nearer to the best so far, and goes on from there. Keeps the last pose if nothing is found.
-  /// \param views as for update()
+  /// \param views as for update() \param better_than fitness that must be surpassed
   SppsoPose startNear(int64_t stamp_ns, const FleischmannVector& v,
-                      const std::vector<AppearanceView>& views);
+                      const std::vector<AppearanceView>& views, double better_than = 0.0);
   /// Forgets all poses.
   void reset();
   /// \param stamp_ns capture time, later than the last one, else the frame is lost
