@@ -97,6 +97,10 @@ ContourPose goneOn(const ContourPose& before, const ContourPose& last, double sh
   return moved(last, share * stepBetween(before, last));
 }
 
+double qualityOf(const ContourFit& fit) {
+  return 0.5 * (fit.overlap + fit.rays_explained);
+}
+
 const char* toString(ContourFitStatus status) {
   constexpr const char* kNames[] = {"fitted", "too few views", "diverged"};
   return kNames[size_t(status)];

@@ -37,12 +37,6 @@ constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
 constexpr FitSchedule kRetry{10, 0.12, 0.03};
 
-/// Overlap tells of a body that leaves the masks, the rays of a limb that lies hidden in the trunk
-/// while the masks show it elsewhere. 0 to 1.
-double qualityOf(const ContourFit& fit) {
-  return 0.5 * (fit.overlap + fit.rays_explained);
-}
-
 bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
 }

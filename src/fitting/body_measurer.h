@@ -18,6 +18,8 @@ class BodyMeasurer {
   BodyMeasurer(const CameraRig& rig, const ContourOptions& contour, const SizePrior& prior,
                int poses, bool in_background);
 
+  /// The stature that the estimate begins with, metres.
+  void setStature(double stature) { prior_.stature = stature; }
   /// Takes an instant in if its pose has changed from the last one taken, or time has passed. The
   /// estimate begins with enough poses, or after a while with fewer.
   void add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,

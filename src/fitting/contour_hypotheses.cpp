@@ -21,11 +21,6 @@ constexpr double kAtOnce = 0.03;  // in one instant
 
 constexpr double kElsewhere = 0.15;  // metres, of a limb's end
 
-/// Overlap tells of a body that leaves the masks, rays of masks that the body leaves. 0 to 1.
-double qualityOf(const ContourFit& fit) {
-  return 0.5 * (fit.overlap + fit.rays_explained);
-}
-
 bool isLost(const ContourTrack& track) {
   return track.status == ContourTrackStatus::kLost;
 }

@@ -32,10 +32,11 @@ class ContourHypotheses {
   /// Whether nothing that contradicts the pose explains the masks nearly as well.
   bool isAhead() const;
   void lose();
-
- private:
+  /// The best of the fits that begin at some poses.
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
                      const std::vector<ContourPose>& poses) const;
+
+ private:
   void letRival(int64_t stamp_ns, const ContourFit& fit);
 
   ContourTracker held_;

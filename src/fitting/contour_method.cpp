@@ -73,9 +73,26 @@ std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
   return poses;
 }
 
+// Measuring goes a short way only, so it begins with the stature that explains the masks best.
+void ContourMethod::guessStature(const ContourObservation& seen,
+                                 const std::vector<ContourPose>& poses) {
+  double best_stature = options_.skeleton.stature, best_quality = 0.0;
+  for (const double stature : {1.5, 1.6, 1.7, 1.8, 1.9, options_.skeleton.stature}) {
+    const ContourBody body(sources_.people.sizes(stature));
+    const double quality = qualityOf(hypotheses_.bestFit(seen, body, poses));
+    if (quality <= best_quality) continue;
+    best_quality = quality;
+    best_stature = stature;
+  }
+  takeOver(bodyBeforehand(sources_, best_stature));
+  measurer_->setStature(best_stature);
+}
+
 HeldTrack ContourMethod::start(const TrackingInstant& now, const ContourObservation& seen) {
   if (seen.usableViews() < 2) return {};
-  return hypotheses_.start(now.stamp_ns, seen, *shape_, proposals(now));
+  const std::vector<ContourPose> poses = proposals(now);
+  if (measurer_ && !poses.empty()) guessStature(seen, poses);
+  return hypotheses_.start(now.stamp_ns, seen, *shape_, poses);
 }
 
 // A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is

@@ -26,6 +26,7 @@ class ContourMethod : public BodyTracker {
 
  private:
   void takeOver(std::shared_ptr<const TrackedBody> body);
+  void guessStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
   HeldTrack start(const TrackingInstant& now, const ContourObservation& seen);
   std::vector<ContourPose> proposals(const TrackingInstant& now);
   void question(const TrackingInstant& now, const ContourObservation& seen,

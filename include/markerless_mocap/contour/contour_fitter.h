@@ -56,6 +56,10 @@ struct ContourFit {
   std::array<LimbEvidence, ContourLimb::kCount> limbs{};
 };
 
+/// Overlap tells of a body that leaves the masks, the rays of a limb that lies hidden in the trunk
+/// while the masks show it elsewhere: their mean, 0 to 1.
+double qualityOf(const ContourFit& fit);
+
 /// Moves a body until the viewing rays of all contours touch it and no mask is left by it:
 /// Levenberg-Marquardt with analytic derivatives, a robust error that narrows (Geman and McClure
 /// 1987), soft joint limits, and weak priors of posture and motion. Immutable; one is shared by all
