@@ -9,6 +9,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int64_t kFrame_ns = 33333333;
+constexpr Eigen::Index kLeftWrist = 5;  // of contourPointNames()
 
 class ContourTrackerTest : public ::testing::Test {
  protected:
@@ -28,6 +29,19 @@ class ContourTrackerTest : public ::testing::Test {
         rotationOf({0, -0.08 * frame, 0}) * pose.balls[ContourBall::kLeftShoulder];
     pose.angles[ContourAngle::kRightKnee] -= 0.05 * frame;
     return pose;
+  }
+  /// The left arm on the other side of the body.
+  static ContourPose withArmElsewhere(ContourPose pose) {
+    pose.balls[ContourBall::kLeftShoulder] = rotationOf({2.2, 0.3, 0});
+    pose.angles[ContourAngle::kLeftElbow] = 0.3;
+    return pose;
+  }
+  /// Forearms and hands thicker than those that are drawn, metres.
+  ContourBody withFatForearms(double by) const {
+    ContourSizes sizes = body.sizes();
+    for (const int kind : {int(ContourCone::kForearm), int(ContourCone::kHand)})
+      for (const int end : {0, 1}) sizes[radiusIndex(kind, end)] += by;
+    return ContourBody(sizes);
   }
 
   CameraRig rig;
@@ -49,17 +63,15 @@ TEST_F(ContourTrackerTest, FollowsAWalk) {
 TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
   tracker.start(0, see(at(0)), body, at(0));
   tracker.update(kFrame_ns, see(at(0)), body);
-  ContourPose jumped = at(0);  // to the other side of the body, between two instants
-  jumped.balls[ContourBall::kLeftShoulder] = rotationOf({2.2, 0.3, 0});
-  jumped.angles[ContourAngle::kLeftElbow] = 0.3;
+  const ContourPose jumped = withArmElsewhere(at(0));  // between two instants
   const ContourObservation seen = see(jumped);
   const ContourFit alone = tracker.fitter().fit(
       seen, body, at(0), ContourPrediction{at(0), 1.0 / 30}, tracker.fitter().schedule());
-  ASSERT_GT((body.points(alone.pose) - body.points(jumped)).col(5).norm(), 0.2)
+  ASSERT_GT((body.points(alone.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.2)
       << "the fit alone must fail for this test to tell anything";
   const ContourTrack track = tracker.update(2 * kFrame_ns, seen, body);
   EXPECT_EQ(track.status, ContourTrackStatus::kRecovered);
-  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(5).norm(), 0.05);
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
 }
 
 TEST_F(ContourTrackerTest, DoubtsMasksThatNoPoseExplains) {
@@ -68,6 +80,55 @@ TEST_F(ContourTrackerTest, DoubtsMasksThatNoPoseExplains) {
   for (cv::Mat& mask : masks) mask(cv::Rect(20, 20, 30, 30)) = 255;  // no limb reaches there
   const ContourObservation cut = observer.observe(masks);
   EXPECT_EQ(tracker.update(kFrame_ns, cut, body).status, ContourTrackStatus::kDoubtful);
+}
+
+TEST_F(ContourTrackerTest, ALimbThatAlwaysSticksOutByAsMuchIsNotSuspicious) {
+  const ContourBody fat = withFatForearms(0.06);
+  tracker.start(0, see(at(0)), fat, at(0));
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrack track = tracker.update(i * kFrame_ns, see(at(i)), fat);
+    EXPECT_GT(track.fit.limbs[ContourLimb::kLeftArm].outside, 0.027) << i;
+    EXPECT_EQ(track.status, ContourTrackStatus::kTracked) << i;
+  }
+}
+
+TEST_F(ContourTrackerTest, ALimbThatSuddenlySticksOutIsSuspicious) {
+  tracker.start(0, see(at(0)), body, at(0));
+  EXPECT_EQ(tracker.update(kFrame_ns, see(at(1)), body).status, ContourTrackStatus::kTracked);
+  EXPECT_EQ(tracker.update(2 * kFrame_ns, see(at(2)), withFatForearms(0.06)).status,
+            ContourTrackStatus::kDoubtful)
+      << "and no better place is found";
+}
+
+TEST_F(ContourTrackerTest, ALimbThatAlwaysSticksOutIsStillFoundAgain) {
+  const ContourBody fat = withFatForearms(0.02);
+  tracker.start(0, see(at(0)), fat, at(0));
+  tracker.update(kFrame_ns, see(at(0)), fat);
+  const ContourPose jumped = withArmElsewhere(at(0));
+  const ContourTrack track = tracker.update(2 * kFrame_ns, see(jumped), fat);
+  EXPECT_EQ(track.status, ContourTrackStatus::kRecovered);
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, AnArmLostFromTheStartOnIsLookedForNowAndThen) {
+  const ContourPose truth = withArmElsewhere(at(0));
+  const ContourObservation seen = see(truth);
+  const ContourFit fit =
+      tracker.fitter().fit(seen, body, at(0), std::nullopt, tracker.fitter().schedule());
+  const auto arm_off = [&](const ContourFit& of) {
+    return (body.points(of.pose) - body.points(truth)).col(kLeftWrist).norm();
+  };
+  ASSERT_GT(arm_off(fit), 0.2) << "must start wrong for this test to tell anything";
+  ASSERT_EQ(tracker.startFrom(0, fit).status, ContourTrackStatus::kTracked);
+  ContourTrack track;
+  int frame = 1;
+  for (; frame <= 20 && track.status != ContourTrackStatus::kRecovered; ++frame) {
+    track = tracker.update(frame * kFrame_ns, seen, body);
+    EXPECT_NE(track.status, ContourTrackStatus::kLost);
+  }
+  EXPECT_EQ(track.status, ContourTrackStatus::kRecovered) << "within two thirds of a second";
+  EXPECT_LT(arm_off(track.fit), 0.05);
+  EXPECT_GT(tracker.quality(), 0.9);
 }
 
 TEST_F(ContourTrackerTest, IsLostWithoutMasksAfterAGapAndWhenTimeGoesBack) {
