@@ -13,6 +13,13 @@ void TrackerOptions::visit(OptionVisitor& v) {
           "standard deviation of the stature's error when the body is measured, m");
   v.field("measuring_poses", measuring_poses, 5, 300,
           "different poses that the body is measured from");
+  v.field("filter", filter,
+          "whether tf and joint_states are freed from jitter; pose is always raw");
+  v.field("filter_cutoff", filter_cutoff, 0.01, 100.0,
+          "cutoff of that filter for a body at rest, Hz; lower: calmer");
+  v.field("filter_beta", filter_beta, 0.0, 1000.0,
+          "by how much the cutoff rises with the fastest coordinate of the body, Hz per rad/s of a "
+          "joint or the root's turning, or per m/s of the root; lower: calmer in motion, later");
   skeleton.visit(v);
   PrefixedVisitor of_contour("contour_", v);
   contour.visit(of_contour);

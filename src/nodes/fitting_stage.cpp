@@ -144,6 +144,7 @@ void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
   const bool newly_measured = body->measured && !sources_.measured;
   announcer_.announce(false, ros::Time::now());
   body_ = body;
+  filter_ = makePoseFilter(body_->model, options_);
   description_.set(*body_);
   if (!newly_measured) return;
   ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
@@ -161,8 +162,9 @@ void FittingStage::saveBody() {
   }
 }
 
-void FittingStage::publish(const BodyPose& pose, const std_msgs::Header& header) {
+void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
   const BodyModel& model = *body_->model;
+  const BodyPose pose = filter_ ? filter_->filtered(nanosecondsOf(header.stamp), raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
   status_.count(toString(pose.status));
   if (tracked) {
@@ -174,7 +176,7 @@ void FittingStage::publish(const BodyPose& pose, const std_msgs::Header& header)
   }
   announcer_.announce(tracked, header.stamp);
   if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
-  publishShared(pose_, messageFromPose(model, pose, header));
+  publishShared(pose_, messageFromPose(model, raw, header));
 }
 
 void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {

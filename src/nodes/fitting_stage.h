@@ -4,10 +4,12 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "markerless_mocap/fitting/body_tracker.h"
+#include "markerless_mocap/fitting/pose_filter.h"
 #include "markerless_mocap/ros/node_options.h"
 #include "nodes/body_announcer.h"
 #include "nodes/body_description.h"
@@ -19,7 +21,7 @@
 namespace markerless_mocap {
 
 /// Follows the person, in a thread of its own so that messages are never kept waiting, and
-/// publishes the pose and the body.
+/// publishes the pose (raw on `pose`, filtered as tf, joint_states and markers) and the body.
 class FittingStage {
  public:
   /// Throws std::invalid_argument or std::runtime_error as readTrackerSources(),
@@ -38,7 +40,7 @@ class FittingStage {
   /// Takes the body back that was announced, and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
-  void publish(const BodyPose& pose, const std_msgs::Header& header);
+  void publish(const BodyPose& raw, const std_msgs::Header& header);
   void reportTimes(double fitting, const ros::Time& stamp);
 
   TrackerOptions options_;
@@ -50,6 +52,7 @@ class FittingStage {
   BodyDescription description_;
   BodyAnnouncer announcer_;
   std::shared_ptr<const TrackedBody> body_;
+  std::optional<PoseFilter> filter_;      ///< of body_
   std::shared_ptr<const CameraRig> rig_;  ///< of the tracker
   std::unique_ptr<BodyTracker> tracker_;  ///< none until the rig is known
   LatencyMeter fitting_times_, latencies_;

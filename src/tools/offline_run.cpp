@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -48,7 +49,9 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
   RecordingOptions beginning = options.recording;
   beginning.duration = std::min(beginning.duration, kLongestMeasuring);
   Recording recording(options.input, beginning);
-  Pipeline pipeline(recording.rig(), *sources, options.pipeline);
+  PipelineOptions stages = options.pipeline;
+  stages.fitting.method = "contour";  // the only one that measures
+  Pipeline pipeline(recording.rig(), *sources, stages);
   recording.forEachInstant(
       [&](const RecordedInstant& instant) {
         if (options.interrupted())
@@ -63,6 +66,15 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
   std::snprintf(stature, sizeof stature, "%.2f m", statureOf(pipeline.body()->sizes));
   *notes << (sources->measured ? "the body is measured: " : "the body could not be measured: ")
          << "its stature is taken as " << stature << '\n';
+}
+
+void saveBody(const OfflineOptions& options, const TrackedBody& body) {
+  if (!body.measured)
+    throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
+  std::ofstream file(options.save_body);
+  file << sizesText(body.sizes);
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + options.save_body);
 }
 
 }  // namespace
@@ -89,7 +101,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   TrackerSources sources =
       readTrackerSources(options.body_id, options.urdf_template, options.body_file);
   PipelineOptions stages = options.pipeline;
-  if (stages.fitting.measure && stages.fitting.method == "contour" && !sources.measured)
+  if (stages.fitting.measure && stages.fitting.method != "skeleton" && !sources.measured)
     measureBody(options, &sources, notes);
   stages.fitting.measure = false;
   Pipeline pipeline(recording.rig(), sources, stages);
@@ -98,7 +110,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   pipeline.setStageListener([&](const char* stage) { summary.stageDone(stage); });
 
   NewBag bag(options.output);
-  ResultWriter writer(&bag, model, options.recording.world_frame);
+  ResultWriter writer(&bag, model, options.recording.world_frame,
+                      makePoseFilter(pipeline.body()->model, stages.fitting));
   Progress progress("mocap_offline", notes, terminal);
   std::optional<RunReport> report;
   if (!options.report_folder.empty()) report.emplace(options.report_folder, model, pipeline.rig());
@@ -121,6 +134,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   progress.finish();
   checkOutcome(summary, recording);
   bag.commit();
+  if (!options.save_body.empty()) saveBody(options, *pipeline.body());
   if (report) report->write(options.input);
   if (notes) remarkOn(recording, *notes);
   return summary;

@@ -13,8 +13,9 @@
 
 namespace markerless_mocap {
 
-ResultWriter::ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame)
-    : bag_(bag), model_(model), world_frame_(std::move(world_frame)) {}
+ResultWriter::ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame,
+                           std::optional<PoseFilter> filter)
+    : bag_(bag), model_(model), world_frame_(std::move(world_frame)), filter_(std::move(filter)) {}
 
 std_msgs::Header ResultWriter::headerAt(int64_t stamp_ns) const {
   std_msgs::Header header;
@@ -39,7 +40,7 @@ void ResultWriter::write(int64_t stamp_ns, const PipelineResult& result) {
   writeHull(header, result.hull);
   writeParts(header, result);
   bag_->write("/pose_tree", header.stamp, messageFromPoseTree(result.tree, header));
-  writePose(header, result.pose);
+  writePose(stamp_ns, result.pose);
 }
 
 void ResultWriter::writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
@@ -66,8 +67,10 @@ void ResultWriter::writeParts(const std_msgs::Header& header, const PipelineResu
   bag_->write("/segmentation/parts", header.stamp, messageFromParts(result.parts, header));
 }
 
-void ResultWriter::writePose(const std_msgs::Header& header, const BodyPose& pose) {
-  bag_->write("/pose", header.stamp, messageFromPose(model_, pose, header));
+void ResultWriter::writePose(int64_t stamp_ns, const BodyPose& raw) {
+  const std_msgs::Header header = headerAt(stamp_ns);
+  bag_->write("/pose", header.stamp, messageFromPose(model_, raw, header));
+  const BodyPose pose = filter_ ? filter_->filtered(stamp_ns, raw) : raw;
   if (pose.status == PoseStatus::kLost) return;
   bag_->write("/humans/bodies/" + model_.id() + "/joint_states", header.stamp,
               jointStateFromPose(model_, pose, header));

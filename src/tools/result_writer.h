@@ -3,7 +3,9 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
+#include <optional>
 
+#include "markerless_mocap/fitting/pose_filter.h"
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "tools/bag_file.h"
 #include "tools/recorded_cameras.h"
@@ -11,10 +13,13 @@
 namespace markerless_mocap {
 
 /// Writes what the pipeline makes of each instant, on the topics that the nodes publish. The
-/// capture stamp is the header's stamp and the time of record.
+/// capture stamp is the header's stamp and the time of record. /pose is raw, tf and joint_states
+/// are filtered.
 class ResultWriter {
  public:
-  ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame);
+  /// \param filter none: tf and joint_states are raw, too
+  ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame,
+               std::optional<PoseFilter> filter = std::nullopt);
 
   /// To be called once, before the first instant.
   void writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms);
@@ -29,11 +34,12 @@ class ResultWriter {
   std_msgs::Header headerAt(int64_t stamp_ns) const;
   void writeHull(const std_msgs::Header& header, const VisualHull& hull);
   void writeParts(const std_msgs::Header& header, const PipelineResult& result);
-  void writePose(const std_msgs::Header& header, const BodyPose& pose);
+  void writePose(int64_t stamp_ns, const BodyPose& raw);
 
   NewBag* bag_;
   const BodyModel& model_;
   std::string world_frame_;
+  std::optional<PoseFilter> filter_;
   bool grid_written_ = false;
 };
 

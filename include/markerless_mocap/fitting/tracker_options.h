@@ -16,6 +16,9 @@ struct TrackerOptions {
   bool measure = true;
   double stature_deviation = 0.08;
   int measuring_poses = 30;
+  bool filter = true;
+  double filter_cutoff = 1.5;
+  double filter_beta = 5.0;
   FittingOptions skeleton;  ///< stature and seed are everybody's
   ContourOptions contour;   ///< keys begin with contour_
   SppsoOptions sppso;       ///< keys begin with sppso_
