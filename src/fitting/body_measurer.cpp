@@ -46,6 +46,10 @@ void BodyMeasurer::add(int64_t stamp_ns, const ContourObservation& seen, const C
   if (isEstimating() || fit.overlap < kLeastOverlap) return;
   const Eigen::Matrix3Xd points = body.points(fit.pose);
   if (!instants_.empty()) {
+    if (stamp_ns < last_stamp_ns_) {  // time goes on from elsewhere
+      first_stamp_ns_ += stamp_ns - last_stamp_ns_;
+      last_stamp_ns_ = stamp_ns;
+    }
     const int64_t passed = stamp_ns - last_stamp_ns_;
     const double moved = (points - last_points_).colwise().norm().mean();
     if (passed < kSoonest_ns || (passed < kLatest_ns && moved < kOtherPose)) return;

@@ -118,13 +118,14 @@ void ContourMethod::question(const TrackingInstant& now, const ContourObservatio
 std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
                                                const ContourFit& fit) {
   if (!measurer_) return std::nullopt;
+  BodyPose pose;
   if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, fit);
   if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
     takeOver(bodyOfSizes(sources_, *sizes));
     measurer_.reset();
-    return std::nullopt;
+    pose.reason = "the body has just been measured";  // the pose is another body's
+    return pose;
   }
-  BodyPose pose;
   pose.reason = "the body is being measured, " + std::to_string(measurer_->poses()) + " of " +
                 std::to_string(options_.measuring_poses) + " different poses have been seen";
   return pose;
@@ -145,7 +146,7 @@ BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack&
     pose.reason =
         "the person shows in " + std::to_string(seen.usableViews()) + " silhouettes, needed are 2";
   else if (track.fit.status != ContourFitStatus::kFitted)
-    pose.reason = seeker_reason_;
+    pose.reason = seeker_reason_.empty() ? "no pose covers the silhouettes" : seeker_reason_;
   else
     pose.reason = "no pose covers the silhouettes, the best one's overlap is " +
                   number("%.2f", track.fit.overlap);

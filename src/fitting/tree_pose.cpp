@@ -28,6 +28,11 @@ constexpr LimbJoints kLimbs[] = {{TreeJoint::kLeftShoulder, TreeJoint::kLeftElbo
                                  {TreeJoint::kRightHip, TreeJoint::kRightKnee,
                                   TreeJoint::kRightAnkle, -1.0, B::kRightHip, A::kRightKnee}};
 
+/// Joints in one place or in one line span no frame.
+bool isRotation(const Eigen::Matrix3d& R) {
+  return std::abs(R.determinant() - 1.0) < 1e-6;  // false for NaN
+}
+
 /// Lays the upper bone from root to middle, its front to where the limb bends.
 void layLimb(const LimbJoints& limb, const PoseTree& tree, ContourPose& pose) {
   const auto &root = tree.joint(limb.root), &middle = tree.joint(limb.middle),
@@ -42,7 +47,7 @@ void layLimb(const LimbJoints& limb, const PoseTree& tree, ContourPose& pose) {
   front = (front - along * along.dot(front)).normalized();
   Eigen::Matrix3d upper;
   upper << front, front.cross(along), -along;
-  if (!upper.allFinite()) return;
+  if (!isRotation(upper)) return;
   pose.balls[limb.ball] = trunk.transpose() * upper;
   pose.angles[limb.hinge] = limb.sense * std::atan2(aside.norm(), along.dot(beyond));
 }
@@ -58,8 +63,8 @@ std::optional<ContourPose> poseOfTree(const PoseTree& tree) {
   const Eigen::Vector3d y = (*left - *right).normalized();
   const Eigen::Vector3d x = y.cross(*neck - pose.position).normalized();
   pose.balls[B::kRoot] << x, y, x.cross(y);
+  if (!isRotation(pose.balls[B::kRoot])) return std::nullopt;
   for (const LimbJoints& limb : kLimbs) layLimb(limb, tree, pose);
-  if (!pose.isFinite()) return std::nullopt;
   return pose;
 }
 

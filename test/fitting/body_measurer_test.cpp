@@ -91,6 +91,18 @@ TEST_F(BodyMeasurerTest, TakesADifferentPoseSoonAndTheSameOneOnlyAfterTime) {
   EXPECT_EQ(measurer.poses(), 3) << "nearly the same pose";
 }
 
+TEST_F(BodyMeasurerTest, GoesOnWhenStampsGoBack) {
+  BodyMeasurer measurer = this->measurer(false, 30);
+  ContourFit fit = fitAt(stride());
+  count(100000, fit, measurer);
+  fit.pose.position.x() += 0.06;
+  count(10, fit, measurer);
+  count(80, fit, measurer);
+  EXPECT_EQ(measurer.poses(), 2);
+  count(310 + 80, fit, measurer);
+  EXPECT_EQ(measurer.poses(), 3);
+}
+
 TEST_F(BodyMeasurerTest, LeavesFitsThatCoverTheMasksBadlyOut) {
   BodyMeasurer measurer = this->measurer(false);
   ContourFit fit = fitAt(stride());

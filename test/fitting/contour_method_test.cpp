@@ -128,12 +128,16 @@ TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
   EXPECT_FALSE(believed->measured);
   int frame = 1, poses = 1;
   BodyPose pose;
-  for (; frame < 30 && (pose = show(frame)).status == PoseStatus::kLost; ++frame) {
+  while ((pose = show(frame++)).reason != "the body has just been measured") {
+    ASSERT_LT(frame, 30);
+    EXPECT_EQ(pose.status, PoseStatus::kLost) << frame;
     EXPECT_TRUE(tracker->body() == believed) << frame;
     if (pose.reason != beingMeasured(poses)) ++poses;
     EXPECT_EQ(pose.reason, beingMeasured(poses)) << frame;
   }
   EXPECT_EQ(poses, kMeasuringPoses - 1);
+  EXPECT_EQ(pose.status, PoseStatus::kLost) << "the fit was still the other body's";
+  pose = show(frame);
   EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
   EXPECT_TRUE(pose.reason.empty());
   const auto measured = tracker->body();

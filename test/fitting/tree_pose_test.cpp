@@ -68,6 +68,20 @@ TEST(PoseOfTree, NeedsBothHipsAndTheNeck) {
   EXPECT_FALSE(poseOfTree(PoseTree{}));
 }
 
+TEST(PoseOfTree, JointsInOnePlaceTellNoFrame) {
+  PoseTree tree = trunk();
+  put(tree, J::kRightHip, {0.9, 2, 0.9});
+  EXPECT_FALSE(poseOfTree(tree)) << "hips";
+  tree = trunk();
+  put(tree, J::kNeck, {1.5, 2, 0.9});
+  EXPECT_FALSE(poseOfTree(tree)) << "neck in line with the hips";
+  tree = trunk();
+  bendLeftArm(tree);
+  put(tree, J::kLeftElbow, {0.8, 2, 1.4});
+  ASSERT_TRUE(poseOfTree(tree));
+  EXPECT_EQ(poseOfTree(tree)->balls[B::kLeftShoulder], Matrix3d::Identity()) << "elbow on shoulder";
+}
+
 TEST(PoseOfTree, AForearmForwardIsARightAngleOfTheElbow) {
   PoseTree tree = trunk();
   bendLeftArm(tree);
