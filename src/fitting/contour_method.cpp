@@ -120,9 +120,7 @@ std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourOb
   if (!measurer_) return std::nullopt;
   BodyPose pose;
   if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, fit);
-  if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
-    takeOver(bodyOfSizes(sources_, *sizes));
-    measurer_.reset();
+  if (takeOverMeasured()) {
     pose.reason = "the body has just been measured";  // the pose is another body's
     return pose;
   }
@@ -134,10 +132,15 @@ std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourOb
 void ContourMethod::measureNow() {
   if (!measurer_) return;
   measurer_->estimateNow();
-  if (const std::optional<ContourSizes> sizes = measurer_->sizes()) {
-    takeOver(bodyOfSizes(sources_, *sizes));
-    measurer_.reset();
-  }
+  takeOverMeasured();
+}
+
+bool ContourMethod::takeOverMeasured() {
+  const std::optional<ContourSizes> sizes = measurer_->sizes();
+  if (!sizes) return false;
+  takeOver(bodyOfSizes(sources_, *sizes));
+  measurer_.reset();
+  return true;
 }
 
 BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack& track) const {

@@ -26,6 +26,8 @@ class ContourMethod : public BodyTracker {
 
  private:
   void takeOver(std::shared_ptr<const TrackedBody> body);
+  /// Whether the estimate was ready.
+  bool takeOverMeasured();
   void guessStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
   HeldTrack start(const TrackingInstant& now, const ContourObservation& seen);
   std::vector<ContourPose> proposals(const TrackingInstant& now);

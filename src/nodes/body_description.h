@@ -22,8 +22,4 @@ class BodyDescription {
   bool set_ = false;
 };
 
-/// Writes a person's sizes so that the file is there whole or not at all. Throws std::runtime_error
-/// if it cannot be written.
-void writeBodyFile(const std::string& path, const ContourSizes& sizes);
-
 }  // namespace markerless_mocap

@@ -2,6 +2,7 @@
 
 #include <ros/package.h>
 
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -38,6 +39,15 @@ TrackerSources readTrackerSources(const std::string& body_id, const std::string&
       MotionStatistics::fromYaml(readText(packageFile("config/motion_statistics.yaml")));
   if (!body_file.empty()) sources.measured = sizesFromText(readText(body_file), body_file);
   return sources;
+}
+
+void writeBodyFile(const std::string& path, const ContourSizes& sizes) {
+  const std::string unfinished = path + ".part";
+  std::ofstream file(unfinished);
+  file << sizesText(sizes);
+  file.close();
+  if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0)
+    throw std::runtime_error("cannot write the body file " + path);
 }
 
 }  // namespace markerless_mocap

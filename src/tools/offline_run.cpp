@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -71,10 +70,7 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
 void saveBody(const OfflineOptions& options, const TrackedBody& body) {
   if (!body.measured)
     throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
-  std::ofstream file(options.save_body);
-  file << sizesText(body.sizes);
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + options.save_body);
+  writeBodyFile(options.save_body, body.sizes);
 }
 
 }  // namespace
@@ -134,8 +130,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   progress.finish();
   checkOutcome(summary, recording);
   bag.commit();
-  if (!options.save_body.empty()) saveBody(options, *pipeline.body());
   if (report) report->write(options.input);
+  if (!options.save_body.empty()) saveBody(options, *pipeline.body());
   if (notes) remarkOn(recording, *notes);
   return summary;
 }

@@ -20,4 +20,8 @@ std::string readText(const std::string& path);
 TrackerSources readTrackerSources(const std::string& body_id, const std::string& urdf_template,
                                   const std::string& body_file);
 
+/// Writes a person's sizes so that the file is there whole or not at all. Throws std::runtime_error
+/// if it cannot be written.
+void writeBodyFile(const std::string& path, const ContourSizes& sizes);
+
 }  // namespace markerless_mocap
