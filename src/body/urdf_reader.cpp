@@ -8,47 +8,56 @@
 namespace markerless_mocap {
 namespace {
 
-/// Joints in the order of the angle vector. REP-155 has all but the optional ones.
+enum class Kind { kFixed, kRevolute, kEither };
+
+/// Joints in the order of the angle vector. REP-155 has all but the optional ones; its ankles are
+/// fixed.
 struct KnownJoint {
   const char* name;
   const char* child;
-  bool moves;
+  Kind kind;
   bool optional;
 };
-constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", true, false},
-                                       {"r_waist", "r_waist", true, true},
-                                       {"torso", "torso", false, false},
-                                       {"r_head", "r_head", true, false},
-                                       {"y_head", "y_head", true, false},
-                                       {"p_head", "p_head", true, false},
-                                       {"head", "head", false, false},
-                                       {"l_y_clavicle", "l_y_clavicle", true, true},
-                                       {"l_r_clavicle", "l_r_clavicle", true, true},
-                                       {"l_y_shoulder", "l_y_shoulder", true, false},
-                                       {"l_p_shoulder", "l_p_shoulder", true, false},
-                                       {"l_r_shoulder", "l_shoulder", true, false},
-                                       {"l_elbow", "l_elbow", true, false},
-                                       {"l_wrist", "l_wrist", false, false},
-                                       {"r_y_clavicle", "r_y_clavicle", true, true},
-                                       {"r_r_clavicle", "r_r_clavicle", true, true},
-                                       {"r_y_shoulder", "r_y_shoulder", true, false},
-                                       {"r_p_shoulder", "r_p_shoulder", true, false},
-                                       {"r_r_shoulder", "r_shoulder", true, false},
-                                       {"r_elbow", "r_elbow", true, false},
-                                       {"r_wrist", "r_wrist", false, false},
-                                       {"l_y_hip", "l_y_hip", true, false},
-                                       {"l_p_hip", "l_p_hip", true, false},
-                                       {"l_r_hip", "l_hip", true, false},
-                                       {"l_knee", "l_knee", true, false},
-                                       {"l_ankle", "l_ankle", false, false},
-                                       {"r_y_hip", "r_y_hip", true, false},
-                                       {"r_p_hip", "r_p_hip", true, false},
-                                       {"r_r_hip", "r_hip", true, false},
-                                       {"r_knee", "r_knee", true, false},
-                                       {"r_ankle", "r_ankle", false, false}};
+constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", Kind::kRevolute, false},
+                                       {"r_waist", "r_waist", Kind::kRevolute, true},
+                                       {"torso", "torso", Kind::kFixed, false},
+                                       {"r_head", "r_head", Kind::kRevolute, false},
+                                       {"y_head", "y_head", Kind::kRevolute, false},
+                                       {"p_head", "p_head", Kind::kRevolute, false},
+                                       {"head", "head", Kind::kFixed, false},
+                                       {"l_y_clavicle", "l_y_clavicle", Kind::kRevolute, true},
+                                       {"l_r_clavicle", "l_r_clavicle", Kind::kRevolute, true},
+                                       {"l_y_shoulder", "l_y_shoulder", Kind::kRevolute, false},
+                                       {"l_p_shoulder", "l_p_shoulder", Kind::kRevolute, false},
+                                       {"l_r_shoulder", "l_shoulder", Kind::kRevolute, false},
+                                       {"l_elbow", "l_elbow", Kind::kRevolute, false},
+                                       {"l_wrist", "l_wrist", Kind::kFixed, false},
+                                       {"r_y_clavicle", "r_y_clavicle", Kind::kRevolute, true},
+                                       {"r_r_clavicle", "r_r_clavicle", Kind::kRevolute, true},
+                                       {"r_y_shoulder", "r_y_shoulder", Kind::kRevolute, false},
+                                       {"r_p_shoulder", "r_p_shoulder", Kind::kRevolute, false},
+                                       {"r_r_shoulder", "r_shoulder", Kind::kRevolute, false},
+                                       {"r_elbow", "r_elbow", Kind::kRevolute, false},
+                                       {"r_wrist", "r_wrist", Kind::kFixed, false},
+                                       {"l_y_hip", "l_y_hip", Kind::kRevolute, false},
+                                       {"l_p_hip", "l_p_hip", Kind::kRevolute, false},
+                                       {"l_r_hip", "l_hip", Kind::kRevolute, false},
+                                       {"l_knee", "l_knee", Kind::kRevolute, false},
+                                       {"l_ankle", "l_ankle", Kind::kEither, false},
+                                       {"r_y_hip", "r_y_hip", Kind::kRevolute, false},
+                                       {"r_p_hip", "r_p_hip", Kind::kRevolute, false},
+                                       {"r_r_hip", "r_hip", Kind::kRevolute, false},
+                                       {"r_knee", "r_knee", Kind::kRevolute, false},
+                                       {"r_ankle", "r_ankle", Kind::kEither, false}};
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw std::invalid_argument("URDF of the body: " + sentence);
+}
+
+std::string textOf(Kind kind) {
+  return kind == Kind::kEither     ? "revolute or fixed"
+         : kind == Kind::kRevolute ? "revolute"
+                                   : "fixed";
 }
 
 Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
@@ -70,8 +79,9 @@ void checkJoint(const urdf::ModelInterface& urdf, const KnownJoint& known, const
     refuse("joint " + name + " leads to link " + joint->child_link_name + ", it must lead to " +
            child);
   const bool moves = joint->type == urdf::Joint::REVOLUTE;
-  if (moves != known.moves || (!moves && joint->type != urdf::Joint::FIXED))
-    refuse("joint " + name + " must be " + (known.moves ? "revolute" : "fixed"));
+  const bool fixed = joint->type == urdf::Joint::FIXED;
+  if (!(moves && known.kind != Kind::kFixed) && !(fixed && known.kind != Kind::kRevolute))
+    refuse("joint " + name + " must be " + textOf(known.kind));
 }
 
 /// Rank of a joint in the angle order; joints we do not know come last.

@@ -112,6 +112,14 @@ void DrivenBody::setLimb(const Limb& limb, const HumanPose& pose, const PerBone<
   setAngle(limb.hinge, limb.bends * std::atan2(aside.norm(), down.dot(lower)), angles);
 }
 
+/// Turns the foot, which does not turn sideways, as far up as the person's.
+void DrivenBody::setFoot(const std::string& ankle, const Vector3d& forward,
+                         Eigen::VectorXd& angles) const {
+  const BodyJoint& joint = model_->joint(ankle);
+  const Vector3d along = linkRotation(joint.parent_link).transpose() * forward;
+  setAngle(ankle, std::atan2(along.z(), along.x()), angles);
+}
+
 void DrivenBody::setHead(const HumanPose& pose, const PerBone<Vector3d>& joints,
                          Eigen::VectorXd& angles) const {
   const BodyJoint& head = model_->joint("head");
@@ -169,6 +177,9 @@ BodyState DrivenBody::follow(const HumanPose& pose) {
                          -1.0}};
   for (const Limb& limb : limbs) setLimb(limb, pose, joints, state.angles);
   setHead(pose, joints, state.angles);
+  forward(state);
+  setFoot("l_ankle", pose[Bone::kLeftFoot] * Vector3d::UnitX(), state.angles);
+  setFoot("r_ankle", pose[Bone::kRightFoot] * Vector3d::UnitX(), state.angles);
   last_ = state.angles;
   return state;
 }

@@ -40,6 +40,8 @@ ContourConversion::ContourConversion(std::shared_ptr<const BodyModel> model)
     single_[yaw + 1] = angleOf(name + "r_clavicle", sign * x);
     single_[size_t(A::kLeftElbow + side)] = angleOf(name + "elbow", -y);
     single_[size_t(A::kLeftKnee + side)] = angleOf(name + "knee", -y);
+    if (model_->joint(name + "ankle").angle_index >= 0)
+      single_[size_t(A::kLeftAnkle + side)] = angleOf(name + "ankle", -y);
     balls_[size_t(B::kLeftShoulder + side)] =
         ballOf({name + "y_shoulder", name + "p_shoulder", name + "r_shoulder"});
     balls_[size_t(B::kLeftHip + side)] = ballOf({name + "y_hip", name + "p_hip", name + "r_hip"});

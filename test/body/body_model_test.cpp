@@ -14,11 +14,12 @@ constexpr double kPi = 3.14159265358979323846;
 
 class HumanTest : public ::testing::Test {
  protected:
-  Eigen::Vector3d origin(const std::string& link) {
+  Eigen::Isometry3d frame(const std::string& link) {
     LinkPoses poses;
     model_.forwardKinematics(T_world_root_, angles_, poses);
-    return poses[model_.linkIndex(link)].translation();
+    return poses[model_.linkIndex(link)];
   }
+  Eigen::Vector3d origin(const std::string& link) { return frame(link).translation(); }
   void set(const std::string& joint, double angle) { angles_[model_.angleIndex(joint)] = angle; }
 
   const BodyModel model_ = human();
@@ -83,6 +84,13 @@ TEST_F(HumanTest, spineBendsForwardAndSideways) {
   EXPECT_NEAR(origin("torso").y(), -0.7 * lengths_.torso * std::sin(0.5), 1e-5);
 }
 
+TEST_F(HumanTest, ankleLiftsTheToes) {
+  const Eigen::Vector3d before = origin("l_ankle");
+  set("l_ankle", 0.3);
+  EXPECT_NEAR(frame("l_ankle").linear().col(0).z(), std::sin(0.3), 1e-9);
+  EXPECT_TRUE(origin("l_ankle").isApprox(before, 1e-12));
+}
+
 TEST_F(HumanTest, mirroredAnglesGiveAMirroredBody) {
   for (const char* joint : {"y_clavicle", "r_clavicle", "y_shoulder", "p_shoulder", "r_shoulder",
                             "elbow", "p_hip", "r_hip"})
@@ -110,13 +118,13 @@ TEST_F(HumanTest, chainOfExponentialsEqualsTheProductOfLocalTransforms) {
   }
 }
 
-TEST_F(HumanTest, has25AnglesInAFixedOrderWithRoomToMove) {
+TEST_F(HumanTest, has27AnglesInAFixedOrderWithRoomToMove) {
   const std::vector<std::string> names = model_.angleNames();
-  ASSERT_EQ(names.size(), 25u);
+  ASSERT_EQ(names.size(), 27u);
   EXPECT_EQ(names.front(), "waist_person1");
   EXPECT_EQ(names[4], "p_head_person1");
   EXPECT_EQ(names[7], "l_y_shoulder_person1");
-  EXPECT_EQ(names.back(), "r_knee_person1");
+  EXPECT_EQ(names.back(), "r_ankle_person1");
   EXPECT_EQ(model_.angleIndex("l_elbow"), 10);
   for (const BodyJoint& joint : model_.joints())
     EXPECT_TRUE(joint.angle_index < 0 || joint.lower < joint.upper) << joint.name;
@@ -186,7 +194,7 @@ TEST_F(HumanTest, wrongNumberOfAnglesIsRefused) {
   LinkPoses poses;
   EXPECT_EQ(
       sentenceOf([&] { model_.forwardKinematics(T_world_root_, Eigen::VectorXd::Zero(3), poses); }),
-      "body person1 has 25 joint angles, 3 were given");
+      "body person1 has 27 joint angles, 3 were given");
 }
 
 TEST_F(HumanTest, unknownNamesAreRefused) {

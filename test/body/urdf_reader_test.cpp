@@ -65,13 +65,25 @@ TEST(UrdfReaderTest, shapeIsReadAsRoundCones) {
   EXPECT_DOUBLE_EQ(cones[1].radius_a, 0.2);
 }
 
+TEST(UrdfReaderTest, anklesMayBeFixed) {
+  const int all = BodyModel::fromUrdf(humanUrdf(), "person1").angleCount();
+  const BodyModel fixed =
+      BodyModel::fromUrdf(replaced(humanUrdf(), "\"l_ankle_person1\" type=\"revolute\"",
+                                   "\"l_ankle_person1\" type=\"fixed\""),
+                          "person1");
+  EXPECT_EQ(fixed.angleCount(), all - 1);
+  EXPECT_EQ(refusal(replaced(humanUrdf(), "\"l_ankle_person1\" type=\"revolute\"",
+                             "\"l_ankle_person1\" type=\"continuous\"")),
+            "URDF of the body: joint l_ankle_person1 must be revolute or fixed");
+}
+
 TEST(UrdfReaderTest, theJointsThatTheRepLacksAreOptional) {
   std::string urdf = humanUrdf();
   for (const char* name : {"r_waist", "l_y_clavicle", "r_y_clavicle"}) {
     const std::string joint = std::string(name) + "_person1\" type=\"";
     urdf = replaced(urdf, joint + "revolute", "fixed_" + joint + "fixed");
   }
-  EXPECT_EQ(BodyModel::fromUrdf(urdf, "person1").angleCount(), 22);
+  EXPECT_EQ(BodyModel::fromUrdf(urdf, "person1").angleCount(), 24);
 }
 
 }  // namespace

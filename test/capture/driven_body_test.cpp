@@ -68,6 +68,20 @@ TEST_F(DrivenBodyTest, hingesBendByTheirOwnAngles) {
   EXPECT_LT(distance(state, pose), 0.010);
 }
 
+TEST_F(DrivenBodyTest, feetStayFlatUnderLeaningShanks) {
+  const HumanPose pose = posed({{Bone::kLeftThigh, about(-0.7, 0, 1, 0)},
+                                {Bone::kLeftShank, about(1.0, 0, 1, 0)},
+                                {Bone::kLeftFoot, about(-0.3, 0, 1, 0)},
+                                {Bone::kRightFoot, about(0.4, 0, 1, 0)}});
+  const BodyState state = DrivenBody(model_, skeleton_).follow(pose);
+  EXPECT_NEAR(angle(state, "l_ankle"), 0.3, 0.05);
+  EXPECT_NEAR(angle(state, "r_ankle"), -0.4, 0.05);
+  LinkPoses links;
+  model_->forwardKinematics(state.T_world_body, state.angles, links);
+  const Vector3d forward = links[size_t(model_->linkIndex("l_ankle"))].linear().col(0);
+  EXPECT_NEAR(forward.z(), 0.0, 0.02);
+}
+
 TEST_F(DrivenBodyTest, jointsStayNearThePersonsInManyPoses) {
   DrivenBody body(model_, skeleton_);
   double sum = 0.0;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <string>
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
@@ -16,9 +17,9 @@ BodyProportions proportionsOf(const HumanSkeleton& skeleton);
 
 /// Moves the URDF body as a person moves. The root is the pelvis; every other joint points its limb
 /// at the person's next joint, so positions agree where the body has the axes and the limits for it
-/// (its spine is one joint without twist, its hands and feet are rigid). Three-axis joints are
-/// decomposed exactly; of several solutions the one nearest to the last pose within the limits is
-/// taken.
+/// (its spine is one joint without twist, its hands are rigid, its feet turn up and down).
+/// Three-axis joints are decomposed exactly; of several solutions the one nearest to the last pose
+/// within the limits is taken.
 class DrivenBody {
  public:
   /// \param model filled with proportionsOf(skeleton)
@@ -37,6 +38,8 @@ class DrivenBody {
   void turn(const std::array<std::string, 3>& joints, const Eigen::Matrix3d& R_world,
             Eigen::VectorXd& angles) const;
   void setLimb(const Limb& limb, const HumanPose& pose, const PerBone<Eigen::Vector3d>& joints,
+               Eigen::VectorXd& angles) const;
+  void setFoot(const std::string& ankle, const Eigen::Vector3d& forward,
                Eigen::VectorXd& angles) const;
   void setHead(const HumanPose& pose, const PerBone<Eigen::Vector3d>& joints,
                Eigen::VectorXd& angles) const;

@@ -56,7 +56,7 @@ struct PlacedCone {
 using PlacedCones = std::array<PlacedCone, kContourCones>;
 
 /// The body of 22 round cones on 15 segments that silhouettes are fitted with. Its joints are those
-/// of the URDF body, with a twist of the spine and ankles more. Immutable.
+/// of the URDF body, with a twist of the spine more. Immutable.
 class ContourBody {
  public:
   /// Throws std::invalid_argument unless all sizes are finite and lengths and radii positive.

@@ -10,8 +10,8 @@
 namespace markerless_mocap {
 
 /// Between the contour body's pose and the angles of the URDF body of the same sizes. The URDF has
-/// no twist of the spine and no ankles: its clavicles point at where the twisted shoulders are, so
-/// all joints but the clavicles' roots keep their places, and feet stay at right angles.
+/// no twist of the spine: its clavicles point at where the twisted shoulders are, so all joints but
+/// the clavicles' roots keep their places. If its ankles are fixed, feet stay at right angles.
 class ContourConversion {
  public:
   /// Throws std::invalid_argument if the model lacks a joint or turns it about other axes than
@@ -25,8 +25,8 @@ class ContourConversion {
   /// Forgets the last output.
   void reset();
 
-  /// The contour body's pose that the URDF body stands in; spine twist and ankles are 0. Throws
-  /// std::invalid_argument unless there are as many angles as the model has.
+  /// The contour body's pose that the URDF body stands in; the spine's twist and fixed ankles
+  /// are 0. Throws std::invalid_argument unless there are as many angles as the model has.
   ContourPose poseOf(const Eigen::Isometry3d& T_world_body, const Eigen::VectorXd& angles) const;
 
  private:

@@ -17,7 +17,7 @@ class FleischmannConversion {
   /// axis.
   explicit FleischmannConversion(std::shared_ptr<const BodyModel> model);
 
-  /// \param angles radians in the model's order; wrists and ankles have none
+  /// \param angles radians in the model's order; ankles, which F's body lacks, at 0
   void convert(const FleischmannVector& v, Eigen::Isometry3d& T_world_body,
                Eigen::VectorXd& angles);
   /// The parameters of a pose of the model, nearest to those of the last call of either.
