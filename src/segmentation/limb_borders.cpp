@@ -24,6 +24,10 @@ constexpr Widening kArm{0.4, 0.009, 0.0, 0.75, 0.01};
 // the knees are shared out between both legs; a border below says that they are fused.
 constexpr Widening kLeg{1.6, 0.032, 0.0, 1.56, 0.05};
 
+// Shares of the way from a leg's tip to the head's at which legs of people end, any pose.
+constexpr double kLowestCrotch = 0.49;
+constexpr double kHighestCrotch = 0.53;
+
 const Widening& wideningOf(PartLabel limb) {
   if (limb == PartLabel::kHead) return kHead;
   return limb == PartLabel::kArm1 || limb == PartLabel::kArm2 ? kArm : kLeg;
@@ -55,6 +59,10 @@ double limbBorder(PartLabel limb, const std::vector<double>& way) {
     return (double(i) - 0.5 + share) * kStretch - widening.before;
   }
   return kStretch * kStretches;
+}
+
+double legBorder(double border, double to_head) {
+  return std::clamp(border, kLowestCrotch * to_head, kHighestCrotch * to_head);
 }
 
 bool isWholeLimb(PartLabel limb, double border, double share) {

@@ -13,6 +13,11 @@ namespace markerless_mocap {
 /// \param way from the tip to each node, cube roots of the hull's volume
 double limbBorder(PartLabel limb, const std::vector<double>& way);
 
+/// The border of a leg, moved to about halfway to the head: where thighs touch, both together widen
+/// early; a skirt widens late.
+/// \param to_head way from the leg's tip to the head's
+double legBorder(double border, double to_head);
+
 /// Whether a limb is there to its whole length: one that touches the body ends where it touches.
 /// \param share of the hull's nodes that it has
 bool isWholeLimb(PartLabel limb, double border, double share);

@@ -86,6 +86,21 @@ void findLoops(const VoxelGraph& voxels, const TipMeasures& measures, const TipN
   }
 }
 
+std::array<double, kPartCount> bordersOf(const Limbs& limbs) {
+  std::array<double, kPartCount> border{};
+  for (int part = 1; part < kPartCount; ++part) {
+    if (!limbs.way[part].empty()) border[part] = limbBorder(PartLabel(part), limbs.way[part]);
+  }
+  if (limbs.way[size_t(PartLabel::kHead)].empty()) return border;
+  const uint32_t head = limbs.branch[size_t(PartLabel::kHead)].tip;
+  for (const PartLabel leg : {PartLabel::kLeg1, PartLabel::kLeg2}) {
+    const std::vector<double>& way = limbs.way[size_t(leg)];
+    double& end = border[size_t(leg)];
+    if (!way.empty()) end = legBorder(end, way[head]);
+  }
+  return border;
+}
+
 Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
   const std::vector<uint32_t> tips = findTips(voxels, core, modes, kCandidates);
   const TipMeasures measures = measureTips(voxels, tips, core);
@@ -93,10 +108,7 @@ Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core
   for (const uint32_t tip : tips) branches.push_back({tip, {}});
   const TipNames names = namesInOrder(voxels, measures, tips);
   Limbs limbs = sortByPart(names, measures, branches);
-  std::array<double, kPartCount> border{};
-  for (int part = 1; part < kPartCount; ++part) {
-    if (!limbs.way[part].empty()) border[part] = limbBorder(PartLabel(part), limbs.way[part]);
-  }
+  const std::array<double, kPartCount> border = bordersOf(limbs);
   auto nodes = nodesOfLimbs(limbs.way, border);
   const auto all = double(voxels.graph.nodeCount());
   for (int part = 1; part < kPartCount; ++part) {

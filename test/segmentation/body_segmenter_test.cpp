@@ -118,6 +118,17 @@ TEST(BodySegmenter, TellsUpperArmsFromTheTrunkThatTheyLieAgainst) {
   }
 }
 
+TEST(BodySegmenter, SharesOutThighsThatTouch) {
+  VoxelFigure figure = standingFigure(kHalfRaised);
+  for (const int side : {1, -1})  // cloth between the thighs down to the knees
+    figure.capsule({side * 0.05, 0, 0.78}, {side * 0.06, 0, 0.48}, 0.06,
+                   side > 0 ? PartLabel::kLeg1 : PartLabel::kLeg2);
+  const BodyParts parts = segment(figure.hull());
+  ASSERT_EQ(parts.status, SegmentationStatus::kOk) << parts.reason;
+  for (const PartLabel leg : {PartLabel::kLeg1, PartLabel::kLeg2})
+    EXPECT_GT(overlap(leg, labelOf(leg, figure, parts), figure, parts), 0.8);
+}
+
 TEST(BodySegmenter, SaysThatAHandOnTheHipClosesALoop) {
   const VoxelFigure figure =
       bentArmsFigure({0.47, 0.0, 1.15}, {0.22, 0.0, 0.95}, {0.17, 0.0, 0.92}, false);

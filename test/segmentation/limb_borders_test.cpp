@@ -33,6 +33,12 @@ TEST(LimbBorders, LeaveTheNeckToTheHead) {
   EXPECT_NEAR(limbBorder(PartLabel::kHead, limbOnATrunk(100, 0.7)), shoulders - 0.22, 1e-9);
 }
 
+TEST(LimbBorders, OfLegsLieAboutHalfwayToTheHead) {
+  EXPECT_DOUBLE_EQ(legBorder(2.04, 4.0), 2.04);
+  EXPECT_DOUBLE_EQ(legBorder(1.6, 4.0), 0.49 * 4.0) << "thighs that touch";
+  EXPECT_DOUBLE_EQ(legBorder(2.6, 4.0), 0.53 * 4.0) << "a skirt";
+}
+
 TEST(LimbBorders, TellAWholeLimbFromAStump) {
   EXPECT_TRUE(isWholeLimb(PartLabel::kArm1, 1.2, 0.03));
   EXPECT_FALSE(isWholeLimb(PartLabel::kArm1, 0.6, 0.03)) << "it touches the hip before the elbow";
