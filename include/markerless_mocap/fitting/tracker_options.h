@@ -21,8 +21,9 @@ struct TrackerOptions {
   double filter_beta = 5.0;
   FittingOptions skeleton;  ///< stature and seed are everybody's
   ContourOptions contour;   ///< keys begin with contour_
-  SppsoOptions sppso;       ///< keys begin with sppso_
+  SppsoOptions sppso;       ///< keys begin with sppso_; keep_start, which the thesis lacks, is on
 
+  TrackerOptions() { sppso.keep_start = true; }
   void visit(OptionVisitor& v);
   void validate() const;
 };
