@@ -8,6 +8,7 @@
 #include "markerless_mocap/ros/parameters.h"
 #include "markerless_mocap/ros/segmentation_conversions.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
+#include "markerless_mocap/segmentation/part_memory.h"
 #include "nodes/callback_gate.h"
 #include "nodes/guarded_start.h"
 #include "nodes/publish_shared.h"
@@ -44,7 +45,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     try {
       if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
       hull = hullFromMessage(cloud, *grid_);
-      parts = segmenter_->segment(hull);
+      parts = segmenter_->segment(hull, int64_t(cloud.header.stamp.toNSec()), &memory_);
     } catch (const std::exception& error) {
       parts = BodyParts();
       parts.reason = error.what();
@@ -64,6 +65,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
   }
 
   std::optional<BodySegmenter> segmenter_;
+  PartMemory memory_;
   VoxelGridConstPtr grid_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher parts_, points_, curves_;

@@ -53,7 +53,7 @@ PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame
   result.hull = carver_.carve(viewsOf(frames, result.masks));
   stage_done_(HullOptions::kStage);
 
-  result.parts = segmenter_.segment(result.hull);
+  result.parts = segmenter_.segment(result.hull, stamp_ns, &part_memory_);
   stage_done_(SegmentationOptions::kStage);
 
   result.tree = tree_builder_.build(result.hull);

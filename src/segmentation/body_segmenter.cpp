@@ -8,6 +8,7 @@
 
 #include "markerless_mocap/segmentation/limbs.h"
 #include "markerless_mocap/segmentation/part_curve.h"
+#include "markerless_mocap/segmentation/part_memory.h"
 
 namespace markerless_mocap {
 namespace {
@@ -23,6 +24,13 @@ std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) 
     for (const uint32_t node : limbs.branch[part].nodes) labels[node] = PartLabel(part);
   }
   return labels;
+}
+
+void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, PartMemory* memory,
+               std::vector<PartLabel>* labels, BodyParts* parts) {
+  const auto carried = memory->carryOver(stamp_ns, voxels, limbs, labels);
+  for (int part = 0; part < kPartCount; ++part) parts->parts[part].carried = carried[part];
+  memory->keep(stamp_ns, voxels, limbs, *labels);
 }
 
 /// Voxels outside the graph get the label of the node nearest to them.
@@ -146,6 +154,7 @@ void judge(const Limbs& limbs, double highest_cost, BodyParts* result) {
       partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
   const bool arms_whole =
       result->part(PartLabel::kArm1).whole && result->part(PartLabel::kArm2).whole;
+  const std::string carried = partsWithout(*result, [](const PartCurve& p) { return !p.carried; });
   std::ostringstream reason;
   reason.precision(3);
   if (!isBody(*result)) {
@@ -162,6 +171,7 @@ void judge(const Limbs& limbs, double highest_cost, BodyParts* result) {
     if (missing.empty() && merged.empty()) reason << "the legs differ in size";
     reason << loopsIn(limbs);
   }
+  if (!carried.empty()) reason << "; " << carried << " carried over from the frames before";
   result->reason = reason.str();
 }
 
@@ -202,14 +212,21 @@ BodySegmenter::BodySegmenter(const SegmentationOptions& options) : options_(opti
 }
 
 BodyParts BodySegmenter::segment(const VisualHull& hull) const {
+  return segment(hull, 0, nullptr);
+}
+
+BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
+                                 PartMemory* memory) const {
   BodyParts result;
   result.labels.assign(hull.voxels.size(), uint8_t(PartLabel::kTorso));
   result.reason = hullFault(hull, options_);
   if (!result.reason.empty()) return result;
   const VoxelGraph voxels = buildVoxelGraph(hull, options_.use_color_votes, options_.shrink_weight);
   try {
-    const Limbs limbs = findLimbs(voxels, options_);
-    const std::vector<PartLabel> labels = nodeLabels(voxels, limbs);
+    Limbs limbs = findLimbs(voxels, options_);
+    if (memory) memory->number(stamp_ns, voxels, &limbs);
+    std::vector<PartLabel> labels = nodeLabels(voxels, limbs);
+    if (memory) carryOver(stamp_ns, voxels, limbs, memory, &labels, &result);
     result.labels = voxelLabels(hull, voxels, labels);
     fitCurves(voxels, limbs, labels, &result);
     judge(limbs, options_.highest_cost, &result);

@@ -10,6 +10,7 @@
 #include "markerless_mocap/fitting/body_tracker.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
+#include "markerless_mocap/segmentation/part_memory.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
 
@@ -86,6 +87,7 @@ class Pipeline {
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;
+  PartMemory part_memory_;
   PoseTreeBuilder tree_builder_;
   std::unique_ptr<BodyTracker> tracker_;
   StageListener stage_done_ = [](const char*) {};

@@ -20,6 +20,8 @@ struct PartCurve {
   /// Whether it is seen from its tip to where it joins the trunk; else a piece of it may be merged
   /// with another part.
   bool whole = false;
+  /// Not seen, but voxels are labelled as it where it was a moment before.
+  bool carried = false;
   uint32_t voxel_count = 0;
   /// Points of the least-squares cubic spline h(s) (Eq. 3-16), world metres, evenly spaced along
   /// the curve, from the end at the torso to the tip (torso: from the legs to the head).

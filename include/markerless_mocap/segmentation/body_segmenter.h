@@ -6,6 +6,8 @@
 
 namespace markerless_mocap {
 
+class PartMemory;
+
 /// Settings of the segmentation stage.
 struct SegmentationOptions {
   static constexpr const char* kStage = "body_segmentation";
@@ -23,7 +25,7 @@ struct SegmentationOptions {
 };
 
 /// Segments a hull into six parts by its Laplacian eigenmap (Hsiao 2008, 3.1.4) and extracts each
-/// part's curve (3.1.5.2). Holds no state between frames.
+/// part's curve (3.1.5.2).
 class BodySegmenter {
  public:
   explicit BodySegmenter(const SegmentationOptions& options);
@@ -32,6 +34,12 @@ class BodySegmenter {
   /// more limb, the reason names the parts that are not seen, whose voxels are labelled torso, and
   /// those that are merged with others.
   BodyParts segment(const VisualHull& hull) const;
+
+  /// The same for a frame of a sequence: arms and legs keep their numbers from frame to frame, and
+  /// voxels of a limb that is not seen for a moment are labelled as its where it was. Status and
+  /// curves are by the frame alone.
+  /// \param memory of the frames before, which this frame is added to if a body's graph is found
+  BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartMemory* memory) const;
 
  private:
   SegmentationOptions options_;
