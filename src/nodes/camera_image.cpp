@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 
 cv::Mat CameraImage::mat() const {
-  return raw ? matFromMessage(*raw) : matFromMessage(*compressed);
+  return raw ? sharedMatFromMessage(*raw) : matFromMessage(*compressed);
 }
 
 std::string imageTopic(const std::string& camera, const std::string& transport) {

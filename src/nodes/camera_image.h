@@ -16,7 +16,7 @@ struct CameraImage {
   sensor_msgs::CompressedImageConstPtr compressed;
 
   const std_msgs::Header& header() const { return raw ? raw->header : compressed->header; }
-  /// Throws std::invalid_argument as matFromMessage().
+  /// It must not outlive this. Throws std::invalid_argument as matFromMessage().
   cv::Mat mat() const;
 };
 

@@ -1,6 +1,8 @@
 #include "markerless_mocap/pipeline/pipeline.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,6 +10,8 @@
 
 namespace markerless_mocap {
 namespace {
+
+constexpr size_t kMostAtWork = 6;  // instants at once: their images are held in memory
 
 void checkSize(const Camera& camera, const cv::Mat& pixels, const char* what) {
   if (pixels.empty() || (pixels.cols == camera.width() && pixels.rows == camera.height())) return;
@@ -42,27 +46,52 @@ Pipeline::Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineO
   for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
 }
 
+struct Pipeline::Stage {
+  const char* name;
+  void (Pipeline::*work)(const CapturedInstant&, PipelineResult*);
+};
+
+const std::vector<Pipeline::Stage>& Pipeline::stages() {
+  static const std::vector<Stage> stages = {
+      {SilhouetteOptions::kStage, &Pipeline::extractSilhouettes},
+      {HullOptions::kStage, &Pipeline::carve},
+      {SegmentationOptions::kStage, &Pipeline::segment},
+      {PoseTreeOptions::kStage, &Pipeline::buildTree},
+      {TrackerOptions::kStage, &Pipeline::track}};
+  return stages;
+}
+
+void Pipeline::run(const Stage& stage, Work& work) {
+  if (work.result.learning) return;
+  watch_(stage.name, [&] { (this->*stage.work)(work.instant, &work.result); });
+}
+
 PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame>& frames) {
-  checkFrames(frames);
-  PipelineResult result;
+  Work work{{stamp_ns, frames, {}}, {}};
+  for (const Stage& stage : stages()) run(stage, work);
+  return std::move(work.result);
+}
 
-  result.learning = !extractSilhouettes(frames, &result.masks);
-  stage_done_(SilhouetteOptions::kStage);
-  if (result.learning) return result;
-
-  result.hull = carver_.carve(viewsOf(frames, result.masks));
-  stage_done_(HullOptions::kStage);
-
-  result.parts = segmenter_.segment(result.hull, stamp_ns, &part_memory_);
-  stage_done_(SegmentationOptions::kStage);
-
-  result.tree = tree_builder_.build(result.hull);
-  stage_done_(PoseTreeOptions::kStage);
-
-  result.pose = tracker_->update(
-      {stamp_ns, result.masks, imagesOf(frames), result.hull, result.parts, result.tree});
-  stage_done_(TrackerOptions::kStage);
-  return result;
+void Pipeline::processStream(const Source& source, const Sink& sink) {
+  using Item = std::shared_ptr<Work>;
+  constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
+  tbb::filter<void, Item> chain =
+      tbb::make_filter<void, Item>(kInOrder, [&](tbb::flow_control& control) -> Item {
+        std::optional<CapturedInstant> instant = source();
+        if (instant) return std::make_shared<Work>(Work{std::move(*instant), {}});
+        control.stop();
+        return nullptr;
+      });
+  for (const Stage& stage : stages())
+    chain &= tbb::make_filter<Item, Item>(kInOrder, [&](const Item& item) {
+      // While it waits for its own loops, no other stage's work gets in between.
+      tbb::this_task_arena::isolate([&] { run(stage, *item); });
+      return item;
+    });
+  tbb::parallel_pipeline(kMostAtWork,
+                         chain & tbb::make_filter<Item, void>(kInOrder, [&](const Item& item) {
+                           sink(item->instant, item->result);
+                         }));
 }
 
 void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
@@ -76,8 +105,9 @@ void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   }
 }
 
-bool Pipeline::extractSilhouettes(const std::vector<CameraFrame>& frames,
-                                  std::vector<cv::Mat>* masks) {
+void Pipeline::extractSilhouettes(const CapturedInstant& instant, PipelineResult* result) {
+  const std::vector<CameraFrame>& frames = instant.frames;
+  checkFrames(frames);
   std::vector<cv::Mat> found(frames.size());
   std::vector<char> learning(frames.size(), false);
   tbb::parallel_for(size_t(0), frames.size(), [&](size_t i) {
@@ -92,9 +122,26 @@ bool Pipeline::extractSilhouettes(const std::vector<CameraFrame>& frames,
   const auto ready =
       std::count_if(found.begin(), found.end(), [](const cv::Mat& mask) { return !mask.empty(); });
   const bool any_learning = std::count(learning.begin(), learning.end(), true) > 0;
-  if (any_learning && ready < min_views_) return false;
-  *masks = std::move(found);
-  return true;
+  result->learning = any_learning && ready < min_views_;
+  if (!result->learning) result->masks = std::move(found);
+}
+
+void Pipeline::carve(const CapturedInstant& instant, PipelineResult* result) {
+  result->hull = carver_.carve(viewsOf(instant.frames, result->masks));
+}
+
+void Pipeline::segment(const CapturedInstant& instant, PipelineResult* result) {
+  result->parts = segmenter_.segment(result->hull, instant.stamp_ns, &part_memory_);
+}
+
+void Pipeline::buildTree(const CapturedInstant&, PipelineResult* result) {
+  result->tree = tree_builder_.build(result->hull);
+}
+
+void Pipeline::track(const CapturedInstant& instant, PipelineResult* result) {
+  result->pose = tracker_->update({instant.stamp_ns, result->masks, imagesOf(instant.frames),
+                                   result->hull, result->parts, result->tree});
+  result->body = tracker_->body();
 }
 
 }  // namespace markerless_mocap

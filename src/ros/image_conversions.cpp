@@ -17,9 +17,8 @@ bool isBayer8(const std::string& encoding) {
          encoding == encodings::BAYER_GBRG8 || encoding == encodings::BAYER_GRBG8;
 }
 
-}  // namespace
-
-cv::Mat matFromMessage(const sensor_msgs::Image& message) {
+/// What its pixels become.
+const std::string& usableEncoding(const sensor_msgs::Image& message) {
   const bool usable = encodings::isMono(message.encoding) || encodings::isColor(message.encoding) ||
                       isBayer8(message.encoding);
   if (!usable)
@@ -27,13 +26,28 @@ cv::Mat matFromMessage(const sensor_msgs::Image& message) {
         "image of frame \"" + message.header.frame_id + "\" has the encoding \"" +
         message.encoding +
         "\", allowed are mono8, bgr8, rgb8, bayer_....8 and what converts to them");
-  const bool grey = encodings::isMono(message.encoding);
+  return encodings::isMono(message.encoding) ? encodings::MONO8 : encodings::BGR8;
+}
+
+/// \param encoding empty: as it is
+cv::Mat sharedPixels(const sensor_msgs::Image& message, const std::string& encoding) {
   try {
-    return cv_bridge::toCvCopy(message, grey ? encodings::MONO8 : encodings::BGR8)->image;
+    return cv_bridge::toCvShare(message, nullptr, encoding)->image;
   } catch (const std::exception& error) {  // cv_bridge's and OpenCV's own
     throw std::invalid_argument("image of frame \"" + message.header.frame_id +
                                 "\" is unreadable: " + error.what());
   }
+}
+
+}  // namespace
+
+cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message) {
+  return sharedPixels(message, usableEncoding(message));
+}
+
+cv::Mat matFromMessage(const sensor_msgs::Image& message) {
+  const cv::Mat image = sharedMatFromMessage(message);
+  return image.data == message.data.data() ? image.clone() : image;
 }
 
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
@@ -50,9 +64,7 @@ cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
     throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
                                 "\" has the encoding \"" + message.encoding +
                                 "\", allowed is mono8");
-  sensor_msgs::Image grey = message;
-  grey.encoding = encodings::MONO8;
-  return matFromMessage(grey) > 0;
+  return sharedPixels(message, "") > 0;
 }
 
 sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& header) {
@@ -60,7 +72,9 @@ sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& 
     throw std::invalid_argument("an image of OpenCV type " + std::to_string(image.type()) +
                                 " cannot be published, allowed are CV_8UC1 and CV_8UC3");
   const std::string& encoding = image.type() == CV_8UC1 ? encodings::MONO8 : encodings::BGR8;
-  return *cv_bridge::CvImage(header, encoding, image).toImageMsg();
+  sensor_msgs::Image message;
+  cv_bridge::CvImage(header, encoding, image).toImageMsg(message);
+  return message;
 }
 
 }  // namespace markerless_mocap

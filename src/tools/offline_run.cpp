@@ -1,5 +1,6 @@
 #include "tools/offline_run.h"
 
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -42,6 +43,12 @@ void remarkOn(const Recording& recording, std::ostream& notes) {
 // Whoever does not move enough in this time is not measured.
 constexpr double kLongestMeasuring = 20.0;  // seconds
 
+std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording) {
+  if (options.interrupted())
+    throw std::runtime_error("interrupted, " + options.output + " is not written");
+  return recording->next();
+}
+
 /// Runs over the first seconds until the body is measured, so that the whole recording can be
 /// fitted with it.
 void measureBody(const OfflineOptions& options, TrackerSources* sources, std::ostream* notes) {
@@ -51,13 +58,11 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
   PipelineOptions stages = options.pipeline;
   stages.fitting.method = "contour";  // the only one that measures
   Pipeline pipeline(recording.rig(), *sources, stages);
-  recording.forEachInstant(
-      [&](const RecordedInstant& instant) {
-        if (options.interrupted())
-          throw std::runtime_error("interrupted, " + options.output + " is not written");
-        if (!pipeline.body()->measured) pipeline.process(instant.stamp_ns, instant.frames);
-      },
-      [](double) {});
+  std::atomic<bool> measured = false;
+  pipeline.processStream([&] { return measured ? std::nullopt : nextInstant(options, &recording); },
+                         [&](const CapturedInstant&, const PipelineResult& result) {
+                           measured = measured || (result.body && result.body->measured);
+                         });
   pipeline.measureBodyNow();
   if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
   if (!notes) return;
@@ -101,32 +106,38 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     measureBody(options, &sources, notes);
   stages.fitting.measure = false;
   Pipeline pipeline(recording.rig(), sources, stages);
-  const BodyModel& model = *pipeline.body()->model;
+  const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary;
-  pipeline.setStageListener([&](const char* stage) { summary.stageDone(stage); });
 
   NewBag bag(options.output);
-  ResultWriter writer(&bag, model, options.recording.world_frame,
-                      makePoseFilter(pipeline.body()->model, stages.fitting));
+  ResultWriter writer(&bag, *body->model, options.recording.world_frame,
+                      makePoseFilter(body->model, stages.fitting));
   Progress progress("mocap_offline", notes, terminal);
   std::optional<RunReport> report;
-  if (!options.report_folder.empty()) report.emplace(options.report_folder, model, pipeline.rig());
-  const auto process = [&](const RecordedInstant& instant) {
-    if (options.interrupted())
-      throw std::runtime_error("interrupted, " + options.output + " is not written");
+  if (!options.report_folder.empty())
+    report.emplace(options.report_folder, *body->model, pipeline.rig());
+  const auto write = [&](const CapturedInstant& instant, const PipelineResult& result) {
     if (summary.instants() == 0) {
       writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
-      writer.writeDescription(instant.stamp_ns, pipeline.body()->urdf);
+      writer.writeDescription(instant.stamp_ns, body->urdf);
     }
-    summary.startInstant();
-    const PipelineResult result = pipeline.process(instant.stamp_ns, instant.frames);
     summary.add(result);
     if (options.masks_out) writer.writeMasks(instant.stamp_ns, recording.cameras(), result.masks);
     if (result.learning) return;
     writer.write(instant.stamp_ns, result);
     if (report) summary.addOverlaps(report->add(instant, result));
   };
-  recording.forEachInstant(process, [&](double share) { progress.update(share); });
+  pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
+  pipeline.processStream(
+      [&] {
+        std::optional<CapturedInstant> instant;
+        summary.timed(RunSummary::kReading, [&] { instant = nextInstant(options, &recording); });
+        progress.update(recording.shareRead());
+        return instant;
+      },
+      [&](const CapturedInstant& instant, const PipelineResult& result) {
+        summary.timed(RunSummary::kWriting, [&] { write(instant, result); });
+      });
   progress.finish();
   checkOutcome(summary, recording);
   bag.commit();

@@ -1,6 +1,5 @@
 #include "tools/recording.h"
 
-#include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
 
 #include <algorithm>
@@ -56,9 +55,10 @@ int64_t stampOf(const RecordedImage& image) {
   return nanosecondsOf(image.raw ? image.raw->header.stamp : image.compressed->header.stamp);
 }
 
+/// The image must be kept as long as the pixels.
 cv::Mat decoded(const RecordedImage& image, bool is_mask) {
   if (image.compressed) return matFromMessage(*image.compressed);
-  return is_mask ? maskFromMessage(*image.raw) : matFromMessage(*image.raw);
+  return is_mask ? maskFromMessage(*image.raw) : sharedMatFromMessage(*image.raw);
 }
 
 }  // namespace
@@ -125,39 +125,61 @@ bool Recording::hasMasks() const {
                      [](const RecordedCamera& camera) { return !camera.silhouette_topic.empty(); });
 }
 
-void Recording::forEachInstant(const std::function<void(const RecordedInstant&)>& visit,
-                               const std::function<void(double)>& progress) {
-  std::map<std::string, size_t> stream_of_topic;
+void Recording::startReading() {
   std::vector<std::string> topics;
   for (size_t i = 0; i < streams_.size(); ++i) {
     topics.push_back(streams_[i].topic);
-    stream_of_topic[streams_[i].topic] = i;
+    stream_of_topic_[streams_[i].topic] = i;
   }
   rosbag::View all(bag_, rosbag::TopicQuery(topics));
   if (all.size() == 0) throw std::runtime_error("the bag has no images");
   const ros::Time first = all.getBeginTime() + ros::Duration(options_.start);
   const double seconds = std::min(options_.duration, (all.getEndTime() - first).toSec() + 1.0);
   if (seconds < 0.0) throw std::runtime_error("the start lies after the end of the recording");
-  rosbag::View view(bag_, rosbag::TopicQuery(topics), first, first + ros::Duration(seconds));
-
-  InstantAssembler<RecordedImage> assembler(streams_.size(), patientAssembly());
-  const auto give = [&](const std::vector<InstantAssembler<RecordedImage>::Instant>& instants) {
-    for (const auto& instant : instants) visit(instantOf(instant));
-  };
-  size_t done = 0;
-  for (const rosbag::MessageInstance& message : view) {
-    const RecordedImage image = imageOf(message);
-    give(assembler.add(stream_of_topic.at(message.getTopic()), stampOf(image), image));
-    progress(double(++done) / view.size());
-  }
-  give(assembler.flush());
-  counts_ = assembler.counts();
+  view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topics), first,
+                                         first + ros::Duration(seconds));
+  message_ = view_->begin();
+  assembler_ = std::make_unique<Assembler>(streams_.size(), patientAssembly());
 }
 
-RecordedInstant Recording::instantOf(const InstantAssembler<RecordedImage>::Instant& instant) {
-  RecordedInstant out;
+void Recording::readMessage() {
+  const RecordedImage image = imageOf(*message_);
+  for (auto& instant :
+       assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(image), image))
+    whole_.push_back(std::move(instant));
+  ++message_;
+  ++messages_read_;
+}
+
+std::optional<CapturedInstant> Recording::next() {
+  if (!view_) startReading();
+  while (whole_.empty() && message_ != view_->end()) readMessage();
+  if (whole_.empty())
+    for (auto& instant : assembler_->flush()) whole_.push_back(std::move(instant));
+  counts_ = assembler_->counts();
+  if (whole_.empty()) return std::nullopt;
+  const Assembler::Instant instant = std::move(whole_.front());
+  whole_.pop_front();
+  return instantOf(instant);
+}
+
+void Recording::forEachInstant(const std::function<void(const CapturedInstant&)>& visit,
+                               const std::function<void(double)>& progress) {
+  while (const std::optional<CapturedInstant> instant = next()) {
+    visit(*instant);
+    progress(shareRead());
+  }
+}
+
+double Recording::shareRead() const {
+  return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
+}
+
+CapturedInstant Recording::instantOf(const Assembler::Instant& instant) {
+  CapturedInstant out;
   out.stamp_ns = instant.stamp_ns;
   out.frames.resize(cameras_.size());
+  out.owner = instant.items;
   for (size_t i = 0; i < streams_.size(); ++i) {
     if (!instant.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];

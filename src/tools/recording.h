@@ -1,13 +1,18 @@
 #pragma once
 
 #include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <deque>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +35,7 @@ struct RecordingOptions {
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
 
-/// What the cameras of a recording saw at one instant.
-struct RecordedInstant {
-  int64_t stamp_ns = 0;
-  std::vector<CameraFrame> frames;  ///< in the order of the rig; empty mats where missing
-};
+using RecordedInstant = CapturedInstant;
 
 /// One image or silhouette message, not yet decoded; one of the two is set.
 struct RecordedImage {
@@ -56,9 +57,14 @@ class Recording {
   /// Static transforms as they stand in the bag, all in one message.
   const tf2_msgs::TFMessage& staticTransforms() const { return static_transforms_; }
 
-  /// Calls `visit` for each instant in the order of time and `progress` after each message with the
-  /// share done, 0..1. Throws std::runtime_error if the bag turns out to be damaged.
-  void forEachInstant(const std::function<void(const RecordedInstant&)>& visit,
+  /// The next instant in the order of time, nothing after the last; the frames of cameras that are
+  /// missing are empty. Throws std::runtime_error if there are no images where reading begins, or
+  /// the bag turns out to be damaged.
+  std::optional<CapturedInstant> next();
+  /// Share of the recording that has been read, 0..1.
+  double shareRead() const;
+  /// Calls `visit` for each instant that is left and `progress` after it with the share read.
+  void forEachInstant(const std::function<void(const CapturedInstant&)>& visit,
                       const std::function<void(double)>& progress);
 
   const AssemblerCounts& counts() const { return counts_; }
@@ -67,6 +73,7 @@ class Recording {
   const std::string& firstUnreadable() const { return first_unreadable_; }
 
  private:
+  using Assembler = InstantAssembler<RecordedImage>;
   struct Stream {
     std::string topic;
     size_t camera;
@@ -76,7 +83,9 @@ class Recording {
   void readRig();
   void takeRig();
   void listStreams();
-  RecordedInstant instantOf(const InstantAssembler<RecordedImage>::Instant& instant);
+  void startReading();
+  void readMessage();
+  CapturedInstant instantOf(const Assembler::Instant& instant);
 
   RecordingOptions options_;
   rosbag::Bag bag_;
@@ -84,6 +93,12 @@ class Recording {
   std::vector<Stream> streams_;
   CameraRig rig_;
   tf2_msgs::TFMessage static_transforms_;
+  std::map<std::string, size_t> stream_of_topic_;
+  std::unique_ptr<rosbag::View> view_;  ///< none before the first instant is asked for
+  rosbag::View::iterator message_;      ///< of the view, not yet read
+  size_t messages_read_ = 0;
+  std::unique_ptr<Assembler> assembler_;
+  std::deque<Assembler::Instant> whole_;  ///< instants that wait to be asked for
   AssemblerCounts counts_;
   int unreadable_ = 0;
   std::string first_unreadable_;

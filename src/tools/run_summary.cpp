@@ -24,21 +24,23 @@ double secondsBetween(std::chrono::steady_clock::time_point a,
 
 }  // namespace
 
-RunSummary::RunSummary() : started_(Clock::now()), lap_(started_) {}
-
-void RunSummary::startInstant() {
-  lap_ = Clock::now();
+RunSummary::RunSummary() : started_(Clock::now()) {
+  for (const char* step :
+       {kReading, SilhouetteOptions::kStage, HullOptions::kStage, SegmentationOptions::kStage,
+        PoseTreeOptions::kStage, TrackerOptions::kStage, kWriting})
+    times_.push_back({step, 0.0, 0});
 }
 
-void RunSummary::stageDone(const std::string& stage) {
-  const Clock::time_point now = Clock::now();
-  const auto found = std::find_if(stage_seconds_.begin(), stage_seconds_.end(),
-                                  [&](const auto& entry) { return entry.first == stage; });
-  if (found == stage_seconds_.end())
-    stage_seconds_.emplace_back(stage, secondsBetween(lap_, now));
-  else
-    found->second += secondsBetween(lap_, now);
-  lap_ = now;
+void RunSummary::timed(const std::string& step, const std::function<void()>& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  const double seconds = secondsBetween(start, Clock::now());
+  const std::lock_guard<std::mutex> lock(*times_mutex_);
+  for (Time& time : times_)
+    if (time.step == step) {
+      time.seconds += seconds;
+      ++time.runs;
+    }
 }
 
 void RunSummary::add(const PipelineResult& result) {
@@ -95,11 +97,9 @@ void RunSummary::printReasons(std::ostream& out) const {
 void RunSummary::printTimes(std::ostream& out) const {
   const double seconds = secondsBetween(started_, Clock::now());
   out << std::fixed << std::setprecision(1);
-  for (const auto& entry : stage_seconds_) {
-    const int runs = entry.first == SilhouetteOptions::kStage ? instants_ : processed();
-    out << "  " << std::left << std::setw(18) << entry.first << std::right << std::setw(8)
-        << 1e3 * entry.second / std::max(runs, 1) << " ms per instant\n";
-  }
+  for (const Time& time : times_)
+    out << "  " << std::left << std::setw(18) << time.step << std::right << std::setw(8)
+        << 1e3 * time.seconds / std::max(time.runs, 1) << " ms per instant\n";
   out << "speed          " << instants_ / std::max(seconds, 1e-9) << " instants per second, "
       << seconds << " s in all\n"
       << std::defaultfloat << std::setprecision(6);

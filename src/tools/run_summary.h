@@ -1,7 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -13,11 +16,13 @@ namespace markerless_mocap {
 /// Counts and times of one run over a recording.
 class RunSummary {
  public:
+  static constexpr const char *kReading = "reading", *kWriting = "writing";
+
   RunSummary();
 
-  /// To be called when a stage is done; its time runs from the last call of this or startInstant().
-  void stageDone(const std::string& stage);
-  void startInstant();
+  /// Does the work of a step on one instant and takes its time; steps are the stages, kReading and
+  /// kWriting. Several may be timed at once.
+  void timed(const std::string& step, const std::function<void()>& work);
   void add(const PipelineResult& result);
   /// \param overlaps intersection over union of body and mask, one per view
   void addOverlaps(const std::vector<double>& overlaps);
@@ -32,6 +37,11 @@ class RunSummary {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct Time {
+    std::string step;
+    double seconds;
+    int runs;
+  };
   struct Reason {
     int count = 0;
     std::string example;
@@ -40,8 +50,9 @@ class RunSummary {
   void printReasons(std::ostream& out) const;
   void printTimes(std::ostream& out) const;
 
-  Clock::time_point started_, lap_;
-  std::vector<std::pair<std::string, double>> stage_seconds_;  ///< in the order of processing
+  Clock::time_point started_;
+  std::unique_ptr<std::mutex> times_mutex_ = std::make_unique<std::mutex>();
+  std::vector<Time> times_;                ///< in the order of processing
   std::map<std::string, Reason> reasons_;  ///< of lost poses, by sentence without its numbers
   int instants_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
   int valid_trees_ = 0;

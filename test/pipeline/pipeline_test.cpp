@@ -138,13 +138,93 @@ TEST_F(PipelineTest, WrongNumberOfFramesIsRefused) {
             "pipeline got 0 frames, the rig has 4 cameras");
 }
 
-TEST_F(PipelineTest, ListenerHearsEveryStageInOrder) {
+TEST_F(PipelineTest, WatchSeesEveryStageInOrder) {
   Pipeline pipeline = this->pipeline();
-  std::vector<std::string> heard;
-  pipeline.setStageListener([&](const char* stage) { heard.push_back(stage); });
+  std::vector<std::string> seen;
+  pipeline.setStageWatch([&](const char* stage, const std::function<void()>& work) {
+    seen.push_back(stage);
+    work();
+  });
   pipeline.process(0, masksOnly());
-  EXPECT_EQ(heard, (std::vector<std::string>{"silhouette", "visual_hull", "body_segmentation",
-                                             "pose_tree", "pose_fitting"}));
+  EXPECT_EQ(seen, (std::vector<std::string>{"silhouette", "visual_hull", "body_segmentation",
+                                            "pose_tree", "pose_fitting"}));
+}
+
+/// What comes out of a stream of the empty room, then of the sphere nearer and nearer.
+class PipelineStream : public PipelineTest {
+ protected:
+  static constexpr int kInstants = kBackgroundFrames + 8;
+
+  CapturedInstant instantAt(int k) const {
+    CapturedInstant instant{k, empty(), {}};
+    for (int i = 0; k >= kBackgroundFrames && i < kCameras; ++i) {
+      Sphere sphere;
+      sphere.center.x() += 0.01 * k;
+      cv::Mat& image = instant.frames[i].image;
+      image = image.clone();
+      image.setTo(cv::Scalar(20, 20, 220), renderMask(rig_[i], {sphere}));
+    }
+    return instant;
+  }
+  Pipeline::Source source(int instants) const {
+    return [this, instants, k = 0]() mutable -> std::optional<CapturedInstant> {
+      if (k == instants) return std::nullopt;
+      return instantAt(k++);
+    };
+  }
+};
+
+TEST_F(PipelineStream, GivesWhatInstantsGiveOneByOne) {
+  Pipeline one_by_one = pipeline(), stream = pipeline();
+  int k = 0;
+  stream.processStream(source(kInstants),
+                       [&](const CapturedInstant& instant, const PipelineResult& result) {
+                         ASSERT_EQ(instant.stamp_ns, k);
+                         const PipelineResult expected = one_by_one.process(k, instantAt(k).frames);
+                         ++k;
+                         ASSERT_EQ(result.learning, expected.learning);
+                         ASSERT_EQ(result.hull.voxels.size(), expected.hull.voxels.size());
+                         for (size_t v = 0; v < expected.hull.voxels.size(); ++v)
+                           ASSERT_EQ(result.hull.voxels[v].index, expected.hull.voxels[v].index);
+                         EXPECT_EQ(result.parts.reason, expected.parts.reason);
+                         EXPECT_EQ(result.tree.reason, expected.tree.reason);
+                         EXPECT_EQ(result.pose.reason, expected.pose.reason);
+                         EXPECT_EQ(result.body == nullptr, result.learning);
+                       });
+  EXPECT_EQ(k, kInstants);
+}
+
+TEST_F(PipelineStream, NothingIsAskedForAfterTheEnd) {
+  int asked = 0;
+  const Pipeline::Source three = source(3);
+  pipeline().processStream(
+      [&] {
+        ++asked;
+        return three();
+      },
+      [](const CapturedInstant&, const PipelineResult&) {});
+  EXPECT_EQ(asked, 4);
+}
+
+TEST_F(PipelineStream, ComplaintsOfStagesSourceAndSinkComeThrough) {
+  const Pipeline::Sink ignore = [](const CapturedInstant&, const PipelineResult&) {};
+  EXPECT_EQ(sentenceOf([&] { pipeline().processStream([] { return CapturedInstant(); }, ignore); }),
+            "pipeline got 0 frames, the rig has 4 cameras");
+  const auto complain = [] { throw std::invalid_argument("no"); };
+  EXPECT_EQ(sentenceOf([&] {
+              pipeline().processStream(
+                  [&]() -> std::optional<CapturedInstant> {
+                    complain();
+                    return std::nullopt;
+                  },
+                  ignore);
+            }),
+            "no");
+  EXPECT_EQ(sentenceOf([&] {
+              pipeline().processStream(
+                  source(1), [&](const CapturedInstant&, const PipelineResult&) { complain(); });
+            }),
+            "no");
 }
 
 }  // namespace

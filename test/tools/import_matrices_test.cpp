@@ -67,8 +67,8 @@ TEST_F(ImportMatrices, RecordingComesBackAsItWas) {
     EXPECT_TRUE(read.K.isApprox(ring[i].K, 1e-6)) << read.K;
     EXPECT_TRUE(read.T_world_camera.isApprox(ring[i].T_world_camera, 1e-6));
   }
-  std::vector<RecordedInstant> instants;
-  recording.forEachInstant([&](const RecordedInstant& i) { instants.push_back(i); }, [](double) {});
+  std::vector<CapturedInstant> instants;
+  while (auto instant = recording.next()) instants.push_back(std::move(*instant));
   ASSERT_EQ(instants.size(), 2u);
   EXPECT_EQ(instants[0].stamp_ns, 1000000000);
   EXPECT_EQ(instants[1].stamp_ns, 1100000000);

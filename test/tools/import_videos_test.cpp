@@ -107,12 +107,10 @@ TEST_F(ImportVideos, BackgroundComesFirstAtTheVideosPace) {
   Recording recording(options_.output, {});
   std::vector<int64_t> stamps;
   std::vector<bool> somebody;
-  recording.forEachInstant(
-      [&](const RecordedInstant& instant) {
-        stamps.push_back(instant.stamp_ns);
-        somebody.push_back(instant.frames[0].image.at<cv::Vec3b>(30, 40)[2] > 160);
-      },
-      [](double) {});
+  while (const auto instant = recording.next()) {
+    stamps.push_back(instant->stamp_ns);
+    somebody.push_back(instant->frames[0].image.at<cv::Vec3b>(30, 40)[2] > 160);
+  }
   EXPECT_EQ(stamps,
             (std::vector<int64_t>{1000000000, 1050000000, 1100000000, 1150000000, 1200000000}));
   EXPECT_EQ(somebody, (std::vector<bool>{false, false, true, true, true}));
@@ -125,9 +123,7 @@ TEST_F(ImportVideos, JpegIsReadBack) {
   Recording recording(options_.output, {});
   EXPECT_EQ(recording.cameras()[0].image_topic, "/cam0/image_raw/compressed");
   int images = 0;
-  recording.forEachInstant(
-      [&](const RecordedInstant& instant) { images += instant.frames[3].image.cols == 80; },
-      [](double) {});
+  while (const auto instant = recording.next()) images += instant->frames[3].image.cols == 80;
   EXPECT_EQ(images, 5);
 }
 

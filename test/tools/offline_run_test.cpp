@@ -163,7 +163,7 @@ TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
 }
 
 TEST_F(OfflineRun, ProgressWithoutTerminalIsALineEveryTenPercentFromZero) {
-  writeBag();
+  writeBag(12);
   std::ostringstream notes;
   runOffline(options_, &notes, false);
   const std::string text = notes.str();

@@ -57,10 +57,9 @@ class RecordingTest : public ToolTest {
     return sentenceOf<std::exception>([&] { Recording recording(path(name), options); });
   }
 
-  static std::vector<RecordedInstant> allOf(Recording& recording) {
-    std::vector<RecordedInstant> instants;
-    recording.forEachInstant([&](const RecordedInstant& i) { instants.push_back(i); },
-                             [](double) {});
+  static std::vector<CapturedInstant> allOf(Recording& recording) {
+    std::vector<CapturedInstant> instants;
+    while (auto instant = recording.next()) instants.push_back(std::move(*instant));
     return instants;
   }
 };

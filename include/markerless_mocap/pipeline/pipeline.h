@@ -1,8 +1,10 @@
 #pragma once
 
+#include <any>
 #include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,13 @@ struct CameraFrame {
   cv::Mat mask;   ///< CV_8UC1 0 | 255; when given, background subtraction is passed by
 };
 
+/// What the cameras saw at one instant.
+struct CapturedInstant {
+  int64_t stamp_ns = 0;             ///< capture time
+  std::vector<CameraFrame> frames;  ///< in the order of the rig
+  std::any owner;                   ///< keeps pixels alive that the frames' mats only point to
+};
+
 /// Everything the stages make of one instant.
 struct PipelineResult {
   bool learning = false;       ///< backgrounds are being learned, too few cameras have a mask yet;
@@ -54,14 +63,19 @@ struct PipelineResult {
   BodyParts parts;
   PoseTree tree;
   BodyPose pose;
+  std::shared_ptr<const TrackedBody> body;  ///< whose pose it is
 };
 
-/// The stages chained in one process; same code as the nodes. Silhouettes are made in parallel;
-/// the result does not depend on the number of threads.
+/// The stages chained in one process; same code as the nodes. The result does not depend on the
+/// number of threads, nor on whether instants are processed one by one or in a stream.
 class Pipeline {
  public:
-  /// Called with a stage's name (its kStage) when the stage is done with an instant.
-  using StageListener = std::function<void(const char* stage)>;
+  /// Called in place of a stage's work on one instant, which it must do; `stage` is its kStage. In
+  /// a stream several threads call it.
+  using StageWatch = std::function<void(const char* stage, const std::function<void()>& work)>;
+  /// Nothing when there are no more instants.
+  using Source = std::function<std::optional<CapturedInstant>()>;
+  using Sink = std::function<void(const CapturedInstant&, const PipelineResult&)>;
 
   /// Throws std::invalid_argument on options or a rig that a stage refuses.
   Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineOptions& options);
@@ -71,17 +85,34 @@ class Pipeline {
   ///   count, or an image or mask whose size is not its camera's (the sentence names it)
   PipelineResult process(int64_t stamp_ns, const std::vector<CameraFrame>& frames);
 
+  /// Processes all instants of the source, each stage being at work on another one. Source and sink
+  /// are called side by side with the stages, each in the order of time and never twice at once.
+  /// Throws as process() and what source and sink throw.
+  void processStream(const Source& source, const Sink& sink);
+
   const CameraRig& rig() const { return carver_.rig(); }
-  /// The person's body now; process() changes it when it has been measured.
+  /// The person's body now; it changes when it has been measured. Not while a stream is processed:
+  /// there, results have it.
   const std::shared_ptr<const TrackedBody>& body() const { return tracker_->body(); }
   /// As BodyTracker::measureNow().
   void measureBodyNow() { tracker_->measureNow(); }
-  void setStageListener(StageListener listener) { stage_done_ = std::move(listener); }
+  void setStageWatch(StageWatch watch) { watch_ = std::move(watch); }
 
  private:
+  struct Work {
+    CapturedInstant instant;
+    PipelineResult result;
+  };
+  struct Stage;
+  static const std::vector<Stage>& stages();
+
+  void run(const Stage& stage, Work& work);
   void checkFrames(const std::vector<CameraFrame>& frames) const;
-  /// False while too few cameras have learned their background.
-  bool extractSilhouettes(const std::vector<CameraFrame>& frames, std::vector<cv::Mat>* masks);
+  void extractSilhouettes(const CapturedInstant& instant, PipelineResult* result);
+  void carve(const CapturedInstant& instant, PipelineResult* result);
+  void segment(const CapturedInstant& instant, PipelineResult* result);
+  void buildTree(const CapturedInstant& instant, PipelineResult* result);
+  void track(const CapturedInstant& instant, PipelineResult* result);
 
   int min_views_;
   std::vector<SilhouetteExtractor> silhouettes_;
@@ -90,7 +121,7 @@ class Pipeline {
   PartMemory part_memory_;
   PoseTreeBuilder tree_builder_;
   std::unique_ptr<BodyTracker> tracker_;
-  StageListener stage_done_ = [](const char*) {};
+  StageWatch watch_ = [](const char*, const std::function<void()>& work) { work(); };
 };
 
 }  // namespace markerless_mocap
