@@ -40,9 +40,27 @@ NodeGrid::NodeGrid(const std::vector<Eigen::Vector3i>& cells) {
 }
 
 std::vector<double> NodeGrid::geodesics(const std::vector<uint32_t>& sources) const {
+  std::vector<int> cost;
+  flow(sources, &cost);
+  return lengthsOf(cost);
+}
+
+std::vector<std::vector<double>> NodeGrid::geodesicsOfEach(
+    const std::vector<uint32_t>& sources) const {
+  std::vector<int> cost;  // a box large enough that to clear it each time would show
+  std::vector<std::vector<double>> ways;
+  for (const uint32_t source : sources) {
+    flow({source}, &cost);
+    ways.push_back(lengthsOf(cost));
+  }
+  return ways;
+}
+
+void NodeGrid::flow(const std::vector<uint32_t>& sources, std::vector<int>* costs) const {
   // Costs stand in the box itself, 0 outside the set: no way is ever shorter there. A row of three
   // neighbours is compared at once, with a fourth that is no neighbour and never improves.
-  std::vector<int> cost(node_at_.size() + kRow, 0);
+  std::vector<int>& cost = *costs;
+  cost.resize(node_at_.size() + kRow, 0);
   for (const int64_t place : place_of_) cost[place] = kUnreached;
   struct Step {
     int64_t offset;
@@ -81,6 +99,9 @@ std::vector<double> NodeGrid::geodesics(const std::vector<uint32_t>& sources) co
     }
     bucket.clear();
   }
+}
+
+std::vector<double> NodeGrid::lengthsOf(const std::vector<int>& cost) const {
   std::vector<double> voxels(place_of_.size());
   for (size_t node = 0; node < place_of_.size(); ++node) {
     const int reached = cost[place_of_[node]];

@@ -23,8 +23,9 @@ TipMeasures measureTips(const VoxelGraph& voxels, const std::vector<uint32_t>& t
   const double lowest = low->z(), tall = std::max(high->z() - lowest, voxels.pitch);
   TipMeasures measures;
   measures.distance = Eigen::MatrixXd::Zero(tips.size(), tips.size());
+  measures.way = voxels.grid.geodesicsOfEach(tips);
   for (size_t i = 0; i < tips.size(); ++i) {
-    std::vector<double> way = voxels.grid.geodesics({tips[i]});
+    std::vector<double>& way = measures.way[i];
     for (double& w : way) w /= unit;
     double to_core = way[core.front()];
     for (const uint32_t node : core) to_core = std::min(to_core, way[node]);
@@ -36,7 +37,6 @@ TipMeasures measureTips(const VoxelGraph& voxels, const std::vector<uint32_t>& t
     for (size_t j = 0; j < i; ++j) {
       measures.distance(i, j) = measures.distance(j, i) = logarithm(way[tips[j]]);
     }
-    measures.way.push_back(std::move(way));
   }
   return measures;
 }

@@ -57,14 +57,14 @@ std::vector<Edge> faceEdges(const VisualHull& hull, const std::vector<uint32_t>&
   return edges;
 }
 
-/// Of all voxels, with bridges.
-WeightedGraph wholeGraph(const VisualHull& hull, const VoxelGraph& voxels, bool use_color_votes) {
+/// Of all voxels, with bridges if faces alone do not join them.
+WeightedGraph wholeGraph(const VisualHull& hull, const VoxelGraph& voxels, bool use_color_votes,
+                         bool* joined) {
   std::vector<Edge> edges = faceEdges(hull, voxels.hull_voxel, voxels.grid, use_color_votes);
   WeightedGraph graph = graphOfEdges(voxels.hull_voxel.size(), edges);
   const std::vector<uint32_t> component = connectedComponents(graph);
-  if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; })) {
-    return graph;
-  }
+  *joined = std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; });
+  if (*joined) return graph;
   const std::vector<Edge> bridges = bridgeEdges(voxels.grid, component);
   edges.insert(edges.end(), bridges.begin(), bridges.end());
   return graphOfEdges(voxels.hull_voxel.size(), edges);
@@ -125,9 +125,10 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   voxels.hull_voxel = voxelsByIndex(hull);
   const std::vector<Eigen::Vector3i> cells = cellsOf(hull, voxels.hull_voxel);
   voxels.grid = NodeGrid(cells);
-  voxels.graph = wholeGraph(hull, voxels, use_color_votes);
+  bool joined = false;
+  voxels.graph = wholeGraph(hull, voxels, use_color_votes, &joined);
   for (const Eigen::Vector3i& c : cells) voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
-  keepLargestComponent(hull, &voxels);
+  if (!joined) keepLargestComponent(hull, &voxels);
   voxels.centers.reserve(voxels.hull_voxel.size());
   for (const uint32_t v : voxels.hull_voxel) {
     voxels.centers.push_back(hull.lattice.center(hull.voxels[v].index));

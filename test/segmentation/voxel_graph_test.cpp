@@ -162,5 +162,14 @@ TEST(NodeGrid, MeasuresWaysAroundCorners) {
   EXPECT_TRUE(std::isinf(way[6]));
 }
 
+TEST(NodeGrid, MeasuresWaysFromEachSourceByItself) {
+  const NodeGrid grid({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}, {9, 9, 10}});
+  const auto ways = grid.geodesicsOfEach({0, 2, 4});
+  ASSERT_EQ(ways.size(), 3u);
+  EXPECT_EQ(ways[0], grid.geodesics({0}));
+  EXPECT_EQ(ways[1], grid.geodesics({2}));
+  EXPECT_EQ(ways[2], grid.geodesics({4}));
+}
+
 }  // namespace
 }  // namespace markerless_mocap

@@ -22,8 +22,15 @@ class NodeGrid {
   /// neighbours with the 3-4-5 chamfer steps (within 10 % of the Euclidean length of a straight
   /// way), in voxels. Infinity where no way leads.
   std::vector<double> geodesics(const std::vector<uint32_t>& sources) const;
+  /// The same from each source by itself.
+  std::vector<std::vector<double>> geodesicsOfEach(const std::vector<uint32_t>& sources) const;
 
  private:
+  /// Shortest ways by three to the voxel, for each place of the box; outside the set none is longer
+  /// than 0.
+  /// \param cost of an earlier call, or empty
+  void flow(const std::vector<uint32_t>& sources, std::vector<int>* cost) const;
+  std::vector<double> lengthsOf(const std::vector<int>& cost) const;
   int64_t offset(int di, int dj, int dk) const {
     return di + int64_t(size_[0]) * (dj + int64_t(size_[1]) * dk);
   }
