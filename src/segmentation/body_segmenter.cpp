@@ -1,6 +1,7 @@
 #include "markerless_mocap/segmentation/body_segmenter.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <limits>
 #include <sstream>
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int kTorsoModes = 10;  // stumps of arms and legs have the lowest ones
 constexpr int kLimbModes = 3;
+// Of the curves by PartLabel: trunk and head bend once, a leg turns at the ankle.
+constexpr std::array<int, kPartCount> kPieces{1, 1, 3, 3, 5, 5};
 constexpr const char* kClosesLoop = " closes a loop: its hand touches the body";
 constexpr double kLeastLeg = 0.6;  // of the other leg's voxels
 
@@ -83,14 +86,16 @@ void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<P
     if (labels[node] == PartLabel::kTorso) torso.push_back(node);
   }
   if (!torso.empty()) {
-    parts->parts[0] = fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso), kTorsoModes);
+    parts->parts[0] =
+        fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso), kTorsoModes, kPieces[0]);
     parts->parts[0].whole = parts->parts[0].seen;
   }
   for (int part = 1; part < kPartCount; ++part) {
     if (!limbs.has(PartLabel(part))) continue;
     std::vector<double> ahead = limbs.way[part];
     for (double& way : ahead) way = -way;
-    parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes);
+    parts->parts[part] =
+        fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes, kPieces[part]);
     parts->parts[part].whole = parts->parts[part].seen && limbs.whole[part];
   }
 }

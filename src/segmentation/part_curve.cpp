@@ -12,7 +12,6 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kPoints = 21;
-constexpr int kPieces = 3;
 constexpr int kSamples = 200;      // of the curve, to measure its length by
 constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
 constexpr size_t kFewestNodes = 8;
@@ -111,7 +110,7 @@ void sampleEvenly(const LeastSquaresSpline& spline, PartCurve* curve) {
 }  // namespace
 
 PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& nodes,
-                       const std::vector<double>& ahead, int modes) {
+                       const std::vector<double>& ahead, int modes, int pieces) {
   PartCurve curve;
   curve.voxel_count = uint32_t(nodes.size());
   WeightedGraph part = subgraph(voxels.graph, nodes);
@@ -124,7 +123,7 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
   const Eigen::VectorXd mode = modeAlong(blocks, modes);
   if (mode.size() == 0) return curve;
   const Eigen::VectorXd sites = siteValues(mode, blocks.count);
-  sampleEvenly(LeastSquaresSpline(sites, blocks.centers, blocks.count, kPieces), &curve);
+  sampleEvenly(LeastSquaresSpline(sites, blocks.centers, blocks.count, pieces), &curve);
   curve.seen = true;
   return curve;
 }

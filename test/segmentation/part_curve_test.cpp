@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -57,13 +58,31 @@ double lengthOf(const PartCurve& curve) {
   return length;
 }
 
+TEST(PartCurve, TurnsACornerWithManyPieces) {
+  // A shank and a foot of the same thickness.
+  VoxelFigure figure;
+  figure.capsule({0, 0, 1.0}, {0, 0, 0.1}, 0.05).capsule({0, 0, 0.1}, {0, 0.3, 0.1}, 0.05);
+  const VoxelGraph voxels = buildVoxelGraph(figure.hull(), false, 0.0);
+  std::vector<double> ahead;
+  for (const Eigen::Vector3d& center : voxels.centers) ahead.push_back(center.y() - center.z());
+  const auto farthestOff = [&](int pieces) {
+    double farthest = 0.0;
+    for (const Eigen::Vector3d& p : fitPartCurve(voxels, allNodes(voxels), ahead, 3, pieces).points)
+      farthest =
+          std::max(farthest, std::min(std::hypot(p.x(), p.y()), std::hypot(p.x(), p.z() - 0.1)));
+    return farthest;
+  };
+  EXPECT_LT(farthestOff(5), 0.03);
+  EXPECT_GT(farthestOff(1), farthestOff(5));
+}
+
 TEST(PartCurve, RunsAlongTheAxisOfABarInTheGivenDirection) {
   VoxelFigure bar;
   bar.capsule({-0.4, 0, 0.5}, {0.4, 0, 0.9}, 0.06);
   const VoxelGraph voxels = buildVoxelGraph(bar.hull(), false, 0.0);
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(-c.x());
-  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
   ASSERT_TRUE(curve.seen);
   EXPECT_EQ(curve.voxel_count, voxels.graph.nodeCount());
   ASSERT_EQ(curve.points.size(), 21u);
@@ -81,7 +100,7 @@ TEST(PartCurve, HasEvenlySpacedPointsAndRisingSites) {
   const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
-  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
   ASSERT_EQ(curve.site_values.size(), curve.points.size());
   EXPECT_EQ(curve.site_values.front(), 0.0);
   EXPECT_EQ(curve.site_values.back(), 1.0);
@@ -100,7 +119,7 @@ TEST(PartCurve, GoesUpATrunkWiderThanHigh) {
   const VoxelGraph voxels = buildVoxelGraph(trunk.hull(), false, 0.0);
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.z());
-  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 10);
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 10, 3);
   EXPECT_GT(curve.points.back().z() - curve.points.front().z(), 0.25);
   for (const Eigen::Vector3d& p : curve.points) EXPECT_LT(std::abs(p.x()), 0.06);
 }
@@ -114,7 +133,7 @@ TEST(PartCurve, IsThatOfACoarseHullOnAFineOne) {
     const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
     std::vector<double> ahead;
     for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
-    curves[fine] = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+    curves[fine] = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
     ASSERT_TRUE(curves[fine].seen);
     EXPECT_EQ(curves[fine].voxel_count, voxels.graph.nodeCount());
   }
@@ -129,7 +148,7 @@ TEST(PartCurve, OfTooFewNodesIsNotSeen) {
   const VoxelGraph voxels = buildVoxelGraph(speck.hull(), false, 0.0);
   ASSERT_LT(voxels.graph.nodeCount(), 8u);
   const std::vector<double> ahead(voxels.graph.nodeCount(), 0.0);
-  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3);
+  const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
   EXPECT_FALSE(curve.seen);
   EXPECT_TRUE(curve.points.empty());
 }
