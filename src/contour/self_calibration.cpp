@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -134,6 +133,8 @@ std::vector<PointingCorrection> PointingEstimation::corrections(
     const auto at = Eigen::Index(2 * c);
     out[c].camera = rig_[c].name();
     out[c].pixels = pixels_.segment<2>(at);
+    const Eigen::Matrix3d& K = rig_[c].calibration().K;
+    out[c].turn = std::hypot(out[c].pixels.x() / K(0, 0), out[c].pixels.y() / K(1, 1));
     out[c].deviation =
         (covariance.diagonal().segment<2>(at) + disagreement.segment<2>(at).cwiseAbs2())
             .cwiseSqrt();
@@ -238,29 +239,6 @@ std::vector<std::optional<Judged>> judgedByOtherHalf(
 }
 
 }  // namespace
-
-const char* toString(PointingStatus status) {
-  constexpr const char* kNames[] = {"corrected", "no gain", "too few instants"};
-  return kNames[size_t(status)];
-}
-
-std::string PointingEstimate::sentence() const {
-  if (status == PointingStatus::kTooFewInstants)
-    return "the cameras' pointing was not estimated: only " + std::to_string(instants_used) +
-           " instants could be fitted";
-  double squares = 0.0;
-  for (const PointingCorrection& one : corrections) squares += one.pixels.squaredNorm();
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "%s: by %d instants cameras point %.1f px off (root mean square); with that the "
-                "overlap of body and silhouettes is %.3f instead of %.3f, the rays' distance from "
-                "the body %.1f mm instead of %.1f",
-                status == PointingStatus::kCorrected ? "the cameras' pointing is corrected"
-                                                     : "the calibration is kept",
-                instants_used, std::sqrt(squares / double(std::max<size_t>(1, corrections.size()))),
-                after.overlap, before.overlap, 1e3 * after.distance, 1e3 * before.distance);
-  return text;
-}
 
 PointingEstimate estimatePointing(const CameraRig& rig, const ContourOptions& contour,
                                   const ContourBody& body,

@@ -5,6 +5,7 @@
 #include "tools/offline_run.h"
 #include "tools/progress.h"
 #include "tools/run_tool.h"
+#include "tools/self_calibration_run.h"
 
 namespace {
 
@@ -13,6 +14,7 @@ using namespace markerless_mocap;
 struct Arguments {
   OfflineOptions run;
   std::string config;
+  std::string self_calibrate;  ///< rig file to write; empty: the calibration is taken as it is
   std::optional<double> stature;
   bool quiet = false;
 };
@@ -28,6 +30,9 @@ void describe(CLI::App& app, Arguments* arguments) {
                "that have no images");
   app.add_option("--rig", run.recording.rig,
                  "rig file that calibrates the cameras in place of camera_info and tf");
+  app.add_option("--self-calibrate", arguments->self_calibrate,
+                 "estimate from the person how the cameras point, write the corrected rig to this "
+                 "file, for --rig of other runs, and go on with it; says what it does");
   app.add_option("--world", run.recording.world_frame, "frame of the results")
       ->capture_default_str();
   app.add_option("--stature", arguments->stature,
@@ -46,11 +51,21 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
+/// From here on the run is one with the corrected rig, if there is one. Said even if quiet: it
+/// changes the calibration.
+void calibrate(const std::string& rig_file, OfflineOptions* options) {
+  const PointingEstimate estimate = selfCalibrate(*options, rig_file);
+  options->remarks = sentencesOf(estimate, rig_file);
+  for (const std::string& remark : options->remarks) std::cerr << remark << '\n';
+  if (estimate.status == PointingStatus::kCorrected) options->recording.rig = rig_file;
+}
+
 void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
   if (arguments->stature) options.pipeline.fitting.skeleton.stature = *arguments->stature;
   options.interrupted = catchInterruptions();
+  if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
   if (notes) summary.print(*notes);

@@ -49,8 +49,14 @@ std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Record
   return recording->next();
 }
 
-/// Runs over the first seconds until the body is measured, so that the whole recording can be
-/// fitted with it.
+void saveBody(const OfflineOptions& options, const TrackedBody& body) {
+  if (!body.measured)
+    throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
+  writeBodyFile(options.save_body, body.sizes);
+}
+
+}  // namespace
+
 void measureBody(const OfflineOptions& options, TrackerSources* sources, std::ostream* notes) {
   RecordingOptions beginning = options.recording;
   beginning.duration = std::min(beginning.duration, kLongestMeasuring);
@@ -71,14 +77,6 @@ void measureBody(const OfflineOptions& options, TrackerSources* sources, std::os
   *notes << (sources->measured ? "the body is measured: " : "the body could not be measured: ")
          << "its stature is taken as " << stature << '\n';
 }
-
-void saveBody(const OfflineOptions& options, const TrackedBody& body) {
-  if (!body.measured)
-    throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
-  writeBodyFile(options.save_body, body.sizes);
-}
-
-}  // namespace
 
 PipelineOptions readConfiguration(const std::string& path) {
   YAML::Node root;
@@ -141,7 +139,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   progress.finish();
   checkOutcome(summary, recording);
   bag.commit();
-  if (report) report->write(options.input);
+  if (report) report->write(options.input, options.remarks);
   if (!options.save_body.empty()) saveBody(options, *pipeline.body());
   if (notes) remarkOn(recording, *notes);
   return summary;

@@ -15,17 +15,24 @@ struct OfflineOptions {
   RecordingOptions recording;
   PipelineOptions pipeline;
   std::string body_id = "person1";
-  std::string urdf_template;  ///< empty: the package's own
-  std::string body_file;      ///< sizes measured before; empty: none
-  std::string save_body;      ///< where to write them; empty: nowhere
-  std::string report_folder;  ///< empty: no report
-  bool masks_out = false;     ///< write the silhouettes too
+  std::string urdf_template;         ///< empty: the package's own
+  std::string body_file;             ///< sizes measured before; empty: none
+  std::string save_body;             ///< where to write them; empty: nowhere
+  std::string report_folder;         ///< empty: no report
+  std::vector<std::string> remarks;  ///< that the report begins with, a sentence each
+  bool masks_out = false;            ///< write the silhouettes too
   std::function<bool()> interrupted = [] { return false; };  ///< asked at every instant
 };
 
 /// Reads a configuration file. Throws std::runtime_error if it cannot be read or is no YAML,
 /// std::invalid_argument as loadPipelineOptions(); the sentence names the file.
 PipelineOptions readConfiguration(const std::string& path);
+
+/// Runs over the first seconds of a recording until the body is measured, so that all of it can be
+/// fitted with these sizes. Throws as runOffline().
+/// \param sources gets the sizes, if they could be measured
+/// \param notes where the result is told; nullptr: nowhere
+void measureBody(const OfflineOptions& options, TrackerSources* sources, std::ostream* notes);
 
 /// Runs all stages over a bag and writes what they make to another; the same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or

@@ -81,7 +81,9 @@ std::string cameraTable(const ReportContent& content) {
 }  // namespace
 
 std::string reportPage(const ReportContent& content) {
-  std::string body = "<p>" + counts(content.rows) + "</p>\n";
+  std::string body;
+  for (const std::string& remark : content.remarks) body += "<p>" + escaped(remark) + "</p>\n";
+  body += "<p>" + counts(content.rows) + "</p>\n";
   body += "<h2>Status</h2><p>green tracked, amber reinitialized, red lost</p>\n" +
           statusBand(content.rows);
   body += "<h2>Overlap of body and masks</h2><p>mean intersection over union of the views</p>\n" +

@@ -26,6 +26,7 @@ struct ReportPicture {
 /// What the report shows.
 struct ReportContent {
   std::string title;
+  std::vector<std::string> remarks;  ///< that the page begins with, a sentence each
   std::vector<ReportRow> rows;
   std::vector<std::string> cameras;
   std::vector<double> iou_of_camera;  ///< mean over the instants; NaN without any

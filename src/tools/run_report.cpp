@@ -102,8 +102,9 @@ void RunReport::keepPicture(const RecordedInstant& instant, const PipelineResult
   content_.pictures.resize(picture_rows_.size());
 }
 
-void RunReport::write(const std::string& title) {
+void RunReport::write(const std::string& title, const std::vector<std::string>& remarks) {
   content_.title = title;
+  content_.remarks = remarks;
   content_.iou_of_camera.clear();
   for (size_t i = 0; i < rig_.size(); ++i)
     content_.iou_of_camera.push_back(iou_count_[i] ? iou_sum_[i] / iou_count_[i] : NAN);

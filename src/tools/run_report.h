@@ -18,7 +18,8 @@ class RunReport {
   /// \return intersection over union of each view that has a mask; empty when the pose is lost
   std::vector<double> add(const RecordedInstant& instant, const PipelineResult& result);
   /// Writes report.html and the pictures as PNG. Throws std::runtime_error if it cannot.
-  void write(const std::string& title);
+  /// \param remarks that the page begins with, a sentence each
+  void write(const std::string& title, const std::vector<std::string>& remarks = {});
 
  private:
   std::vector<cv::Mat> bodyMasks(const BodyPose& pose) const;

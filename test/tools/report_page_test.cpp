@@ -28,6 +28,15 @@ TEST(ReportPage, TitleCannotBreakThePage) {
   EXPECT_NE(reportPage(sample()).find("<h1>a &lt;b> &amp; c</h1>"), std::string::npos);
 }
 
+TEST(ReportPage, RemarksComeFirst) {
+  ReportContent content = sample();
+  content.remarks = {"cam0 is turned", "x < y"};
+  const std::string page = reportPage(content);
+  const size_t first = page.find("<p>cam0 is turned</p>\n<p>x &lt; y</p>");
+  EXPECT_NE(first, std::string::npos);
+  EXPECT_LT(first, page.find("2 instants"));
+}
+
 TEST(ReportPage, CurvesStopWhereThereIsNoFigure) {
   // Half of the plot's height for the first of two instants, nothing for the second.
   EXPECT_NE(reportPage(sample()).find("d=\"M46 77h0\""), std::string::npos);

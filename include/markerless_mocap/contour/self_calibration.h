@@ -6,6 +6,7 @@
 
 #include "markerless_mocap/contour/contour_body.h"
 #include "markerless_mocap/contour/contour_fitter.h"
+#include "markerless_mocap/contour/size_estimator.h"
 
 namespace markerless_mocap {
 
@@ -36,7 +37,10 @@ struct PointingCorrection {
   /// Standard deviation of both: by the scatter of the instants and by what their first and second
   /// half differ in. An error that the body's sizes make in all instants alike is not in it.
   Eigen::Vector2d deviation = Eigen::Vector2d::Zero();
-  size_t rays = 0;  ///< explained ones that it is from
+  double turn = 0.0;  ///< of the camera, radians
+  size_t rays = 0;    ///< explained ones that it is from
+  /// One sentence for people: which camera, by how much.
+  std::string sentence() const;
 };
 
 /// How well body and silhouettes go together, mean over the instants.
@@ -79,5 +83,15 @@ PointingEstimate estimatePointing(const CameraRig& rig, const ContourOptions& co
                                   const ContourBody& body,
                                   const std::vector<PointingInstant>& instants,
                                   const PointingOptions& options);
+
+/// estimatePointing() and estimateSizes() in turn, as sizes that were measured with cameras that
+/// point elsewhere hide a part of it. Without a gain by the sizes as given, these are all that was
+/// tried.
+/// \param prior, sizes of the person; sizes as measured with the rig as given
+/// Throws std::invalid_argument as these two.
+PointingEstimate estimatePointingAndSizes(const CameraRig& rig, const ContourOptions& contour,
+                                          const SizePrior& prior, const ContourSizes& sizes,
+                                          const std::vector<PointingInstant>& instants,
+                                          const PointingOptions& options);
 
 }  // namespace markerless_mocap

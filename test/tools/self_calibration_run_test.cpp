@@ -1,0 +1,139 @@
+#include "tools/self_calibration_run.h"
+
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2_eigen/tf2_eigen.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "contour/rig_shift.h"
+#include "markerless_mocap/camera/rig_file.h"
+#include "markerless_mocap/ros/camera_conversions.h"
+#include "markerless_mocap/ros/package_files.h"
+#include "tools/camera_bag.h"
+#include "tools/render_capture.h"
+#include "tools/tool_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kTurned = 2;  // camera
+
+class SelfCalibrationRun : public ToolTest {
+ protected:
+  SelfCalibrationRun() {
+    // The tracker's files are the package's, which ROS finds by this.
+    setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
+    run_.input = path("film.bag");
+    run_.output = path("out.bag");
+    run_.recording.use_masks = true;
+  }
+
+  /// Somebody walks in a circle within four cameras.
+  void film() {
+    RenderOptions film;
+    film.output = run_.input;
+    film.files.urdf_template = readText(packageFile("urdf/human.urdf.in"));
+    film.files.motions_folder = packageFile("config/motions");
+    film.studio.motion = "walk_in_circle";
+    film.studio.rig = "ring4";
+    film.studio.width = 320;
+    film.studio.height = 240;
+    film.studio.background_frames = 0;
+    film.studio.fps = 10.0;
+    film.studio.duration = 3.0;
+    film.images = "none";
+    film.masks = true;
+    renderCapture(film, nullptr, false);
+    truth_ = Recording(run_.input, run_.recording).rig();
+  }
+
+  /// Tells the run of a rig with one camera that points so far past where it does.
+  void tellTurned(double pixels) {
+    std::vector<CameraCalibration> told;
+    for (const Camera& camera : truth_) told.push_back(camera.calibration());
+    CameraCalibration& turned = told[kTurned];
+    turned.T_world_camera.rotate(
+        Eigen::AngleAxisd(pixels / turned.K(0, 0), Eigen::Vector3d::UnitY()));
+    run_.recording.rig = path("told.yaml");
+    writeRig(run_.recording.rig, told);
+  }
+
+  CameraRig rigOf(const std::string& file) const {
+    CameraRig rig;
+    for (const CameraCalibration& camera : readRig(path(file))) rig.emplace_back(camera);
+    return rig;
+  }
+  /// The static ones, by child.
+  static std::map<std::string, Eigen::Isometry3d> transformsIn(const std::string& path) {
+    std::map<std::string, Eigen::Isometry3d> transforms;
+    rosbag::Bag bag(path);
+    for (const auto& entry : rosbag::View(bag, rosbag::TopicQuery("/tf_static")))
+      for (const auto& one : entry.instantiate<tf2_msgs::TFMessage>()->transforms)
+        transforms[one.child_frame_id] = tf2::transformToEigen(one);
+    return transforms;
+  }
+  double pixelsOff(const CameraRig& rig) const {
+    return relative(truth_, shiftBetween(truth_, rig)).norm();
+  }
+
+  OfflineOptions run_;
+  CameraRig truth_;
+};
+
+TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
+  film();
+  tellTurned(4.0);
+  ASSERT_GT(pixelsOff(rigOf("told.yaml")), 2.5);
+  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(found.status, PointingStatus::kCorrected);
+  EXPECT_LT(pixelsOff(rigOf("found.yaml")), 0.5);
+  for (size_t c = 0; c < truth_.size(); ++c)
+    EXPECT_LE(found.corrections[c].turn,
+              found.corrections[kTurned].turn * (c == kTurned ? 1 : 0.5));
+  const std::vector<std::string> sentences = sentencesOf(found, path("found.yaml"));
+  ASSERT_EQ(sentences.size(), 2 + truth_.size());
+  EXPECT_EQ(sentences[0].rfind("self-calibration: the cameras' pointing is corrected: by ", 0), 0u)
+      << sentences[0];
+  EXPECT_EQ(sentences[1 + kTurned].rfind("cam2 is turned by 0.", 0), 0u) << sentences[1 + kTurned];
+  EXPECT_EQ(sentences.back(), "the corrected rig is written to " + path("found.yaml"));
+
+  run_.recording.rig = path("found.yaml");
+  runOffline(run_, nullptr, false);
+  const std::map<std::string, Eigen::Isometry3d> T_world = transformsIn(run_.output);
+  for (const Camera& camera : found.rig)
+    EXPECT_TRUE(T_world.at(opticalFrame(camera.name()))
+                    .isApprox(camera.calibration().T_world_camera, 1e-9));
+}
+
+TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {
+  film();
+  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(found.status, PointingStatus::kNoGain);
+  EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
+  const std::vector<std::string> sentences = sentencesOf(found, "found.yaml");
+  ASSERT_EQ(sentences.size(), 1u);
+  EXPECT_EQ(sentences[0].rfind("self-calibration: the calibration is kept, as no other is", 0), 0u)
+      << sentences[0];
+  EXPECT_NE(sentences[0].find("; found.yaml is not written"), std::string::npos);
+}
+
+TEST_F(SelfCalibrationRun, WithoutAPersonItSaysSo) {
+  CameraBag bag(run_.input, ringOfFour(), 0);
+  bag.writeTransforms(1000000000);
+  for (int i = 0; i < 4; ++i) bag.write(1000000000, i, smallImage(true), smallMask());
+  bag.commit();
+  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(sentencesOf(found, "found.yaml"),
+            std::vector<std::string>{
+                "self-calibration: the cameras' pointing was not estimated: only 0 instants of "
+                "different postures could be fitted, needed are 4; found.yaml is not written"});
+  EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
+}
+
+}  // namespace
+}  // namespace markerless_mocap
