@@ -1,5 +1,8 @@
 #include "fitting/body_measurer.h"
 
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
+
 #include <chrono>
 #include <utility>
 
@@ -29,6 +32,15 @@ ContourSizes estimated(const CameraRig& rig, const ContourOptions& contour, cons
     for (size_t i = 0; i < instants.size(); ++i) instants[i].start = estimate.poses[i];
   }
   return sizes;
+}
+
+constexpr int kNiceness = 10;  // what goes on meanwhile comes first
+
+/// Takes what is left over of one core.
+template <class Function>
+auto unobtrusively(const Function& function) {
+  setpriority(PRIO_PROCESS, 0, kNiceness);  // of this thread alone
+  return tbb::task_arena(1).execute(function);
 }
 
 }  // namespace
@@ -64,8 +76,12 @@ void BodyMeasurer::add(int64_t stamp_ns, const ContourObservation& seen, const C
 
 void BodyMeasurer::estimateNow() {
   if (isEstimating() || instants_.empty()) return;
-  estimate_ = std::async(in_background_ ? std::launch::async : std::launch::deferred, &estimated,
-                         rig_, contour_, prior_, instants_);
+  const auto estimate = [rig = rig_, contour = contour_, prior = prior_, instants = instants_] {
+    return estimated(rig, contour, prior, instants);
+  };
+  estimate_ = in_background_
+                  ? std::async(std::launch::async, [estimate] { return unobtrusively(estimate); })
+                  : std::async(std::launch::deferred, estimate);
 }
 
 std::optional<ContourSizes> BodyMeasurer::sizes() {

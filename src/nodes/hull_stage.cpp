@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 4;      // messages per topic while an instant is being carved
+constexpr uint32_t kQueue = 16;     // messages per topic while another stage has the cores
 constexpr size_t kMostWaiting = 3;  // instants held back for their images
 constexpr double kMarkerDepth = 0.5;
 
@@ -76,9 +76,23 @@ void HullStage::subscribe(ros::NodeHandle& handle) {
 }
 
 void HullStage::receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info) {
-  if (!rig_.add(camera, info)) return;
-  carver_.reset();
-  carver_refusal_.clear();
+  if (rig_.add(camera, info)) {
+    carver_.reset();
+    carver_refusal_.clear();
+  }
+  if (!carver_) prepareBeforehand(info.header.stamp);
+}
+
+// Making it takes as long as several instants do, so not when the first masks are there.
+void HullStage::prepareBeforehand(const ros::Time& stamp) {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = node_options_.world_frame;
+  try {
+    prepareCarver(header);
+  } catch (const std::exception&) {
+    // Camera_info or transforms are still to come; said once there are masks.
+  }
 }
 
 void HullStage::receiveImage(size_t camera, const CameraImage& image) {

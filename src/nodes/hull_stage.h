@@ -38,6 +38,7 @@ class HullStage {
   void process(const Assembler::Instant& instant);
   /// Says how an instant went, and which cameras were left out of it.
   void reportHull(const VisualHull& hull);
+  void prepareBeforehand(const ros::Time& stamp);
   /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
   void prepareCarver(const std_msgs::Header& header);
   std::vector<HullView> viewsOf(const Assembler::Instant& instant) const;

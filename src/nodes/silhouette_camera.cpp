@@ -12,6 +12,8 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr uint32_t kQueue = 16;  // images that come while all cameras' backgrounds are worked out
+
 AssemblerOptions singleStream() {
   AssemblerOptions options;
   options.tolerance = 0.0;
@@ -36,7 +38,7 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       ros::WallDuration(5.0),
       gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
   subscriber_ =
-      subscribeImages(handle, camera, node_options.image_transport, 4,
+      subscribeImages(handle, camera, node_options.image_transport, kQueue,
                       gate_.guarded([this](const CameraImage& image) { receive(image); }));
 }
 
