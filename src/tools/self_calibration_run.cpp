@@ -16,9 +16,9 @@ namespace {
 constexpr double kLongest = 60.0;     // seconds of the recording
 constexpr size_t kMostInstants = 48;  // some thirty are left when every second one goes
 
-// Another posture: the joints have moved by this on average, or time has passed.
+// Another posture: the joints have moved by this on average. The same one seen again would only
+// let the body's faults count for more.
 constexpr double kOtherPosture = 0.04;  // metres
-constexpr int64_t kLatest_ns = 300000000;
 
 /// Keeps instants of different postures, spread over all that is added.
 class PostureCollector {
@@ -28,15 +28,12 @@ class PostureCollector {
         conversion_(pipeline.body()->model),
         body_(pipeline.body()->sizes) {}
 
-  void add(int64_t stamp_ns, const PipelineResult& result) {
+  void add(const PipelineResult& result) {
     if (result.pose.status == PoseStatus::kLost) return;
     const ContourPose pose = conversion_.poseOf(result.pose.T_world_body, result.pose.angles);
     const Eigen::Matrix3Xd points = body_.points(pose);
-    if (postures_ > 0 && stamp_ns < stamp_ns_ + kLatest_ns &&
-        (points - last_).colwise().norm().mean() < kOtherPosture)
-      return;
+    if (postures_ > 0 && (points - last_).colwise().norm().mean() < kOtherPosture) return;
     last_ = points;
-    stamp_ns_ = stamp_ns;
     if (postures_++ % stride_ != 0) return;
     instants_.push_back({observer_.observe(result.masks), pose});
     if (instants_.size() > kMostInstants) thinOut();
@@ -55,7 +52,6 @@ class PostureCollector {
   ContourConversion conversion_;
   ContourBody body_;
   Eigen::Matrix3Xd last_;
-  int64_t stamp_ns_ = 0;
   size_t postures_ = 0, stride_ = 1;
   std::vector<PointingInstant> instants_;
 };
@@ -85,10 +81,9 @@ PointingEstimate selfCalibrate(const OfflineOptions& run, const std::string& rig
   Pipeline pipeline(recording.rig(), sources, stages);
   const ContourSizes sizes = pipeline.body()->sizes;
   PostureCollector collector(pipeline, stages.fitting.contour);
-  pipeline.processStream([&] { return nextInstant(run, &recording); },
-                         [&](const CapturedInstant& instant, const PipelineResult& result) {
-                           collector.add(instant.stamp_ns, result);
-                         });
+  pipeline.processStream(
+      [&] { return nextInstant(run, &recording); },
+      [&](const CapturedInstant&, const PipelineResult& result) { collector.add(result); });
   const SizePrior prior{sources.people, statureOf(sizes), stages.fitting.stature_deviation};
   PointingEstimate estimate = estimatePointingAndSizes(recording.rig(), stages.fitting.contour,
                                                        prior, sizes, collector.instants(), {});
