@@ -43,12 +43,6 @@ void remarkOn(const Recording& recording, std::ostream& notes) {
 // Whoever does not move enough in this time is not measured.
 constexpr double kLongestMeasuring = 20.0;  // seconds
 
-std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording) {
-  if (options.interrupted())
-    throw std::runtime_error("interrupted, " + options.output + " is not written");
-  return recording->next();
-}
-
 void saveBody(const OfflineOptions& options, const TrackedBody& body) {
   if (!body.measured)
     throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
@@ -56,6 +50,12 @@ void saveBody(const OfflineOptions& options, const TrackedBody& body) {
 }
 
 }  // namespace
+
+std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording) {
+  if (options.interrupted())
+    throw std::runtime_error("interrupted, " + options.output + " is not written");
+  return recording->next();
+}
 
 void measureBody(const OfflineOptions& options, TrackerSources* sources, std::ostream* notes) {
   RecordingOptions beginning = options.recording;
@@ -140,7 +140,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   checkOutcome(summary, recording);
   bag.commit();
   if (report) report->write(options.input, options.remarks);
-  if (!options.save_body.empty()) saveBody(options, *pipeline.body());
+  if (!options.save_body.empty()) saveBody(options, *body);
   if (notes) remarkOn(recording, *notes);
   return summary;
 }

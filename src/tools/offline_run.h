@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -27,6 +28,10 @@ struct OfflineOptions {
 /// Reads a configuration file. Throws std::runtime_error if it cannot be read or is no YAML,
 /// std::invalid_argument as loadPipelineOptions(); the sentence names the file.
 PipelineOptions readConfiguration(const std::string& path);
+
+/// The next instant of a recording that is run over. Throws as Recording::next(), and
+/// std::runtime_error if the run was interrupted.
+std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording);
 
 /// Runs over the first seconds of a recording until the body is measured, so that all of it can be
 /// fitted with these sizes. Throws as runOffline().

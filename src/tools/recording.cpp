@@ -163,14 +163,6 @@ std::optional<CapturedInstant> Recording::next() {
   return instantOf(instant);
 }
 
-void Recording::forEachInstant(const std::function<void(const CapturedInstant&)>& visit,
-                               const std::function<void(double)>& progress) {
-  while (const std::optional<CapturedInstant> instant = next()) {
-    visit(*instant);
-    progress(shareRead());
-  }
-}
-
 double Recording::shareRead() const {
   return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
 }

@@ -8,7 +8,6 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <deque>
-#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -34,8 +33,6 @@ struct RecordingOptions {
   double start = 0.0;                                         ///< seconds after the first image
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
-
-using RecordedInstant = CapturedInstant;
 
 /// One image or silhouette message, not yet decoded; one of the two is set.
 struct RecordedImage {
@@ -63,9 +60,6 @@ class Recording {
   std::optional<CapturedInstant> next();
   /// Share of the recording that has been read, 0..1.
   double shareRead() const;
-  /// Calls `visit` for each instant that is left and `progress` after it with the share read.
-  void forEachInstant(const std::function<void(const CapturedInstant&)>& visit,
-                      const std::function<void(double)>& progress);
 
   const AssemblerCounts& counts() const { return counts_; }
   /// Images that could not be decoded; their cameras were missing at these instants.

@@ -32,7 +32,7 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? NAN : std::accumulate(values.begin(), values.end(), 0.0) / values.size();
 }
 
-std::string captionOf(const RecordedInstant& instant, const BodyPose& pose, double mean_iou) {
+std::string captionOf(const CapturedInstant& instant, const BodyPose& pose, double mean_iou) {
   char text[96];
   std::snprintf(text, sizeof text, "%.3f s, %s", instant.stamp_ns * 1e-9, toString(pose.status));
   std::string caption = text;
@@ -57,7 +57,7 @@ RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig
   for (const Camera& camera : rig_) content_.cameras.push_back(camera.name());
 }
 
-std::vector<double> RunReport::add(const RecordedInstant& instant, const PipelineResult& result) {
+std::vector<double> RunReport::add(const CapturedInstant& instant, const PipelineResult& result) {
   const std::vector<cv::Mat> bodies = bodyMasks(result.pose);
   std::vector<double> overlaps;
   for (size_t i = 0; i < bodies.size(); ++i) {
@@ -85,7 +85,7 @@ std::vector<cv::Mat> RunReport::bodyMasks(const BodyPose& pose) const {
   return bodies;
 }
 
-void RunReport::keepPicture(const RecordedInstant& instant, const PipelineResult& result,
+void RunReport::keepPicture(const CapturedInstant& instant, const PipelineResult& result,
                             const std::vector<cv::Mat>& bodies, const std::string& caption) {
   const size_t row = content_.rows.size() - 1;
   if (row % picture_stride_ != 0) return;

@@ -1,8 +1,6 @@
 #include "tools/self_calibration_run.h"
 
 #include <algorithm>
-#include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "markerless_mocap/camera/rig_file.h"
@@ -55,11 +53,6 @@ class PostureCollector {
   size_t postures_ = 0, stride_ = 1;
   std::vector<PointingInstant> instants_;
 };
-
-std::optional<CapturedInstant> nextInstant(const OfflineOptions& run, Recording* recording) {
-  if (run.interrupted()) throw std::runtime_error("interrupted, " + run.output + " is not written");
-  return recording->next();
-}
 
 std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
   std::vector<CameraCalibration> calibrations;
