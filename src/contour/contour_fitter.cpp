@@ -27,6 +27,7 @@ using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
                const ContourOptions& options, PoseEquations& equations) {
   addPosturePriors(pose, equations);
+  addArmsAtRest(pose, equations);
   if (prediction)
     addPrediction(pose, prediction->pose, options.turn_rate * prediction->seconds,
                   options.move_rate * prediction->seconds, equations);

@@ -81,7 +81,7 @@ class PlaceJudge {
         rays_per_ray_ * options_.contour_weight / double(std::max<size_t>(1, seen_.rays.size()));
     const double outside = options_.containment_weight * excessEnergy(seen_, rig_, cones, limb_);
     std::array<double, kJudges> energies;
-    energies.fill(0.5 * outside / variance + postureEnergy(pose));
+    energies.fill(0.5 * outside / variance + postureEnergy(pose) + restEnergy(pose));
     for (size_t judge = 0; judge < kJudges; ++judge)
       for (const RayMatch& match : matches) {
         const double square = double(match.residual) * double(match.residual);

@@ -20,8 +20,8 @@ struct AngleRule {
 };
 // Limits as in urdf/human.urdf.in where the URDF has the joint.
 constexpr AngleRule kAngleRules[A::kCount] = {
-    {-0.6, 1.4, 0.15}, {-0.7, 0.7, 0.15}, {-0.8, 0.8, 0.15},                     // spine
-    {-0.4, 0.5, 0.12}, {-0.3, 0.7, 0.12}, {-0.4, 0.5, 0.12}, {-0.3, 0.7, 0.12},  // clavicles
+    {-0.6, 1.4, 0.15}, {-0.7, 0.7, 0.15}, {-0.8, 0.8, 0.10},                     // spine
+    {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09}, {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09},  // clavicles
     {0.0, 2.7, 0.0},   {0.0, 2.7, 0.0},                                          // elbows
     {-2.7, 0.0, 0.0},  {-2.7, 0.0, 0.0},                                         // knees
     {-0.9, 0.6, 0.3},  {-0.9, 0.6, 0.3}};                                        // ankles
@@ -58,6 +58,13 @@ const DirectionRule kDirectionRules[] = {
     {B::kLeftHip, {0, 0, -1}, 0.75},       // to the chest
     {B::kRightHip, {0, 0, -1}, 0.75}};
 
+// An arm that no contour holds hangs: its upper arm's z in the frame of the left clavicle, and the
+// elbow's bend. Away from there by more than the deviation (radians) the pull is the same however
+// far, and any contour outweighs it.
+const Vector3d kHanging = Vector3d(0.05, -0.13, 1.0).normalized();
+constexpr double kHangingDeviation = 0.1;
+constexpr double kBend = 0.2, kBendDeviation = 0.15;
+
 /// A residual of the three degrees of freedom of a ball.
 struct BallResidual {
   double value;
@@ -88,6 +95,25 @@ double excess(double value, double lower, double upper) {
 
 double inverseSquare(double deviation) {
   return 1.0 / (deviation * deviation);
+}
+
+/// 1 + half the square of a residual over its deviation where that is small, and linear beyond
+/// (pseudo-Huber): the error, and what the residual's weight is divided by.
+double softened(double residual, double deviation) {
+  return std::hypot(1.0, residual / deviation);
+}
+
+/// How an arm differs from a hanging one: its direction (1 is a radian) and its bend, radians.
+struct ArmAtRest {
+  Vector3d away;
+  double bend;
+};
+Vector3d hangingOf(size_t side) {
+  return {kHanging.x(), side ? -kHanging.y() : kHanging.y(), kHanging.z()};
+}
+ArmAtRest armAtRest(const ContourPose& pose, size_t side) {
+  return {pose.balls[B::kLeftShoulder + side].col(2) - hangingOf(side),
+          pose.angles[A::kLeftElbow + side] - kBend};
 }
 
 /// Calls add(first dof, slope, residual, weight) for every residual that is at work.
@@ -132,11 +158,47 @@ void addPosturePriors(const ContourPose& pose, PoseEquations& equations) {
   });
 }
 
+void addArmsAtRest(const ContourPose& pose, PoseEquations& equations) {
+  const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
+  for (const size_t side : {0, 1}) {
+    const ArmAtRest arm = armAtRest(pose, side);
+    const int shoulder = B::kLeftShoulder + int(side), elbow = A::kLeftElbow + int(side);
+    const double weight =
+        inverseSquare(kHangingDeviation) / softened(arm.away.norm(), kHangingDeviation);
+    for (int i = 0; i < 3; ++i) {
+      const DirectionRule along{shoulder, Vector3d::Unit(i), 0};
+      equations.add(dofOfBall(shoulder), directionOf(along, pose.balls[size_t(shoulder)]).slope,
+                    arm.away[i], weight);
+    }
+    equations.add(dofOfAngle(elbow), one, arm.bend,
+                  inverseSquare(kBendDeviation) / softened(arm.bend, kBendDeviation));
+  }
+}
+
 double postureEnergy(const ContourPose& pose) {
   double energy = 0.0;
   forEachResidual(pose, [&](int, const auto&, double residual, double weight) {
     energy += 0.5 * weight * residual * residual;
   });
+  return energy;
+}
+
+ContourPose withArmsAtRest(ContourPose pose) {
+  for (const size_t side : {0, 1}) {
+    pose.balls[B::kLeftShoulder + side] =
+        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), hangingOf(side)).toRotationMatrix();
+    pose.angles[A::kLeftElbow + side] = kBend;
+  }
+  return pose;
+}
+
+double restEnergy(const ContourPose& pose) {
+  double energy = 0.0;
+  for (const size_t side : {0, 1}) {
+    const ArmAtRest arm = armAtRest(pose, side);
+    energy += softened(arm.away.norm(), kHangingDeviation) - 1.0;
+    energy += softened(arm.bend, kBendDeviation) - 1.0;
+  }
   return energy;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <Eigen/Cholesky>
 #include <limits>
 #include <stdexcept>
 
@@ -107,15 +108,49 @@ TEST_F(ContourFitterTest, PriorDerivativesAreThoseOfDifferences) {
   PoseEquations equations;
   equations.clear();
   addPosturePriors(pose, equations);
+  addArmsAtRest(pose, equations);
   addPrediction(pose, expected, 0.2, 0.05, equations);
   const auto energyAt = [&](const ContourPose& at) {
-    return postureEnergy(at) + predictionEnergy(at, expected, 0.2, 0.05);
+    return postureEnergy(at) + restEnergy(at) + predictionEnergy(at, expected, 0.2, 0.05);
   };
   for (int dof = 0; dof < kContourDof; ++dof) {
     const PoseStep step = 1e-5 * PoseStep::Unit(dof);
     const double difference = (energyAt(moved(pose, step)) - energyAt(moved(pose, -step))) / 2e-5;
     EXPECT_NEAR(equations.g[dof], difference, 1e-3 * (1 + std::abs(difference))) << dof;
   }
+}
+
+TEST_F(ContourFitterTest, AnArmThatNothingHoldsComesToHang) {
+  ContourPose pose;  // arms to the sides, elbows bent
+  pose.balls[ContourBall::kLeftShoulder] = rotationOf({1.5, 0, 0});
+  pose.balls[ContourBall::kRightShoulder] = rotationOf({-1.5, 0, 0});
+  pose.angles[ContourAngle::kLeftElbow] = pose.angles[ContourAngle::kRightElbow] = 1.5;
+  const auto heightOf = [&](Eigen::Index wrist) { return body.points(pose)(2, wrist); };
+  for (int i = 0; i < 30; ++i) {
+    PoseEquations posture;
+    posture.clear();
+    addPosturePriors(pose, posture);
+    addArmsAtRest(pose, posture);
+    posture.H.diagonal().array() += 1.0;
+    pose = moved(pose, -posture.H.ldlt().solve(posture.g).cwiseMax(-0.2).cwiseMin(0.2));
+  }
+  const double hanging = body.points(ContourPose())(2, 5);
+  EXPECT_NEAR(heightOf(5), hanging, 0.03);
+  EXPECT_NEAR(heightOf(8), hanging, 0.03);
+}
+
+TEST_F(ContourFitterTest, ARaisedArmIsPulledNoMoreThanOneThatHangsNearly) {
+  const auto pullAt = [&](double raised) {
+    ContourPose pose;
+    pose.balls[ContourBall::kLeftShoulder] = rotationOf({raised, 0, 0});
+    PoseEquations posture;
+    posture.clear();
+    addArmsAtRest(pose, posture);
+    return posture.g[dofOfBall(ContourBall::kLeftShoulder)];
+  };
+  EXPECT_GT(pullAt(0.6), 5.0);
+  EXPECT_LT(pullAt(1.5), 1.2 * pullAt(0.6));
+  EXPECT_LT(pullAt(2.2), 1.2 * pullAt(0.6));
 }
 
 TEST_F(ContourFitterTest, ContainmentPullsABodyBackInside) {
