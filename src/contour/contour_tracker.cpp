@@ -3,8 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "contour/limb_search.h"
+#include "contour/pose_priors.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,10 +37,32 @@ constexpr int64_t kBetweenLooks_ns = 500000000;
 
 constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
 
+// Contours hardly tell how far a trunk with hanging arms is turned against the pelvis, and it may
+// slide on and on. Beyond the first, radians, it is also fitted from where it is not turned, and
+// that pose is taken if it is better by the second.
+constexpr double kTwisted = 0.3, kUntwistedGain = 0.001;
+constexpr int64_t kBetweenUntwists_ns = 60000000;
+
 constexpr FitSchedule kRetry{10, 0.12, 0.03};
 
 bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
+}
+
+/// By how much the line through the shoulders is turned against the hips, radians to the left.
+double shoulderTurn(const ContourPose& pose) {
+  using A = ContourAngle;
+  return pose.angles[A::kSpineTwist] +
+         0.5 * (pose.angles[A::kRightClavicleYaw] - pose.angles[A::kLeftClavicleYaw]);
+}
+
+/// The pose with shoulders above the hips: arms as they were against the trunk, and hanging.
+std::vector<ContourPose> untwisted(const ContourPose& pose) {
+  ContourPose straight = pose;
+  for (const int angle :
+       {ContourAngle::kSpineTwist, ContourAngle::kLeftClavicleYaw, ContourAngle::kRightClavicleYaw})
+    straight.angles[size_t(angle)] = 0.0;
+  return {straight, withArmsAtRest(straight)};
 }
 
 }  // namespace
@@ -80,7 +104,7 @@ ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& s
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     if (fit.status == ContourFitStatus::kFitted)
       tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(limb), fit, fit.pose), std::nullopt,
-               fit);
+               kGain, fit);
   return startFrom(stamp_ns, fit);
 }
 
@@ -88,6 +112,7 @@ ContourTrack ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) 
   last_.reset();
   next_search_ns_ = stamp_ns;
   next_look_ns_ = stamp_ns + kBetweenLooks_ns;
+  next_untwist_ns_ = stamp_ns;
   return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
 }
 
@@ -108,7 +133,7 @@ std::vector<ContourPose> ContourTracker::placesOf(const ContourObservation& seen
 
 bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody& body,
                               const std::vector<ContourPose>& starts,
-                              const std::optional<ContourPrediction>& prediction,
+                              const std::optional<ContourPrediction>& prediction, double gain,
                               ContourFit& fit) const {
   std::vector<ContourFit> others(starts.size());
   tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
@@ -116,7 +141,7 @@ bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody&
   });
   bool better = false;
   for (const ContourFit& other : others) {
-    if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + kGain))
+    if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + gain))
       continue;
     fit = other;
     better = true;
@@ -127,12 +152,12 @@ bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody&
 bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& body,
                            const ContourPrediction& prediction, ContourFit& fit) const {
   const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  bool better = tryPoses(seen, body, {last_->pose}, loose, fit);
+  bool better = tryPoses(seen, body, {last_->pose}, loose, kGain, fit);
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
     if (better && !any(suspicious(fit))) break;
     if (suspicious(fit)[i])
       better |= tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(i), fit, prediction.pose),
-                         loose, fit);
+                         loose, kGain, fit);
   }
   return better;
 }
@@ -146,7 +171,14 @@ bool ContourTracker::lookForWeakest(const ContourObservation& seen, const Contou
     return false;
   const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
   return tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(weakest), fit, prediction.pose),
-                  loose, fit);
+                  loose, kGain, fit);
+}
+
+bool ContourTracker::untwist(const ContourObservation& seen, const ContourBody& body,
+                             const ContourPrediction& prediction, ContourFit& fit) const {
+  if (std::abs(shoulderTurn(fit.pose)) < kTwisted) return false;
+  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
+  return tryPoses(seen, body, untwisted(fit.pose), loose, kUntwistedGain, fit);
 }
 
 ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& seen,
@@ -172,6 +204,10 @@ ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& 
   if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_look_ns_) {
     next_look_ns_ = stamp_ns + kBetweenLooks_ns;
     if (lookForWeakest(seen, body, prediction, fit)) status = ContourTrackStatus::kRecovered;
+  }
+  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_untwist_ns_) {
+    next_untwist_ns_ = stamp_ns + kBetweenUntwists_ns;
+    if (untwist(seen, body, prediction, fit)) status = ContourTrackStatus::kRecovered;
   }
   return keep(stamp_ns, fit, status);
 }

@@ -131,6 +131,38 @@ TEST_F(ContourTrackerTest, AnArmLostFromTheStartOnIsLookedForNowAndThen) {
   EXPECT_GT(tracker.quality(), 0.9);
 }
 
+TEST_F(ContourTrackerTest, ATrunkThatTurnedAwayInsideTheSilhouettesComesBack) {
+  ContourPose hanging;
+  hanging.position = stride().position;
+  const ContourObservation seen = see(hanging);
+  ContourPose turned = hanging;
+  turned.angles[ContourAngle::kSpineTwist] = 1.1;
+  turned.angles[ContourAngle::kLeftClavicleYaw] = -0.6;
+  turned.angles[ContourAngle::kRightClavicleYaw] = 0.6;
+  const auto shoulders_off = [&](const ContourPose& pose) {
+    return (body.points(pose) - body.points(hanging)).col(kLeftWrist - 2).norm();
+  };
+  ASSERT_GT(shoulders_off(turned), 0.2);
+  ContourFit start = tracker.fitter().fit(seen, body, turned, std::nullopt, {1, 0.03, 0.03});
+  start.pose = turned;
+  ASSERT_EQ(tracker.startFrom(0, start).status, ContourTrackStatus::kTracked);
+  ContourTrack track;
+  for (int i = 1; i <= 4; ++i) track = tracker.update(i * kFrame_ns, seen, body);
+  EXPECT_LT(shoulders_off(track.fit.pose), 0.04);
+}
+
+TEST_F(ContourTrackerTest, ATrunkThatIsTwistedStaysSo) {
+  ContourPose twisted = at(0);  // arms away from the body
+  twisted.angles[ContourAngle::kSpineTwist] = 0.6;
+  const ContourObservation seen = see(twisted);
+  tracker.start(0, seen, body, twisted);
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrack track = tracker.update(i * kFrame_ns, seen, body);
+    EXPECT_EQ(track.status, ContourTrackStatus::kTracked) << i;
+    EXPECT_LT(jointDistance(body, track.fit.pose, body, twisted), 0.015) << i;
+  }
+}
+
 TEST_F(ContourTrackerTest, IsLostWithoutMasksAfterAGapAndWhenTimeGoesBack) {
   const ContourObservation seen = see(at(0));
   EXPECT_EQ(tracker.update(0, seen, body).status, ContourTrackStatus::kLost);

@@ -22,7 +22,8 @@ struct ContourTrack {
 
 /// Follows one body from instant to instant: predicts, fits, and when the body no longer covers the
 /// masks as it did, also tries the last pose and other places of the limbs that stick out or lack
-/// their rays, and keeps what covers the masks best. Not thread-safe.
+/// their rays, or the trunk without its twist, and keeps what covers the masks best. Not
+/// thread-safe.
 class ContourTracker {
  public:
   /// Throws std::invalid_argument if the options do.
@@ -65,17 +66,21 @@ class ContourTracker {
   // These replace `fit` by what is clearly better and say whether they did.
   bool tryPoses(const ContourObservation& seen, const ContourBody& body,
                 const std::vector<ContourPose>& starts,
-                const std::optional<ContourPrediction>& prediction, ContourFit& fit) const;
+                const std::optional<ContourPrediction>& prediction, double gain,
+                ContourFit& fit) const;
   bool retry(const ContourObservation& seen, const ContourBody& body,
              const ContourPrediction& prediction, ContourFit& fit) const;
+  bool lookForWeakest(const ContourObservation& seen, const ContourBody& body,
+                      const ContourPrediction& prediction, ContourFit& fit) const;
+  bool untwist(const ContourObservation& seen, const ContourBody& body,
+               const ContourPrediction& prediction, ContourFit& fit) const;
 
   CameraRig rig_;
   ContourFitter fitter_;
   std::optional<Past> last_;
-  int64_t next_search_ns_ = 0;  ///< suspicious limbs are not looked for again before
-  int64_t next_look_ns_ = 0;    ///< nor is the one that the least speaks for
-  bool lookForWeakest(const ContourObservation& seen, const ContourBody& body,
-                      const ContourPrediction& prediction, ContourFit& fit) const;
+  int64_t next_search_ns_ = 0;   ///< suspicious limbs are not looked for again before
+  int64_t next_look_ns_ = 0;     ///< nor is the one that the least speaks for
+  int64_t next_untwist_ns_ = 0;  ///< nor are shoulders laid over the hips
 };
 
 }  // namespace markerless_mocap
