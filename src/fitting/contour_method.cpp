@@ -20,6 +20,12 @@ SizePrior priorOf(const TrackerSources& sources, const TrackerOptions& options) 
   return {sources.people, options.skeleton.stature, options.stature_deviation};
 }
 
+/// A start is one proposal among several that contours refine: one search for it does.
+FittingOptions proposing(FittingOptions options) {
+  options.start_attempts = 1;
+  return options;
+}
+
 /// Whose limb a part is.
 ContourLimb::Id limbOf(int part) {
   constexpr ContourLimb::Id kLimbs[kPartCount] = {ContourLimb::kTrunk,   ContourLimb::kHead,
@@ -52,7 +58,7 @@ void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
   body_ = std::move(body);
   shape_.emplace(body_->sizes);
   conversion_.emplace(body_->model);
-  seeker_.emplace(body_->model, options_.skeleton);
+  seeker_.emplace(body_->model, proposing(options_.skeleton));
 }
 
 void ContourMethod::reset() {
