@@ -36,7 +36,8 @@ void visitSwarm(FittingOptions& o, OptionVisitor& v) {
   v.field("tune_iterations", o.tune_iterations, 1, 1000, "iterations when one part is tuned");
   v.field("spin_starts", o.spin_starts, 2, 16,
           "facing directions tried; two are the limbs' left and right, and the reverse");
-  v.field("start_attempts", o.start_attempts, 1, 50, "searches with other seeds at a start; contour takes one");
+  v.field("start_attempts", o.start_attempts, 1, 50,
+          "searches with other seeds at a start; contour takes one");
   v.field("refine_iterations", o.refine_iterations, 0, 100,
           "steps of the final refinement against curves and hull");
   v.field("surface_points", o.surface_points, 50, 100000,
