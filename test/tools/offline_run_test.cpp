@@ -21,8 +21,6 @@ constexpr int64_t kSecond = 1000000000;
 class OfflineRun : public ToolTest {
  protected:
   OfflineRun() {
-    // The tracker's files are the package's, which ROS finds by this.
-    setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
     options_.input = path("in.bag");
     options_.output = path("out.bag");
     options_.urdf_template = MOCAP_SOURCE_DIR "/urdf/human.urdf.in";

@@ -26,8 +26,6 @@ constexpr size_t kTurned = 2;  // camera
 class SelfCalibrationRun : public ToolTest {
  protected:
   SelfCalibrationRun() {
-    // The tracker's files are the package's, which ROS finds by this.
-    setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
     run_.input = path("film.bag");
     run_.output = path("out.bag");
     run_.recording.use_masks = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,7 @@
 
 namespace markerless_mocap {
 
-/// A folder of its own for each test, removed afterwards.
+/// A folder of its own for each test, removed afterwards, and the package's files where ROS looks.
 class ToolTest : public ::testing::Test {
  protected:
   ToolTest() {
@@ -25,6 +26,7 @@ class ToolTest : public ::testing::Test {
               (std::string("mocap_") + info->test_suite_name() + "_" + info->name() + "_" +
                std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
+    setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
   }
   ~ToolTest() override { std::filesystem::remove_all(folder_); }
 

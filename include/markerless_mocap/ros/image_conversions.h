@@ -12,11 +12,12 @@ namespace markerless_mocap {
 /// std::invalid_argument on another encoding or too little data. The result owns its pixels.
 cv::Mat matFromMessage(const sensor_msgs::Image& message);
 
-/// The same without a copy where pixels need no conversion: the result must not outlive the message.
+/// The same without a copy where pixels need no conversion: the result must not outlive the
+/// message.
 cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 
-/// As matFromMessage() from JPEG, PNG or whatever else OpenCV decodes. Throws std::invalid_argument if it
-/// cannot be decoded.
+/// As matFromMessage() from JPEG, PNG or whatever else OpenCV decodes. Throws std::invalid_argument
+/// if it cannot be decoded.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
 
 /// A mask (CV_8UC1, 0 | 255) from a message; every non-zero pixel becomes 255. Throws
