@@ -1,22 +1,46 @@
 #include "markerless_mocap/segmentation/node_grid.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace markerless_mocap {
 namespace {
 
-constexpr int kUnitCost = 3;     // a step to a face neighbour; 4 and 5 to an edge and a corner
-constexpr int kDearestStep = 5;  // buckets needed is one more
-constexpr int kUnreached = std::numeric_limits<int>::max() / 2;
-constexpr size_t kRow = 4;  // places compared at once
+constexpr int16_t kFace = 3;  // cost of a step to a face neighbour, one voxel
+constexpr int16_t kEdge = 4;
+constexpr int16_t kCorner = 5;
+constexpr int16_t kUnreached = 30000;  // longer ways do not count; no sum with a step overflows
 
-using Four = int __attribute__((vector_size(16), aligned(4)));
-using Halves = int64_t __attribute__((vector_size(16), aligned(4)));
+/// Costs of ways from eight sources, taken together.
+constexpr size_t kLanes = 8;
+using Lanes = int16_t __attribute__((vector_size(2 * kLanes)));
 
-bool any(const Four& truth) {
-  const auto halves = Halves(truth);
+Lanes lesser(const Lanes& a, const Lanes& b) {
+  return a < b ? a : b;
+}
+int16_t lesser(int16_t a, int16_t b) {
+  return std::min(a, b);
+}
+
+bool differ(const Lanes& a, const Lanes& b) {
+  using Halves = int64_t __attribute__((vector_size(2 * kLanes)));
+  const auto halves = Halves(a != b);
   return (halves[0] | halves[1]) != 0;
+}
+bool differ(int16_t a, int16_t b) {
+  return a != b;
+}
+
+/// As a set of cells is swept along the lattice, the 13 of a cell's 26 neighbours that come first.
+struct Earlier {
+  std::array<int64_t, 3> faces;
+  std::array<int64_t, 6> edges;
+  std::array<int64_t, 4> corners;
+};
+
+double lengthOf(int16_t cost) {
+  return cost >= kUnreached ? std::numeric_limits<double>::infinity() : double(cost) / kFace;
 }
 
 }  // namespace
@@ -34,81 +58,73 @@ NodeGrid::NodeGrid(const std::vector<Eigen::Vector3i>& cells) {
   place_of_.reserve(cells.size());
   for (size_t node = 0; node < cells.size(); ++node) {
     const Eigen::Vector3i at = cells[node] - low;
-    place_of_.push_back(offset(at.x() + 1, at.y() + 1, at.z() + 1));
+    const int64_t place = offset(at.x() + 1, at.y() + 1, at.z() + 1);
+    if (!place_of_.empty() && place <= place_of_.back())
+      throw std::invalid_argument("cells of a grid must ascend by z, then y, then x");
+    place_of_.push_back(place);
     node_at_[place_of_.back()] = int32_t(node);
   }
 }
 
+template <class Costs>
+void NodeGrid::sweep(const std::vector<uint32_t>& sources, std::vector<Costs>* costs) const {
+  const int64_t y = offset(0, 1, 0), z = offset(0, 0, 1);
+  const Earlier earlier{{-1, -y, -z},
+                        {-1 - y, 1 - y, -1 - z, 1 - z, -y - z, y - z},
+                        {-1 - y - z, 1 - y - z, -1 + y - z, 1 + y - z}};
+  Costs* const cost = costs->data() + 1;
+  const auto relax = [&](int64_t node, int64_t sense) {
+    const int32_t* const here = node_at_.data() + place_of_[node];
+    const auto least = [&](const auto& steps) {
+      Costs found = cost[here[sense * steps[0]]];
+      for (size_t i = 1; i < steps.size(); ++i) found = lesser(found, cost[here[sense * steps[i]]]);
+      return found;
+    };
+    const Costs way =
+        lesser(least(earlier.faces) + kFace,
+               lesser(least(earlier.edges) + kEdge, least(earlier.corners) + kCorner));
+    const Costs before = cost[node];
+    cost[node] = lesser(before, way);
+    return differ(cost[node], before);
+  };
+  const auto pass = [&](int64_t begin, int64_t sense) {
+    int64_t last_fallen = -1;
+    for (int64_t node = begin; node >= 0 && node < int64_t(place_of_.size()); node += sense)
+      if (relax(node, sense)) last_fallen = node;
+    return last_fallen;
+  };
+  const auto [first, last] = std::minmax_element(sources.begin(), sources.end());
+  int64_t turn = std::max(pass(*first, 1), int64_t(*last));
+  for (int64_t sense = -1; turn >= 0; sense = -sense) turn = pass(turn, sense);
+}
+
 std::vector<double> NodeGrid::geodesics(const std::vector<uint32_t>& sources) const {
-  std::vector<int> cost;
-  flow(sources, &cost);
-  return lengthsOf(cost);
+  std::vector<int16_t> cost(place_of_.size() + 1, kUnreached);
+  for (const uint32_t source : sources) cost[source + 1] = 0;
+  if (!sources.empty()) sweep(sources, &cost);
+  std::vector<double> voxels;
+  voxels.reserve(place_of_.size());
+  for (size_t node = 0; node < place_of_.size(); ++node) voxels.push_back(lengthOf(cost[node + 1]));
+  return voxels;
 }
 
 std::vector<std::vector<double>> NodeGrid::geodesicsOfEach(
     const std::vector<uint32_t>& sources) const {
-  std::vector<int> cost;  // a box large enough that to clear it each time would show
   std::vector<std::vector<double>> ways;
-  for (const uint32_t source : sources) {
-    flow({source}, &cost);
-    ways.push_back(lengthsOf(cost));
+  std::vector<Lanes> cost;
+  for (size_t done = 0; done < sources.size(); done += kLanes) {
+    const size_t end = std::min(done + kLanes, sources.size());
+    cost.assign(place_of_.size() + 1, Lanes{} + kUnreached);
+    for (size_t i = done; i < end; ++i) cost[sources[i] + 1][i - done] = 0;
+    sweep({sources.begin() + long(done), sources.begin() + long(end)}, &cost);
+    for (size_t lane = 0; lane < end - done; ++lane) {
+      std::vector<double>& voxels = ways.emplace_back();
+      voxels.reserve(place_of_.size());
+      for (size_t node = 0; node < place_of_.size(); ++node)
+        voxels.push_back(lengthOf(cost[node + 1][lane]));
+    }
   }
   return ways;
-}
-
-void NodeGrid::flow(const std::vector<uint32_t>& sources, std::vector<int>* costs) const {
-  // Costs stand in the box itself, 0 outside the set: no way is ever shorter there. A row of three
-  // neighbours is compared at once, with a fourth that is no neighbour and never improves.
-  std::vector<int>& cost = *costs;
-  cost.resize(node_at_.size() + kRow, 0);
-  for (const int64_t place : place_of_) cost[place] = kUnreached;
-  struct Step {
-    int64_t offset;
-    Four costs;
-  };
-  std::array<Step, 9> rows{};
-  for (int row = 0; row < 9; ++row) {
-    const int dj = row % 3 - 1;
-    const int dk = row / 3 - 1;
-    const int side = kUnitCost + std::abs(dj) + std::abs(dk);
-    rows[row].offset = offset(-1, dj, dk);
-    rows[row].costs = Four{side, side - 1, side, kUnreached};
-  }
-  std::array<std::vector<int64_t>, kDearestStep + 1> buckets;
-  for (const uint32_t source : sources) {
-    cost[place_of_[source]] = 0;
-    buckets[0].push_back(place_of_[source]);
-  }
-  int idle = 0;
-  for (int now = 0; idle <= kDearestStep; ++now) {
-    std::vector<int64_t>& bucket = buckets[now % buckets.size()];
-    idle = bucket.empty() ? idle + 1 : 0;
-    for (const int64_t place : bucket) {
-      if (cost[place] != now) continue;
-      for (const Step& step : rows) {
-        int* row = cost.data() + place + step.offset;
-        const Four old = *reinterpret_cast<const Four*>(row);
-        const Four better = old > step.costs + now;
-        if (!any(better)) continue;
-        for (int i = 0; i < 3; ++i) {
-          if (better[i] == 0) continue;
-          row[i] = now + step.costs[i];
-          buckets[row[i] % buckets.size()].push_back(place + step.offset + i);
-        }
-      }
-    }
-    bucket.clear();
-  }
-}
-
-std::vector<double> NodeGrid::lengthsOf(const std::vector<int>& cost) const {
-  std::vector<double> voxels(place_of_.size());
-  for (size_t node = 0; node < place_of_.size(); ++node) {
-    const int reached = cost[place_of_[node]];
-    voxels[node] = reached == kUnreached ? std::numeric_limits<double>::infinity()
-                                         : double(reached) / kUnitCost;
-  }
-  return voxels;
 }
 
 }  // namespace markerless_mocap

@@ -151,25 +151,5 @@ TEST(VoxelGraph, DoesNotDependOnTheOrderOfVoxels) {
   EXPECT_EQ(reversed.hull_voxel.front(), 26u);
 }
 
-TEST(NodeGrid, MeasuresWaysAroundCorners) {
-  // An L: four to the right, then three up.
-  const NodeGrid grid(
-      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 0, 1}, {3, 0, 2}, {9, 9, 9}});
-  const std::vector<double> way = grid.geodesics({0});
-  EXPECT_DOUBLE_EQ(way[3], 3.0);
-  EXPECT_DOUBLE_EQ(way[4], 2.0 + 4.0 / 3.0);  // cuts the corner by one diagonal step
-  EXPECT_DOUBLE_EQ(way[5], 3.0 + 4.0 / 3.0);
-  EXPECT_TRUE(std::isinf(way[6]));
-}
-
-TEST(NodeGrid, MeasuresWaysFromEachSourceByItself) {
-  const NodeGrid grid({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}, {9, 9, 10}});
-  const auto ways = grid.geodesicsOfEach({0, 2, 4});
-  ASSERT_EQ(ways.size(), 3u);
-  EXPECT_EQ(ways[0], grid.geodesics({0}));
-  EXPECT_EQ(ways[1], grid.geodesics({2}));
-  EXPECT_EQ(ways[2], grid.geodesics({4}));
-}
-
 }  // namespace
 }  // namespace markerless_mocap

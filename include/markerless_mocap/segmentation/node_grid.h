@@ -10,7 +10,8 @@ namespace markerless_mocap {
 /// Finds voxels by their place: a dense box around a set of cells, with an empty border.
 class NodeGrid {
  public:
-  /// \param cells distinct lattice coordinates (i, j, k); cell n becomes node n
+  /// \param cells distinct lattice coordinates (i, j, k), ascending by k, then j, then i; cell n
+  ///        becomes node n. Throws std::invalid_argument where they do not ascend.
   explicit NodeGrid(const std::vector<Eigen::Vector3i>& cells);
 
   /// Node at a step of -1, 0 or 1 along each axis from `node`, or -1.
@@ -26,11 +27,13 @@ class NodeGrid {
   std::vector<std::vector<double>> geodesicsOfEach(const std::vector<uint32_t>& sources) const;
 
  private:
-  /// Shortest ways by three to the voxel, for each place of the box; outside the set none is longer
-  /// than 0.
-  /// \param cost of an earlier call, or empty
-  void flow(const std::vector<uint32_t>& sources, std::vector<int>* cost) const;
-  std::vector<double> lengthsOf(const std::vector<int>& cost) const;
+  /// Relaxes costs of ways along the lattice and against it in turn until none falls any more: a
+  /// sequential chamfer distance (Rosenfeld and Pfaltz 1966), repeated for ways that turn.
+  /// \param sources not empty
+  /// \param costs at 1 + node those of the node, three to the voxel, 0 at sources; the first stands
+  ///        for all places outside the set and is never reached
+  template <class Costs>
+  void sweep(const std::vector<uint32_t>& sources, std::vector<Costs>* costs) const;
   int64_t offset(int di, int dj, int dk) const {
     return di + int64_t(size_[0]) * (dj + int64_t(size_[1]) * dk);
   }
