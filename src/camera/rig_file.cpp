@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -233,6 +234,25 @@ std::vector<CameraCalibration> readRig(const std::string& path) {
   text << file.rdbuf();
   if (!file) throw std::runtime_error("cannot read the rig " + path);
   return rigFromText(text.str(), path);
+}
+
+std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& names,
+                                            const std::vector<CameraCalibration>& rig,
+                                            const std::string& where) {
+  std::vector<CameraCalibration> chosen;
+  std::string lacking, known;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(rig.begin(), rig.end(), [&](const CameraCalibration& camera) {
+      return camera.name == name;
+    });
+    if (found != rig.end())
+      chosen.push_back(*found);
+    else
+      lacking += (lacking.empty() ? "" : ", ") + name;
+  }
+  for (const CameraCalibration& camera : rig) known += (known.empty() ? "" : ", ") + camera.name;
+  if (!lacking.empty()) refuse(where, "the rig lacks " + lacking + ", its cameras are " + known);
+  return chosen;
 }
 
 }  // namespace markerless_mocap

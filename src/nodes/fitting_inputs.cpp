@@ -35,7 +35,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       status_(status),
       sink_(std::move(sink)),
       tf_listener_(tf_),
-      collector_(options.cameras, options.world_frame),
+      collector_(options.cameras, options.world_frame, options.rig_file),
       assembler_(needs.masks ? 4 : 3, joinOptions(needs)),
       masks_(options.cameras.size(), kMostViews),
       images_(options.cameras.size(), kMostViews) {
@@ -80,10 +80,11 @@ void FittingInputs::listenToStages() {
 
 void FittingInputs::listenToCamera(size_t camera) {
   const std::string& name = options_.cameras[camera];
-  listen<sensor_msgs::CameraInfo>(name + "/camera_info", kQueue,
-                                  [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
-                                    if (collector_.add(camera, *info)) rig_.reset();
-                                  });
+  if (!collector_.isFromFile())
+    listen<sensor_msgs::CameraInfo>(name + "/camera_info", kQueue,
+                                    [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
+                                      if (collector_.add(camera, *info)) rig_.reset();
+                                    });
   listen<sensor_msgs::Image>(name + "/silhouette", kQueue,
                              [this, camera](const sensor_msgs::ImageConstPtr& mask) {
                                masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);

@@ -1,5 +1,7 @@
 #include "nodes/hull_stage.h"
 
+#include <ros/console.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -43,7 +45,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
     : options_(options),
       node_options_(node_options),
       tf_listener_(tf_),
-      rig_(node_options.cameras, node_options.world_frame),
+      rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options)),
       images_(node_options.cameras.size()),
       silent_(node_options.cameras.size(), true),
@@ -54,16 +56,19 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
   silence_timer_ = handle.createWallTimer(
       ros::WallDuration(5.0),
       gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
+  if (!rig_.remark().empty()) ROS_WARN_STREAM("visual hull: " << rig_.remark());
+  if (rig_.isFromFile()) prepareBeforehand(ros::Time());
   subscribe(handle);
 }
 
 void HullStage::subscribe(ros::NodeHandle& handle) {
   for (size_t i = 0; i < node_options_.cameras.size(); ++i) {
     const std::string& camera = node_options_.cameras[i];
-    subscribers_.push_back(handle.subscribe<sensor_msgs::CameraInfo>(
-        camera + "/camera_info", kQueue,
-        gate_.guarded(
-            [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); })));
+    if (!rig_.isFromFile())
+      subscribers_.push_back(handle.subscribe<sensor_msgs::CameraInfo>(
+          camera + "/camera_info", kQueue,
+          gate_.guarded(
+              [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); })));
     if (node_options_.color)
       subscribers_.push_back(subscribeImages(
           handle, camera, node_options_.image_transport, kQueue,

@@ -9,6 +9,8 @@ namespace {
 
 constexpr const char* kCamerasMeaning =
     "names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette";
+constexpr const char* kRigMeaning =
+    "rig file that calibrates the cameras in place of camera_info and tf; empty: none";
 constexpr const char* kTransportMeaning =
     "raw reads c/image_raw, compressed reads c/image_raw/compressed";
 constexpr const char* kBodyMeaning = "suffix of the body's frames, joints and topics";
@@ -61,6 +63,7 @@ void SilhouetteNodeOptions::validate() const {
 void HullNodeOptions::visit(OptionVisitor& v) {
   v.field("cameras", cameras, kCamerasMeaning);
   v.field("world_frame", world_frame, {}, "frame of the hull; tf connects the cameras to it");
+  v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("color", color, "whether the voxels are coloured from the images");
   v.field("min_cameras", min_cameras, 0, 32,
@@ -91,6 +94,7 @@ size_t HullNodeOptions::fewestCameras() const {
 void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("cameras", cameras, kCamerasMeaning);
   v.field("world_frame", world_frame, {}, "frame of the hulls; tf connects the cameras to it");
+  v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
           "a silhouette whose stamp is this close to a hull's belongs to it, s; as that of "

@@ -1,7 +1,9 @@
 #include "markerless_mocap/ros/rig_collector.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 
 namespace markerless_mocap {
@@ -14,10 +16,22 @@ bool sameCalibration(const sensor_msgs::CameraInfo& a, const sensor_msgs::Camera
 
 }  // namespace
 
-RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_frame)
-    : cameras_(std::move(cameras)), world_frame_(std::move(world_frame)), infos_(cameras_.size()) {}
+RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_frame,
+                           const std::string& rig_file)
+    : cameras_(std::move(cameras)), world_frame_(std::move(world_frame)), infos_(cameras_.size()) {
+  if (rig_file.empty()) return;
+  const std::vector<CameraCalibration> rig = readRig(rig_file);
+  const std::vector<CameraCalibration> wanted = camerasNamed(cameras_, rig, rig_file);
+  file_.emplace(wanted.begin(), wanted.end());
+  std::string spare;
+  for (const CameraCalibration& camera : rig)
+    if (std::find(cameras_.begin(), cameras_.end(), camera.name) == cameras_.end())
+      spare += (spare.empty() ? "" : ", ") + camera.name;
+  if (!spare.empty()) remark_ = rig_file + " also has " + spare + ", which nobody asks for";
+}
 
 bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
+  if (file_) return false;
   std::optional<sensor_msgs::CameraInfo>& known = infos_.at(camera);
   if (known && sameCalibration(*known, info)) return false;
   known = info;
@@ -25,6 +39,7 @@ bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
 }
 
 std::string RigCollector::missing(const tf2::BufferCore& tf) const {
+  if (file_) return "";
   std::string without_info;
   for (size_t i = 0; i < cameras_.size(); ++i)
     if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
@@ -39,6 +54,7 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
 }
 
 CameraRig RigCollector::rig(const tf2::BufferCore& tf) const {
+  if (file_) return *file_;
   const std::string reason = missing(tf);
   if (!reason.empty()) throw std::invalid_argument(reason);
   CameraRig rig;

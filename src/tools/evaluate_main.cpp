@@ -30,6 +30,8 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--skip", request.skip, "leave out this many seconds of the truth's begin")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--id", request.body_id, "id of the body if the results have several");
+  app.add_option("--rig", request.rig,
+                 "rig file that the run was given: body and hull are drawn with its cameras");
   app.add_option("--config", request.config,
                  "configuration of the run: the true hull is carved by its rules");
   app.add_flag("--no-images", arguments->no_images, "do not judge silhouettes and hull");

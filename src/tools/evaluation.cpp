@@ -168,9 +168,10 @@ void judgeImages(const ResultRecord& results, int64_t tolerance_ns,
                  const std::function<void(double)>& progress, Evaluation* out) {
   std::optional<ImageJudge> judge;
   try {
-    judge.emplace(out->request.truth, out->request.results, results, imageInstants(*out),
-                  tolerance_ns);
+    judge.emplace(out->request.truth, out->request.rig, out->request.results, results,
+                  imageInstants(*out), tolerance_ns);
   } catch (const std::exception& error) {  // joints can be judged without cameras
+    if (!out->request.rig.empty()) throw;
     out->notes.push_back(std::string("Silhouettes and hull are not judged: ") + error.what() + ".");
     return;
   }

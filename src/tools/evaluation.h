@@ -24,6 +24,7 @@ struct EvaluationRequest {
   std::string results, truth;  ///< bags
   std::string body_id;         ///< empty: the only one
   double skip = 0.0;           ///< seconds of the truth to leave out at its begin
+  std::string rig;             ///< file that calibrated the run's cameras; empty: the truth's bag
   std::string config;          ///< of the run, for the hull's rules; empty: defaults
   bool images = true;          ///< judge silhouettes and hull
   bool pictures = false;       ///< make overlays

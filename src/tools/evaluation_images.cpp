@@ -28,8 +28,9 @@ std::vector<std::string> topicsOf(const CameraRig& rig, const std::string& befor
   return topics;
 }
 
-RecordingOptions inWorld(const std::string& world_frame) {
+RecordingOptions inWorld(const std::string& world_frame, const std::string& rig) {
   RecordingOptions options;
+  options.rig = rig;
   if (!world_frame.empty()) options.world_frame = world_frame;
   return options;
 }
@@ -76,7 +77,7 @@ double meanOf(const std::vector<double>& values) {
 
 }  // namespace
 
-ImageJudge::ImageJudge(const std::string& truth, const std::string& results,
+ImageJudge::ImageJudge(const std::string& truth, const std::string& rig, const std::string& results,
                        const ResultRecord& record, std::vector<int64_t> stamps_ns,
                        int64_t tolerance_ns)
     : truth_(truth),
@@ -84,7 +85,7 @@ ImageJudge::ImageJudge(const std::string& truth, const std::string& results,
       record_(record),
       stamps_ns_(std::move(stamps_ns)),
       tolerance_ns_(tolerance_ns),
-      recording_(truth, inWorld(record.world_frame)),
+      recording_(truth, inWorld(record.world_frame, rig)),
       true_masks_(truth, topicsOf(recording_.rig(), "/ground_truth"), stamps_ns_, tolerance_ns),
       found_masks_(results, topicsOf(recording_.rig(), ""), stamps_ns_, tolerance_ns) {}
 

@@ -40,9 +40,10 @@ class ImageJudge {
  public:
   /// Reads the masks of both bags at the instants. Throws as Recording when the truth has no
   /// cameras.
+  /// \param rig file that calibrates the cameras; empty: the truth's bag does
   /// \param stamps_ns instants, ascending \param tolerance_ns how far another stamp may lie
-  ImageJudge(const std::string& truth, const std::string& results, const ResultRecord& record,
-             std::vector<int64_t> stamps_ns, int64_t tolerance_ns);
+  ImageJudge(const std::string& truth, const std::string& rig, const std::string& results,
+             const ResultRecord& record, std::vector<int64_t> stamps_ns, int64_t tolerance_ns);
 
   bool hasTrueMasks() const { return !true_masks_.empty(); }
   /// \param rules of the hull stage; its lattice is taken from the results

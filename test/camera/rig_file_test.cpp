@@ -119,6 +119,19 @@ TEST(RigFileTest, valuesThatAreNoCameraAreNamed) {
   EXPECT_EQ(sentenceFor("cameras: [").rfind("rig.yaml: this is no YAML: ", 0), 0u);
 }
 
+TEST(RigFileTest, camerasAreChosenByNameAndLackingOnesNamed) {
+  auto rig = twoCameras();
+  rig[0].name = "cam0";
+  const auto chosen = camerasNamed({"cam1", "cam0"}, rig, "rig.yaml");
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(chosen[0].name, "cam1");
+  EXPECT_EQ(chosen[1].K, rig[0].K);
+  EXPECT_EQ(sentenceOf([&] {
+              camerasNamed({"cam2", "cam1", "left"}, rig, "rig.yaml");
+            }),
+            "rig.yaml: the rig lacks cam2, left, its cameras are cam0, cam1");
+}
+
 TEST(RigFileTest, filesAreWrittenAndRead) {
   const auto path =
       std::filesystem::temp_directory_path() / ("mocap_rig_" + std::to_string(getpid()) + ".yaml");

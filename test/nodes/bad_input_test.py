@@ -7,6 +7,7 @@ import unittest
 import rospy
 import rostest
 import tf2_ros
+from bad_parameters_test import rig_text
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
 from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
@@ -18,72 +19,6 @@ SIZE = (64, 48)
 def start(node, *arguments):
     return subprocess.Popen(['rosrun', 'markerless_mocap', node, '__name:=' + node, *arguments],
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-
-
-def refusal(node, *arguments):
-    """Exit code and output of a node that must end by itself."""
-    process = start(node, *arguments)
-    output, _ = process.communicate(timeout=30)
-    return process.returncode, output
-
-
-class Refusals(unittest.TestCase):
-    def expect(self, sentence, node, *arguments, **parameters):
-        for key, value in parameters.items():
-            rospy.set_param('/%s/%s' % (node, key), value)
-        code, output = refusal(node, *arguments)
-        if rospy.has_param('/' + node):
-            rospy.delete_param('/' + node)
-        self.assertEqual(1, code, output)
-        self.assertIn(sentence, output)
-
-    def test_no_cameras(self):
-        self.expect('visual_hull/cameras lists 0 cameras, allowed is 2 to 32', 'visual_hull')
-        self.expect('silhouette/cameras lists 0 cameras, allowed is 1 to 32', 'silhouette')
-
-    def test_typo(self):
-        self.expect('/visual_hull/pich is not an option (value 0.02), did you mean pitch?',
-                    'visual_hull', cameras=['a', 'b'], pich=0.02)
-
-    def test_value_out_of_range(self):
-        self.expect('/body_segmentation/highest_cost is 100, allowed is', 'body_segmentation',
-                    highest_cost=100.0)
-
-    def test_pose_tree_out_of_range(self):
-        self.expect('/pose_tree/prune_ratio is 0.9, allowed is', 'pose_tree', prune_ratio=0.9)
-
-    def test_wrong_type(self):
-        self.expect('/silhouette/background_frames is many, allowed is a whole number',
-                    'silhouette', cameras=['a'], background_frames='many')
-
-    def test_camera_twice(self):
-        self.expect('visual_hull/cameras holds "a"', 'visual_hull', cameras=['a', 'a'])
-
-    def test_silhouettes_without_cameras(self):
-        self.expect('pose_fitting/cameras lists 0 cameras, allowed is 2 to 32', 'pose_fitting')
-
-    def test_unknown_method(self):
-        self.expect('/pose_fitting/method is "magic", allowed is one of contour, skeleton', 'pose_fitting', cameras=['a', 'b'],
-                    method='magic')
-
-    def test_unreadable_urdf_template(self):
-        self.expect('cannot read /no/such/file', 'pose_fitting', cameras=['a', 'b'],
-                    urdf_template='/no/such/file')
-
-    def expect_of_file(self, sentence, option, text):
-        with tempfile.NamedTemporaryFile('w') as file:
-            file.write(text)
-            file.flush()
-            self.expect(sentence, 'pose_fitting', cameras=['a', 'b'], **{option: file.name})
-
-    def test_urdf_that_is_none(self):
-        self.expect_of_file('URDF', 'urdf_template', 'no xml')
-
-    def test_urdf_without_the_links(self):
-        self.expect_of_file('URDF', 'urdf_template', '<robot name="r"><link name="base"/></robot>')
-
-    def test_body_file_that_is_none(self):
-        self.expect_of_file('lacks the size torso', 'body_file', 'height: 1.8')
 
 
 class Diagnosed(unittest.TestCase):
@@ -210,6 +145,22 @@ class Hull(HullNode):
 
     def test_full_masks(self):
         self.expect('is full', [info('a_optical'), info('b_optical')], value=255)
+
+
+class HullWithRigFile(HullNode):
+    def setUp(self):
+        file = tempfile.NamedTemporaryFile('w')
+        self.addCleanup(file.close)
+        file.write(rig_text('bca'))
+        file.flush()
+        rospy.set_param('/visual_hull/rig_file', file.name)
+        super().setUp()
+
+    def test_neither_camera_info_nor_tf_is_asked_for(self):
+        self.expect('is full', [], value=255)
+
+    def test_camera_info_that_says_otherwise_changes_nothing(self):
+        self.expect('is full', [info('nowhere', focal=0.0), info('', size=(32, 24))], value=255)
 
 
 class TreeOfEmptyMasks(HullNode):

@@ -1,9 +1,12 @@
 #include "markerless_mocap/ros/rig_collector.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <stdexcept>
 
+#include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "ros/sample_camera.h"
 #include "sentence_of.h"
@@ -60,6 +63,45 @@ TEST(RigCollector, GivesTheRigInTheOrderOfTheNames) {
   EXPECT_EQ(rig[0].name(), "a");
   EXPECT_EQ(rig[1].name(), "b");
   EXPECT_TRUE(rig[0].position().isApprox(Eigen::Vector3d(1.0, 2.0, 3.0), 1e-12));
+}
+
+class RigFromFile : public ::testing::Test {
+ protected:
+  RigFromFile() {
+    std::vector<CameraCalibration> rig(3, sampleCalibration());
+    for (size_t i = 0; i < 3; ++i) rig[i].name = std::string(1, char('a' + i));
+    rig[1].T_world_camera.translation().z() = 7.0;
+    writeRig(file_, rig);
+  }
+  ~RigFromFile() override { std::remove(file_.c_str()); }
+
+  const std::string file_ = ::testing::TempDir() + "rig_" + std::to_string(getpid()) + ".yaml";
+};
+
+TEST_F(RigFromFile, StandsForCameraInfoAndTfEvenIfThoseSayOtherwise) {
+  RigCollector collector({"b", "a"}, "world", file_);
+  EXPECT_TRUE(collector.isFromFile());
+  EXPECT_EQ(collector.missing(tf2::BufferCore()), "");
+  EXPECT_FALSE(collector.add(0, infoIn("b_optical")));
+  tf2::BufferCore tf;
+  place(tf, "b_optical");
+  const CameraRig rig = collector.rig(tf);
+  ASSERT_EQ(rig.size(), 2u);
+  EXPECT_EQ(rig[0].name(), "b");
+  EXPECT_EQ(rig[0].position(), Eigen::Vector3d(1.0, 2.0, 7.0));
+  EXPECT_EQ(rig[1].name(), "a");
+}
+
+TEST_F(RigFromFile, CamerasThatAreLackingOrLeftOverAreNamed) {
+  EXPECT_EQ(sentenceOf([&] {
+              RigCollector({"a", "left", "d"}, "world", file_);
+            }),
+            file_ + ": the rig lacks left, d, its cameras are a, b, c");
+  EXPECT_EQ(RigCollector({"b"}, "world", file_).remark(),
+            file_ + " also has a, c, which nobody asks for");
+  EXPECT_EQ(RigCollector({"c", "b", "a"}, "world", file_).remark(), "");
+  EXPECT_EQ(sentenceOf<std::runtime_error>([] { RigCollector({"a"}, "world", "/no/such/file"); }),
+            "cannot read the rig /no/such/file");
 }
 
 TEST(RigCollector, TellsNewsFromRepetition) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "markerless_mocap/camera/rig_file.h"
+#include "sentence_of.h"
 #include "tools/evaluation_fixture.h"
 #include "tools/evaluation_json.h"
 #include "tools/evaluation_page.h"
@@ -47,6 +49,26 @@ TEST_F(EvaluationTest, SilhouettesBodyAndHullOfTheTruthOverlapWholly) {
   }
   EXPECT_EQ(images.hull_iou.count, size_t(kFrames));
   EXPECT_EQ(images.hull_iou.mean, 1.0);
+}
+
+// The run that is judged took a rig that had been moved along with all that stands on it.
+TEST_F(EvaluationTest, TheBodyIsDrawnWithTheRigOfTheRun) {
+  writeTruth();
+  std::vector<CameraCalibration> moved;
+  for (const Camera& camera : rig_) {
+    moved.push_back(camera.calibration());
+    moved.back().T_world_camera.translation().z() += 0.1;
+  }
+  rig_.clear();
+  for (const CameraCalibration& camera : moved) rig_.emplace_back(camera);
+  writeResults([](int, BodyPose* pose) { pose->T_world_body.translation().z() += 0.1; });
+  EXPECT_LT(meanOfMeans(judged().images.body_iou), 0.9);
+  request_.rig = path("rig.yaml");
+  writeRig(request_.rig, moved);
+  EXPECT_EQ(meanOfMeans(judged().images.body_iou), 1.0);
+  request_.rig = path("no_rig.yaml");
+  EXPECT_EQ(sentenceOf<std::runtime_error>([&] { judged(); }),
+            "cannot read the rig " + request_.rig);
 }
 
 TEST_F(EvaluationTest, AShiftComesBackAndCostsOverlapOfTheBodyOnly) {

@@ -25,4 +25,10 @@ std::vector<CameraCalibration> rigFromText(const std::string& text, const std::s
 void writeRig(const std::string& path, const std::vector<CameraCalibration>& rig);
 std::vector<CameraCalibration> readRig(const std::string& path);
 
+/// The cameras of these names, in that order. Throws std::invalid_argument with one sentence that
+/// names all that the rig lacks and those it has.
+std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& names,
+                                            const std::vector<CameraCalibration>& rig,
+                                            const std::string& where);
+
 }  // namespace markerless_mocap

@@ -24,6 +24,7 @@ struct HullNodeOptions {
   static constexpr const char* kStage = "visual_hull";
   std::vector<std::string> cameras;
   std::string world_frame = "world";
+  std::string rig_file;
   std::string image_transport = "raw";
   bool color = true;
   int min_cameras = 0;
@@ -41,6 +42,7 @@ struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
   std::vector<std::string> cameras;
   std::string world_frame = "world";
+  std::string rig_file;
   std::string image_transport = "raw";
   double stamp_tolerance = 0.005;
   std::string body_id = "person1";

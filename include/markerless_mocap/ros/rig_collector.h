@@ -11,15 +11,23 @@
 
 namespace markerless_mocap {
 
-/// Gathers what the cameras say about themselves until the rig is known.
+/// Gathers what the cameras say about themselves until the rig is known, or takes it from a file,
+/// which then stands for all that they say.
 class RigCollector {
  public:
   /// \param cameras names, in the order of the rig
   /// \param world_frame frame that the rig is given in
-  RigCollector(std::vector<std::string> cameras, std::string world_frame);
+  /// \param rig_file in place of camera_info and tf; empty: none
+  /// Throws as readRig() and camerasNamed() do.
+  RigCollector(std::vector<std::string> cameras, std::string world_frame,
+               const std::string& rig_file = "");
 
   const std::vector<std::string>& cameras() const { return cameras_; }
-  /// Keeps the message; returns whether it says anything new.
+  /// Whether the rig comes from a file: nobody needs to listen to camera_info.
+  bool isFromFile() const { return file_.has_value(); }
+  /// One sentence on cameras of the file that are not among those wanted; empty: there are none.
+  const std::string& remark() const { return remark_; }
+  /// Keeps the message; returns whether it says anything new about the rig.
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }
 
@@ -34,6 +42,8 @@ class RigCollector {
   std::vector<std::string> cameras_;
   std::string world_frame_;
   std::vector<std::optional<sensor_msgs::CameraInfo>> infos_;
+  std::optional<CameraRig> file_;  ///< the rig if it is a file's
+  std::string remark_;
 };
 
 }  // namespace markerless_mocap

@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+"""Each bad parameter gets its sentence, and the node ends with exit code 1."""
+import subprocess
+import tempfile
+import unittest
+
+import rospy
+import rostest
+
+
+def refusal(node, *arguments):
+    """Exit code and output of a node that must end by itself."""
+    done = subprocess.run(['rosrun', 'markerless_mocap', node, '__name:=' + node, *arguments],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=30)
+    return done.returncode, done.stdout
+
+
+def rig_text(names):
+    """A rig file of such cameras."""
+    camera = ('- {name: %s, size: [64, 48], fx: 50, fy: 50, cx: 32, cy: 24, distortion: [],\n'
+              '   position: [%g, -3, 1], orientation: [-0.70711, 0, 0, 0.70711]}\n')
+    return 'cameras:\n' + ''.join(camera % (name, 0.5 * i) for i, name in enumerate(names))
+
+
+class Refusals(unittest.TestCase):
+    def expect(self, sentence, node, *arguments, **parameters):
+        for key, value in parameters.items():
+            rospy.set_param('/%s/%s' % (node, key), value)
+        code, output = refusal(node, *arguments)
+        if rospy.has_param('/' + node):
+            rospy.delete_param('/' + node)
+        self.assertEqual(1, code, output)
+        self.assertIn(sentence, output)
+
+    def test_no_cameras(self):
+        self.expect('visual_hull/cameras lists 0 cameras, allowed is 2 to 32', 'visual_hull')
+        self.expect('silhouette/cameras lists 0 cameras, allowed is 1 to 32', 'silhouette')
+
+    def test_typo(self):
+        self.expect('/visual_hull/pich is not an option (value 0.02), did you mean pitch?',
+                    'visual_hull', cameras=['a', 'b'], pich=0.02)
+
+    def test_value_out_of_range(self):
+        self.expect('/body_segmentation/highest_cost is 100, allowed is', 'body_segmentation',
+                    highest_cost=100.0)
+
+    def test_pose_tree_out_of_range(self):
+        self.expect('/pose_tree/prune_ratio is 0.9, allowed is', 'pose_tree', prune_ratio=0.9)
+
+    def test_wrong_type(self):
+        self.expect('/silhouette/background_frames is many, allowed is a whole number',
+                    'silhouette', cameras=['a'], background_frames='many')
+
+    def test_camera_twice(self):
+        self.expect('visual_hull/cameras holds "a"', 'visual_hull', cameras=['a', 'a'])
+
+    def test_silhouettes_without_cameras(self):
+        self.expect('pose_fitting/cameras lists 0 cameras, allowed is 2 to 32', 'pose_fitting')
+
+    def test_rig_file_that_is_none(self):
+        for node in ('visual_hull', 'pose_fitting'):
+            self.expect('cannot read the rig /no/such/file', node, cameras=['a', 'b'],
+                        rig_file='/no/such/file')
+            self.expect_of_file("key 'camera' is unknown, allowed are cameras", 'rig_file',
+                                'camera: 3', node)
+
+    def test_cameras_that_the_rig_file_lacks(self):
+        for node in ('visual_hull', 'pose_fitting'):
+            self.expect_of_file('the rig lacks b, its cameras are a, c', 'rig_file',
+                                rig_text('ac'), node)
+
+    def test_unknown_method(self):
+        self.expect('/pose_fitting/method is "magic", allowed is one of contour, skeleton', 'pose_fitting', cameras=['a', 'b'],
+                    method='magic')
+
+    def test_unreadable_urdf_template(self):
+        self.expect('cannot read /no/such/file', 'pose_fitting', cameras=['a', 'b'],
+                    urdf_template='/no/such/file')
+
+    def expect_of_file(self, sentence, option, text, node='pose_fitting'):
+        with tempfile.NamedTemporaryFile('w') as file:
+            file.write(text)
+            file.flush()
+            self.expect(sentence, node, cameras=['a', 'b'], **{option: file.name})
+
+    def test_urdf_that_is_none(self):
+        self.expect_of_file('URDF', 'urdf_template', 'no xml')
+
+    def test_urdf_without_the_links(self):
+        self.expect_of_file('URDF', 'urdf_template', '<robot name="r"><link name="base"/></robot>')
+
+    def test_body_file_that_is_none(self):
+        self.expect_of_file('lacks the size torso', 'body_file', 'height: 1.8')
+
+
+if __name__ == '__main__':
+    rospy.init_node('bad_parameters_test')
+    rostest.rosrun('markerless_mocap', 'bad_parameters', Refusals)
