@@ -9,6 +9,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kCurveWidth = 0.03;  // metres on the screen
+constexpr double kDimmed = 0.35;      // of the colour of a part that is carried over
 
 uint8_t statusToMessage(SegmentationStatus status) {
   switch (status) {
@@ -47,6 +48,7 @@ geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
 PartCurve curveFromMessage(const BodyPart& message) {
   PartCurve curve;
   curve.seen = message.seen;
+  curve.carried = message.carried;
   if (!curve.seen) return curve;
   curve.whole = message.whole;
   curve.voxel_count = message.voxel_count;
@@ -75,6 +77,21 @@ std::array<uint8_t, 3> partColor(PartLabel label) {
   return kColors.at(static_cast<size_t>(label));
 }
 
+namespace {
+
+/// Of each part, darker where its labels are carried over from the frames before.
+std::array<std::array<uint8_t, 3>, kPartCount> colorsOf(const BodyParts& parts) {
+  std::array<std::array<uint8_t, 3>, kPartCount> colors;
+  for (size_t label = 0; label < kPartCount; ++label) {
+    colors[label] = partColor(static_cast<PartLabel>(label));
+    if (!parts.parts[label].carried) continue;
+    for (uint8_t& channel : colors[label]) channel = uint8_t(std::lround(kDimmed * channel));
+  }
+  return colors;
+}
+
+}  // namespace
+
 BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& header) {
   BodyPartsMsg message;
   message.header = header;
@@ -85,6 +102,7 @@ BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& he
     BodyPart part;
     part.label = static_cast<uint8_t>(label);
     part.seen = curve.seen;
+    part.carried = curve.carried;
     if (curve.seen) {
       part.whole = curve.whole;
       part.voxel_count = curve.voxel_count;
@@ -119,6 +137,7 @@ sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& 
   cloud.header = header;
   cloud.height = 1;
   cloud.is_dense = true;
+  const auto colors = colorsOf(parts);
   sensor_msgs::PointCloud2Modifier modifier(cloud);
   const auto f32 = sensor_msgs::PointField::FLOAT32;
   modifier.setPointCloud2Fields(5, "x", 1, f32, "y", 1, f32, "z", 1, f32, "rgb", 1, f32, "label", 1,
@@ -130,7 +149,7 @@ sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& 
   for (size_t i = 0; i < parts.labels.size(); ++i) {
     const Eigen::Vector3f center = hull.lattice.center(hull.voxels[i].index).cast<float>();
     std::copy_n(center.data(), 3, &xyz[0]);
-    const auto color = partColor(static_cast<PartLabel>(parts.labels[i]));
+    const auto& color = colors.at(parts.labels[i]);
     *r = color[0], *g = color[1], *b = color[2];
     *label = parts.labels[i];
     ++xyz, ++r, ++g, ++b, ++label;

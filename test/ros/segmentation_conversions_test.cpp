@@ -1,6 +1,7 @@
 #include "markerless_mocap/ros/segmentation_conversions.h"
 
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <limits>
 #include <stdexcept>
@@ -73,6 +74,26 @@ TEST(SegmentationConversions, LabelsTravelWithThePoints) {
   const auto cloud = labelledCloud(threeVoxels(), sampleParts(), std_msgs::Header());
   EXPECT_EQ(cloud.width, 3u);
   EXPECT_EQ(labelsFromMessage(cloud), (std::vector<uint8_t>{0, 1, 2}));
+}
+
+TEST(SegmentationConversions, WhatIsCarriedOverIsToldAndDrawnDarker) {
+  BodyParts parts = sampleParts();
+  parts.parts[size_t(PartLabel::kArm2)].carried = true;
+  parts.labels = {uint8_t(PartLabel::kArm1), uint8_t(PartLabel::kArm2), uint8_t(PartLabel::kLeg1)};
+  const BodyPartsMsg message = messageFromParts(parts, std_msgs::Header());
+  EXPECT_TRUE(message.parts[size_t(PartLabel::kArm2)].carried);
+  EXPECT_FALSE(message.parts[size_t(PartLabel::kArm2)].seen);
+  const BodyParts back = partsFromMessage(message);
+  for (size_t label = 0; label < kPartCount; ++label)
+    EXPECT_EQ(back.parts[label].carried, label == size_t(PartLabel::kArm2)) << label;
+  const auto cloud = labelledCloud(threeVoxels(), parts, std_msgs::Header());
+  sensor_msgs::PointCloud2ConstIterator<uint8_t> red(cloud, "r");
+  EXPECT_EQ(red[0], partColor(PartLabel::kArm1)[0]);
+  ++red;
+  EXPECT_GT(red[0], 0);
+  EXPECT_LT(red[0], partColor(PartLabel::kArm2)[0] / 2);
+  ++red;
+  EXPECT_EQ(red[0], partColor(PartLabel::kLeg1)[0]);
 }
 
 TEST(SegmentationConversions, NoLabelsGiveNoPoints) {

@@ -22,9 +22,9 @@ BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& he
 /// curve whose points and site values differ in number, or a value that is not finite.
 BodyParts partsFromMessage(const BodyPartsMsg& message);
 
-/// x y z rgb (float32; the part's colour) and label (uint8, PartLabel) of each hull voxel, metres.
-/// No points when the parts carry no labels. Throws std::invalid_argument if hull and labels
-/// differ in number.
+/// x y z rgb (float32; the part's colour, darker where it is carried over) and label (uint8,
+/// PartLabel) of each hull voxel, metres. No points when the parts carry no labels. Throws
+/// std::invalid_argument if hull and labels differ in number.
 sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& parts,
                                        const std_msgs::Header& header);
 
