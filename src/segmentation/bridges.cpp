@@ -2,23 +2,30 @@
 
 #include <algorithm>
 
+#include "segmentation/disjoint_sets.h"
+
 namespace markerless_mocap {
-namespace {
 
-uint32_t largestOf(const std::vector<uint32_t>& component) {
-  std::vector<uint32_t> sizes;
-  for (const uint32_t c : component) {
-    if (c >= sizes.size()) sizes.resize(c + 1, 0);
-    ++sizes[c];
+std::vector<uint32_t> faceComponents(const NodeGrid& grid) {
+  std::vector<uint32_t> parent(grid.nodeCount());
+  for (uint32_t node = 0; node < parent.size(); ++node) {
+    parent[node] = node;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t before = grid.neighbor(node, -(axis == 0), -(axis == 1), -(axis == 2));
+      if (before >= 0) joinSets(&parent, uint32_t(before), node);
+    }
   }
-  return uint32_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<uint32_t> component;
+  uint32_t count = 0;
+  component.reserve(parent.size());
+  for (uint32_t node = 0; node < parent.size(); ++node)
+    component.push_back(parent[node] == node ? count++ : component[parent[node]]);
+  return component;
 }
-
-}  // namespace
 
 std::vector<Edge> bridgeEdges(const NodeGrid& grid, const std::vector<uint32_t>& component) {
   std::vector<Edge> bridges;
-  const uint32_t largest = largestOf(component);  // each bridge has an end outside it
+  const uint32_t largest = mostFrequent(component);  // each bridge has an end outside it
   for (uint32_t node = 0; node < component.size(); ++node) {
     if (component[node] == largest) continue;
     for (int step = 0; step < 27; ++step) {

@@ -92,13 +92,14 @@ int widthFor(int modes) {
 std::optional<GraphModes> coarseToFineModes(const WeightedGraph& graph, int modes,
                                             double tolerance) {
   if (graph.cell.empty() || widthFor(modes) > kWidest) return {};
-  const std::vector<GraphLevel> levels = hierarchyForModes(graph, modes);
+  const std::vector<GraphLevel> levels =
+      hierarchyForModes(gatherNodes(graph, allNodesOf(graph)), modes);
   if (levels.size() == 1) return {};
   return coarseToFineModes(levels, modes, tolerance);
 }
 
-std::vector<GraphLevel> hierarchyForModes(const WeightedGraph& graph, int modes) {
-  return buildHierarchy(graph, size_t(widthFor(modes) + kSpare), kEnough);
+std::vector<GraphLevel> hierarchyForModes(BlockGraph graph, int modes) {
+  return buildHierarchy(std::move(graph), size_t(widthFor(modes) + kSpare), kEnough);
 }
 
 std::optional<GraphModes> coarseToFineModes(const std::vector<GraphLevel>& levels, int modes,

@@ -1,9 +1,11 @@
 #include "markerless_mocap/segmentation/graph_hierarchy.h"
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
+
+#include "segmentation/disjoint_sets.h"
 
 namespace markerless_mocap {
 namespace {
@@ -11,54 +13,35 @@ namespace {
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 constexpr double kLeastShrinkage = 0.7;  // of the nodes: a level that keeps more is not worth it
 
-uint32_t rootOf(std::vector<uint32_t>* parent, uint32_t node) {
-  while ((*parent)[node] != node) {
-    (*parent)[node] = (*parent)[(*parent)[node]];
-    node = (*parent)[node];
-  }
-  return node;
-}
-
-/// Sets the level's parents, numbered in the order of their first child; returns their cells.
-std::vector<LatticeCell> aggregate(const std::vector<LatticeCell>& cells, GraphLevel* level) {
-  std::vector<LatticeCell> block;
-  block.reserve(cells.size());
-  for (const LatticeCell& cell : cells) block.push_back(cell.block());
-  std::vector<uint32_t>& parent = level->parent;
-  parent.resize(cells.size());
-  for (uint32_t node = 0; node < cells.size(); ++node) {
+/// Joins nodes of one block that are connected inside it.
+/// \param nodes ascending
+/// \param parent becomes the parent of these, numbered in the order of their first child; kNone
+/// \return the parents' cells
+template <class Graph>
+std::vector<LatticeCell> aggregate(const Graph& graph, const std::vector<LatticeCell>& cells,
+                                   const std::vector<uint32_t>& nodes,
+                                   std::vector<uint32_t>* parents) {
+  std::vector<uint32_t>& parent = *parents;
+  parent.assign(cells.size(), kNone);
+  for (const uint32_t node : nodes) {
     parent[node] = node;
-    for (uint32_t e = level->row_start[node]; e < level->row_start[node + 1]; ++e) {
-      const uint32_t other = level->neighbor[e];
-      if (other > node || !(block[other] == block[node])) continue;
-      const uint32_t a = rootOf(&parent, other);
-      const uint32_t b = rootOf(&parent, node);
-      parent[std::max(a, b)] = std::min(a, b);
+    const LatticeCell block = cells[node].block();
+    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
+      const uint32_t other = graph.neighbor[e];
+      if (other > node || parent[other] == kNone || !(cells[other].block() == block)) continue;
+      joinSets(&parent, other, node);
     }
   }
   std::vector<LatticeCell> coarse;
-  for (uint32_t node = 0; node < cells.size(); ++node) {
+  for (const uint32_t node : nodes) {
     if (parent[node] == node) {
       parent[node] = uint32_t(coarse.size());
-      coarse.push_back(block[node]);
+      coarse.push_back(cells[node].block());
     } else {
       parent[node] = parent[parent[node]];  // a lower node, that has its number already
     }
   }
   return coarse;
-}
-
-GraphLevel finest(const WeightedGraph& graph) {
-  GraphLevel level;
-  level.row_start = graph.row_start;
-  level.neighbor = graph.neighbor;
-  level.weight.assign(graph.weight.begin(), graph.weight.end());
-  level.mass.resize(graph.nodeCount());
-  for (uint32_t node = 0; node < graph.nodeCount(); ++node) {
-    level.mass[node] = std::accumulate(level.weight.begin() + level.row_start[node],
-                                       level.weight.begin() + level.row_start[node + 1], 0.0f);
-  }
-  return level;
 }
 
 /// Nodes of each parent: those of parent p are children[first[p]] to children[first[p + 1] - 1].
@@ -67,19 +50,28 @@ struct Children {
   std::vector<uint32_t> children;
 };
 
-Children childrenOf(const std::vector<uint32_t>& parent, size_t parents) {
-  Children sorted{std::vector<uint32_t>(parents + 1, 0), std::vector<uint32_t>(parent.size())};
-  for (const uint32_t p : parent) ++sorted.first[p + 1];
+Children childrenOf(const std::vector<uint32_t>& nodes, const std::vector<uint32_t>& parent,
+                    size_t parents) {
+  Children sorted{std::vector<uint32_t>(parents + 1, 0), std::vector<uint32_t>(nodes.size())};
+  for (const uint32_t node : nodes) ++sorted.first[parent[node] + 1];
   std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
   std::vector<uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
-  for (uint32_t node = 0; node < parent.size(); ++node) {
-    sorted.children[next[parent[node]]++] = node;
-  }
+  for (const uint32_t node : nodes) sorted.children[next[parent[node]]++] = node;
   return sorted;
 }
 
-GraphLevel coarsen(const GraphLevel& fine, size_t parents) {
-  const Children sorted = childrenOf(fine.parent, parents);
+void endRow(uint32_t row, GraphLevel* level) {
+  const float sum = std::accumulate(level->weight.begin() + row, level->weight.end(), 0.0f);
+  level->inverse_diagonal.push_back(sum > 0.0f ? 1.0f / sum : 0.0f);
+  level->row_start.push_back(uint32_t(level->neighbor.size()));
+}
+
+/// \param parent of each of the nodes, kNone of all others
+template <class Graph>
+GraphLevel coarsen(const Graph& fine, const std::vector<uint32_t>& nodes,
+                   const std::vector<uint32_t>& parent, size_t parents) {
+  constexpr bool kHasMass = std::is_same_v<Graph, GraphLevel>;  // else it is the sum of the weights
+  const Children sorted = childrenOf(nodes, parent, parents);
   GraphLevel coarse;
   coarse.row_start.assign(1, 0);
   coarse.mass.assign(parents, 0.0f);
@@ -88,49 +80,60 @@ GraphLevel coarsen(const GraphLevel& fine, size_t parents) {
     const auto row = uint32_t(coarse.neighbor.size());
     for (uint32_t c = sorted.first[p]; c < sorted.first[p + 1]; ++c) {
       const uint32_t node = sorted.children[c];
-      coarse.mass[p] += fine.mass[node];
+      if constexpr (kHasMass) coarse.mass[p] += fine.mass[node];
       for (uint32_t e = fine.row_start[node]; e < fine.row_start[node + 1]; ++e) {
-        const uint32_t other = fine.parent[fine.neighbor[e]];
+        const uint32_t other = parent[fine.neighbor[e]];
+        if (other == kNone) continue;
+        if constexpr (!kHasMass) coarse.mass[p] += float(fine.weight[e]);
         if (other == p) continue;
         if (place[other] == kNone || place[other] < row) {
           place[other] = uint32_t(coarse.neighbor.size());
           coarse.neighbor.push_back(other);
           coarse.weight.push_back(0.0f);
         }
-        coarse.weight[place[other]] += fine.weight[e];
+        coarse.weight[place[other]] += float(fine.weight[e]);
       }
     }
-    coarse.row_start.push_back(uint32_t(coarse.neighbor.size()));
+    endRow(row, &coarse);
   }
   return coarse;
 }
 
-void setDiagonal(GraphLevel* level) {
-  level->inverse_diagonal.resize(level->nodeCount());
-  for (uint32_t node = 0; node < level->nodeCount(); ++node) {
-    float sum = 0.0f;
-    for (uint32_t e = level->row_start[node]; e < level->row_start[node + 1]; ++e) {
-      sum += level->weight[e];
-    }
-    level->inverse_diagonal[node] = sum > 0.0f ? 1.0f / sum : 0.0f;
-  }
-}
-
 }  // namespace
 
-std::vector<GraphLevel> buildHierarchy(const WeightedGraph& graph, size_t least, size_t enough) {
-  std::vector<GraphLevel> levels{finest(graph)};
-  std::vector<LatticeCell> cells = graph.cell;
-  setDiagonal(&levels.back());
+BlockGraph gatherNodes(const WeightedGraph& graph, const std::vector<uint32_t>& nodes) {
+  BlockGraph own;
+  own.block.resize(nodes.size());
+  std::iota(own.block.begin(), own.block.end(), 0u);
+  std::vector<uint32_t> number(graph.nodeCount(), kNone);
+  for (uint32_t i = 0; i < nodes.size(); ++i) number[nodes[i]] = i;
+  own.level = coarsen(graph, nodes, number, nodes.size());
+  for (const uint32_t node : nodes) own.cell.push_back(graph.cell[node]);
+  return own;
+}
+
+BlockGraph gatherBlocks(const WeightedGraph& graph, const std::vector<uint32_t>& nodes) {
+  BlockGraph blocks;
+  std::vector<uint32_t> parent;
+  blocks.cell = aggregate(graph, graph.cell, nodes, &parent);
+  blocks.level = coarsen(graph, nodes, parent, blocks.cell.size());
+  for (const uint32_t node : nodes) blocks.block.push_back(parent[node]);
+  return blocks;
+}
+
+std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t least, size_t enough) {
+  std::vector<GraphLevel> levels{std::move(finest.level)};
+  std::vector<LatticeCell> cells = std::move(finest.cell);
   while (levels.back().nodeCount() > enough) {
-    std::vector<LatticeCell> coarse = aggregate(cells, &levels.back());
-    const bool hardly = double(coarse.size()) > kLeastShrinkage * double(cells.size());
-    if (hardly || coarse.size() < least) {
-      levels.back().parent.clear();
+    GraphLevel& fine = levels.back();
+    std::vector<uint32_t> nodes(cells.size());
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    std::vector<uint32_t> parent;
+    std::vector<LatticeCell> coarse = aggregate(fine, cells, nodes, &parent);
+    if (double(coarse.size()) > kLeastShrinkage * double(cells.size()) || coarse.size() < least)
       break;
-    }
-    levels.push_back(coarsen(levels.back(), coarse.size()));
-    setDiagonal(&levels.back());
+    fine.parent = std::move(parent);
+    levels.push_back(coarsen(fine, nodes, fine.parent, coarse.size()));
     cells = std::move(coarse);
   }
   return levels;

@@ -39,15 +39,36 @@ Eigen::MatrixXd sumOverChildren(const GraphLevel& level, size_t parents,
   return sums;
 }
 
-Blocks blocksOf(const VoxelGraph& voxels, const WeightedGraph& part,
-                const std::vector<uint32_t>& nodes, const std::vector<double>& ahead, int modes) {
-  Eigen::MatrixXd sums(Eigen::Index(nodes.size()), 5);
+/// The part's largest component in as many nodes as there are voxels, or in blocks where it is
+/// fine. \param nodes of the part; those of the component are left
+BlockGraph componentOf(const WeightedGraph& graph, std::vector<uint32_t>* nodes) {
+  const auto gather = nodes->size() > kEnoughNodes ? gatherBlocks : gatherNodes;
+  BlockGraph part = gather(graph, *nodes);
+  const std::vector<uint32_t> component =
+      connectedComponents(part.level.row_start, part.level.neighbor);
+  if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; }))
+    return part;
+  std::vector<uint32_t> of_node;
+  for (const uint32_t block : part.block) of_node.push_back(component[block]);
+  const uint32_t largest = mostFrequent(of_node);
+  std::vector<uint32_t> kept;
+  for (size_t i = 0; i < nodes->size(); ++i)
+    if (of_node[i] == largest) kept.push_back((*nodes)[i]);
+  *nodes = std::move(kept);
+  return gather(graph, *nodes);
+}
+
+Blocks blocksOf(const VoxelGraph& voxels, BlockGraph part, const std::vector<uint32_t>& nodes,
+                const std::vector<double>& ahead, int modes) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(part.cell.size()), 5);
   for (size_t i = 0; i < nodes.size(); ++i) {
     const Eigen::Vector3d& center = voxels.centers[nodes[i]];
-    sums.row(Eigen::Index(i)) << 1.0, ahead[nodes[i]], center.x(), center.y(), center.z();
+    Eigen::Matrix<double, 1, 5> of_node;
+    of_node << 1.0, ahead[nodes[i]], center.x(), center.y(), center.z();
+    sums.row(part.block[i]) += of_node;
   }
   Blocks blocks;
-  blocks.levels = hierarchyForModes(part, modes);
+  blocks.levels = hierarchyForModes(std::move(part), modes);
   auto finest = blocks.levels.begin();
   for (; finest->nodeCount() > kEnoughNodes && !finest->parent.empty(); ++finest) {
     sums = sumOverChildren(*finest, (finest + 1)->nodeCount(), sums);
@@ -113,13 +134,10 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
                        const std::vector<double>& ahead, int modes, int pieces) {
   PartCurve curve;
   curve.voxel_count = uint32_t(nodes.size());
-  WeightedGraph part = subgraph(voxels.graph, nodes);
-  const std::vector<uint32_t> kept = largestComponent(part);
-  if (kept.size() < nodes.size()) part = subgraph(part, kept);
+  std::vector<uint32_t> kept = nodes;
+  BlockGraph part = componentOf(voxels.graph, &kept);
   if (kept.size() < kFewestNodes) return curve;
-  std::vector<uint32_t> its_nodes;
-  for (const uint32_t node : kept) its_nodes.push_back(nodes[node]);
-  const Blocks blocks = blocksOf(voxels, part, its_nodes, ahead, modes);
+  const Blocks blocks = blocksOf(voxels, std::move(part), kept, ahead, modes);
   const Eigen::VectorXd mode = modeAlong(blocks, modes);
   if (mode.size() == 0) return curve;
   const Eigen::VectorXd sites = siteValues(mode, blocks.count);

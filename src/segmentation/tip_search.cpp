@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -23,15 +22,12 @@ struct Embedding {
   std::vector<uint32_t> block;  ///< node of the graph that each voxel's node belongs to
 };
 
-std::vector<uint32_t> eachItsOwn(size_t nodes) {
-  std::vector<uint32_t> block(nodes);
-  std::iota(block.begin(), block.end(), 0u);
-  return block;
-}
-
 std::optional<Embedding> embedBlocks(const WeightedGraph& graph, int modes) {
-  std::vector<GraphLevel> levels = hierarchyForModes(graph, modes);
-  Embedding embedding{{}, {}, eachItsOwn(graph.nodeCount())};
+  const std::vector<uint32_t> nodes = allNodesOf(graph);
+  BlockGraph blocks =
+      nodes.size() > kEnoughNodes ? gatherBlocks(graph, nodes) : gatherNodes(graph, nodes);
+  Embedding embedding{{}, {}, std::move(blocks.block)};
+  std::vector<GraphLevel> levels = hierarchyForModes(std::move(blocks), modes);
   auto finest = levels.begin();
   for (; finest->nodeCount() > kEnoughNodes && !finest->parent.empty(); ++finest) {
     for (uint32_t& block : embedding.block) block = finest->parent[block];
@@ -50,7 +46,7 @@ Embedding embed(const WeightedGraph& graph, int modes) {
   if (blocks) return *std::move(blocks);
   return {{graph.row_start, graph.neighbor},
           laplacianEigenmap(graph, modes, kResidual),
-          eachItsOwn(graph.nodeCount())};
+          allNodesOf(graph)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "markerless_mocap/segmentation/bridges.h"
+#include "segmentation/disjoint_sets.h"
 
 namespace markerless_mocap {
 namespace {
@@ -42,46 +43,74 @@ double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, bool use_col
   return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis]);
 }
 
-std::vector<Edge> faceEdges(const VisualHull& hull, const std::vector<uint32_t>& voxels,
-                            const NodeGrid& grid, bool use_color_votes) {
-  std::vector<Edge> edges;
-  edges.reserve(voxels.size() * 3);
-  for (uint32_t node = 0; node < voxels.size(); ++node) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int32_t next = grid.neighbor(node, axis == 0, axis == 1, axis == 2);
-      if (next < 0) continue;
-      edges.push_back(
-          {node, uint32_t(next), edgeWeight(hull, voxels[node], axis, use_color_votes)});
-    }
+/// Leaves out what is not in the largest piece; pieces that touch by an edge or corner are one.
+/// \return the bridges that join what is left
+std::vector<Edge> keepLargestPiece(const VisualHull& hull, VoxelGraph* voxels) {
+  const std::vector<uint32_t> component = faceComponents(voxels->grid);
+  if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; })) return {};
+  std::vector<Edge> bridges = bridgeEdges(voxels->grid, component);
+  std::vector<uint32_t> piece(component.size());  // of each component
+  std::iota(piece.begin(), piece.end(), 0u);
+  for (const Edge& bridge : bridges) joinSets(&piece, component[bridge.from], component[bridge.to]);
+  std::vector<uint32_t> piece_of;
+  for (const uint32_t c : component) piece_of.push_back(rootOf(&piece, c));
+  const uint32_t largest = mostFrequent(piece_of);
+  const std::vector<uint32_t> all = std::move(voxels->hull_voxel);
+  std::vector<uint32_t> number;
+  voxels->hull_voxel.clear();
+  for (size_t node = 0; node < all.size(); ++node) {
+    number.push_back(uint32_t(voxels->hull_voxel.size()));
+    (piece_of[node] == largest ? voxels->hull_voxel : voxels->left_out).push_back(all[node]);
   }
+  if (voxels->left_out.empty()) return bridges;
+  voxels->grid = NodeGrid(cellsOf(hull, voxels->hull_voxel));
+  std::vector<Edge> kept;
+  for (const Edge& bridge : bridges)
+    if (piece_of[bridge.from] == largest)
+      kept.push_back({number[bridge.from], number[bridge.to], bridge.weight});
+  return kept;
+}
+
+/// Both directions of each, by where they start.
+std::vector<Edge> fromBothEnds(std::vector<Edge> edges) {
+  const size_t count = edges.size();
+  for (size_t i = 0; i < count; ++i) edges.push_back({edges[i].to, edges[i].from, edges[i].weight});
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
   return edges;
 }
 
-/// Of all voxels, with bridges if faces alone do not join them.
-WeightedGraph wholeGraph(const VisualHull& hull, const VoxelGraph& voxels, bool use_color_votes,
-                         bool* joined) {
-  std::vector<Edge> edges = faceEdges(hull, voxels.hull_voxel, voxels.grid, use_color_votes);
-  WeightedGraph graph = graphOfEdges(voxels.hull_voxel.size(), edges);
-  const std::vector<uint32_t> component = connectedComponents(graph);
-  *joined = std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; });
-  if (*joined) return graph;
-  const std::vector<Edge> bridges = bridgeEdges(voxels.grid, component);
-  edges.insert(edges.end(), bridges.begin(), bridges.end());
-  return graphOfEdges(voxels.hull_voxel.size(), edges);
-}
-
-void keepLargestComponent(const VisualHull& hull, VoxelGraph* voxels) {
-  const std::vector<uint32_t> all = std::move(voxels->hull_voxel);
-  const std::vector<uint32_t> kept = largestComponent(voxels->graph);
-  voxels->hull_voxel.clear();
-  for (uint32_t i = 0, next = 0; i < all.size(); ++i) {
-    const bool keep = next < kept.size() && kept[next] == i;
-    (keep ? voxels->hull_voxel : voxels->left_out).push_back(all[i]);
-    if (keep) ++next;
+/// Rows of face neighbours, ascending, then of bridges.
+WeightedGraph graphOf(const VisualHull& hull, const VoxelGraph& voxels,
+                      const std::vector<Edge>& bridges, bool use_color_votes) {
+  const size_t nodes = voxels.hull_voxel.size();
+  WeightedGraph graph;
+  graph.row_start.reserve(nodes + 1);
+  graph.neighbor.reserve(6 * nodes);
+  graph.weight.reserve(6 * nodes);
+  const auto join = [&](uint32_t other, double weight) {
+    graph.neighbor.push_back(other);
+    graph.weight.push_back(weight);
+  };
+  const std::vector<Edge> across = fromBothEnds(bridges);
+  auto bridge = across.begin();
+  for (uint32_t node = 0; node < nodes; ++node) {
+    for (int axis = 2; axis >= 0; --axis) {
+      const int32_t other = voxels.grid.neighbor(node, -(axis == 0), -(axis == 1), -(axis == 2));
+      if (other < 0) continue;
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[other], axis, use_color_votes));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t other = voxels.grid.neighbor(node, axis == 0, axis == 1, axis == 2);
+      if (other < 0) continue;
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[node], axis, use_color_votes));
+    }
+    for (; bridge != across.end() && bridge->from == node; ++bridge)
+      join(bridge->to, bridge->weight);
+    graph.row_start.push_back(uint32_t(graph.neighbor.size()));
   }
-  if (voxels->left_out.empty()) return;
-  voxels->graph = subgraph(voxels->graph, kept);
-  voxels->grid = NodeGrid(cellsOf(hull, voxels->hull_voxel));
+  return graph;
 }
 
 bool isSurface(const NodeGrid& grid, uint32_t node) {
@@ -123,12 +152,11 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   VoxelGraph voxels;
   voxels.pitch = hull.lattice.pitch;
   voxels.hull_voxel = voxelsByIndex(hull);
-  const std::vector<Eigen::Vector3i> cells = cellsOf(hull, voxels.hull_voxel);
-  voxels.grid = NodeGrid(cells);
-  bool joined = false;
-  voxels.graph = wholeGraph(hull, voxels, use_color_votes, &joined);
-  for (const Eigen::Vector3i& c : cells) voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
-  if (!joined) keepLargestComponent(hull, &voxels);
+  voxels.grid = NodeGrid(cellsOf(hull, voxels.hull_voxel));
+  const std::vector<Edge> bridges = keepLargestPiece(hull, &voxels);
+  voxels.graph = graphOf(hull, voxels, bridges, use_color_votes);
+  for (const Eigen::Vector3i& c : cellsOf(hull, voxels.hull_voxel))
+    voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
   voxels.centers.reserve(voxels.hull_voxel.size());
   for (const uint32_t v : voxels.hull_voxel) {
     voxels.centers.push_back(hull.lattice.center(hull.voxels[v].index));

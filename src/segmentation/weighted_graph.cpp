@@ -33,8 +33,15 @@ WeightedGraph graphOfEdges(size_t nodes, const std::vector<Edge>& edges) {
   return graph;
 }
 
-std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
-  std::vector<uint32_t> component(graph.nodeCount(), kNone);
+std::vector<uint32_t> allNodesOf(const WeightedGraph& graph) {
+  std::vector<uint32_t> nodes(graph.nodeCount());
+  std::iota(nodes.begin(), nodes.end(), 0u);
+  return nodes;
+}
+
+std::vector<uint32_t> connectedComponents(const std::vector<uint32_t>& row_start,
+                                          const std::vector<uint32_t>& neighbor) {
+  std::vector<uint32_t> component(row_start.size() - 1, kNone);
   std::vector<uint32_t> open;
   uint32_t count = 0;
   for (uint32_t seed = 0; seed < component.size(); ++seed) {
@@ -44,10 +51,10 @@ std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
     while (!open.empty()) {
       const uint32_t node = open.back();
       open.pop_back();
-      for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
-        if (component[graph.neighbor[e]] != kNone) continue;
-        component[graph.neighbor[e]] = count;
-        open.push_back(graph.neighbor[e]);
+      for (uint32_t e = row_start[node]; e < row_start[node + 1]; ++e) {
+        if (component[neighbor[e]] != kNone) continue;
+        component[neighbor[e]] = count;
+        open.push_back(neighbor[e]);
       }
     }
     ++count;
@@ -55,38 +62,13 @@ std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
   return component;
 }
 
-std::vector<uint32_t> largestComponent(const WeightedGraph& graph) {
-  const std::vector<uint32_t> component = connectedComponents(graph);
-  std::vector<uint32_t> sizes;
-  for (const uint32_t c : component) {
-    if (c >= sizes.size()) sizes.resize(c + 1, 0);
-    ++sizes[c];
+uint32_t mostFrequent(const std::vector<uint32_t>& numbers) {
+  std::vector<uint32_t> counts;
+  for (const uint32_t number : numbers) {
+    if (number >= counts.size()) counts.resize(number + 1, 0);
+    ++counts[number];
   }
-  std::vector<uint32_t> nodes;
-  if (sizes.empty()) return nodes;
-  const auto largest = uint32_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  for (uint32_t node = 0; node < component.size(); ++node) {
-    if (component[node] == largest) nodes.push_back(node);
-  }
-  return nodes;
-}
-
-WeightedGraph subgraph(const WeightedGraph& graph, const std::vector<uint32_t>& nodes) {
-  std::vector<uint32_t> place(graph.nodeCount(), kNone);
-  for (uint32_t i = 0; i < nodes.size(); ++i) place[nodes[i]] = i;
-  WeightedGraph part;
-  part.row_start.reserve(nodes.size() + 1);
-  if (!graph.cell.empty()) part.cell.reserve(nodes.size());
-  for (const uint32_t node : nodes) {
-    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
-      if (place[graph.neighbor[e]] == kNone) continue;
-      part.neighbor.push_back(place[graph.neighbor[e]]);
-      part.weight.push_back(graph.weight[e]);
-    }
-    part.row_start.push_back(uint32_t(part.neighbor.size()));
-    if (!graph.cell.empty()) part.cell.push_back(graph.cell[node]);
-  }
-  return part;
+  return uint32_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 
 }  // namespace markerless_mocap

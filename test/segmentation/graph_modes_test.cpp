@@ -134,7 +134,8 @@ TEST(GraphHierarchy, KeepsLimbsApartThatShareABlock) {
   edges.push_back({0, 100, 1.0});
   WeightedGraph graph = graphOfEdges(200, edges);
   graph.cell = cells;
-  const std::vector<GraphLevel> levels = buildHierarchy(graph, 8, 120);
+  const std::vector<GraphLevel> levels =
+      buildHierarchy(gatherNodes(graph, allNodesOf(graph)), 8, 120);
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_EQ(levels[1].nodeCount(), 99u);  // 50 and 50, of which the joined end is one
   EXPECT_NE(levels[0].parent[60], levels[0].parent[160]);
@@ -143,7 +144,8 @@ TEST(GraphHierarchy, KeepsLimbsApartThatShareABlock) {
 
 TEST(GraphHierarchy, KeepsTheSumsOfMassesAndCrossingWeights) {
   const WeightedGraph graph = buildVoxelGraph(standingFigure(0.8).hull(), false, 1.5).graph;
-  const std::vector<GraphLevel> levels = buildHierarchy(graph, 24, 64);
+  const std::vector<GraphLevel> levels =
+      buildHierarchy(gatherNodes(graph, allNodesOf(graph)), 24, 64);
   ASSERT_GE(levels.size(), 3u);
   const GraphLevel& fine = levels[0];
   const GraphLevel& coarse = levels[1];

@@ -26,22 +26,11 @@ TEST(WeightedGraph, HoldsEachEdgeFromBothEnds) {
 TEST(WeightedGraph, NumbersComponentsByTheirLowestNode) {
   const WeightedGraph graph = graphOfEdges(6, {{0, 3, 1.0}, {1, 4, 1.0}, {4, 5, 1.0}});
   EXPECT_EQ(connectedComponents(graph), (std::vector<uint32_t>{0, 1, 2, 0, 1, 1}));
-  EXPECT_EQ(largestComponent(graph), (std::vector<uint32_t>{1, 4, 5}));
 }
 
-TEST(WeightedGraph, TakesTheFirstOfEquallyLargeComponents) {
-  EXPECT_EQ(largestComponent(graphOfEdges(4, {{1, 2, 1.0}, {0, 3, 1.0}})),
-            (std::vector<uint32_t>{0, 3}));
-  EXPECT_TRUE(largestComponent(WeightedGraph()).empty());
-}
-
-TEST(WeightedGraph, KeepsWeightsInASubgraph) {
-  const WeightedGraph graph = graphOfEdges(4, {{0, 1, 1.0}, {1, 2, 2.0}, {2, 3, 3.0}, {3, 0, 4.0}});
-  const WeightedGraph part = subgraph(graph, {3, 2, 1});
-  EXPECT_EQ(part.nodeCount(), 3u);
-  EXPECT_EQ(weightBetween(part, 0, 1), 3.0);
-  EXPECT_EQ(weightBetween(part, 1, 2), 2.0);
-  EXPECT_EQ(weightBetween(part, 0, 2), 0.0);
+TEST(MostFrequent, IsTheLowestOfEquals) {
+  EXPECT_EQ(mostFrequent({5, 2, 0, 2, 5}), 2u);
+  EXPECT_EQ(mostFrequent({0, 3, 3}), 3u);
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace markerless_mocap {
 
+/// Component of each node over face neighbours, numbered from 0 in the order of their lowest node.
+std::vector<uint32_t> faceComponents(const NodeGrid& grid);
+
 /// Edges of weight 1 between nodes of different components whose voxels touch by an edge or a
 /// corner. Within a component none: there a corner contact is a limb brushing past.
 /// \param component 6-connected component of each node of the grid

@@ -19,13 +19,27 @@ struct GraphLevel {
   size_t nodeCount() const { return mass.size(); }
 };
 
-/// Ever coarser graphs of a graph on a lattice, the finest first: nodes of a block of 2 x 2 x 2
-/// cells that are connected inside it become one, with the weights of all edges between two
-/// blocks summed (Galerkin's product with piecewise constant functions). So limbs that pass by each
-/// other stay apart on every level.
-/// \param graph connected, with cells
+/// Some nodes of a graph on a lattice, gathered in a graph of fewer.
+struct BlockGraph {
+  GraphLevel level;
+  std::vector<LatticeCell> cell;  ///< of each of the level's nodes
+  std::vector<uint32_t> block;    ///< the level's node that each of the nodes belongs to
+};
+
+/// Each of some nodes by itself, with the edges between them.
+/// \param graph with cells
+/// \param nodes distinct, ascending
+BlockGraph gatherNodes(const WeightedGraph& graph, const std::vector<uint32_t>& nodes);
+
+/// Those in a block of 2 x 2 x 2 cells that are connected inside it become one, with the weights of
+/// all edges between two blocks summed (Galerkin's product with piecewise constant functions). So
+/// limbs that pass by each other stay apart.
+BlockGraph gatherBlocks(const WeightedGraph& graph, const std::vector<uint32_t>& nodes);
+
+/// Ever coarser graphs, the given one first, each gathered in blocks of the one before.
+/// \param finest connected
 /// \param least nodes of every level
 /// \param enough coarsening ends at so few nodes, or where it hardly shrinks the graph
-std::vector<GraphLevel> buildHierarchy(const WeightedGraph& graph, size_t least, size_t enough);
+std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t least, size_t enough);
 
 }  // namespace markerless_mocap

@@ -36,8 +36,8 @@ GraphModes shiftInvertModes(const WeightedGraph& graph, int modes);
 std::optional<GraphModes> coarseToFineModes(const WeightedGraph& graph, int modes,
                                             double tolerance);
 
-/// The hierarchy that so many modes of a graph with cells are found on.
-std::vector<GraphLevel> hierarchyForModes(const WeightedGraph& graph, int modes);
+/// The hierarchy that so many modes of a graph are found on.
+std::vector<GraphLevel> hierarchyForModes(BlockGraph graph, int modes);
 
 /// Modes of the finest of some levels, M of its masses in the place of D: where they are the upper
 /// levels of a hierarchy, modes of the whole graph that are constant on each of its nodes.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,8 @@ class NodeGrid {
   /// \param cells distinct lattice coordinates (i, j, k), ascending by k, then j, then i; cell n
   ///        becomes node n. Throws std::invalid_argument where they do not ascend.
   explicit NodeGrid(const std::vector<Eigen::Vector3i>& cells);
+
+  size_t nodeCount() const { return place_of_.size(); }
 
   /// Node at a step of -1, 0 or 1 along each axis from `node`, or -1.
   int32_t neighbor(uint32_t node, int di, int dj, int dk) const {

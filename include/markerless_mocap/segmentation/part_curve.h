@@ -13,7 +13,7 @@ namespace markerless_mocap {
 /// the Fiedler vector alone, the combination of the few lowest modes that comes nearest to a given
 /// ordering is taken: a Fiedler vector crowds its values at the ends, and a torso's may run
 /// sideways from one shoulder's stump to the other's.
-/// \param nodes of the part; of several components the largest is used
+/// \param nodes of the part, ascending; of several components the largest is used
 /// \param ahead a number for each node of the whole graph that grows from the part's torso end to
 ///   its tip: it gives the curve its direction
 /// \param modes to combine, >= 1; with 1 the Fiedler vector

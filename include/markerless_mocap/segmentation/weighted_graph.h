@@ -48,13 +48,18 @@ struct Edge {
 /// \param edges each pair of nodes at most once, in either direction
 WeightedGraph graphOfEdges(size_t nodes, const std::vector<Edge>& edges);
 
+std::vector<uint32_t> allNodesOf(const WeightedGraph& graph);
+
 /// Connected component of each node, numbered from 0 in the order of their lowest node.
-std::vector<uint32_t> connectedComponents(const WeightedGraph& graph);
+/// \param row_start, neighbor as WeightedGraph
+std::vector<uint32_t> connectedComponents(const std::vector<uint32_t>& row_start,
+                                          const std::vector<uint32_t>& neighbor);
+inline std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
+  return connectedComponents(graph.row_start, graph.neighbor);
+}
 
-/// Nodes of the component with most nodes (the first of equals), ascending; empty for no graph.
-std::vector<uint32_t> largestComponent(const WeightedGraph& graph);
-
-/// The graph on `nodes` (distinct) alone; its node i is nodes[i].
-WeightedGraph subgraph(const WeightedGraph& graph, const std::vector<uint32_t>& nodes);
+/// The number that stands most often, the lowest of equals.
+/// \param numbers small ones; not empty
+uint32_t mostFrequent(const std::vector<uint32_t>& numbers);
 
 }  // namespace markerless_mocap
