@@ -7,6 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kJudged = 8;
+constexpr int kWindowSide = 16;  // pixels of a PixelWindow
 /// Share of a piece's silhouette pixels that rounding may leave uncovered.
 constexpr double kRounding = 0.02;
 
@@ -27,12 +28,12 @@ class Coverage {
   Coverage(const Camera& camera, size_t index, const CarvingPlan& plan)
       : camera_(camera), index_(index), plan_(plan) {}
 
-  /// Calls visit(rectangle) with the pixels that each voxel of the piece covers.
+  /// Calls visit(rectangle) with the pixels of a part that each voxel of the piece covers; some may
+  /// be empty.
   template <class Visit>
-  void forEachVoxel(const Piece& piece, Visit visit) const {
+  void forEachVoxel(const Piece& piece, const PixelBox& part, Visit visit) const {
     const VoxelLattice& lattice = plan_.lattice();
     const Eigen::Isometry3d& pose = camera_.calibration().T_world_camera;
-    const PixelBox image{0, 0, camera_.width(), camera_.height()};
     for (const Cell& cell : piece.cells) {
       const Eigen::Vector3d middle =
           lattice.origin +
@@ -44,18 +45,24 @@ class Coverage {
           int(std::ceil(0.5 * focal * lattice.pitch / std::max(depth, lattice.pitch)));
       const uint8_t* codes = plan_.codes(cell.leaf, index_);
       const PixelWindow* end = plan_.windowsEnd(cell.leaf, index_);
-      for (const PixelWindow* w = plan_.windowsBegin(cell.leaf, index_); w != end; ++w)
+      for (const PixelWindow* w = plan_.windowsBegin(cell.leaf, index_); w != end; ++w) {
+        const PixelBox window{w->x - reach, w->y - reach, w->x + kWindowSide + reach,
+                              w->y + kWindowSide + reach};
+        if (window.clippedTo(part).isEmpty()) continue;
         for (uint64_t bits = w->voxels & cell.voxels; bits != 0; bits &= bits - 1) {
           const uint8_t code = codes[__builtin_ctzll(bits)];
           const int x = w->x + (code & 15), y = w->y + (code >> 4);
-          visit(PixelBox{x - reach, y - reach, x + reach + 1, y + reach + 1}.clippedTo(image));
+          const PixelBox pixels{x - reach, y - reach, x + reach + 1, y + reach + 1};
+          visit(pixels.clippedTo(part));
         }
+      }
     }
   }
 
   PixelBox around(const Piece& piece) const {
     PixelBox box{camera_.width(), camera_.height(), 0, 0};
-    forEachVoxel(piece, [&](const PixelBox& p) {
+    const PixelBox image{0, 0, camera_.width(), camera_.height()};
+    forEachVoxel(piece, image, [&](const PixelBox& p) {
       box = {std::min(box.x0, p.x0), std::min(box.y0, p.y0), std::max(box.x1, p.x1),
              std::max(box.y1, p.y1)};
     });
@@ -68,10 +75,9 @@ class Coverage {
   }
   /// Sets `bit` in what the piece covers of the part.
   void add(const Piece& piece, uint8_t bit) {
-    forEachVoxel(piece, [&](const PixelBox& p) {
-      const PixelBox inside = p.clippedTo(part_);
-      for (int y = inside.y0; y < inside.y1; ++y)
-        for (int x = inside.x0; x < inside.x1; ++x) at(x, y) |= bit;
+    forEachVoxel(piece, part_, [&](const PixelBox& p) {
+      for (int y = p.y0; y < p.y1; ++y)
+        for (int x = p.x0; x < p.x1; ++x) at(x, y) |= bit;
     });
   }
   uint8_t& at(int x, int y) {
@@ -86,7 +92,8 @@ class Coverage {
   std::vector<uint8_t> pixels_;
 };
 
-/// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers.
+/// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers; some
+/// may be empty.
 bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& camera, size_t index,
               const CarvingPlan& plan, const TileMask& mask) {
   constexpr uint8_t kItself = 1, kOthers = 2;

@@ -16,13 +16,16 @@ constexpr double kBalance = 0.2;     // of the larger side
 constexpr double kThickest = 0.011;  // share of the hull's nodes in a ring around an arm
 constexpr double kMost = 3.0;        // such sides in a ring
 
+constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
 /// Nodes that can be reached from one of them over 26 neighbours, all from `near` to `far` of the
-/// tip; those that are found are marked.
+/// tip; those that are found are marked. Ends early where it finds `wanted`.
 std::vector<uint32_t> flood(const VoxelGraph& voxels, const std::vector<double>& way,
-                            uint32_t start, double near, double far, std::vector<char>* marked) {
+                            uint32_t start, uint32_t wanted, double near, double far,
+                            std::vector<char>* marked) {
   std::vector<uint32_t> found{start};
   (*marked)[start] = 1;
-  for (size_t next = 0; next < found.size(); ++next) {
+  for (size_t next = 0; next < found.size() && found[next] != wanted; ++next) {
     for (int step = 0; step < 27; ++step) {
       const int32_t node =
           voxels.grid.neighbor(found[next], step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
@@ -40,7 +43,8 @@ std::vector<std::vector<uint32_t>> sidesOf(const VoxelGraph& voxels, const std::
   std::vector<std::vector<uint32_t>> sides;
   std::vector<char> marked(way.size(), 0);
   for (const uint32_t node : nodes)
-    if (!marked[node]) sides.push_back(flood(voxels, way, node, ring, ring + kWidth, &marked));
+    if (!marked[node])
+      sides.push_back(flood(voxels, way, node, kNone, ring, ring + kWidth, &marked));
   std::sort(sides.begin(), sides.end(),
             [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return sides;
@@ -58,8 +62,10 @@ bool liesOnTwoSides(const VoxelGraph& voxels, const std::vector<double>& way, do
   if (fewer < kLeast || double(fewer) < kBalance * double(more) || double(more) > thickest)
     return false;
   std::vector<char> marked(way.size(), 0);
-  flood(voxels, way, sides[0].front(), ring, std::numeric_limits<double>::infinity(), &marked);
-  return marked[sides[1].front()] != 0;
+  const uint32_t other = sides[1].front();
+  flood(voxels, way, sides[0].front(), other, ring, std::numeric_limits<double>::infinity(),
+        &marked);
+  return marked[other] != 0;
 }
 
 }  // namespace
