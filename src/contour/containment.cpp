@@ -105,8 +105,7 @@ double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const 
   double sum = 0.0;
   const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
   forEachExcess(seen, rig, cones, of_limb, [&](size_t, size_t, double, const BallInView& ball) {
-    const double square = ball.excess * ball.excess;
-    sum += square / (1.0 + square / (kOutlier * kOutlier));
+    sum += robustSquare(ball.excess, kOutlier);
   });
   return sum;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "contour/body_overlap.h"
+#include "contour/limb_evidence.h"
 #include "contour/pose_priors.h"
 #include "contour/pose_problem.h"
 
@@ -17,10 +18,6 @@ namespace {
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kShareDamping = 1e-3;
 
 constexpr double kLongestStep = 0.35;  // rad or metres
-
-// The errors of a body's shape are alike all along a contour, which no ray knows of the next: what
-// the normal equations promise is too good by about this factor.
-constexpr double kAlike = 2.0;
 
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
@@ -40,45 +37,6 @@ ContourPose stepped(const ContourPose& pose, const PoseEquations& equations) {
   H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
   const PoseStep step = -Cholesky(H).solve(equations.g);
   return moved(pose, step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep));
-}
-
-/// Standard deviation of where a limb's end is, metres.
-double endDeviation(const ContourBody& body, const PoseProblem& problem, const Cholesky& inverse,
-                    int limb) {
-  // By ContourLimb: neck's base, head, wrists, ankles among contourPointNames().
-  constexpr int kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
-  const RiddenPoint& end = contourTree().points[size_t(kEnds[limb])];
-  const ContourFrames& frames = problem.frames();
-  Eigen::Matrix<double, 3, kContourDof> J;
-  poseJacobian(frames, end.segment,
-               frames.t[end.segment] + frames.R[end.segment] * end.local.at(body.sizes()), J);
-  return kAlike * std::sqrt((J * inverse.solve(J.transpose())).trace());
-}
-
-void gatherEvidence(const ContourBody& body, const PoseProblem& problem, const Cholesky& inverse,
-                    ContourFit& fit) {
-  std::array<int, ContourLimb::kCount> balls{};
-  size_t explained = 0;
-  for (const RayMatch& match : problem.matches()) {
-    const double distance = std::abs(double(match.residual));
-    if (!(distance < kRayExplained)) continue;
-    LimbEvidence& limb = fit.limbs[limbOfCone(match.cone)];
-    ++explained;
-    ++limb.rays;
-    limb.distance += distance * distance;
-  }
-  for (int c = 0; c < kContourCones; ++c)
-    for (const double excess : problem.excess()[size_t(c)]) {
-      ++balls[limbOfCone(c)];
-      fit.limbs[limbOfCone(c)].outside += excess;
-    }
-  for (size_t i = 0; i < ContourLimb::kCount; ++i) {
-    LimbEvidence& limb = fit.limbs[i];
-    limb.distance = std::sqrt(limb.distance / std::max(1, limb.rays));
-    limb.outside /= balls[i];
-    limb.deviation = endDeviation(body, problem, inverse, int(i));
-  }
-  fit.rays_explained = double(explained) / double(std::max<size_t>(1, problem.matches().size()));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
@@ -135,11 +93,10 @@ ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody&
     if (i < schedule.iterations) fit.pose = stepped(fit.pose, equations);
     if (!fit.pose.isFinite()) break;
   }
-  const Cholesky inverse(equations.H);
-  const bool solved = fit.pose.isFinite() && inverse.info() == Eigen::Success;
+  const bool solved = fit.pose.isFinite() && Cholesky(equations.H).info() == Eigen::Success;
   fit.status = solved ? ContourFitStatus::kFitted : ContourFitStatus::kDiverged;
   if (!solved) return fit;
-  gatherEvidence(body, problem, inverse, fit);
+  gatherEvidence(seen, options_, body, problem, fit);
   fit.overlap = bodyOverlap(seen, rig_, problem.cones());
   return fit;
 }

@@ -83,11 +83,8 @@ class PlaceJudge {
     std::array<double, kJudges> energies;
     energies.fill(0.5 * outside / variance + postureEnergy(pose) + restEnergy(pose));
     for (size_t judge = 0; judge < kJudges; ++judge)
-      for (const RayMatch& match : matches) {
-        const double square = double(match.residual) * double(match.residual);
-        const double share = square / (kOutliers[judge] * kOutliers[judge]);
-        energies[judge] += 0.5 * one / variance * square / (1.0 + share);
-      }
+      for (const RayMatch& match : matches)
+        energies[judge] += 0.5 * one / variance * robustSquare(match.residual, kOutliers[judge]);
     return energies;
   }
 

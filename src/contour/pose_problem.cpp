@@ -20,14 +20,14 @@ void PoseProblem::addRays(double outlier) {
   matchRays(ConeLanes(cones_), seen_.rays, matches_);
   const double one = options_.contour_weight / (options_.sigma * options_.sigma) /
                      std::max(1.0, double(seen_.rays.size()));
-  for (size_t i = 0; i < matches_.size(); ++i) {
-    const RayMatch& match = matches_[i];
-    const ContourRay& ray = seen_.rays[i];
-    const Eigen::Vector3f slope = match.along_normal * ray.normal + match.along_side * ray.side;
-    const double u[4] = {slope.x(), slope.y(), slope.z(), -1.0};
-    sums_[size_t(match.cone)].add(match.s, u, match.residual,
-                                  one * robustWeight(match.residual, outlier));
-  }
+  for (size_t i = 0; i < matches_.size(); ++i)
+    addRay(seen_.rays[i], matches_[i], one * robustWeight(matches_[i].residual, outlier), sums_);
+}
+
+void addRay(const ContourRay& ray, const RayMatch& match, double weight, AllConeSums& sums) {
+  const Eigen::Vector3f slope = match.along_normal * ray.normal + match.along_side * ray.side;
+  const double u[4] = {slope.x(), slope.y(), slope.z(), -1.0};
+  sums[size_t(match.cone)].add(match.s, u, match.residual, weight);
 }
 
 double outlierAt(const FitSchedule& schedule, int iteration) {

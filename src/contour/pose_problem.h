@@ -39,6 +39,9 @@ class PoseProblem {
   BallExcess excess_{};
 };
 
+/// Adds what a ray tells of the cone it is matched to.
+void addRay(const ContourRay& ray, const RayMatch& match, double weight, AllConeSums& sums);
+
 /// Robustness of a step, from the first value to the last by equal factors.
 double outlierAt(const FitSchedule& schedule, int iteration);
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "contour/drawn_body.h"
 
 namespace markerless_mocap {
@@ -131,14 +133,17 @@ TEST_F(ContourTrackerTest, AnArmLostFromTheStartOnIsLookedForNowAndThen) {
   EXPECT_GT(tracker.quality(), 0.9);
 }
 
-TEST_F(ContourTrackerTest, ATrunkThatTurnedAwayInsideTheSilhouettesComesBack) {
+TEST_F(ContourTrackerTest, ATrunkThatTurnedAwayInsideWideClothesComesBackWithinTwoInstants) {
   ContourPose hanging;
   hanging.position = stride().position;
-  const ContourObservation seen = see(hanging);
+  std::vector<cv::Mat> masks = drawnMasks(rig, body, hanging);
+  const cv::Mat clothes = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  for (cv::Mat& mask : masks) cv::dilate(mask, mask, clothes);
+  const ContourObservation seen = observer.observe(masks);
   ContourPose turned = hanging;
   turned.angles[ContourAngle::kSpineTwist] = 1.1;
-  turned.angles[ContourAngle::kLeftClavicleYaw] = -0.6;
-  turned.angles[ContourAngle::kRightClavicleYaw] = 0.6;
+  turned.angles[ContourAngle::kLeftClavicleYaw] = -0.55;
+  turned.angles[ContourAngle::kRightClavicleYaw] = 0.55;
   const auto shoulders_off = [&](const ContourPose& pose) {
     return (body.points(pose) - body.points(hanging)).col(kLeftWrist - 2).norm();
   };
@@ -147,8 +152,9 @@ TEST_F(ContourTrackerTest, ATrunkThatTurnedAwayInsideTheSilhouettesComesBack) {
   start.pose = turned;
   ASSERT_EQ(tracker.startFrom(0, start).status, ContourTrackStatus::kTracked);
   ContourTrack track;
-  for (int i = 1; i <= 4; ++i) track = tracker.update(i * kFrame_ns, seen, body);
-  EXPECT_LT(shoulders_off(track.fit.pose), 0.04);
+  for (int i = 1; i <= 2; ++i) track = tracker.update(i * kFrame_ns, seen, body);
+  EXPECT_EQ(track.status, ContourTrackStatus::kRecovered);
+  EXPECT_LT(shoulders_off(track.fit.pose), 0.05);
 }
 
 TEST_F(ContourTrackerTest, ATrunkThatIsTwistedStaysSo) {

@@ -32,8 +32,10 @@ struct LimbEvidence {
   int rays = 0;           ///< that touch it, within kRayExplained
   double distance = 0.0;  ///< of these rays from its surface, root mean square, metres
   double outside = 0.0;   ///< by which it sticks out of masks, mean over its balls, metres
-  /// Expected error of its end (head, wrist, ankle; trunk: neck's base), metres: what contours,
-  /// masks, limits and prediction together leave open, if the body's sizes are right.
+  /// Expected error of its end (head, wrist, ankle; trunk: neck's base), metres: what contours and
+  /// posture leave open. Rays count by how well rays and masks agree with their limb, those of an
+  /// arm by how much worse the rest of the body would explain them; prediction and masks that are
+  /// merely not left count nothing.
   double deviation = 0.0;
 };
 
