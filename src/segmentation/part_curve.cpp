@@ -42,8 +42,8 @@ Eigen::MatrixXd sumOverChildren(const GraphLevel& level, size_t parents,
 /// The part's largest component in as many nodes as there are voxels, or in blocks where it is
 /// fine. \param nodes of the part; those of the component are left
 BlockGraph componentOf(const WeightedGraph& graph, std::vector<uint32_t>* nodes) {
-  const auto gather = nodes->size() > kEnoughNodes ? gatherBlocks : gatherNodes;
-  BlockGraph part = gather(graph, *nodes);
+  BlockGraph part =
+      nodes->size() > kEnoughNodes ? gatherBlocks(graph, *nodes) : gatherNodes(graph, *nodes);
   const std::vector<uint32_t> component =
       connectedComponents(part.level.row_start, part.level.neighbor);
   if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; }))
@@ -55,7 +55,7 @@ BlockGraph componentOf(const WeightedGraph& graph, std::vector<uint32_t>* nodes)
   for (size_t i = 0; i < nodes->size(); ++i)
     if (of_node[i] == largest) kept.push_back((*nodes)[i]);
   *nodes = std::move(kept);
-  return gather(graph, *nodes);
+  return componentOf(graph, nodes);
 }
 
 Blocks blocksOf(const VoxelGraph& voxels, BlockGraph part, const std::vector<uint32_t>& nodes,
