@@ -20,9 +20,14 @@ constexpr double kAhead = 0.05;
 constexpr double kAtOnce = 0.03;  // in one instant
 
 constexpr double kElsewhere = 0.15;  // metres, of a limb's end
+constexpr double kSameBody = 0.08;   // metres, mean over the joints: an arm may be elsewhere
 
 bool isLost(const ContourTrack& track) {
   return track.status == ContourTrackStatus::kLost;
+}
+
+bool isSameBody(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
+  return (body.points(pose) - body.points(other)).colwise().norm().mean() < kSameBody;
 }
 
 }  // namespace
@@ -37,6 +42,7 @@ bool ContourHypotheses::isAhead() const {
 void ContourHypotheses::lose() {
   held_.lose();
   rival_.reset();
+  confirmed_ = false;
 }
 
 ContourFit ContourHypotheses::bestFit(const ContourObservation& seen, const ContourBody& body,
@@ -82,11 +88,31 @@ HeldTrack ContourHypotheses::update(int64_t stamp_ns, const ContourObservation& 
   if (held.jumped) {
     held.track = other;
     held_ = *rival_;
+    confirmed_ = false;
   }
   // Hypotheses often grow together.
   const bool same = both && !isElsewhere(body, held.track.fit.pose, other.fit.pose);
   if (held.jumped || isLost(other) || same || rival_gain_ < -kDecided) rival_.reset();
   return held;
+}
+
+HeldTrack ContourHypotheses::startAgain(int64_t stamp_ns, const ContourObservation& seen,
+                                        const ContourBody& body,
+                                        const std::vector<ContourPose>& poses,
+                                        const HeldTrack& held) {
+  ContourHypotheses fresh = *this;
+  const HeldTrack other = fresh.start(stamp_ns, seen, body, poses);
+  if (isLost(other.track)) return held;
+  const double gain = qualityOf(other.track.fit) - qualityOf(held.track.fit);
+  const bool same = isSameBody(body, held.track.fit.pose, other.track.fit.pose);
+  const bool confirmed = same || (confirmed_ && gain < kAtOnce);
+  HeldTrack now = held;
+  if (gain >= kAtOnce) {
+    *this = fresh;
+    now = {other.track, !same};
+  }
+  confirmed_ = confirmed;
+  return now;
 }
 
 void ContourHypotheses::challenge(int64_t stamp_ns, const ContourObservation& seen,

@@ -25,12 +25,18 @@ class ContourHypotheses {
   HeldTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                   const std::vector<ContourPose>& poses);
   HeldTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
+  /// Starts once more, from an instant after its update(): the same body confirms the one held,
+  /// what explains the masks clearly better takes its place. \param held what update() gave
+  HeldTrack startAgain(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
+                       const std::vector<ContourPose>& poses, const HeldTrack& held);
   /// Lets the best of some poses contradict the one held, unless one does already.
   void challenge(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                  const std::vector<ContourPose>& poses);
   bool isChallenged() const { return rival_.has_value(); }
   /// Whether nothing that contradicts the pose explains the masks nearly as well.
   bool isAhead() const;
+  /// Whether a start from a later instant has led to the body that is held.
+  bool isConfirmed() const { return confirmed_; }
   void lose();
   /// The best of the fits that begin at some poses.
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
@@ -42,6 +48,7 @@ class ContourHypotheses {
   ContourTracker held_;
   std::optional<ContourTracker> rival_;
   double rival_gain_ = 0.0;  ///< how much better the rival explains the masks, summed over instants
+  bool confirmed_ = false;
 };
 
 /// Whether a hand or a foot is far from where it is in the other pose.

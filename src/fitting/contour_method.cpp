@@ -16,6 +16,11 @@ constexpr double kSeenDeviation = 0.06, kSeenOutside = 0.10;  // metres
 constexpr int64_t kUnsure_ns = 2000000000;  // after a start
 constexpr int64_t kBetweenQuestions_ns = 200000000;
 
+// A start that explains the masks less is believed when one from a later instant alone leads to the
+// same body. Sizes that are not this person's explain less.
+constexpr double kPlain = 0.90, kPlainUnmeasured = 0.86;
+constexpr int64_t kBetweenStarts_ns = 50000000;
+
 SizePrior priorOf(const TrackerSources& sources, const TrackerOptions& options) {
   return {sources.people, options.skeleton.stature, options.stature_deviation};
 }
@@ -63,7 +68,7 @@ void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
 
 void ContourMethod::reset() {
   hypotheses_.lose();
-  sure_after_ns_ = decide_after_ns_ = next_question_ns_ = 0;
+  sure_after_ns_ = next_start_ns_ = next_question_ns_ = 0;
   seeker_->reset();
   conversion_->reset();
   stamp_.reset();
@@ -101,6 +106,19 @@ HeldTrack ContourMethod::start(const TrackingInstant& now, const ContourObservat
   return hypotheses_.start(now.stamp_ns, seen, *shape_, poses);
 }
 
+HeldTrack ContourMethod::startAgain(const TrackingInstant& now, const ContourObservation& seen,
+                                    const HeldTrack& held) {
+  if (now.stamp_ns < next_start_ns_) return held;
+  next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
+  seeker_->reset();  // this instant alone shall tell
+  return hypotheses_.startAgain(now.stamp_ns, seen, *shape_, proposals(now), held);
+}
+
+bool ContourMethod::isDecided(const ContourFit& fit) const {
+  const bool plain = qualityOf(fit) > (measurer_ ? kPlainUnmeasured : kPlain);
+  return hypotheses_.isAhead() && (plain || hypotheses_.isConfirmed());
+}
+
 // A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is
 // not sure, other trees and other sides are, too.
 void ContourMethod::question(const TrackingInstant& now, const ContourObservation& seen,
@@ -125,7 +143,7 @@ std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourOb
                                                const ContourFit& fit) {
   if (!measurer_) return std::nullopt;
   BodyPose pose;
-  if (hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, fit);
+  if (decided_ && hypotheses_.isAhead()) measurer_->add(stamp_ns, seen, *shape_, fit);
   if (takeOverMeasured()) {
     pose.reason = "the body has just been measured";  // the pose is another body's
     return pose;
@@ -162,9 +180,11 @@ BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack&
   return pose;
 }
 
-BodyPose ContourMethod::undecided() {
+BodyPose ContourMethod::undecided() const {
   BodyPose pose;
-  pose.reason = "the person is found, front and back are not told apart yet";
+  pose.reason = hypotheses_.isAhead()
+                    ? "the person is found, but in one instant only"
+                    : "the person is found, front and back are not told apart yet";
   return pose;
 }
 
@@ -189,12 +209,12 @@ BodyPose ContourMethod::update(const TrackingInstant& now) {
   HeldTrack held = hypotheses_.update(now.stamp_ns, seen, *shape_);
   if (held.track.status == ContourTrackStatus::kLost) {
     held = start(now, seen);
-    decided_ = hypotheses_.isAhead();
+    decided_ = isDecided(held.track.fit);
+    next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
     claimed_ = false;
   } else {
-    // What has just changed may do so again.
-    if (held.jumped) decide_after_ns_ = now.stamp_ns + kBetweenQuestions_ns;
-    decided_ = decided_ || (now.stamp_ns > decide_after_ns_ && hypotheses_.isAhead());
+    if (!decided_) held = startAgain(now, seen, held);
+    decided_ = decided_ || isDecided(held.track.fit);
     question(now, seen, held.track);
   }
   if (held.jumped) sure_after_ns_ = now.stamp_ns + kUnsure_ns;

@@ -30,6 +30,10 @@ class ContourMethod : public BodyTracker {
   bool takeOverMeasured();
   void guessStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
   HeldTrack start(const TrackingInstant& now, const ContourObservation& seen);
+  HeldTrack startAgain(const TrackingInstant& now, const ContourObservation& seen,
+                       const HeldTrack& held);
+  /// Whether what has been started may be claimed.
+  bool isDecided(const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackingInstant& now);
   void question(const TrackingInstant& now, const ContourObservation& seen,
                 const ContourTrack& track);
@@ -37,16 +41,16 @@ class ContourMethod : public BodyTracker {
   std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
                                   const ContourFit& fit);
   BodyPose lost(const ContourObservation& seen, const ContourTrack& track) const;
-  static BodyPose undecided();
+  BodyPose undecided() const;
   BodyPose claimed(const HeldTrack& held);
 
   TrackerSources sources_;
   TrackerOptions options_;
   ContourObserver observer_;
   ContourHypotheses hypotheses_;
-  bool decided_ = false;  ///< which way the person faces, since the last start
+  bool decided_ = false;  ///< where the person is and faces, since the last start
   bool claimed_ = false;  ///< a pose, since the last start
-  int64_t sure_after_ns_ = 0, decide_after_ns_ = 0, next_question_ns_ = 0;
+  int64_t sure_after_ns_ = 0, next_question_ns_ = 0, next_start_ns_ = 0;
   std::optional<BodyMeasurer> measurer_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> shape_;             ///< of body_

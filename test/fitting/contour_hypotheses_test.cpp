@@ -40,6 +40,14 @@ class ContourHypothesesTest : public ::testing::Test {
   }
   HeldTrack start(const ContourPose& pose) { return held.start(0, see(at(0)), body, {pose}); }
   HeldTrack update(int frame) { return held.update(frame * kFrame_ns, see(at(frame)), body); }
+  HeldTrack startAgain(int frame, const ContourPose& pose, const HeldTrack& now) {
+    return held.startAgain(frame * kFrame_ns, see(at(frame)), body, {pose}, now);
+  }
+  /// Turned by a right angle.
+  static ContourPose sideways(ContourPose pose) {
+    pose.balls[B::kRoot] = rotationOf({0, 0, M_PI / 2}) * pose.balls[B::kRoot];
+    return pose;
+  }
   double error(const HeldTrack& now, int frame) const {
     return jointDistance(body, now.track.fit.pose, body, at(frame));
   }
@@ -86,6 +94,71 @@ TEST_F(ContourHypothesesTest, TakesTheBestOfSomePoses) {
   const HeldTrack first = held.start(
       0, see(at(0)), body, {aside, mirrored(body, at(0)), disturbed(at(0), 0.1, 0.03, 3)});
   EXPECT_LT(error(first, 0), 0.01);
+}
+
+TEST_F(ContourHypothesesTest, ALaterStartThatFindsTheSameConfirmsIt) {
+  const ContourPose first = disturbed(at(0), 0.1, 0.03, 3);
+  start(first);
+  EXPECT_FALSE(held.isConfirmed());
+  const HeldTrack before = update(2);
+  EXPECT_FALSE(held.isConfirmed()) << "following is no start";
+  const HeldTrack now = startAgain(2, disturbed(at(2), 0.1, 0.03, 5), before);
+  EXPECT_TRUE(held.isConfirmed());
+  EXPECT_FALSE(now.jumped);
+  EXPECT_EQ(stepBetween(before.track.fit.pose, now.track.fit.pose).norm(), 0.0) << "and goes on";
+  start(first);
+  EXPECT_FALSE(held.isConfirmed()) << "another start";
+}
+
+TEST_F(ContourHypothesesTest, ALaterStartThatFindsAnArmElsewhereConfirmsTheBody) {
+  start(at(0));
+  HeldTrack before = update(1);
+  before.track.fit.pose.balls[B::kLeftShoulder] = rotationOf({2.2, 0.3, 0});
+  startAgain(1, at(1), before);
+  EXPECT_TRUE(held.isConfirmed());
+}
+
+TEST_F(ContourHypothesesTest, ALaterStartThatIsNotClearlyBetterNeitherConfirmsNorReplaces) {
+  start(at(0));
+  const HeldTrack before = update(1);
+  const HeldTrack now = startAgain(1, mirrored(body, at(1)), before);
+  EXPECT_FALSE(held.isConfirmed());
+  EXPECT_FALSE(now.jumped);
+  EXPECT_LT(error(now, 1), 0.01);
+  EXPECT_LT(error(update(2), 2), 0.01);
+}
+
+TEST_F(ContourHypothesesTest, ALaterStartThatIsClearlyBetterReplacesAtOnce) {
+  const HeldTrack first = start(sideways(at(0)));
+  ASSERT_GT(error(first, 0), 0.1) << "must start wrong for this test to tell anything";
+  const HeldTrack before = update(1);
+  ASSERT_GT(error(before, 1), 0.1);
+  const HeldTrack now = startAgain(1, disturbed(at(1), 0.1, 0.03, 3), before);
+  EXPECT_TRUE(now.jumped);
+  EXPECT_LT(error(now, 1), 0.01);
+  EXPECT_FALSE(held.isConfirmed()) << "it is the first that found this";
+  EXPECT_TRUE(held.isAhead());
+  EXPECT_LT(error(update(2), 2), 0.01);
+}
+
+TEST_F(ContourHypothesesTest, WhatTakesThePlaceOfTheOneConfirmedIsNot) {
+  start(mirrored(body, at(0)));
+  HeldTrack now = update(1);
+  startAgain(1, mirrored(body, at(1)), now);
+  EXPECT_TRUE(held.isConfirmed());
+  EXPECT_FALSE(held.isAhead());
+  for (int frame = 2; frame <= 10 && !now.jumped; ++frame) now = update(frame);
+  ASSERT_TRUE(now.jumped);
+  EXPECT_FALSE(held.isConfirmed());
+}
+
+TEST_F(ContourHypothesesTest, ALaterStartFromNoPoseChangesNothing) {
+  start(at(0));
+  const HeldTrack before = update(1);
+  const HeldTrack now = held.startAgain(kFrame_ns, see(at(1)), body, {}, before);
+  EXPECT_EQ(stepBetween(before.track.fit.pose, now.track.fit.pose).norm(), 0.0);
+  EXPECT_FALSE(held.isConfirmed());
+  EXPECT_TRUE(held.isAhead());
 }
 
 TEST_F(ContourHypothesesTest, ChallengeWithTheSamePoseChangesNothing) {

@@ -1,11 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <map>
-
-#include "contour/drawn_body.h"
+#include "fitting/drawn_walk.h"
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/fitting/body_tracker.h"
 #include "sentence_of.h"
@@ -13,22 +8,8 @@
 namespace markerless_mocap {
 namespace {
 
-using B = ContourBall;
-
 constexpr int64_t kFrame_ns = 33333333;
 constexpr int kMeasuringPoses = 6;
-
-std::string urdfTemplate() {
-  std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Someone smaller than believed.
-ContourSizes truth() {
-  ContourSizes sizes = ContourTemplate::handMade().sizes(1.66);
-  sizes[ContourLength::kThigh] *= 1.04;
-  return sizes;
-}
 
 TrackerOptions contourOptions() {
   TrackerOptions options;
@@ -36,41 +17,6 @@ TrackerOptions contourOptions() {
   options.measuring_poses = kMeasuringPoses;
   options.contour.rays = 400;
   return options;
-}
-
-/// Walks in a circle with swinging arms.
-ContourPose at(int frame) {
-  ContourPose pose = stride();
-  const double turn = 0.08 * frame;
-  pose.position += 0.35 * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0);
-  pose.balls[B::kRoot] = rotationOf({0, 0, turn + M_PI / 2});
-  for (const size_t shoulder : {B::kLeftShoulder, B::kRightShoulder})
-    pose.balls[shoulder] = rotationOf({0, 0.4 * std::sin(0.2 * frame), 0}) * pose.balls[shoulder];
-  pose.angles[ContourAngle::kLeftKnee] -= 0.3 * std::sin(0.15 * frame);
-  return pose;
-}
-
-/// Drawn once for all tests: drawing takes longer than fitting.
-const std::vector<cv::Mat>& masksAt(int frame) {
-  static std::map<int, std::vector<cv::Mat>> drawn;
-  std::vector<cv::Mat>& masks = drawn[frame];
-  if (masks.empty()) masks = drawnMasks(drawnRig(5), ContourBody(truth()), at(frame));
-  return masks;
-}
-
-/// What a tree of the pose tells: `mirrored` takes left for right.
-PoseTree treeOf(const ContourBody& body, const ContourPose& pose, bool mirrored) {
-  // Of contourPointNames(), left ones first.
-  constexpr int kPoints[kTreeJointCount] = {1, 3, 6, 4, 7, 5, 8, 9, 12, 10, 13, 11, 14};
-  const Eigen::Matrix3Xd points = body.points(pose);
-  PoseTree tree;
-  tree.status = TreeStatus::kOk;
-  tree.joints[0] = points.col(1);
-  for (size_t joint = 1; joint < kTreeJointCount; ++joint) {
-    const size_t other = joint % 2 ? joint + 1 : joint - 1;
-    tree.joints[joint] = points.col(kPoints[mirrored ? other : joint]);
-  }
-  return tree;
 }
 
 class ContourMethodTest : public testing::Test {
@@ -91,17 +37,8 @@ class ContourMethodTest : public testing::Test {
     const cv::Mat nobody = cv::Mat::zeros(240, 320, CV_8UC1);
     return show(std::vector<cv::Mat>(rig.size(), nobody), PoseTree{});
   }
-  /// Mean distance of the fifteen joints of the URDF body from the drawn ones, metres.
   double error(const BodyPose& pose, int frame) const {
-    LinkPoses T_world_link;
-    const BodyModel& model = *tracker->body()->model;
-    model.forwardKinematics(pose.T_world_body, pose.angles, T_world_link);
-    const auto markers = markerPositions(model, T_world_link);
-    const Eigen::Matrix3Xd points = person.points(at(frame));
-    double sum = 0;
-    for (size_t i = 0; i < markers.size(); ++i)
-      sum += (markers[i] - points.col(Eigen::Index(i))).norm() / double(markers.size());
-    return sum;
+    return errorOf(*tracker->body()->model, pose, frame);
   }
   static double offBy(const ContourSizes& sizes) {
     return (sizes - truth()).head<ContourLength::kCount>().norm();
