@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "segmentation/disjoint_sets.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -20,13 +22,7 @@ class Components {
     peak_[node] = peak;
   }
   bool has(uint32_t node) const { return parent_[node] != kNone; }
-  uint32_t root(uint32_t node) {
-    while (parent_[node] != node) {
-      parent_[node] = parent_[parent_[node]];
-      node = parent_[node];
-    }
-    return node;
-  }
+  uint32_t root(uint32_t node) { return rootOf(&parent_, node); }
   uint32_t peak(uint32_t root) const { return peak_[root]; }
   void join(uint32_t root, uint32_t other, uint32_t peak) {
     parent_[other] = root;
