@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,12 +15,21 @@ template <class Item>
 class ArrivalStore {
  public:
   /// \param most of one camera; the earliest go when there are more
-  ArrivalStore(size_t cameras, size_t most) : waiting_(cameras), most_(most) {}
+  ArrivalStore(size_t cameras, size_t most) : waiting_(cameras), last_ns_(cameras), most_(most) {}
 
   void add(size_t camera, int64_t stamp_ns, Item item) {
     auto& waiting = waiting_.at(camera);
     waiting.push_back({stamp_ns, std::move(item)});
     if (waiting.size() > most_) waiting.pop_front();
+    last_ns_[camera] = stamp_ns;
+  }
+
+  /// Whether the camera's last item is earlier than this stamp, but by so little that its next one
+  /// may be on its way. Items of a camera come in the order of their stamps.
+  bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns,
+                    int64_t most_behind_ns) const {
+    const std::optional<int64_t>& last = last_ns_.at(camera);
+    return last && *last < stamp_ns - tolerance_ns && *last >= stamp_ns - most_behind_ns;
   }
 
   /// The item of the nearest stamp within the tolerance, an empty one if there is none. It goes
@@ -45,6 +55,7 @@ class ArrivalStore {
     Item item;
   };
   std::vector<std::deque<Arrival>> waiting_;  ///< by camera, as they came
+  std::vector<std::optional<int64_t>> last_ns_;
   size_t most_;
 };
 

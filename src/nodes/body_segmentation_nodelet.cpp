@@ -12,6 +12,7 @@
 #include "nodes/callback_gate.h"
 #include "nodes/guarded_start.h"
 #include "nodes/publish_shared.h"
+#include "nodes/quick_transport.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {
@@ -29,14 +30,16 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     segmenter_.emplace(options);
     ros::NodeHandle& handle = getNodeHandle();
     status_ = std::make_unique<StageStatus>(handle, getPrivateNodeHandle(), "body segmentation");
-    parts_ = handle.advertise<BodyPartsMsg>("segmentation/parts", 4);
-    points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", 4);
+    parts_ = handle.advertise<BodyPartsMsg>("segmentation/parts", kPublisherQueue);
+    points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", kPublisherQueue);
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     grid_subscriber_ = handle.subscribe<VoxelGrid>(
-        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
+        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
+        quickTransport());
     hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
         "hull/points", 2,
-        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }));
+        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
+        quickTransport());
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {

@@ -3,6 +3,7 @@
 #include <ros/master.h>
 
 #include "markerless_mocap/ros/image_conversions.h"
+#include "nodes/quick_transport.h"
 
 namespace markerless_mocap {
 
@@ -20,13 +21,17 @@ ros::Subscriber subscribeImages(ros::NodeHandle& handle, const std::string& came
   const std::string topic = imageTopic(camera, transport);
   if (transport == "compressed")
     return handle.subscribe<sensor_msgs::CompressedImage>(
-        topic, queue, [callback](const sensor_msgs::CompressedImageConstPtr& message) {
+        topic, queue,
+        [callback](const sensor_msgs::CompressedImageConstPtr& message) {
           callback({nullptr, message});
-        });
+        },
+        {}, quickTransport());
   return handle.subscribe<sensor_msgs::Image>(
-      topic, queue, [callback](const sensor_msgs::ImageConstPtr& message) {
+      topic, queue,
+      [callback](const sensor_msgs::ImageConstPtr& message) {
         callback({message, nullptr});
-      });
+      },
+      {}, quickTransport());
 }
 
 std::string silentTopic(const std::string& topic, const std::string& type) {

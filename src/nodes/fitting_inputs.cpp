@@ -5,15 +5,19 @@
 #include <exception>
 
 #include "markerless_mocap/ros/camera_conversions.h"
+#include "nodes/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 12;    // callbacks only put messages in their places
+constexpr uint32_t kQueue = 64;    // callbacks only put messages in their places
 constexpr double kDeadline = 2.0;  // seconds that a stage may lag behind the hulls
 constexpr int kMostPending = 60;   // instants, at 30 a second as long as the deadline
 constexpr size_t kMostViews = 64;  // of a camera: what the stages lag behind the cameras
 constexpr double kSilence = 5.0;   // seconds
+// Between processes a silhouette can be behind the hull that was carved from it.
+constexpr size_t kMostHeld = 3;               // instants
+constexpr int64_t kMostBehind = 100'000'000;  // nanoseconds; a camera further behind has stopped
 
 AssemblerOptions joinOptions(FittingNeeds needs) {
   AssemblerOptions options;
@@ -56,7 +60,8 @@ void FittingInputs::listen(const std::string& topic, uint32_t queue, CallbackT c
       gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
         silent_.erase(name);
         callback(message);
-      })));
+      }),
+      {}, quickTransport()));
 }
 
 void FittingInputs::listenToStages() {
@@ -88,6 +93,7 @@ void FittingInputs::listenToCamera(size_t camera) {
   listen<sensor_msgs::Image>(name + "/silhouette", kQueue,
                              [this, camera](const sensor_msgs::ImageConstPtr& mask) {
                                masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
+                               giveOut();
                              });
   if (!needs_.images) return;
   subscribers_.push_back(subscribeImages(handle_, name, options_.image_transport, kQueue,
@@ -99,11 +105,12 @@ void FittingInputs::listenToCamera(size_t camera) {
 
 void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
   for (auto& instant : assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item)))
-    give(std::move(instant));
+    join(std::move(instant));
+  giveOut();
   reportCounts();
 }
 
-void FittingInputs::give(Assembler::Instant instant) {
+void FittingInputs::join(Assembler::Instant instant) {
   if (!instant.present[kHull]) {
     status_->count("instants without a hull");
     return;
@@ -116,17 +123,37 @@ void FittingInputs::give(Assembler::Instant instant) {
   input.labels = instant.items[kLabels].cloud;
   input.complete = std::count(instant.present.begin(), instant.present.end(), false) == 0;
   if (needs_.masks) input.tree = instant.items[kTree].tree;
-  if (needs_.masks) addViews(&input);
-  input.refusal = grid_ ? prepareRig() : "no hull/grid has come yet";
-  input.rig = rig_;
-  sink_(std::move(input));
+  held_.push_back(std::move(input));
+}
+
+void FittingInputs::giveOut() {
+  while (!held_.empty()) {
+    FittingInput& input = held_.front();
+    if (held_.size() <= kMostHeld && waitsForMasks(input)) return;
+    if (needs_.masks) addViews(&input);
+    input.refusal = grid_ ? prepareRig() : "no hull/grid has come yet";
+    input.rig = rig_;
+    sink_(std::move(input));
+    held_.pop_front();
+  }
+}
+
+bool FittingInputs::waitsForMasks(const FittingInput& input) const {
+  if (!needs_.masks) return false;
+  for (size_t i = 0; i < options_.cameras.size(); ++i)
+    if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMostBehind))
+      return true;
+  return false;
+}
+
+int64_t FittingInputs::stampTolerance() const {
+  return int64_t(std::llround(options_.stamp_tolerance * 1e9));
 }
 
 void FittingInputs::addViews(FittingInput* input) {
   const int64_t stamp_ns = nanosecondsOf(input->header.stamp);
-  const auto tolerance_ns = int64_t(std::llround(options_.stamp_tolerance * 1e9));
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
-    input->masks.push_back(masks_.take(i, stamp_ns, tolerance_ns));
+    input->masks.push_back(masks_.take(i, stamp_ns, stampTolerance()));
     const sensor_msgs::ImageConstPtr& mask = input->masks.back();
     if (!mask) status_->count("instants without the silhouette of " + options_.cameras[i]);
     if (needs_.images)

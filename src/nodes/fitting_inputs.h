@@ -5,6 +5,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -65,7 +66,11 @@ class FittingInputs {
   void listenToStages();
   void listenToCamera(size_t camera);
   void receive(Stream stream, const std_msgs::Header& header, Item item);
-  void give(Assembler::Instant instant);
+  void join(Assembler::Instant instant);
+  /// Gives out what is held, oldest first, up to an instant whose silhouettes may still come.
+  void giveOut();
+  bool waitsForMasks(const FittingInput& input) const;
+  int64_t stampTolerance() const;  ///< nanoseconds
   void addViews(FittingInput* input);
   /// Finds out the rig; one sentence on what is missing, empty once it is known.
   std::string prepareRig();
@@ -84,6 +89,7 @@ class FittingInputs {
   Assembler assembler_;
   ArrivalStore<sensor_msgs::ImageConstPtr> masks_;
   ArrivalStore<CameraImage> images_;
+  std::deque<FittingInput> held_;  ///< joined, but for the views
   VoxelGridConstPtr grid_;
   std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
   ros::WallTimer silence_timer_;

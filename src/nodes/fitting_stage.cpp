@@ -16,6 +16,7 @@
 #include "markerless_mocap/ros/pose_tree_conversions.h"
 #include "markerless_mocap/ros/segmentation_conversions.h"
 #include "nodes/publish_shared.h"
+#include "nodes/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -90,8 +91,8 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   node_options_.checkCamerasFor(options_.method);
   takeOver(bodyBeforehand(sources_, options_));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
-      "/humans/bodies/" + node_options_.body_id + "/joint_states", 4);
-  pose_ = handle.advertise<BodyPoseMsg>("pose", 4);
+      "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
+  pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needsOf(options_.method), &status_,

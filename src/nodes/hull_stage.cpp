@@ -10,6 +10,7 @@
 #include "markerless_mocap/ros/hull_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "nodes/publish_shared.h"
+#include "nodes/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -50,7 +51,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       images_(node_options.cameras.size()),
       silent_(node_options.cameras.size(), true),
       status_(handle, private_handle, "visual hull") {
-  points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", 4);
+  points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
   silence_timer_ = handle.createWallTimer(
@@ -68,15 +69,16 @@ void HullStage::subscribe(ros::NodeHandle& handle) {
       subscribers_.push_back(handle.subscribe<sensor_msgs::CameraInfo>(
           camera + "/camera_info", kQueue,
           gate_.guarded(
-              [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); })));
+              [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); }),
+          {}, quickTransport()));
     if (node_options_.color)
       subscribers_.push_back(subscribeImages(
           handle, camera, node_options_.image_transport, kQueue,
           gate_.guarded([this, i](const CameraImage& image) { receiveImage(i, image); })));
     subscribers_.push_back(handle.subscribe<sensor_msgs::Image>(
         camera + "/silhouette", kQueue,
-        gate_.guarded(
-            [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); })));
+        gate_.guarded([this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); }),
+        {}, quickTransport()));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "nodes/callback_gate.h"
 #include "nodes/guarded_start.h"
 #include "nodes/publish_shared.h"
+#include "nodes/quick_transport.h"
 #include "nodes/stage_status.h"
 
 namespace markerless_mocap {
@@ -29,14 +30,16 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     builder_.emplace(options);
     ros::NodeHandle& handle = getNodeHandle();
     status_ = std::make_unique<StageStatus>(handle, getPrivateNodeHandle(), "pose tree");
-    trees_ = handle.advertise<PoseTreeMsg>("pose_tree", 4);
+    trees_ = handle.advertise<PoseTreeMsg>("pose_tree", kPublisherQueue);
     markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose_tree/markers", 4);
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     grid_subscriber_ = handle.subscribe<VoxelGrid>(
-        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }));
+        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
+        quickTransport());
     hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
         "hull/points", 2,
-        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }));
+        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
+        quickTransport());
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {

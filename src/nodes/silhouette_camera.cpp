@@ -8,6 +8,7 @@
 #include "markerless_mocap/ros/camera_conversions.h"
 #include "markerless_mocap/ros/image_conversions.h"
 #include "nodes/publish_shared.h"
+#include "nodes/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -33,7 +34,7 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       status_(handle, private_handle, "silhouette of " + camera) {
   loadBackground();
   topic_ = handle.resolveName(imageTopic(camera, node_options.image_transport));
-  publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", 4);
+  publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", kPublisherQueue);
   silence_timer_ = handle.createWallTimer(
       ros::WallDuration(5.0),
       gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));

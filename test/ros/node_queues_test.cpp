@@ -51,6 +51,20 @@ TEST(ArrivalStore, HoldsNoMoreThanItMay) {
   EXPECT_TRUE(store.take(0, 1, 0));
 }
 
+TEST(ArrivalStore, WhatIsALittleBehindMayStillCome) {
+  ArrivalStore<Item> store(2, 8);
+  EXPECT_FALSE(store.mayStillCome(0, 100, 5, 50));  // nothing has ever come
+  store.add(0, 100, item(0));
+  EXPECT_FALSE(store.mayStillCome(0, 105, 5, 50));  // it is there
+  EXPECT_TRUE(store.take(0, 105, 5));
+  EXPECT_FALSE(store.mayStillCome(0, 105, 5, 50));
+  EXPECT_TRUE(store.mayStillCome(0, 106, 5, 50));
+  EXPECT_TRUE(store.mayStillCome(0, 150, 5, 50));
+  EXPECT_FALSE(store.mayStillCome(0, 151, 5, 50));  // the camera has stopped
+  EXPECT_FALSE(store.mayStillCome(0, 90, 5, 50));   // it was left out
+  EXPECT_FALSE(store.mayStillCome(1, 106, 5, 50));
+}
+
 TEST(LagQueue, ItemsBehindASlowOneWait) {
   LagQueue<int> queue(3);
   for (int i = 0; i < 3; ++i) queue.push(i);
