@@ -12,7 +12,7 @@ using visualization_msgs::Marker;
 
 constexpr int kSectors = 10, kCapRings = 4;
 constexpr double kSmallError = 0.01, kLargeError = 0.05;  // metres: green, red
-constexpr float kAlpha = 0.55f;
+constexpr float kAlpha = 0.4f;
 
 /// A circle around a round cone's axis.
 struct Ring {

@@ -9,7 +9,8 @@ namespace {
 using visualization_msgs::Marker;
 
 // Metres on the screen.
-constexpr double kEdgeWidth = 0.012, kTipSize = 0.07, kTextSize = 0.07, kTextAbove = 0.09;
+constexpr double kEdgeWidth = 0.012, kTipSize = 0.07, kTextAbove = 0.09;
+constexpr double kNameSize = 0.07, kReasonSize = 0.05;
 constexpr double kArrowLength = 0.4, kArrowWidth = 0.025, kArrowHead = 0.06;
 constexpr float kFaint = 0.3f;
 
@@ -65,7 +66,9 @@ class MarkerSet {
     std::string name = toString(extremity);
     for (char& c : name)
       if (c == '_') c = ' ';
-    addText("tip_names", id, name, tip.position, tip.node >= 0, color);
+    Marker& text = addText("tip_names", id, name, tip.position, tip.node >= 0);
+    text.scale.z = kNameSize;
+    text.color = colorMessage(color, alpha_);
   }
 
   void addForward() {
@@ -83,7 +86,9 @@ class MarkerSet {
     const bool shown = !tree_.valid() && !tree_.nodes.empty();
     Eigen::Vector3d at(0.0, 0.0, 2 * kTextAbove);
     if (shown) at += tree_.nodes.front().position;
-    addText("reason", 0, tree_.reason, at, shown, {255, 255, 255});
+    Marker& text = addText("reason", 0, tree_.reason, at, shown);
+    text.scale.z = kReasonSize;
+    text.color = colorMessage({255, 255, 255}, 1.0f);
   }
 
   const visualization_msgs::MarkerArray& markers() const { return markers_; }
@@ -101,13 +106,12 @@ class MarkerSet {
     return marker;
   }
 
-  void addText(const char* group, int id, const std::string& words, const Eigen::Vector3d& below,
-               bool shown, const std::array<uint8_t, 3>& color) {
+  Marker& addText(const char* group, int id, const std::string& words, const Eigen::Vector3d& below,
+                  bool shown) {
     Marker& text = add(group, id, Marker::TEXT_VIEW_FACING, shown);
     text.text = words;
     text.pose.position = pointMessage(below + Eigen::Vector3d(0.0, 0.0, kTextAbove));
-    text.scale.z = kTextSize;
-    text.color = colorMessage(color, 1.0f);
+    return text;
   }
 
   const PoseTree& tree_;

@@ -189,9 +189,11 @@ TEST(PoseTreeMarkers, ArrowPointsForwardFromTheOrigin) {
 TEST(PoseTreeMarkers, ReasonIsShownUnlessTheTreeIsValid) {
   PoseTree tree = sampleTree();
   EXPECT_EQ(find(treeMarkers(tree, worldHeader()), "reason", 0).text, tree.reason);
+  EXPECT_LT(find(treeMarkers(tree, worldHeader()), "tip_names", 0).color.a, 0.5f);
   tree.status = TreeStatus::kOk;
   const auto markers = treeMarkers(tree, worldHeader());
   EXPECT_EQ(find(markers, "reason", 0).action, Marker::DELETE);
+  EXPECT_EQ(find(markers, "tip_names", 0).color.a, 1.0f);
   EXPECT_EQ(find(markers, "tree", 0).colors[5].a, 1.0f);
 }
 
