@@ -16,6 +16,9 @@ using ByLimb = std::array<double, ContourLimb::kCount>;
 // Rays and masks agree with no limb better than to this share of sigma: sizes are not exact.
 constexpr double kBestAgreement = 0.75;
 
+// How rays count for independent ones: learned from errors made on films of the virtual studio.
+constexpr double kAlike = 0.7;
+
 constexpr double kAnything = 1.0;  // rad and metres: the deviation of what nothing is known of
 
 constexpr double kNowhere = 1e4;  // metres: where no ray is near
@@ -92,19 +95,28 @@ std::vector<double> shares(const ContourObservation& seen, const ContourOptions&
   return out;
 }
 
+/// Variance that a limb's rays are taken to have, square metres: that with which rays and masks
+/// disagree with it. What all limbs share comes from calibration and noise, which differ from
+/// camera to camera and average out; it counts by the geometric mean with what is usual.
+ByLimb varianceOf(const ContourOptions& options, ByLimb disagreement) {
+  const double least = square(kBestAgreement * options.sigma);
+  for (double& limb : disagreement) limb = std::max(limb, least);
+  const double shared = *std::min_element(disagreement.begin(), disagreement.end());
+  for (double& limb : disagreement) limb *= kAlike * options.sigma / std::sqrt(shared);
+  return disagreement;
+}
+
 /// What rays and the posture alone know of the pose. What was predicted, and masks that a limb does
 /// not leave, hold a limb but do not show where it is.
 Square knowledge(const ContourObservation& seen, const ContourOptions& options,
-                 const PoseProblem& problem, const ContourPose& pose, const ByLimb& disagreement) {
+                 const PoseProblem& problem, const ContourPose& pose, const ByLimb& variance) {
   AllConeSums sums;
   const std::vector<double> share = shares(seen, options, problem);
   const double one = options.contour_weight / std::max(1.0, double(seen.rays.size()));
-  const double least = square(kBestAgreement * options.sigma);
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const RayMatch& match = problem.matches()[i];
-    const double variance = std::max(least, disagreement[limbOfCone(match.cone)]);
-    addRay(seen.rays[i], match,
-           share[i] * one / variance * robustWeight(match.residual, options.outlier_last), sums);
+    const double weight = share[i] * one / variance[limbOfCone(match.cone)];
+    addRay(seen.rays[i], match, weight * robustWeight(match.residual, options.outlier_last), sums);
   }
   PoseEquations equations;
   equations.clear();
@@ -131,8 +143,8 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
 
 void gatherEvidence(const ContourObservation& seen, const ContourOptions& options,
                     const ContourBody& body, const PoseProblem& problem, ContourFit& fit) {
-  const ByLimb disagreement = tally(options, problem, fit);
-  const Eigen::LLT<Square> inverse(knowledge(seen, options, problem, fit.pose, disagreement));
+  const ByLimb variance = varianceOf(options, tally(options, problem, fit));
+  const Eigen::LLT<Square> inverse(knowledge(seen, options, problem, fit.pose, variance));
   for (int limb = 0; limb < ContourLimb::kCount; ++limb)
     fit.limbs[size_t(limb)].deviation = endDeviation(body, problem.frames(), inverse, limb);
 }
