@@ -10,8 +10,9 @@
 namespace markerless_mocap {
 namespace {
 
-// A limb is seen when contours hold its end to this, and it is not mostly outside the masks.
-constexpr double kSeenDeviation = 0.06, kSeenOutside = 0.10;  // metres
+// A limb is seen when contours hold its end to this, while posture alone leaves an arm's 0.1 open,
+// and it is not mostly outside the masks.
+constexpr double kSeenDeviation = 0.08, kSeenOutside = 0.10;  // metres
 
 constexpr int64_t kUnsure_ns = 2000000000;  // after a start
 constexpr int64_t kBetweenQuestions_ns = 200000000;
