@@ -74,27 +74,33 @@ GraphLevel coarsen(const Graph& fine, const std::vector<uint32_t>& nodes,
   const Children sorted = childrenOf(nodes, parent, parents);
   GraphLevel coarse;
   coarse.row_start.assign(1, 0);
-  coarse.mass.assign(parents, 0.0f);
-  std::vector<uint32_t> place(parents, kNone);  // of the edge to each parent, if in this row
+  coarse.mass.reserve(parents);
+  coarse.neighbor.reserve(fine.neighbor.size() / 2);
+  coarse.weight.reserve(fine.neighbor.size() / 2);
+  std::vector<int32_t> place(parents, -1);  // of the edge to each parent, if in this row
   for (uint32_t p = 0; p < parents; ++p) {
-    const auto row = uint32_t(coarse.neighbor.size());
+    const auto row = int32_t(coarse.neighbor.size());
+    float mass = 0.0f;
     for (uint32_t c = sorted.first[p]; c < sorted.first[p + 1]; ++c) {
-      const uint32_t node = sorted.children[c];
-      if constexpr (kHasMass) coarse.mass[p] += fine.mass[node];
-      for (uint32_t e = fine.row_start[node]; e < fine.row_start[node + 1]; ++e) {
+      const uint32_t node = sorted.children[c], end = fine.row_start[node + 1];
+      if constexpr (kHasMass) mass += fine.mass[node];
+      for (uint32_t e = fine.row_start[node]; e < end; ++e) {
         const uint32_t other = parent[fine.neighbor[e]];
         if (other == kNone) continue;
-        if constexpr (!kHasMass) coarse.mass[p] += float(fine.weight[e]);
+        const auto weight = float(fine.weight[e]);
+        if constexpr (!kHasMass) mass += weight;
         if (other == p) continue;
-        if (place[other] == kNone || place[other] < row) {
-          place[other] = uint32_t(coarse.neighbor.size());
+        if (place[other] >= row) {
+          coarse.weight[size_t(place[other])] += weight;
+        } else {
+          place[other] = int32_t(coarse.neighbor.size());
           coarse.neighbor.push_back(other);
-          coarse.weight.push_back(0.0f);
+          coarse.weight.push_back(weight);
         }
-        coarse.weight[place[other]] += float(fine.weight[e]);
       }
     }
-    endRow(row, &coarse);
+    coarse.mass.push_back(mass);
+    endRow(uint32_t(row), &coarse);
   }
   return coarse;
 }

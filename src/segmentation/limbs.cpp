@@ -72,11 +72,12 @@ Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int
 /// An arm that closes a loop has no end; one part of it, or the other arm, may have its name.
 void findLoops(const VoxelGraph& voxels, const TipMeasures& measures, const TipNames& names,
                Limbs* limbs) {
+  NodeGrid::Region region(voxels.grid);
   for (int tip = 0; tip < int(measures.way.size()); ++tip) {
     const auto named = std::find(names.tip.begin(), names.tip.end(), tip);
     const auto part = size_t(named - names.tip.begin());
     const bool arm = part == size_t(PartLabel::kArm1) || part == size_t(PartLabel::kArm2);
-    if ((named != names.tip.end() && !arm) || !closesLoop(voxels, measures.way[tip])) continue;
+    if ((named != names.tip.end() && !arm) || !closesLoop(measures.way[tip], &region)) continue;
     if (!arm) {
       ++limbs->unnamed_loops;
       continue;

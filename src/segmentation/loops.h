@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "markerless_mocap/segmentation/node_grid.h"
 
 namespace markerless_mocap {
 
@@ -10,6 +10,7 @@ namespace markerless_mocap {
 /// head or in the other hand. Around such a tip the hull lies on two sides, each as thin as an arm,
 /// and the two hang together without what is between them.
 /// \param way from the tip to each node, cube roots of the hull's volume
-bool closesLoop(const VoxelGraph& voxels, const std::vector<double>& way);
+/// \param region of the hull's grid, without nodes; it has none afterwards either
+bool closesLoop(const std::vector<double>& way, NodeGrid::Region* region);
 
 }  // namespace markerless_mocap

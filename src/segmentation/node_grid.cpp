@@ -127,4 +127,22 @@ std::vector<std::vector<double>> NodeGrid::geodesicsOfEach(
   return ways;
 }
 
+std::vector<uint32_t> NodeGrid::Region::takeConnected(uint32_t start, uint32_t wanted) {
+  std::vector<uint32_t> found;
+  const auto take = [&](int64_t place) {
+    inside_[place] = 0;
+    found.push_back(uint32_t(grid_.node_at_[place]));
+  };
+  take(grid_.place_of_[start]);
+  for (size_t next = 0; next < found.size() && found[next] != wanted; ++next) {
+    const int64_t place = grid_.place_of_[found[next]];
+    for (int row = 0; row < 9; ++row) {
+      const int64_t first = place + grid_.offset(-1, row % 3 - 1, row / 3 - 1);
+      for (int64_t at = first; at < first + 3; ++at)
+        if (inside_[at] != 0) take(at);
+    }
+  }
+  return found;
+}
+
 }  // namespace markerless_mocap

@@ -91,6 +91,23 @@ TEST(NodeGrid, TakesTheNearestOfSeveralSources) {
     ASSERT_DOUBLE_EQ(nearest[node], std::min(ways[0][node], ways[1][node]));
 }
 
+TEST(NodeGridRegion, TakesOutWhatIsConnectedOverCorners) {
+  // A chain over an edge and a corner, and a piece two steps away.
+  const NodeGrid grid({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {5, 1, 0}, {3, 2, 1}});
+  NodeGrid::Region region(grid);
+  EXPECT_FALSE(region.has(0));
+  region.put({0, 1, 2, 3, 4});
+  EXPECT_EQ(region.takeConnected(4, 9), (std::vector<uint32_t>{4, 2, 1, 0}));
+  EXPECT_FALSE(region.has(0));
+  EXPECT_TRUE(region.has(3));
+  region.put({0, 1, 2, 4});
+  region.takeOut({2});
+  EXPECT_EQ(region.takeConnected(0, 9), (std::vector<uint32_t>{0, 1}));
+  region.put({0, 1, 2});
+  region.takeConnected(0, 1);  // ends at 1
+  EXPECT_TRUE(region.has(2));
+}
+
 TEST(NodeGrid, RefusesCellsThatDoNotAscend) {
   EXPECT_THROW(NodeGrid({{0, 0, 1}, {3, 0, 0}}), std::invalid_argument);
   EXPECT_THROW(NodeGrid({{2, 1, 0}, {2, 1, 0}}), std::invalid_argument);

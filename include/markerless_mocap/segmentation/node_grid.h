@@ -29,6 +29,27 @@ class NodeGrid {
   /// The same from each source by itself.
   std::vector<std::vector<double>> geodesicsOfEach(const std::vector<uint32_t>& sources) const;
 
+  /// Some of the nodes, to be taken out by what is connected; none at first.
+  class Region {
+   public:
+    explicit Region(const NodeGrid& grid) : grid_(grid), inside_(grid.node_at_.size(), 0) {}
+
+    void put(const std::vector<uint32_t>& nodes) { set(nodes, 1); }
+    void takeOut(const std::vector<uint32_t>& nodes) { set(nodes, 0); }
+    bool has(uint32_t node) const { return inside_[grid_.place_of_[node]] != 0; }
+    /// Takes out and returns the nodes that are connected with one over 26 neighbours in the
+    /// region, the nearest first; no more once `wanted` is among them.
+    std::vector<uint32_t> takeConnected(uint32_t start, uint32_t wanted);
+
+   private:
+    void set(const std::vector<uint32_t>& nodes, uint8_t value) {
+      for (const uint32_t node : nodes) inside_[grid_.place_of_[node]] = value;
+    }
+
+    const NodeGrid& grid_;
+    std::vector<uint8_t> inside_;  // of each place of the box
+  };
+
  private:
   /// Relaxes costs of ways along the lattice and against it in turn until none falls any more: a
   /// sequential chamfer distance (Rosenfeld and Pfaltz 1966), repeated for ways that turn.
