@@ -21,9 +21,10 @@
 namespace markerless_mocap {
 namespace {
 
-// Instants while one is searched for long: worked off in order, as the next pose is found from the
-// last one.
-constexpr size_t kMostWaiting = 40;
+// Instants while one is searched for long, 3 s at 30 a second: worked off in order, as the next
+// pose is found from the last one; a later instant would have to be searched for again. Fewer where
+// an instant holds its images, 10 MB.
+constexpr size_t kMostWaiting = 90, kMostWaitingWithImages = 40;
 
 FittingNeeds needsOf(const std::string& method) {
   return {method != "skeleton", method == "sppso"};
@@ -87,7 +88,7 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
       status_(handle, private_handle, "pose fitting"),
       description_(node_options.body_id),
       announcer_(handle, node_options.body_id),
-      queue_(kMostWaiting) {
+      queue_(needsOf(options.method).images ? kMostWaitingWithImages : kMostWaiting) {
   node_options_.checkCamerasFor(options_.method);
   takeOver(bodyBeforehand(sources_, options_));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
