@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace markerless_mocap {
 namespace {
@@ -18,6 +19,10 @@ constexpr double kKneeKept = 0.3;  // of the bend, when front becomes back
 constexpr double kDecided = 0.15;
 constexpr double kAhead = 0.05;
 constexpr double kAtOnce = 0.03;  // in one instant
+
+// Of more poses than the first, those are fitted to the end that a short look likes best.
+constexpr size_t kFinalists = 4;
+constexpr FitSchedule kFirstLook{6, 0.3, 0.1};
 
 constexpr double kElsewhere = 0.15;  // metres, of a limb's end
 constexpr double kSameBody = 0.08;   // metres, mean over the joints: an arm may be elsewhere
@@ -45,18 +50,31 @@ void ContourHypotheses::lose() {
   confirmed_ = false;
 }
 
-ContourFit ContourHypotheses::bestFit(const ContourObservation& seen, const ContourBody& body,
-                                      const std::vector<ContourPose>& poses) const {
+std::vector<ContourFit> ContourHypotheses::fitsFrom(const ContourObservation& seen,
+                                                    const ContourBody& body,
+                                                    const std::vector<ContourPose>& poses,
+                                                    const FitSchedule& schedule) const {
   std::vector<ContourFit> fits(poses.size());
   tbb::parallel_for(size_t(0), poses.size(), [&](size_t i) {
-    fits[i] = held_.fitter().fit(seen, body, poses[i], std::nullopt, FitSchedule::wide());
+    fits[i] = held_.fitter().fit(seen, body, poses[i], std::nullopt, schedule);
   });
-  ContourFit best;
-  for (const ContourFit& fit : fits)
-    if (fit.status == ContourFitStatus::kFitted &&
-        (best.status != ContourFitStatus::kFitted || qualityOf(fit) > qualityOf(best)))
-      best = fit;
-  return best;
+  const auto failed = [](const ContourFit& fit) { return fit.status != ContourFitStatus::kFitted; };
+  fits.erase(std::remove_if(fits.begin(), fits.end(), failed), fits.end());
+  std::stable_sort(fits.begin(), fits.end(), [](const ContourFit& one, const ContourFit& other) {
+    return qualityOf(one) > qualityOf(other);
+  });
+  return fits;
+}
+
+ContourFit ContourHypotheses::bestFit(const ContourObservation& seen, const ContourBody& body,
+                                      std::vector<ContourPose> poses) const {
+  if (poses.size() > kFinalists) {
+    const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kFirstLook);
+    poses.clear();
+    for (size_t i = 0; i < std::min(kFinalists, first.size()); ++i) poses.push_back(first[i].pose);
+  }
+  const std::vector<ContourFit> fits = fitsFrom(seen, body, poses, FitSchedule::wide());
+  return fits.empty() ? ContourFit{} : fits.front();
 }
 
 void ContourHypotheses::letRival(int64_t stamp_ns, const ContourFit& fit) {

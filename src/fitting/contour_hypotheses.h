@@ -40,9 +40,13 @@ class ContourHypotheses {
   void lose();
   /// The best of the fits that begin at some poses.
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
-                     const std::vector<ContourPose>& poses) const;
+                     std::vector<ContourPose> poses) const;
 
  private:
+  /// Those that succeed, the best first.
+  std::vector<ContourFit> fitsFrom(const ContourObservation& seen, const ContourBody& body,
+                                   const std::vector<ContourPose>& poses,
+                                   const FitSchedule& schedule) const;
   void letRival(int64_t stamp_ns, const ContourFit& fit);
 
   ContourTracker held_;

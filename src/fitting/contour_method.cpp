@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "fitting/common_postures.h"
 #include "fitting/tracked_person.h"
 #include "fitting/tree_pose.h"
 
@@ -20,6 +21,7 @@ constexpr int64_t kBetweenQuestions_ns = 200000000;
 // A start that explains the masks less is believed when one from a later instant alone leads to the
 // same body. Sizes that are not this person's explain less.
 constexpr double kPlain = 0.90, kPlainUnmeasured = 0.86;
+constexpr double kPoor = 0.80;  // other postures are tried when proposals explain less
 constexpr int64_t kBetweenStarts_ns = 50000000;
 
 SizePrior priorOf(const TrackerSources& sources, const TrackerOptions& options) {
@@ -75,13 +77,16 @@ void ContourMethod::reset() {
   stamp_.reset();
 }
 
-std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now) {
+std::vector<ContourPose> ContourMethod::proposals(const TrackingInstant& now,
+                                                  const ContourObservation& seen) {
   std::vector<ContourPose> poses;
   const BodyPose pose = seeker_->update(now.stamp_ns, now.parts, now.hull);
   seeker_reason_ = pose.reason;
   if (pose.status != PoseStatus::kLost)
     poses.push_back(conversion_->poseOf(pose.T_world_body, pose.angles));
   if (const auto of_tree = poseOfTree(now.tree)) poses.push_back(*of_tree);
+  if (qualityOf(hypotheses_.bestFit(seen, *shape_, poses)) < kPoor)
+    for (const ContourPose& posture : commonPostures(now.hull)) poses.push_back(posture);
   return poses;
 }
 
@@ -102,7 +107,7 @@ void ContourMethod::guessStature(const ContourObservation& seen,
 
 HeldTrack ContourMethod::start(const TrackingInstant& now, const ContourObservation& seen) {
   if (seen.usableViews() < 2) return {};
-  const std::vector<ContourPose> poses = proposals(now);
+  const std::vector<ContourPose> poses = proposals(now, seen);
   if (measurer_ && !poses.empty()) guessStature(seen, poses);
   return hypotheses_.start(now.stamp_ns, seen, *shape_, poses);
 }
@@ -112,7 +117,7 @@ HeldTrack ContourMethod::startAgain(const TrackingInstant& now, const ContourObs
   if (now.stamp_ns < next_start_ns_) return held;
   next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
   seeker_->reset();  // this instant alone shall tell
-  return hypotheses_.startAgain(now.stamp_ns, seen, *shape_, proposals(now), held);
+  return hypotheses_.startAgain(now.stamp_ns, seen, *shape_, proposals(now, seen), held);
 }
 
 bool ContourMethod::isDecided(const ContourFit& fit) const {

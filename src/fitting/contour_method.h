@@ -34,7 +34,7 @@ class ContourMethod : public BodyTracker {
                        const HeldTrack& held);
   /// Whether what has been started may be claimed.
   bool isDecided(const ContourFit& fit) const;
-  std::vector<ContourPose> proposals(const TrackingInstant& now);
+  std::vector<ContourPose> proposals(const TrackingInstant& now, const ContourObservation& seen);
   void question(const TrackingInstant& now, const ContourObservation& seen,
                 const ContourTrack& track);
   /// While the body is being measured nothing is claimed.

@@ -96,6 +96,17 @@ TEST_F(ContourHypothesesTest, TakesTheBestOfSomePoses) {
   EXPECT_LT(error(first, 0), 0.01);
 }
 
+TEST_F(ContourHypothesesTest, OfManyPosesAFewAreFittedToTheEnd) {
+  std::vector<ContourPose> poses;
+  for (const double turn : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+    poses.push_back(at(0));
+    poses.back().balls[B::kRoot] = rotationOf({0, turn, 0});
+    poses.back().position.y() += 0.3;
+  }
+  poses.push_back(disturbed(at(0), 0.1, 0.03, 3));
+  EXPECT_LT(error(held.start(0, see(at(0)), body, poses), 0), 0.01);
+}
+
 TEST_F(ContourHypothesesTest, ALaterStartThatFindsTheSameConfirmsIt) {
   const ContourPose first = disturbed(at(0), 0.1, 0.03, 3);
   start(first);

@@ -97,6 +97,17 @@ TEST_F(ContourStartTest, AWrongStartIsLeftForABetterOneAndNeverClaimed) {
   EXPECT_GE(claimed, 2) << "within a sixth of a second";
 }
 
+TEST_F(ContourStartTest, OneWhoseHullTellsNoPartsIsFoundAllTheSame) {
+  make();
+  hull.lattice.origin = at(0).position;
+  hull.lattice.pitch = 0.1;
+  hull.lattice.size = {1, 1, 1};
+  hull.voxels.resize(1);
+  const BodyPose pose = show(0, masksAt(0), PoseTree{});
+  EXPECT_EQ(pose.status, PoseStatus::kReinitialized) << pose.reason;
+  EXPECT_LT(error(pose, 0), 0.12) << "an arm may still be elsewhere";
+}
+
 TEST_F(ContourStartTest, StartsThatFindOtherBodiesEachAreNotBelieved) {
   make();
   for (int frame = 0; frame <= 4; ++frame) {
