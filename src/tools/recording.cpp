@@ -92,19 +92,10 @@ void Recording::readRig() {
 }
 
 void Recording::takeRig() {
-  const std::vector<CameraCalibration> file = markerless_mocap::readRig(options_.rig);
-  std::vector<CameraCalibration> used;
-  for (RecordedCamera& camera : cameras_) {
-    const auto found = std::find_if(file.begin(), file.end(), [&](const CameraCalibration& entry) {
-      return entry.name == camera.name;
-    });
-    if (found == file.end())
-      throw std::runtime_error("camera " + camera.name + " of the bag is not in the rig " +
-                               options_.rig);
-    camera.frame = opticalFrame(camera.name);
-    used.push_back(*found);
-    rig_.emplace_back(*found);
-  }
+  const std::vector<CameraCalibration> used =
+      camerasNamed(namesOf(cameras_), markerless_mocap::readRig(options_.rig), options_.rig);
+  for (RecordedCamera& camera : cameras_) camera.frame = opticalFrame(camera.name);
+  for (const CameraCalibration& camera : used) rig_.emplace_back(camera);
   static_transforms_ = transformsOf(used, rosTime(0), options_.world_frame);
 }
 

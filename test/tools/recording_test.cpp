@@ -219,7 +219,8 @@ TEST_F(RecordingTest, cameraThatTheRigFileLacksIsNamed) {
   writeRig(path("rig.yaml"), ring);
   RecordingOptions options;
   options.rig = path("rig.yaml");
-  EXPECT_EQ(refusal("all.bag", options), "camera cam3 of the bag is not in the rig " + options.rig);
+  EXPECT_EQ(refusal("all.bag", options),
+            options.rig + ": the rig lacks cam3, its cameras are cam0, cam1, cam2");
 }
 
 }  // namespace
