@@ -21,6 +21,9 @@ constexpr int64_t kBetweenQuestions_ns = 200000000;
 // A start that explains the masks less is believed when one from a later instant alone leads to the
 // same body. Sizes that are not this person's explain less.
 constexpr double kPlain = 0.90, kPlainUnmeasured = 0.86;
+// A person in a long dress covers 0.78 of the silhouettes with sizes told by one instant, a man and
+// the chair he sits on 0.68: starts that cover no more than this are never believed.
+constexpr double kLeastCovered = 0.72;
 constexpr double kPoor = 0.80;  // other postures are tried when proposals explain less
 constexpr int64_t kBetweenStarts_ns = 50000000;
 
@@ -46,6 +49,10 @@ std::string number(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+std::string uncovered(const ContourFit& fit) {
+  return "no pose covers the silhouettes, the best one's overlap is " + number("%.2f", fit.overlap);
 }
 
 }  // namespace
@@ -122,7 +129,8 @@ HeldTrack ContourMethod::startAgain(const TrackingInstant& now, const ContourObs
 
 bool ContourMethod::isDecided(const ContourFit& fit) const {
   const bool plain = qualityOf(fit) > (measurer_ ? kPlainUnmeasured : kPlain);
-  return hypotheses_.isAhead() && (plain || hypotheses_.isConfirmed());
+  return fit.overlap > kLeastCovered && hypotheses_.isAhead() &&
+         (plain || hypotheses_.isConfirmed());
 }
 
 // A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is
@@ -181,16 +189,18 @@ BodyPose ContourMethod::lost(const ContourObservation& seen, const ContourTrack&
   else if (track.fit.status != ContourFitStatus::kFitted)
     pose.reason = seeker_reason_.empty() ? "no pose covers the silhouettes" : seeker_reason_;
   else
-    pose.reason = "no pose covers the silhouettes, the best one's overlap is " +
-                  number("%.2f", track.fit.overlap);
+    pose.reason = uncovered(track.fit);
   return pose;
 }
 
-BodyPose ContourMethod::undecided() const {
+BodyPose ContourMethod::undecided(const ContourFit& fit) const {
   BodyPose pose;
-  pose.reason = hypotheses_.isAhead()
-                    ? "the person is found, but in one instant only"
-                    : "the person is found, front and back are not told apart yet";
+  if (fit.overlap <= kLeastCovered)
+    pose.reason = uncovered(fit);
+  else if (hypotheses_.isAhead())
+    pose.reason = "the person is found, but in one instant only";
+  else
+    pose.reason = "the person is found, front and back are not told apart yet";
   return pose;
 }
 
@@ -227,7 +237,7 @@ BodyPose ContourMethod::update(const TrackingInstant& now) {
   if (held.track.status == ContourTrackStatus::kLost) return lost(seen, held.track);
   if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track.fit))
     return *measuring;
-  return decided_ ? claimed(held) : undecided();
+  return decided_ ? claimed(held) : undecided(held.track.fit);
 }
 
 }  // namespace markerless_mocap

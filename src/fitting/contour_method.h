@@ -41,7 +41,7 @@ class ContourMethod : public BodyTracker {
   std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
                                   const ContourFit& fit);
   BodyPose lost(const ContourObservation& seen, const ContourTrack& track) const;
-  BodyPose undecided() const;
+  BodyPose undecided(const ContourFit& fit) const;
   BodyPose claimed(const HeldTrack& held);
 
   TrackerSources sources_;

@@ -117,6 +117,24 @@ TEST_F(ContourStartTest, StartsThatFindOtherBodiesEachAreNotBelieved) {
   }
 }
 
+TEST_F(ContourStartTest, APersonWithFurnitureIsNeverClaimed) {
+  make();
+  for (int frame = 0; frame <= 8; frame += 2) {
+    std::vector<cv::Mat> masks = masksAt(0);  // a still scene confirms itself
+    for (cv::Mat& mask : masks) {
+      mask = mask.clone();
+      cv::Rect chair = cv::boundingRect(mask);
+      chair.y += chair.height / 2;
+      chair.height -= chair.height / 2;
+      mask(chair).setTo(255);
+    }
+    const BodyPose pose = show(frame, masks, rightTree(0));
+    EXPECT_EQ(pose.status, PoseStatus::kLost) << pose.silhouette_overlap;
+    EXPECT_EQ(pose.reason.find("no pose covers the silhouettes, the best one's overlap is 0."), 0u)
+        << pose.reason;
+  }
+}
+
 TEST_F(ContourStartTest, ABodyIsNotMeasuredFromWhatIsNotDecided) {
   sources.measured.reset();
   make();
