@@ -92,8 +92,7 @@ class Coverage {
   std::vector<uint8_t> pixels_;
 };
 
-/// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers; some
-/// may be empty.
+/// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers.
 bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& camera, size_t index,
               const CarvingPlan& plan, const TileMask& mask) {
   constexpr uint8_t kItself = 1, kOthers = 2;

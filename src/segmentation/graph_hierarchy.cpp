@@ -15,7 +15,8 @@ constexpr double kLeastShrinkage = 0.7;  // of the nodes: a level that keeps mor
 
 /// Joins nodes of one block that are connected inside it.
 /// \param nodes ascending
-/// \param parent becomes the parent of these, numbered in the order of their first child; kNone
+/// \param parents become those of these nodes, numbered in the order of their first child; kNone of
+///        all others
 /// \return the parents' cells
 template <class Graph>
 std::vector<LatticeCell> aggregate(const Graph& graph, const std::vector<LatticeCell>& cells,
