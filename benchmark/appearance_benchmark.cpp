@@ -13,9 +13,9 @@
 #include <random>
 
 #include "../test/appearance/appearance_scene.h"
-#include "appearance/cone_outlines.h"
-#include "appearance/edge_samples.h"
-#include "markerless_mocap/appearance/appearance_fitness.h"
+#include "fleischmann/fitness/cone_outlines.h"
+#include "fleischmann/fitness/edge_samples.h"
+#include "fleischmann/appearance_fitness.h"
 
 namespace markerless_mocap {
 namespace {

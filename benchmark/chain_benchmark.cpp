@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "markerless_mocap/capture/virtual_studio.h"
+#include "capture/virtual_studio.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "markerless_mocap/skeleton/pose_tree_builder.h"

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "contour/pose_problem.h"
-#include "markerless_mocap/contour/size_estimator.h"
+#include "contour/fit/pose_problem.h"
+#include "contour/size_estimator.h"
 
 namespace markerless_mocap {
 namespace {

@@ -12,7 +12,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "hull/ballot.h"
+#include "hull/voting/ballot.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
 namespace markerless_mocap {

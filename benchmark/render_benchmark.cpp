@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "markerless_mocap/capture/mesh_renderer.h"
-#include "markerless_mocap/capture/sensor.h"
+#include "capture/render/mesh_renderer.h"
+#include "capture/degradations/sensor.h"
 
 namespace markerless_mocap {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "markerless_mocap/segmentation/body_segmenter.h"
-#include "markerless_mocap/segmentation/eigenmap.h"
-#include "markerless_mocap/segmentation/graph_modes.h"
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "segmentation/eigenmap.h"
+#include "segmentation/graph_modes.h"
+#include "segmentation/voxel_graph.h"
 
 namespace markerless_mocap {
 namespace {

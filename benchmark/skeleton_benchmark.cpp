@@ -14,10 +14,10 @@
 
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/skeleton/thinner.h"
-#include "skeleton/bit_volume_components.h"
-#include "skeleton/bit_volume_window.h"
-#include "skeleton/cavity_filling.h"
-#include "skeleton/thinning_scheme.h"
+#include "skeleton/thinning/bit_volume_components.h"
+#include "skeleton/thinning/bit_volume_window.h"
+#include "skeleton/thinning/cavity_filling.h"
+#include "skeleton/thinning/thinning_scheme.h"
 
 namespace markerless_mocap {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "body/urdf_reader.h"
+#include "body/urdf/urdf_reader.h"
 
 namespace markerless_mocap {
 namespace {

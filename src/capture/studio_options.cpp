@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/studio_options.h"
+#include "capture/studio_options.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/trouble_options.h"
+#include "capture/trouble_options.h"
 
 namespace markerless_mocap {
 

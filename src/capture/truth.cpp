@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/truth.h"
+#include "capture/truth.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/virtual_studio.h"
+#include "capture/virtual_studio.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "capture/studio_cameras.h"
-#include "capture/studio_cast.h"
+#include "capture/cameras/studio_cameras.h"
+#include "capture/scene/studio_cast.h"
 
 namespace markerless_mocap {
 namespace {

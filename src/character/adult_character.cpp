@@ -1,9 +1,9 @@
-#include "markerless_mocap/character/adult_character.h"
+#include "character/adult_character.h"
 
-#include "character/dressed_shape.h"
-#include "character/look.h"
-#include "character/skin_weights.h"
-#include "character/surface_net.h"
+#include "character/clothes/dressed_shape.h"
+#include "character/clothes/look.h"
+#include "character/skin/skin_weights.h"
+#include "character/body/surface_net.h"
 
 namespace markerless_mocap {
 namespace {

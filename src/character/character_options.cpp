@@ -1,4 +1,4 @@
-#include "markerless_mocap/character/character_options.h"
+#include "character/character_options.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/body_points.h"
+#include "evaluation/body_points.h"
 
 #include <algorithm>
 #include <stdexcept>

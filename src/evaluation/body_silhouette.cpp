@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/body_silhouette.h"
+#include "evaluation/body_silhouette.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>

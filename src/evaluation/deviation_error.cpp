@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/deviation_error.h"
+#include "evaluation/deviation_error.h"
 
 #include <algorithm>
 #include <cmath>

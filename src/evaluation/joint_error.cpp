@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/joint_error.h"
+#include "evaluation/joint_error.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/joint_track.h"
+#include "evaluation/joint_track.h"
 
 #include <algorithm>
 #include <cmath>

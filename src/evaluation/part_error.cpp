@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/part_error.h"
+#include "evaluation/part_error.h"
 
 #include <algorithm>
 #include <cmath>

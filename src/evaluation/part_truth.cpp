@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/part_truth.h"
+#include "evaluation/part_truth.h"
 
 #include <algorithm>
 #include <limits>

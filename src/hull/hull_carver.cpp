@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "hull/camera_faults.h"
-#include "hull/coloring.h"
+#include "hull/selection/camera_faults.h"
+#include "hull/color/coloring.h"
 
 namespace markerless_mocap {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hull/seen_volume.h"
+#include "hull/voting/seen_volume.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
 namespace markerless_mocap {

@@ -4,16 +4,16 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "markerless_mocap/ros/hull_conversions.h"
-#include "markerless_mocap/ros/parameters.h"
-#include "markerless_mocap/ros/segmentation_conversions.h"
+#include "ros/hull_conversions.h"
+#include "ros/parameters.h"
+#include "ros/segmentation_conversions.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/segmentation/part_memory.h"
-#include "nodes/callback_gate.h"
-#include "nodes/guarded_start.h"
-#include "nodes/publish_shared.h"
-#include "nodes/quick_transport.h"
-#include "nodes/stage_status.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/guarded_start.h"
+#include "nodes/common/publish_shared.h"
+#include "nodes/common/quick_transport.h"
+#include "nodes/common/stage_status.h"
 
 namespace markerless_mocap {
 

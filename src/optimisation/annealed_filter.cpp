@@ -1,11 +1,11 @@
-#include "markerless_mocap/optimisation/annealed_filter.h"
+#include "optimisation/annealed_filter.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "optimisation/particle_set.h"
+#include "optimisation/detail/particle_set.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/optimisation/optimiser.h"
+#include "optimisation/optimiser.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "markerless_mocap/optimisation/staged_swarm.h"
+#include "optimisation/staged_swarm.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "markerless_mocap/optimisation/counter_random.h"
+#include "numerics/counter_random.h"
 
 namespace markerless_mocap {
 namespace {

@@ -37,7 +37,7 @@ std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
 
 }  // namespace
 
-Pipeline::Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineOptions& options)
+Pipeline::Pipeline(CameraRig rig, const PersonSources& sources, const PipelineOptions& options)
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),

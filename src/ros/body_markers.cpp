@@ -1,9 +1,9 @@
-#include "markerless_mocap/ros/body_markers.h"
+#include "ros/body_markers.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "markerless_mocap/ros/pose_conversions.h"
+#include "ros/pose_conversions.h"
 
 namespace markerless_mocap {
 namespace {

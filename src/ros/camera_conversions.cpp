@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/camera_conversions.h"
+#include "ros/camera_conversions.h"
 
 #include <sensor_msgs/distortion_models.h>
 #include <tf2_eigen/tf2_eigen.h>

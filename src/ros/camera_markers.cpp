@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/camera_markers.h"
+#include "ros/camera_markers.h"
 
 #include <array>
 

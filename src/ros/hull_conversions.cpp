@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/hull_conversions.h"
+#include "ros/hull_conversions.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
 

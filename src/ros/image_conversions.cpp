@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/image_conversions.h"
+#include "ros/image_conversions.h"
 
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>

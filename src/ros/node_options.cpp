@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/node_options.h"
+#include "ros/node_options.h"
 
 #include <cctype>
 #include <set>

@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/package_files.h"
+#include "ros/package_files.h"
 
 #include <ros/package.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "markerless_mocap/contour/sizes_file.h"
+#include "markerless_mocap/tracking/sizes_file.h"
 
 namespace markerless_mocap {
 
@@ -27,16 +27,11 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
-TrackerSources readTrackerSources(const std::string& body_id, const std::string& urdf_template,
+PersonSources readPersonSources(const std::string& body_id, const std::string& urdf_template,
                                   const std::string& body_file) {
-  TrackerSources sources;
+  PersonSources sources = PersonSources::standard();
   sources.body_id = body_id;
-  sources.urdf_template =
-      readText(urdf_template.empty() ? packageFile("urdf/human.urdf.in") : urdf_template);
-  const std::string people = packageFile("config/contour_body.yaml");
-  sources.people = ContourTemplate::fromText(readText(people), people);
-  sources.motion =
-      MotionStatistics::fromYaml(readText(packageFile("config/motion_statistics.yaml")));
+  if (!urdf_template.empty()) sources.urdf_template = readText(urdf_template);
   if (!body_file.empty()) sources.measured = sizesFromText(readText(body_file), body_file);
   return sources;
 }

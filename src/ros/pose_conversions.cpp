@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/pose_conversions.h"
+#include "ros/pose_conversions.h"
 
 #include <tf2_eigen/tf2_eigen.h>
 

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "markerless_mocap/ros/pose_tree_conversions.h"
-#include "markerless_mocap/ros/segmentation_conversions.h"
+#include "ros/pose_tree_conversions.h"
+#include "ros/segmentation_conversions.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,10 +1,10 @@
-#include "markerless_mocap/ros/rig_collector.h"
+#include "ros/rig_collector.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "markerless_mocap/ros/camera_conversions.h"
+#include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "markerless_mocap/segmentation/limbs.h"
-#include "markerless_mocap/segmentation/part_curve.h"
+#include "segmentation/limbs/limbs.h"
+#include "segmentation/curves/part_curve.h"
 #include "markerless_mocap/segmentation/part_memory.h"
 
 namespace markerless_mocap {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "markerless_mocap/segmentation/limbs.h"
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "segmentation/limbs/limbs.h"
+#include "segmentation/voxel_graph.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "silhouette/light_gain.h"
-#include "silhouette/subtractor.h"
+#include "silhouette/background/light_gain.h"
+#include "silhouette/background/subtractor.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skeleton/label_choice.h"
-#include "skeleton/label_ends.h"
+#include "skeleton/labelling/label_choice.h"
+#include "skeleton/labelling/label_ends.h"
 
 namespace markerless_mocap {
 

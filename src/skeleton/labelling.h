@@ -3,15 +3,15 @@
 #include <optional>
 #include <string>
 
-#include "markerless_mocap/hull/visual_hull.h"
-#include "markerless_mocap/skeleton/pose_tree.h"
+#include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/products/pose_tree.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
-#include "skeleton/label_doubts.h"
-#include "skeleton/label_ranking.h"
-#include "skeleton/left_right.h"
-#include "skeleton/tree_graph.h"
-#include "skeleton/tree_parts.h"
-#include "skeleton/tree_volume.h"
+#include "skeleton/labelling/label_doubts.h"
+#include "skeleton/labelling/label_ranking.h"
+#include "skeleton/labelling/left_right.h"
+#include "skeleton/graph/tree_graph.h"
+#include "skeleton/graph/tree_parts.h"
+#include "skeleton/graph/tree_volume.h"
 
 namespace markerless_mocap {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "markerless_mocap/hull/visual_hull.h"
-#include "markerless_mocap/skeleton/pose_tree.h"
-#include "skeleton/tree_graph.h"
+#include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/products/pose_tree.h"
+#include "skeleton/graph/tree_graph.h"
 
 namespace markerless_mocap {
 

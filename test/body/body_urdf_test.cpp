@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "body/body_fixture.h"
-#include "body/expression.h"
+#include "body/urdf/expression.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "capture/ball_joint.h"
+#include "capture/truth/ball_joint.h"
 
 #include <gtest/gtest.h>
 

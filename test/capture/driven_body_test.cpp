@@ -1,11 +1,11 @@
-#include "markerless_mocap/capture/driven_body.h"
+#include "capture/truth/driven_body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "capture/studio_fixture.h"
-#include "markerless_mocap/capture/truth.h"
+#include "capture/truth.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/furniture.h"
+#include "capture/scene/furniture.h"
 
 #include <gtest/gtest.h>
 

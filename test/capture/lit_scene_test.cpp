@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/lit_scene.h"
+#include "capture/scene/lit_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "capture/mesh_fixture.h"
-#include "capture/shadow_map.h"
+#include "capture/scene/shadow_map.h"
 #include "sentence_of.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/mask_damage.h"
+#include "capture/degradations/mask_damage.h"
 
 #include <gtest/gtest.h>
 

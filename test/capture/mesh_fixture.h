@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/capture/lit_scene.h"
-#include "markerless_mocap/capture/mesh_renderer.h"
+#include "capture/scene/lit_scene.h"
+#include "capture/render/mesh_renderer.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/mesh_renderer.h"
+#include "capture/render/mesh_renderer.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

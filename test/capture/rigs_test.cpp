@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/rigs.h"
+#include "capture/cameras/rigs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "capture/sample_grid.h"
+#include "capture/render/sample_grid.h"
 
 #include <gtest/gtest.h>
 

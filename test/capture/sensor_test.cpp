@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/sensor.h"
+#include "capture/degradations/sensor.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "markerless_mocap/capture/virtual_studio.h"
+#include "capture/virtual_studio.h"
 #include "sentence_of.h"
 
 namespace markerless_mocap {

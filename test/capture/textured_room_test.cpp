@@ -1,4 +1,4 @@
-#include "markerless_mocap/capture/textured_room.h"
+#include "capture/scene/textured_room.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "capture/studio_fixture.h"
-#include "markerless_mocap/capture/rigs.h"
+#include "capture/cameras/rigs.h"
 
 namespace markerless_mocap {
 namespace {

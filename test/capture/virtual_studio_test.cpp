@@ -1,11 +1,11 @@
-#include "markerless_mocap/capture/virtual_studio.h"
+#include "capture/virtual_studio.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 
 #include "capture/studio_fixture.h"
-#include "markerless_mocap/capture/truth.h"
+#include "capture/truth.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/character/adult_character.h"
+#include "character/adult_character.h"
 
 #include <gtest/gtest.h>
 

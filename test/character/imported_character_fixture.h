@@ -10,7 +10,7 @@
 #include <string>
 
 #include "character/imported_character_scene.h"
-#include "markerless_mocap/character/imported_character.h"
+#include "character/imported_character.h"
 #include "sentence_of.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/character/imported_character.h"
+#include "character/imported_character.h"
 
 #include <cmath>
 #include <map>

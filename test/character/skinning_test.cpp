@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "markerless_mocap/character/adult_character.h"
+#include "character/adult_character.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/contour_body.h"
+#include "contour/model/contour_body.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "contour/contour_tree.h"
+#include "contour/model/contour_tree.h"
 #include "contour/drawn_body.h"
 #include "markerless_mocap/body/body_model.h"
 #include "sentence_of.h"

@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/contour_conversion.h"
+#include "contour/contour_conversion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/contour_fitter.h"
+#include "contour/fit/contour_fitter.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "contour/drawn_body.h"
-#include "contour/pose_priors.h"
-#include "contour/pose_problem.h"
-#include "contour/size_equations.h"
+#include "contour/fit/pose_priors.h"
+#include "contour/fit/pose_problem.h"
+#include "contour/measure/size_equations.h"
 
 namespace markerless_mocap {
 namespace {

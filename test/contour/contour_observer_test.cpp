@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/contour_observation.h"
+#include "contour/fit/contour_observation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "contour/drawn_body.h"
-#include "contour/outline.h"
+#include "contour/fit/outline.h"
 
 namespace markerless_mocap {
 namespace {

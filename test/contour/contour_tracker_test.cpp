@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/contour_tracker.h"
+#include "contour/track/contour_tracker.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

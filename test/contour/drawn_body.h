@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/contour/contour_body.h"
+#include "contour/model/contour_body.h"
 
 namespace markerless_mocap {
 

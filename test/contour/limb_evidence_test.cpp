@@ -3,7 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/drawn_body.h"
-#include "markerless_mocap/contour/contour_fitter.h"
+#include "contour/fit/contour_fitter.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/self_calibration.h"
+#include "contour/self_calibration.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,4 +1,4 @@
-#include "markerless_mocap/contour/size_estimator.h"
+#include "contour/size_estimator.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

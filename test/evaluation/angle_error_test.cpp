@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/angle_error.h"
+#include "evaluation/angle_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/delay.h"
+#include "evaluation/delay.h"
 
 #include <gtest/gtest.h>
 

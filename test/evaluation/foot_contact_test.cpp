@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/foot_contact.h"
+#include "evaluation/foot_contact.h"
 
 #include <gtest/gtest.h>
 

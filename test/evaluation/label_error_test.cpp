@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/label_error.h"
+#include "evaluation/label_error.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "markerless_mocap/evaluation/label_error.h"
+#include "evaluation/label_error.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/limb_loss.h"
+#include "evaluation/limb_loss.h"
 
 #include <gtest/gtest.h>
 

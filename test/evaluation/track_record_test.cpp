@@ -1,4 +1,4 @@
-#include "markerless_mocap/evaluation/track_record.h"
+#include "evaluation/track_record.h"
 
 #include <gtest/gtest.h>
 

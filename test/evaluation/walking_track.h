@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/evaluation/joint_track.h"
+#include "evaluation/joint_track.h"
 
 namespace markerless_mocap {
 

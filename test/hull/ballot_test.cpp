@@ -1,4 +1,4 @@
-#include "hull/ballot.h"
+#include "hull/voting/ballot.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "hull/hull_scene.h"
-#include "hull/leaf_test.h"
-#include "hull/mask_packing.h"
+#include "hull/voting/leaf_test.h"
+#include "hull/voting/mask_packing.h"
 
 namespace markerless_mocap {
 namespace {

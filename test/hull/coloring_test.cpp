@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "hull/hull_scene.h"
-#include "hull/surface_sight.h"
+#include "hull/color/surface_sight.h"
 
 namespace markerless_mocap {
 namespace {

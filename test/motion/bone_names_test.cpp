@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/bone_names.h"
+#include "motion/bone_names.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "markerless_mocap/motion/bvh.h"
-#include "markerless_mocap/motion/human_skeleton.h"
+#include "motion/bvh.h"
+#include "motion/human_skeleton.h"
 
 namespace markerless_mocap {
 

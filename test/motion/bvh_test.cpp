@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/bvh.h"
+#include "motion/bvh.h"
 
 #include <gtest/gtest.h>
 

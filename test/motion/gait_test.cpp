@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "motion/gait_clearance.h"
-#include "motion/gait_foot.h"
-#include "motion/gait_swing.h"
+#include "motion/gait/gait_clearance.h"
+#include "motion/gait/gait_foot.h"
+#include "motion/gait/gait_swing.h"
 #include "motion/motion_measures.h"
 #include "sentence_of.h"
 

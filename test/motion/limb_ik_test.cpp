@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/limb_ik.h"
+#include "motion/skeleton/limb_ik.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "markerless_mocap/motion/human_skeleton.h"
-#include "markerless_mocap/motion/motion_clip.h"
+#include "motion/human_skeleton.h"
+#include "motion/motion_clip.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/motion_script.h"
+#include "motion/motion_script.h"
 
 #include <gtest/gtest.h>
 

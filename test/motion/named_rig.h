@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "markerless_mocap/motion/bone_names.h"
+#include "motion/bone_names.h"
 
 namespace markerless_mocap {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "markerless_mocap/motion/motion_script.h"
+#include "motion/motion_script.h"
 #include "motion/motion_measures.h"
 
 namespace markerless_mocap {

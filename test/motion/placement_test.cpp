@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/placement.h"
+#include "motion/placement.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "markerless_mocap/motion/human_skeleton.h"
-#include "markerless_mocap/motion/motion_clip.h"
+#include "motion/human_skeleton.h"
+#include "motion/motion_clip.h"
 
 namespace markerless_mocap {
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/retarget.h"
+#include "motion/retarget.h"
 
 #include <gtest/gtest.h>
 

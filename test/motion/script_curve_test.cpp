@@ -1,4 +1,4 @@
-#include "markerless_mocap/motion/script_curve.h"
+#include "motion/script/script_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/optimisation/annealed_filter.h"
+#include "optimisation/annealed_filter.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-#include "markerless_mocap/optimisation/optimiser.h"
+#include "optimisation/optimiser.h"
 
 namespace markerless_mocap {
 

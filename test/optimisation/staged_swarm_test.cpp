@@ -1,4 +1,4 @@
-#include "markerless_mocap/optimisation/staged_swarm.h"
+#include "optimisation/staged_swarm.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

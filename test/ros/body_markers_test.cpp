@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/body_markers.h"
+#include "ros/body_markers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "markerless_mocap/ros/camera_conversions.h"
+#include "ros/camera_conversions.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 
-#include "markerless_mocap/ros/camera_markers.h"
+#include "ros/camera_markers.h"
 #include "ros/sample_camera.h"
 #include "sentence_of.h"
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/image_conversions.h"
+#include "ros/image_conversions.h"
 
 #include <gtest/gtest.h>
 

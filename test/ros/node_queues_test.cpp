@@ -3,9 +3,9 @@
 #include <memory>
 #include <thread>
 
-#include "nodes/arrival_store.h"
-#include "nodes/lag_queue.h"
-#include "nodes/latency_meter.h"
+#include "nodes/common/arrival_store.h"
+#include "nodes/common/lag_queue.h"
+#include "nodes/common/latency_meter.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <gtest/gtest.h>
 

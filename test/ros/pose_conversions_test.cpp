@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/pose_conversions.h"
+#include "ros/pose_conversions.h"
 
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>

@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/rig_collector.h"
+#include "ros/rig_collector.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "markerless_mocap/ros/camera_conversions.h"
+#include "ros/camera_conversions.h"
 #include "ros/sample_camera.h"
 #include "sentence_of.h"
 

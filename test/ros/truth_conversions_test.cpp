@@ -1,4 +1,4 @@
-#include "markerless_mocap/ros/truth_conversions.h"
+#include "ros/truth_conversions.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "markerless_mocap/segmentation/weighted_graph.h"
+#include "segmentation/weighted_graph.h"
 
 namespace markerless_mocap {
 

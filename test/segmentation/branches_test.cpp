@@ -5,11 +5,11 @@
 #include <set>
 #include <string>
 
-#include "markerless_mocap/segmentation/merge_tree.h"
-#include "markerless_mocap/segmentation/spline_walk.h"
-#include "markerless_mocap/segmentation/tip_naming.h"
-#include "markerless_mocap/segmentation/voxel_graph.h"
-#include "markerless_mocap/segmentation/weighted_graph.h"
+#include "segmentation/limbs/merge_tree.h"
+#include "segmentation/spline_walk.h"
+#include "segmentation/limbs/tip_naming.h"
+#include "segmentation/voxel_graph.h"
+#include "segmentation/weighted_graph.h"
 #include "voxel_figure.h"
 
 namespace markerless_mocap {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "markerless_mocap/segmentation/eigenmap.h"
-#include "markerless_mocap/segmentation/eigenmap_alignment.h"
-#include "markerless_mocap/segmentation/graph_modes.h"
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "segmentation/eigenmap.h"
+#include "segmentation/eigenmap_alignment.h"
+#include "segmentation/graph_modes.h"
+#include "segmentation/voxel_graph.h"
 #include "segmentation/box_graph.h"
 #include "segmentation/voxel_figure.h"
 

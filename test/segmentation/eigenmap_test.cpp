@@ -1,4 +1,4 @@
-#include "markerless_mocap/segmentation/eigenmap.h"
+#include "segmentation/eigenmap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "markerless_mocap/segmentation/graph_modes.h"
+#include "segmentation/graph_modes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "markerless_mocap/segmentation/graph_hierarchy.h"
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "segmentation/eigenmap/graph_hierarchy.h"
+#include "segmentation/voxel_graph.h"
 #include "segmentation/box_graph.h"
 #include "segmentation/voxel_figure.h"
 

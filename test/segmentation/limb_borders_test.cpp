@@ -1,4 +1,4 @@
-#include "segmentation/limb_borders.h"
+#include "segmentation/limbs/limb_borders.h"
 
 #include <gtest/gtest.h>
 

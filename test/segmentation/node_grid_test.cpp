@@ -1,4 +1,4 @@
-#include "markerless_mocap/segmentation/node_grid.h"
+#include "segmentation/eigenmap/node_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/segmentation/part_curve.h"
+#include "segmentation/curves/part_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "markerless_mocap/segmentation/least_squares_spline.h"
+#include "segmentation/curves/least_squares_spline.h"
 #include "voxel_figure.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "segmentation/tip_search.h"
+#include "segmentation/limbs/tip_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "markerless_mocap/segmentation/voxel_graph.h"
+#include "segmentation/voxel_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "markerless_mocap/segmentation/bridges.h"
+#include "segmentation/limbs/bridges.h"
 
 namespace markerless_mocap {
 namespace {

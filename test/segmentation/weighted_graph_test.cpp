@@ -1,4 +1,4 @@
-#include "markerless_mocap/segmentation/weighted_graph.h"
+#include "segmentation/weighted_graph.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "silhouette/background.h"
-#include "silhouette/background_learner.h"
-#include "silhouette/color_modes.h"
+#include "silhouette/background/background.h"
+#include "silhouette/background/background_learner.h"
+#include "silhouette/background/color_modes.h"
 #include "silhouette/scene.h"
 
 namespace markerless_mocap {

@@ -1,11 +1,11 @@
-#include "silhouette/bit_mask.h"
+#include "silhouette/bits/bit_mask.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include "silhouette/bit_morphology.h"
-#include "silhouette/mask_runs.h"
+#include "silhouette/bits/bit_morphology.h"
+#include "silhouette/bits/mask_runs.h"
 
 namespace markerless_mocap {
 namespace {

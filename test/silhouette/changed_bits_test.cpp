@@ -1,12 +1,12 @@
-#include "silhouette/changed_bits.h"
+#include "silhouette/bits/changed_bits.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 
-#include "silhouette/background.h"
-#include "silhouette/bit_mask.h"
-#include "silhouette/row_kernels.h"
+#include "silhouette/background/background.h"
+#include "silhouette/bits/bit_mask.h"
+#include "silhouette/background/row_kernels.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "silhouette/missed.h"
+#include "silhouette/boundary/missed.h"
 
 #include <gtest/gtest.h>
 

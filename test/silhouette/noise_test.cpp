@@ -1,10 +1,10 @@
 /// Masks of noisy images.
 #include <gtest/gtest.h>
 
-#include "silhouette/background_learner.h"
-#include "silhouette/bit_morphology.h"
-#include "silhouette/mask_runs.h"
-#include "silhouette/pixel_test.h"
+#include "silhouette/background/background_learner.h"
+#include "silhouette/bits/bit_morphology.h"
+#include "silhouette/bits/mask_runs.h"
+#include "silhouette/background/pixel_test.h"
 #include "silhouette/scene.h"
 
 namespace markerless_mocap {

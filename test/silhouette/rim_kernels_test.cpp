@@ -1,4 +1,4 @@
-#include "silhouette/rim_kernels.h"
+#include "silhouette/boundary/rim_kernels.h"
 
 #include <gtest/gtest.h>
 

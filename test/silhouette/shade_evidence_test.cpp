@@ -1,4 +1,4 @@
-#include "silhouette/shade_evidence.h"
+#include "silhouette/shadow/shade_evidence.h"
 
 #include <gtest/gtest.h>
 

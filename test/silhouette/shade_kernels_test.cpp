@@ -1,10 +1,10 @@
-#include "silhouette/shade_kernels.h"
+#include "silhouette/shadow/shade_kernels.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 
-#include "silhouette/bit_mask.h"
+#include "silhouette/bits/bit_mask.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,12 +1,12 @@
-#include "skeleton/bit_volume.h"
+#include "skeleton/thinning/bit_volume.h"
 
 #include <gtest/gtest.h>
 
-#include "skeleton/bit_volume_components.h"
-#include "skeleton/bit_volume_window.h"
-#include "skeleton/cavity_filling.h"
+#include "skeleton/thinning/bit_volume_components.h"
+#include "skeleton/thinning/bit_volume_window.h"
+#include "skeleton/thinning/cavity_filling.h"
 #include "skeleton/thin_figures.h"
-#include "skeleton/word_set.h"
+#include "skeleton/thinning/word_set.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "skeleton/label_doubts.h"
+#include "skeleton/labelling/label_doubts.h"
 
 #include <gtest/gtest.h>
 

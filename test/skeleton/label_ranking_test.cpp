@@ -1,8 +1,8 @@
-#include "skeleton/label_ranking.h"
+#include "skeleton/labelling/label_ranking.h"
 
 #include <gtest/gtest.h>
 
-#include "skeleton/label_proportions.h"
+#include "skeleton/labelling/label_proportions.h"
 #include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "skeleton/left_right.h"
+#include "skeleton/labelling/left_right.h"
 
 #include <gtest/gtest.h>
 

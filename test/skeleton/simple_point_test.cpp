@@ -1,4 +1,4 @@
-#include "skeleton/simple_point.h"
+#include "skeleton/thinning/simple_point.h"
 
 #include <gtest/gtest.h>
 

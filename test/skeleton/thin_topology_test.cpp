@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "markerless_mocap/skeleton/thinner.h"
-#include "skeleton/bit_volume_window.h"
+#include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thin_figures.h"
-#include "skeleton/thinning_scheme.h"
+#include "skeleton/thinning/thinning_scheme.h"
 
 namespace markerless_mocap {
 namespace {

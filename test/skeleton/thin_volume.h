@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "markerless_mocap/hull/voxel_lattice.h"
+#include "markerless_mocap/products/voxel_lattice.h"
 
 namespace markerless_mocap {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "markerless_mocap/hull/visual_hull.h"
-#include "markerless_mocap/skeleton/curve_skeleton.h"
+#include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/products/curve_skeleton.h"
 
 namespace markerless_mocap {
 

@@ -1,10 +1,10 @@
-#include "skeleton/tree_graph.h"
+#include "skeleton/graph/tree_graph.h"
 
 #include <gtest/gtest.h>
 
-#include "skeleton/tree_chains.h"
+#include "skeleton/graph/tree_chains.h"
 #include "skeleton/tree_figure.h"
-#include "skeleton/tree_metric.h"
+#include "skeleton/graph/tree_metric.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "skeleton/tree_volume.h"
+#include "skeleton/graph/tree_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "body/body_fixture.h"
-#include "markerless_mocap/evaluation/body_points.h"
-#include "markerless_mocap/evaluation/body_silhouette.h"
-#include "markerless_mocap/ros/camera_conversions.h"
-#include "markerless_mocap/ros/image_conversions.h"
-#include "tools/evaluation.h"
-#include "tools/result_writer.h"
+#include "evaluation/body_points.h"
+#include "evaluation/body_silhouette.h"
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "tools/evaluate/evaluation.h"
+#include "tools/offline/result_writer.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

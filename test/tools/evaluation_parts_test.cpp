@@ -1,4 +1,4 @@
-#include "tools/evaluation_parts.h"
+#include "tools/evaluate/evaluation_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include "sentence_of.h"
 #include "tools/evaluation_fixture.h"
-#include "tools/evaluation_json.h"
-#include "tools/evaluation_page.h"
-#include "tools/evaluation_table.h"
+#include "tools/evaluate/evaluation_json.h"
+#include "tools/evaluate/evaluation_page.h"
+#include "tools/evaluate/evaluation_table.h"
 
 namespace markerless_mocap {
 namespace {

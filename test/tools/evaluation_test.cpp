@@ -1,4 +1,4 @@
-#include "tools/evaluation.h"
+#include "tools/evaluate/evaluation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "sentence_of.h"
 #include "tools/evaluation_fixture.h"
-#include "tools/evaluation_json.h"
-#include "tools/evaluation_page.h"
-#include "tools/evaluation_table.h"
+#include "tools/evaluate/evaluation_json.h"
+#include "tools/evaluate/evaluation_page.h"
+#include "tools/evaluate/evaluation_table.h"
 
 namespace markerless_mocap {
 namespace {

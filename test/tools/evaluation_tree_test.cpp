@@ -1,4 +1,4 @@
-#include "tools/evaluation_tree.h"
+#include "tools/evaluate/evaluation_tree.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "tools/evaluation_fixture.h"
-#include "tools/evaluation_json.h"
-#include "tools/evaluation_page.h"
-#include "tools/evaluation_table.h"
+#include "tools/evaluate/evaluation_json.h"
+#include "tools/evaluate/evaluation_page.h"
+#include "tools/evaluate/evaluation_table.h"
 
 namespace markerless_mocap {
 namespace {

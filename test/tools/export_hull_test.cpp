@@ -1,9 +1,9 @@
-#include "tools/export_hull.h"
+#include "tools/export_hull/export_hull.h"
 
 #include <cstring>
 
-#include "markerless_mocap/ros/hull_conversions.h"
-#include "tools/bag_file.h"
+#include "ros/hull_conversions.h"
+#include "tools/common/bag_file.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

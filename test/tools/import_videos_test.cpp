@@ -7,9 +7,9 @@
 #include <opencv2/videoio.hpp>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "tools/camera_files.h"
-#include "tools/import_recording.h"
-#include "tools/recording.h"
+#include "tools/import/camera_files.h"
+#include "tools/import/import_recording.h"
+#include "tools/common/recording.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

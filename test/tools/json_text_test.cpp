@@ -1,4 +1,4 @@
-#include "tools/json_text.h"
+#include "tools/evaluate/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/offline_run.h"
+#include "tools/offline/offline_run.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "markerless_mocap/ros/messages.h"
-#include "tools/camera_bag.h"
+#include "ros/messages.h"
+#include "tools/common/camera_bag.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

@@ -1,9 +1,9 @@
-#include "tools/option_pages.h"
+#include "tools/describe_options/option_pages.h"
 
 #include <gtest/gtest.h>
 
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "tools/body_file.h"
+#include "tools/common/body_file.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/overlay.h"
+#include "tools/common/overlay.h"
 
 #include <gtest/gtest.h>
 

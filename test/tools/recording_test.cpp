@@ -1,13 +1,13 @@
-#include "tools/recording.h"
+#include "tools/common/recording.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "markerless_mocap/ros/camera_conversions.h"
-#include "markerless_mocap/ros/image_conversions.h"
-#include "tools/camera_bag.h"
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "tools/common/camera_bag.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

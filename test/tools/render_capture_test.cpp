@@ -1,4 +1,5 @@
-#include "tools/render_capture.h"
+#include "tools/render/render_capture.h"
+#include "tools/common/studio_settings.h"
 
 #include <gtest/gtest.h>
 #include <markerless_mocap/JointPositions.h>
@@ -11,10 +12,10 @@
 #include <map>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "markerless_mocap/capture/truth.h"
-#include "tools/bag_file.h"
-#include "tools/body_file.h"
-#include "tools/recording.h"
+#include "capture/truth.h"
+#include "tools/common/bag_file.h"
+#include "tools/common/body_file.h"
+#include "tools/common/recording.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "tools/report_page.h"
+#include "tools/offline/report_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/result_writer.h"
+#include "tools/offline/result_writer.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "body/body_fixture.h"
-#include "markerless_mocap/ros/messages.h"
+#include "ros/messages.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "tools/run_tool.h"
+#include "tools/common/run_tool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/self_calibration_run.h"
+#include "tools/offline/self_calibration_run.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -12,10 +12,11 @@
 
 #include "contour/rig_shift.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "markerless_mocap/ros/camera_conversions.h"
-#include "markerless_mocap/ros/package_files.h"
-#include "tools/camera_bag.h"
-#include "tools/render_capture.h"
+#include "ros/camera_conversions.h"
+#include "ros/package_files.h"
+#include "tools/common/camera_bag.h"
+#include "tools/render/render_capture.h"
+#include "tools/common/studio_settings.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

@@ -1,4 +1,4 @@
-#include "tools/svg_plot.h"
+#include "tools/common/svg_plot.h"
 
 #include <gtest/gtest.h>
 

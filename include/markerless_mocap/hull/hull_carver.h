@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/options/options.h"
 
 namespace markerless_mocap {

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/fitting/body_tracker.h"
+#include "markerless_mocap/tracking/body_tracker.h"
+#include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/segmentation/part_memory.h"
@@ -78,7 +79,7 @@ class Pipeline {
   using Sink = std::function<void(const CapturedInstant&, const PipelineResult&)>;
 
   /// Throws std::invalid_argument on options or a rig that a stage refuses.
-  Pipeline(CameraRig rig, const TrackerSources& sources, const PipelineOptions& options);
+  Pipeline(CameraRig rig, const PersonSources& sources, const PipelineOptions& options);
 
   /// \param stamp_ns capture time, nanoseconds
   /// \param frames one per camera of the rig, in its order; throws std::invalid_argument on a wrong

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "markerless_mocap/hull/visual_hull.h"
+#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/options/options.h"
-#include "markerless_mocap/segmentation/body_parts.h"
+#include "markerless_mocap/products/body_parts.h"
 
 namespace markerless_mocap {
 

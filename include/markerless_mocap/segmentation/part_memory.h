@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "markerless_mocap/segmentation/body_parts.h"
+#include "markerless_mocap/products/body_parts.h"
 
 namespace markerless_mocap {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "markerless_mocap/hull/visual_hull.h"
-#include "markerless_mocap/skeleton/curve_skeleton.h"
+#include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/products/curve_skeleton.h"
 
 namespace markerless_mocap {
 

@@ -1,0 +1,192 @@
+#include "body/urdf/urdf_reader.h"
+
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+enum class Kind { kFixed, kRevolute, kEither };
+
+/// Joints in the order of the angle vector. REP-155 has all but the optional ones; its ankles are
+/// fixed.
+struct KnownJoint {
+  const char* name;
+  const char* child;
+  Kind kind;
+  bool optional;
+};
+constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", Kind::kRevolute, false},
+                                       {"r_waist", "r_waist", Kind::kRevolute, true},
+                                       {"torso", "torso", Kind::kFixed, false},
+                                       {"r_head", "r_head", Kind::kRevolute, false},
+                                       {"y_head", "y_head", Kind::kRevolute, false},
+                                       {"p_head", "p_head", Kind::kRevolute, false},
+                                       {"head", "head", Kind::kFixed, false},
+                                       {"l_y_clavicle", "l_y_clavicle", Kind::kRevolute, true},
+                                       {"l_r_clavicle", "l_r_clavicle", Kind::kRevolute, true},
+                                       {"l_y_shoulder", "l_y_shoulder", Kind::kRevolute, false},
+                                       {"l_p_shoulder", "l_p_shoulder", Kind::kRevolute, false},
+                                       {"l_r_shoulder", "l_shoulder", Kind::kRevolute, false},
+                                       {"l_elbow", "l_elbow", Kind::kRevolute, false},
+                                       {"l_wrist", "l_wrist", Kind::kFixed, false},
+                                       {"r_y_clavicle", "r_y_clavicle", Kind::kRevolute, true},
+                                       {"r_r_clavicle", "r_r_clavicle", Kind::kRevolute, true},
+                                       {"r_y_shoulder", "r_y_shoulder", Kind::kRevolute, false},
+                                       {"r_p_shoulder", "r_p_shoulder", Kind::kRevolute, false},
+                                       {"r_r_shoulder", "r_shoulder", Kind::kRevolute, false},
+                                       {"r_elbow", "r_elbow", Kind::kRevolute, false},
+                                       {"r_wrist", "r_wrist", Kind::kFixed, false},
+                                       {"l_y_hip", "l_y_hip", Kind::kRevolute, false},
+                                       {"l_p_hip", "l_p_hip", Kind::kRevolute, false},
+                                       {"l_r_hip", "l_hip", Kind::kRevolute, false},
+                                       {"l_knee", "l_knee", Kind::kRevolute, false},
+                                       {"l_ankle", "l_ankle", Kind::kEither, false},
+                                       {"r_y_hip", "r_y_hip", Kind::kRevolute, false},
+                                       {"r_p_hip", "r_p_hip", Kind::kRevolute, false},
+                                       {"r_r_hip", "r_hip", Kind::kRevolute, false},
+                                       {"r_knee", "r_knee", Kind::kRevolute, false},
+                                       {"r_ankle", "r_ankle", Kind::kEither, false}};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::invalid_argument("URDF of the body: " + sentence);
+}
+
+std::string textOf(Kind kind) {
+  return kind == Kind::kEither     ? "revolute or fixed"
+         : kind == Kind::kRevolute ? "revolute"
+                                   : "fixed";
+}
+
+Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
+  const urdf::Rotation& r = pose.rotation;
+  return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) *
+         Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized();
+}
+
+void checkJoint(const urdf::ModelInterface& urdf, const KnownJoint& known, const std::string& id) {
+  const std::string name = std::string(known.name) + "_" + id;
+  const std::string child = std::string(known.child) + "_" + id;
+  const auto joint = urdf.getJoint(name);
+  if (!joint) {
+    if (known.optional) return;
+    refuse("joint " + name + " is missing");
+  }
+  if (!urdf.getLink(child)) refuse("link " + child + " is missing");
+  if (joint->child_link_name != child)
+    refuse("joint " + name + " leads to link " + joint->child_link_name + ", it must lead to " +
+           child);
+  const bool moves = joint->type == urdf::Joint::REVOLUTE;
+  const bool fixed = joint->type == urdf::Joint::FIXED;
+  if (!(moves && known.kind != Kind::kFixed) && !(fixed && known.kind != Kind::kRevolute))
+    refuse("joint " + name + " must be " + textOf(known.kind));
+}
+
+/// Rank of a joint in the angle order; joints we do not know come last.
+size_t rank(const std::string& joint_name, const std::string& id) {
+  size_t i = 0;
+  while (i < std::size(kKnownJoints) && kKnownJoints[i].name + ("_" + id) != joint_name) ++i;
+  return i;
+}
+
+Eigen::Vector3d checkedAxis(const urdf::Joint& joint) {
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (!(axis.norm() > 1e-9)) refuse("joint " + joint.name + " has no axis");
+  return axis.normalized();
+}
+
+void setMotion(const urdf::Joint& from, BodyJoint& joint) {
+  if (from.type == urdf::Joint::FIXED) return;
+  if (from.type != urdf::Joint::REVOLUTE)
+    refuse("joint " + from.name + " must be revolute or fixed");
+  if (!(from.limits->lower < from.limits->upper))
+    refuse("joint " + from.name + " must have a lower limit below its upper limit");
+  joint.axis = checkedAxis(from);
+  joint.lower = from.limits->lower;
+  joint.upper = from.limits->upper;
+}
+
+/// Whether a sphere lies within a capsule and adds nothing to the shape.
+bool within(const RoundCone& sphere, const RoundCone& capsule) {
+  constexpr double kSlack = 1e-6;
+  const Eigen::Vector3d along = capsule.b - capsule.a;
+  const double length_squared = along.squaredNorm();
+  if (length_squared == 0.0) return false;
+  const double s = std::clamp((sphere.a - capsule.a).dot(along) / length_squared, 0.0, 1.0);
+  const double distance = (capsule.a + s * along - sphere.a).norm();
+  return distance + sphere.radius_a <= capsule.radius_a + kSlack;
+}
+
+/// One link's visuals as round cones.
+std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
+  std::vector<RoundCone> cones;
+  for (const auto& visual : link.visual_array) {
+    const Eigen::Isometry3d T_link_visual = toIsometry(visual->origin);
+    Eigen::Vector3d half = Eigen::Vector3d::Zero();
+    double radius = 0.0;
+    if (const auto c = std::dynamic_pointer_cast<urdf::Cylinder>(visual->geometry)) {
+      half = T_link_visual.linear().col(2) * (c->length / 2.0);
+      radius = c->radius;
+    } else if (const auto s = std::dynamic_pointer_cast<urdf::Sphere>(visual->geometry)) {
+      radius = s->radius;
+    }
+    if (!(radius > 0.0)) continue;
+    const Eigen::Vector3d center = T_link_visual.translation();
+    cones.push_back({index, center + half, center - half, radius, radius});
+    if (visual->material) {
+      const urdf::Color& color = visual->material->color;
+      cones.back().rgb = {color.r, color.g, color.b};
+    }
+  }
+  std::vector<RoundCone> kept;
+  for (const RoundCone& cone : cones)
+    if (cone.a != cone.b || std::none_of(cones.begin(), cones.end(), [&](const RoundCone& other) {
+          return within(cone, other);
+        }))
+      kept.push_back(cone);
+  return kept;
+}
+
+/// Appends a link and what hangs on it, depth first.
+void appendLink(const urdf::Link& link, const std::string& id, int& angle_count, BodyTree& tree) {
+  const int index = int(tree.links.size());
+  tree.links.push_back(link.name);
+  const std::vector<RoundCone> cones = readShape(link, index);
+  tree.shape.insert(tree.shape.end(), cones.begin(), cones.end());
+  std::vector<urdf::JointSharedPtr> children = link.child_joints;
+  std::stable_sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
+    return rank(a->name, id) < rank(b->name, id);
+  });
+  for (const auto& from : children) {
+    BodyJoint joint;
+    joint.name = from->name;
+    joint.parent_link = index;
+    joint.child_link = int(tree.links.size());
+    joint.T_parent_joint = toIsometry(from->parent_to_joint_origin_transform);
+    setMotion(*from, joint);
+    if (from->type == urdf::Joint::REVOLUTE) joint.angle_index = angle_count++;
+    tree.joints.push_back(joint);
+    for (const auto& child : link.child_links)
+      if (child->name == from->child_link_name) appendLink(*child, id, angle_count, tree);
+  }
+}
+
+}  // namespace
+
+BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id) {
+  const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(urdf_xml);
+  if (!urdf || !urdf->getRoot()) refuse("the text cannot be read as a URDF");
+  const std::string root = "body_" + id;
+  if (!urdf->getLink(root)) refuse("link " + root + " is missing");
+  if (urdf->getRoot()->name != root)
+    refuse("its root is " + urdf->getRoot()->name + ", it must be " + root);
+  for (const KnownJoint& known : kKnownJoints) checkJoint(*urdf, known, id);
+  BodyTree tree;
+  int angle_count = 0;
+  appendLink(*urdf->getRoot(), id, angle_count, tree);
+  return tree;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "capture/render/mesh_renderer.h"
+#include "capture/studio_options.h"
+#include "capture/scene/textured_room.h"
+
+namespace markerless_mocap {
+
+/// The room and the cameras in it, with what is wrong with them.
+class StudioCameras {
+ public:
+  /// Throws as makeRig() and readRig().
+  explicit StudioCameras(const StudioOptions& options);
+
+  const CameraRig& rig() const { return rig_; }
+  const CameraRig& toldRig() const { return told_rig_; }
+  const TexturedRoom& room() const { return room_; }
+  const MeshRenderer& renderer(size_t camera) const { return renderers_[camera]; }
+  /// Seconds by which the camera's pictures are later than their stamps.
+  double offset(size_t camera) const { return offsets_[camera]; }
+  bool isDropped(int index, size_t camera) const;
+  /// Light and sensor. \param seconds of the instant since the first
+  void expose(int index, size_t camera, double seconds, cv::Mat& image) const;
+  /// The mask as a segmentation would leave it.
+  cv::Mat silhouette(int index, size_t camera, const cv::Mat& mask) const;
+
+ private:
+  uint64_t streamOf(int index, size_t camera, uint64_t purpose) const;
+
+  TroubleOptions troubles_;
+  uint64_t seed_;
+  CameraRig rig_, told_rig_;
+  TexturedRoom room_;
+  std::vector<MeshRenderer> renderers_;
+  std::vector<double> offsets_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,63 @@
+#include "capture/degradations/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "capture/common/hash.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kBeatHz = 0.7;  // of the mains' frequency with a multiple of the frames'
+constexpr size_t kTableSize = size_t(1) << 16;
+constexpr size_t kChunk = 128;  // values that read the table in one go
+
+/// Sum of twelve uniform numbers: mean 0, standard deviation 1.
+double nearNormal(uint64_t stream) {
+  double sum = -6.0;
+  for (uint64_t i = 0; i < 12; ++i) sum += hashUniform(stream + i);
+  return sum;
+}
+
+/// Longer than its size by a chunk, so that any start will do.
+std::vector<float> makeTable() {
+  std::vector<float> table(kTableSize + kChunk);
+  for (size_t i = 0; i < table.size(); ++i) table[i] = float(nearNormal(12 * i));
+  return table;
+}
+
+void applyToChunk(float noise_levels, float gain, const float* noise, size_t count,
+                  uint8_t* values) {
+  for (size_t i = 0; i < count; ++i) {
+    const float level = gain * float(values[i]) + noise_levels * noise[i] + 0.5f;
+    values[i] = uint8_t(int(std::min(std::max(level, 0.0f), 255.0f)));
+  }
+}
+
+}  // namespace
+
+double flickerGain(double amount, double seconds, uint64_t stream) {
+  const double phase = hashUniform(hashBits(stream));
+  const double beat = std::sqrt(2.0) * std::sin(2.0 * kPi * (kBeatHz * seconds + phase));
+  const auto instant = uint64_t(std::llround(seconds * 1e6));
+  const double random = nearNormal(hashBits(hashBits(stream + 1) ^ instant));
+  return std::max(0.0, 1.0 + amount * std::sqrt(0.5) * (beat + random));
+}
+
+void applySensor(double noise_levels, double gain, uint64_t stream, cv::Mat& image) {
+  if (noise_levels == 0.0 && gain == 1.0) return;
+  static const std::vector<float> table = makeTable();
+  const uint64_t key = hashBits(stream);
+  const size_t values = size_t(image.cols) * image.channels();
+  uint64_t chunk = 0;
+  for (int y = 0; y < image.rows; ++y) {
+    uint8_t* const row = image.ptr<uint8_t>(y);
+    for (size_t x = 0; x < values; x += kChunk)
+      applyToChunk(float(noise_levels), float(gain), &table[hashBits(key + chunk++) % kTableSize],
+                   std::min(kChunk, values - x), row + x);
+  }
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "capture/render/sample_grid.h"
+#include "capture/scene/lit_scene.h"
+#include "capture/scene/textured_room.h"
+
+namespace markerless_mocap {
+
+/// Share of a pixel that each of its nine samples has, by distance in x plus that in y: a tent as
+/// wide as two pixels, the blur of an ordinary lens.
+constexpr std::array<int, 3> kTent = {4, 2, 1};
+constexpr int kTentSum = 16;
+
+/// The empty room as one camera sees it, and the shadows that fall on it.
+class RoomView {
+ public:
+  RoomView(const Camera& camera, const SampleGrid& grid, const TexturedRoom& room);
+
+  /// CV_8UC3, BGR.
+  const cv::Mat& picture() const { return picture_; }
+  /// Darkens what the scene's objects hide from the lamps. \param image picture() or a copy
+  void castShadows(const LitScene& scene, cv::Mat& image) const;
+
+ private:
+  static constexpr int kBlock = 16;  ///< pixels
+  struct Bounds {
+    Eigen::Vector2f low, high;
+  };
+
+  void drawPicture(const Camera& camera, const SampleGrid& grid, const TexturedRoom& room);
+  void boundBlocks(const TexturedRoom& room);
+  cv::Rect blockRect(int block) const;
+  void shadeBlock(const cv::Rect& rect, const LitScene& scene, uint32_t lamps,
+                  cv::Mat& image) const;
+
+  cv::Mat picture_;
+  cv::Mat positions_;                        ///< CV_32FC3: world place that each pixel shows
+  std::vector<Lamp> lamps_;                  ///< the room's
+  std::vector<std::vector<Bounds>> bounds_;  ///< by lamp and block: texels on the floor's plane
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,104 @@
+#include "capture/scene/lit_scene.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "capture/scene/shadow_map.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Of white under all lamps: what comes from everywhere, from above more than from below, and what
+// comes from the lamps themselves.
+constexpr float kAmbientAbove = 0.55f, kAmbientBelow = 0.30f, kLamps = 0.75f;
+
+[[noreturn]] void refuse(size_t object, const std::string& what) {
+  throw std::invalid_argument("scene object " + std::to_string(object) + ": " + what);
+}
+
+void validate(const SceneObject& object, size_t number) {
+  if (!object.mesh) refuse(number, "it has no mesh");
+  const size_t count = object.vertices.size();
+  if (count != object.mesh->vertices.size() || count != object.mesh->colors.size())
+    refuse(number, std::to_string(count) + " vertices for a mesh of " +
+                       std::to_string(object.mesh->vertices.size()) + " vertices and " +
+                       std::to_string(object.mesh->colors.size()) +
+                       " colours, the three must be equal");
+  for (const Eigen::Vector3f& vertex : object.vertices)
+    if (!vertex.allFinite()) refuse(number, "a vertex is not finite");
+  for (const auto& triangle : object.mesh->triangles)
+    for (const int corner : triangle)
+      if (corner < 0 || size_t(corner) >= count)
+        refuse(number, "a triangle has vertex " + std::to_string(corner) + ", allowed is 0 to " +
+                           std::to_string(count) + " - 1");
+}
+
+/// Unit normals, each the mean of its triangles' weighted by their areas.
+std::vector<Eigen::Vector3f> smoothNormals(const SceneObject& object) {
+  std::vector<Eigen::Vector3f> normals(object.vertices.size(), Eigen::Vector3f::Zero());
+  for (const auto& [a, b, c] : object.mesh->triangles) {
+    const Eigen::Vector3f& origin = object.vertices[a];
+    const Eigen::Vector3f normal = (object.vertices[b] - origin).cross(object.vertices[c] - origin);
+    normals[a] += normal;
+    normals[b] += normal;
+    normals[c] += normal;
+  }
+  for (Eigen::Vector3f& normal : normals) normal.normalize();
+  return normals;
+}
+
+float lightAt(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
+              const std::vector<Lamp>& lamps, const std::vector<ShadowMap>& shadow_maps,
+              float shadow_strength) {
+  float light = kAmbientBelow + (kAmbientAbove - kAmbientBelow) * 0.5f * (1.0f + normal.z());
+  for (size_t i = 0; i < lamps.size(); ++i) {
+    const float facing = normal.dot((lamps[i].position - point).normalized());
+    if (facing <= 0.0f) continue;
+    const float seen = 1.0f - shadow_strength * shadow_maps[i].hiddenShare(point);
+    light += kLamps * lamps[i].share * facing * seen;
+  }
+  return light;
+}
+
+std::vector<ShadowMap> castShadows(const TexturedRoom& room,
+                                   const std::vector<SceneObject>& objects) {
+  std::vector<std::optional<ShadowMap>> made(room.lamps().size());
+  tbb::parallel_for(size_t(0), made.size(),
+                    [&](size_t i) { made[i].emplace(room.lamps()[i], objects); });
+  std::vector<ShadowMap> maps;
+  for (auto& map : made) maps.push_back(std::move(*map));
+  return maps;
+}
+
+}  // namespace
+
+LitScene::LitScene(const TexturedRoom& room, std::vector<SceneObject> objects,
+                   double shadow_strength)
+    : objects_(std::move(objects)), shadow_strength_(shadow_strength) {
+  if (!(shadow_strength >= 0.0 && shadow_strength <= 1.0))
+    throw std::invalid_argument("the shadows' strength is " + std::to_string(shadow_strength) +
+                                ", allowed is 0 to 1");
+  for (size_t i = 0; i < objects_.size(); ++i) validate(objects_[i], i);
+  shadow_maps_ = std::make_shared<const std::vector<ShadowMap>>(castShadows(room, objects_));
+  lit_colors_.resize(objects_.size());
+  for (size_t i = 0; i < objects_.size(); ++i) {
+    const SceneObject& object = objects_[i];
+    const std::vector<Eigen::Vector3f> normals = smoothNormals(object);
+    lit_colors_[i].resize(object.vertices.size());
+    const tbb::blocked_range<size_t> all(0, object.vertices.size(), 1024);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& range) {
+      for (size_t v = range.begin(); v < range.end(); ++v)
+        lit_colors_[i][v] =
+            object.mesh->colors[v] * lightAt(object.vertices[v], normals[v], room.lamps(),
+                                             *shadow_maps_, float(shadow_strength_));
+    });
+  }
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "character/body/body_shape.h"
+#include "character/character_options.h"
+
+namespace markerless_mocap {
+
+/// What is seen of a person.
+enum class Layer { kSkin, kShirt, kTrousers, kSkirt, kShoes, kHair };
+constexpr int kLayerCount = 6;
+
+/// A body with its clothes and hair as signed distances. Mirror-symmetric in y.
+class DressedShape {
+ public:
+  DressedShape(const BodyShape& body, const CharacterOptions& options);
+
+  /// Metres to the outermost layer, negative inside.
+  double distance(const Eigen::Vector3d& p) const;
+  /// The outermost layer at a point of the surface.
+  Layer layerAt(const Eigen::Vector3d& p) const;
+
+ private:
+  std::array<double, kLayerCount> layers(const Eigen::Vector3d& p) const;
+  double shirt(const Eigen::Vector3d& p, const BodyParts& parts) const;
+  double trousers(const Eigen::Vector3d& p, const BodyParts& parts) const;
+  double skirt(const Eigen::Vector3d& p) const;
+  double hair(const Eigen::Vector3d& p, const BodyParts& parts) const;
+  double length(double man, double woman) const { return body_.build().length(man, woman); }
+
+  BodyShape body_;
+  bool loose_, bare_legs_, long_hair_;
+  std::optional<Loft> shirt_, sleeve_, trouser_, skirt_, fall_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,216 @@
+#include "character/imported_character.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "character/import/rig_skeleton.h"
+#include "character/import/rigged_scene.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+using BoneWeights = PerBone<float>;
+
+struct UprightRig {
+  RiggedMesh rig;
+  BoneMap bones;
+  RigStance stance;
+};
+
+/// The rig in world axes, in the first of its poses in which it stands upright.
+UprightRig uprightRig(const std::string& path) {
+  const RiggedScene scene(path);
+  for (RestPose pose : {RestPose::kBind, RestPose::kNodes}) {
+    UprightRig upright;
+    upright.rig = scene.in(pose);
+    RiggedMesh& rig = upright.rig;
+    upright.bones = mapBones(rig.joints, path);
+    if (!measureStance(rig.joints, upright.bones, rig.places, upright.stance)) continue;
+    const Eigen::Matrix3d& R = upright.stance.R_world_rig;
+    for (Vector3d& place : rig.places) place = R * place;
+    for (Eigen::Vector3f& vertex : rig.mesh.vertices)
+      vertex = (R * vertex.cast<double>()).cast<float>();
+    upright.bones = withTrunkByHeight(upright.bones, rig.places);
+    return upright;
+  }
+  throw std::invalid_argument(path +
+                              ": neither the bind pose nor the nodes' pose is a person standing "
+                              "upright, so up and forward cannot be told");
+}
+
+/// For each joint the bone that it is, or that is next above it.
+std::vector<Bone> carriers(const std::vector<NamedJoint>& joints, const BoneMap& bones) {
+  std::vector<Bone> carriers(joints.size(), Bone::kHips);
+  for (size_t j = 0; j < joints.size(); ++j) {
+    const auto own = std::find(bones.joint.begin(), bones.joint.end(), int(j));
+    if (own != bones.joint.end()) {
+      carriers[j] = Bone(own - bones.joint.begin());
+    } else if (joints[j].parent >= 0) {
+      carriers[j] = carriers[size_t(joints[j].parent)];
+    }
+  }
+  return carriers;
+}
+
+std::vector<BoneWeights> boneWeights(const UprightRig& upright) {
+  const std::vector<Bone> carrier = carriers(upright.rig.joints, upright.bones);
+  std::vector<BoneWeights> all(upright.rig.weights.size());
+  for (size_t v = 0; v < all.size(); ++v) {
+    all[v].fill(0.0f);
+    for (const JointWeight& entry : upright.rig.weights[v])
+      all[v][size_t(carrier[entry.joint])] += entry.weight;
+  }
+  return all;
+}
+
+/// -1 where all weights are zero.
+int heaviest(const BoneWeights& weights) {
+  const auto most = std::max_element(weights.begin(), weights.end());
+  return *most > 0.0f ? int(most - weights.begin()) : -1;
+}
+
+Bone nearestBone(const HumanSkeleton& skeleton, const Vector3d& point) {
+  Bone nearest = Bone::kHips;
+  double least = std::numeric_limits<double>::max();
+  for (int b = 0; b < kBoneCount; ++b) {
+    const Vector3d bone = skeleton.tailOf(Bone(b)) - skeleton.headOf(Bone(b));
+    const Vector3d from = point - skeleton.headOf(Bone(b));
+    const double length = std::max(bone.squaredNorm(), 1e-12);
+    const double distance = (from - std::clamp(from.dot(bone) / length, 0.0, 1.0) * bone).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = Bone(b);
+  }
+  return nearest;
+}
+
+/// A bone that the rig does not have takes over from the one above it beyond their joint, going
+/// over by and by. A collar bone takes nothing: its skin stays with the chest.
+void shareWithMissing(const BoneMap& bones, const HumanSkeleton& skeleton, const Vector3d& point,
+                      BoneWeights& weights) {
+  constexpr double kReach = 0.3;  // to either side of the joint, of the shorter bone's length
+  for (int b = 1; b < kBoneCount; ++b) {
+    const Bone bone = Bone(b), parent = parentOf(bone);
+    if (bones.has(bone) || bone == Bone::kLeftClavicle || bone == Bone::kRightClavicle ||
+        weights[size_t(parent)] == 0.0f)
+      continue;
+    const Vector3d along = (skeleton.tailOf(bone) - skeleton.headOf(parent)).normalized();
+    const double reach = kReach * std::min(skeleton.lengthOf(bone), skeleton.lengthOf(parent));
+    const double beyond = (point - skeleton.headOf(bone)).dot(along);
+    const float share = float(std::clamp(0.5 + 0.5 * beyond / std::max(reach, 1e-9), 0.0, 1.0));
+    weights[size_t(b)] = share * weights[size_t(parent)];
+    weights[size_t(parent)] *= 1.0f - share;
+  }
+}
+
+VertexWeights fourLargest(const BoneWeights& weights) {
+  std::array<int, kBoneCount> order;
+  std::iota(order.begin(), order.end(), 0);
+  std::partial_sort(order.begin(), order.begin() + 4, order.end(),
+                    [&](int a, int b) { return weights[size_t(a)] > weights[size_t(b)]; });
+  VertexWeights largest;
+  float sum = 0.0f;
+  for (size_t k = 0; k < 4; ++k) sum += weights[size_t(order[k])];
+  for (size_t k = 0; k < 4; ++k) {
+    largest.bones[k] = Bone(order[k]);
+    largest.weights[k] = weights[size_t(order[k])] / sum;
+  }
+  return largest;
+}
+
+/// The person as it stands in the file.
+Character standing(UprightRig& upright) {
+  std::vector<BoneWeights> weights = boneWeights(upright);
+  RigMeasures measures{upright.rig.places, upright.rig.mesh.vertices, {}};
+  for (const BoneWeights& vertex : weights) measures.bone_of_vertex.push_back(heaviest(vertex));
+
+  Character person;
+  person.skeleton = rigSkeleton(upright.bones, upright.stance, measures);
+  for (size_t v = 0; v < weights.size(); ++v) {
+    const Vector3d point = measures.vertices[v].cast<double>();
+    if (measures.bone_of_vertex[v] < 0)
+      weights[v][size_t(nearestBone(person.skeleton, point))] = 1.0f;
+    shareWithMissing(upright.bones, person.skeleton, point, weights[v]);
+    person.weights.push_back(fourLargest(weights[v]));
+  }
+  person.mesh = std::move(upright.rig.mesh);
+  return person;
+}
+
+/// Legs straight down, arms straight out; feet keep their slope and roll and turn to the front.
+HumanPose tPose(const HumanSkeleton& bind, const RigStance& stance) {
+  HumanSkeleton straight = HumanSkeleton::adult(1.75, 0.5);
+  for (Bone bone : {Bone::kLeftThigh, Bone::kLeftShank, Bone::kRightThigh, Bone::kRightShank})
+    straight.tail[size_t(bone)] = straight.headOf(bone) - Vector3d::UnitZ();
+  const PerBone<Quaterniond> turns = stance.turnsFrom(straight);
+  HumanPose pose;
+  pose.hips = bind.headOf(Bone::kHips);
+  for (size_t b = 0; b < size_t(kBoneCount); ++b) pose.R_world_bone[b] = turns[b].conjugate();
+  for (Bone foot : {Bone::kLeftFoot, Bone::kRightFoot}) {
+    const Bone toes = Bone(int(foot) + 1);
+    const Vector3d along = bind.tailOf(toes) - bind.headOf(foot);
+    const Eigen::AngleAxisd to_front(-std::atan2(along.y(), along.x()), Vector3d::UnitZ());
+    pose[foot] = pose[toes] = Quaterniond(to_front);
+  }
+  return pose;
+}
+
+/// Left and right joints become each other's mirror, those of the middle go to y = 0.
+void mirrorMeans(PerBone<Vector3d>& places) {
+  const PerBone<Vector3d> given = places;
+  for (size_t b = 0; b < size_t(kBoneCount); ++b) {
+    const Vector3d& other = given[size_t(mirrorOf(Bone(b)))];
+    places[b] = 0.5 * (given[b] + Vector3d(other.x(), -other.y(), other.z()));
+  }
+}
+
+Character inTPose(Character standing, const HumanPose& pose) {
+  Character person = standing;
+  standing.pose(pose, person.mesh.vertices);
+  HumanSkeleton& skeleton = person.skeleton;
+  skeleton.head = jointPositions(standing.skeleton, pose);
+  for (int b = 0; b < kBoneCount; ++b)
+    skeleton.tail[size_t(b)] = boneEnd(standing.skeleton, pose, skeleton.head, Bone(b));
+  return person;
+}
+
+/// Feet on z = 0, hips above the origin, as tall as asked for.
+void scaleAndPlace(Character& person, double stature) {
+  float bottom = std::numeric_limits<float>::max(), top = -bottom;
+  for (const Eigen::Vector3f& vertex : person.mesh.vertices) {
+    bottom = std::min(bottom, vertex.z());
+    top = std::max(top, vertex.z());
+  }
+  const double scale = stature / double(top - bottom);
+  const Vector3d hips = person.skeleton.headOf(Bone::kHips);
+  const Vector3d origin(hips.x(), hips.y(), double(bottom));
+  HumanSkeleton& skeleton = person.skeleton;
+  skeleton.stature = stature;
+  for (PerBone<Vector3d>* places : {&skeleton.head, &skeleton.tail}) {
+    for (Vector3d& place : *places) place = scale * (place - origin);
+    mirrorMeans(*places);
+  }
+  for (Eigen::Vector3f& vertex : person.mesh.vertices)
+    vertex = (scale * (vertex.cast<double>() - origin)).cast<float>();
+}
+
+}  // namespace
+
+Character importCharacter(const std::string& path, double stature) {
+  if (!(stature >= 0.5 && stature <= 2.5))
+    throw std::invalid_argument(path + ": stature is " + std::to_string(stature) +
+                                " m, allowed is 0.5 to 2.5");
+  UprightRig upright = uprightRig(path);
+  const Character bind = standing(upright);
+  Character person = inTPose(bind, tPose(bind.skeleton, upright.stance));
+  scaleAndPlace(person, stature);
+  return person;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,79 @@
+#include "contour/fit/body_overlap.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kFractionBits = 4;  // of a sample, for drawing
+
+/// A ball's picture, in samples.
+struct Disk {
+  Vector2d middle;
+  double radius;
+};
+
+std::optional<Disk> diskOf(const Camera& camera, int step, const Eigen::Vector3d& middle,
+                           double radius) {
+  const auto pixel = camera.project(middle);
+  if (!pixel) return std::nullopt;
+  const CameraCalibration& lens = camera.calibration();
+  const double depth = lens.T_world_camera.linear().col(2).dot(middle - camera.position());
+  const double f = 0.5 * (lens.K(0, 0) + lens.K(1, 1));
+  return Disk{*pixel / step, f * radius / depth / step};
+}
+
+cv::Point fixedPoint(const Vector2d& p) {
+  constexpr double kOne = 1 << kFractionBits;
+  return {int(std::lround(p.x() * kOne)), int(std::lround(p.y() * kOne))};
+}
+
+/// The hull of two disks: both, and the quadrangle between their common tangents.
+void draw(const Disk& a, const Disk& b, cv::Mat& canvas) {
+  for (const Disk& disk : {a, b})
+    cv::circle(canvas, fixedPoint(disk.middle),
+               int(std::lround(disk.radius * (1 << kFractionBits))), 255, cv::FILLED, cv::LINE_8,
+               kFractionBits);
+  const Vector2d way = b.middle - a.middle;
+  const double length = way.norm(), sine = (a.radius - b.radius) / std::max(length, 1e-9);
+  if (std::abs(sine) >= 1) return;  // one disk holds the other
+  const Vector2d along = way / length, across(-along.y(), along.x());
+  const double cosine = std::sqrt(1 - sine * sine);
+  const Vector2d one = sine * along + cosine * across, other = sine * along - cosine * across;
+  const cv::Point corners[] = {
+      fixedPoint(a.middle + a.radius * one), fixedPoint(b.middle + b.radius * one),
+      fixedPoint(b.middle + b.radius * other), fixedPoint(a.middle + a.radius * other)};
+  cv::fillConvexPoly(canvas, corners, 4, 255, cv::LINE_8, kFractionBits);
+}
+
+}  // namespace
+
+double viewOverlap(const ContourView& view, const Camera& camera, const PlacedCones& cones) {
+  cv::Mat canvas = cv::Mat::zeros((camera.height() - 1) / view.step + 1,
+                                  (camera.width() - 1) / view.step + 1, CV_8UC1);
+  for (const PlacedCone& cone : cones) {
+    const auto a = diskOf(camera, view.step, cone.a, cone.radius_a);
+    const auto b = diskOf(camera, view.step, cone.b, cone.radius_b);
+    if (a && b) draw(*a, *b, canvas);
+  }
+  const double body = cv::countNonZero(canvas), person = cv::countNonZero(view.person);
+  const cv::Rect box(view.corner, view.person.size());
+  const double both = cv::countNonZero(canvas(box) & view.person);
+  if (body == 0 || person == 0) return 0.0;
+  return 0.5 * both / body + 0.5 * both / person;
+}
+
+double bodyOverlap(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones) {
+  double sum = 0.0;
+  for (size_t v = 0; v < rig.size(); ++v)
+    if (seen.views[v].status == ViewStatus::kUsable)
+      sum += viewOverlap(seen.views[v], rig[v], cones);
+  const int usable = seen.usableViews();
+  return usable ? sum / usable : 0.0;
+}
+
+}  // namespace markerless_mocap

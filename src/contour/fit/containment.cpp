@@ -1,0 +1,113 @@
+#include "contour/fit/containment.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "contour/fit/robust.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// A ball further out than this is an outlier, metres.
+constexpr double kOutlier = 0.15;
+
+/// Distance to the person's border at a pixel, and its slope, pixels.
+struct BorderDistance {
+  double value;
+  Vector2d slope;
+};
+
+BorderDistance sample(const ContourView& view, const Vector2d& pixel) {
+  const Vector2d at = pixel / view.step - Vector2d(view.corner.x, view.corner.y);
+  const double right = view.distance.cols - 1, bottom = view.distance.rows - 1;
+  const Vector2d inside(std::clamp(at.x(), 0.0, right), std::clamp(at.y(), 0.0, bottom));
+  const int x = std::min(int(inside.x()), std::max(0, view.distance.cols - 2));
+  const int y = std::min(int(inside.y()), std::max(0, view.distance.rows - 2));
+  const float* top = view.distance.ptr<float>(y) + x;
+  const float* low = view.distance.ptr<float>(std::min(y + 1, view.distance.rows - 1)) + x;
+  const int next = view.distance.cols > 1 ? 1 : 0;
+  const double u = inside.x() - x, v = inside.y() - y;
+  const double above = top[0] + u * (top[next] - top[0]), below = low[0] + u * (low[next] - low[0]);
+  BorderDistance border;
+  border.value = above + v * (below - above);
+  border.slope.x() = ((1 - v) * (top[next] - top[0]) + v * (low[next] - low[0])) / view.step;
+  border.slope.y() = (below - above) / view.step;
+  const Vector2d beyond = (at - inside) * view.step;
+  const double away = beyond.norm();
+  if (away > 0) {
+    border.value += away;
+    for (int i = 0; i < 2; ++i)
+      if (beyond[i] != 0) border.slope[i] = beyond[i] / away;
+  }
+  return border;
+}
+
+/// A ball in one view: how far it sticks out, negative inside, and the derivative by its middle.
+struct BallInView {
+  double excess;
+  Vector3d slope;  ///< world
+};
+
+std::optional<BallInView> look(const Camera& camera, const ContourView& view,
+                               const Vector3d& middle, double radius) {
+  const auto pixel = camera.projectInside(middle);
+  if (!pixel) return std::nullopt;
+  const BorderDistance border = sample(view, *pixel);
+  const CameraCalibration& lens = camera.calibration();
+  const Vector3d p = lens.T_world_camera.linear().transpose() * (middle - camera.position());
+  const double fx = lens.K(0, 0), fy = lens.K(1, 1), f = 0.5 * (fx + fy);
+  BallInView ball;
+  ball.excess = border.value * p.z() / f + radius;
+  const double gx = border.slope.x() * fx / f, gy = border.slope.y() * fy / f;
+  const Vector3d slope(gx, gy, border.value / f - (gx * p.x() + gy * p.y()) / p.z());
+  ball.slope = lens.T_world_camera.linear() * slope;
+  return ball;
+}
+
+/// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask, of the
+/// cones with wanted(cone).
+template <typename Wanted, typename Stick>
+void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
+                   const Wanted& wanted, const Stick& stick) {
+  for (size_t v = 0; v < rig.size(); ++v) {
+    if (seen.views[v].status != ViewStatus::kUsable) continue;
+    for (size_t c = 0; c < kContourCones; ++c)
+      for (size_t i = 0; wanted(c) && i < kBallsPerCone; ++i) {
+        const double s = double(i) / (kBallsPerCone - 1);
+        const PlacedCone& cone = cones[c];
+        const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
+        const auto ball = look(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
+        if (ball && ball->excess > 0) stick(c, i, s, *ball);
+      }
+  }
+}
+
+}  // namespace
+
+BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
+                          const PlacedCones& cones, double weight, AllConeSums& sums) {
+  BallExcess most{};
+  const auto all = [](size_t) { return true; };
+  forEachExcess(seen, rig, cones, all, [&](size_t c, size_t i, double s, const BallInView& ball) {
+    most[c][i] = std::max(most[c][i], ball.excess);
+    const double u[4] = {ball.slope.x(), ball.slope.y(), ball.slope.z(), 1.0};
+    sums[c].add(s, u, ball.excess, weight * robustWeight(ball.excess, kOutlier));
+  });
+  return most;
+}
+
+double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
+                    ContourLimb::Id limb) {
+  double sum = 0.0;
+  const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
+  forEachExcess(seen, rig, cones, of_limb, [&](size_t, size_t, double, const BallInView& ball) {
+    sum += robustSquare(ball.excess, kOutlier);
+  });
+  return sum;
+}
+
+}  // namespace markerless_mocap

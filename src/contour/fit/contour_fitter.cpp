@@ -1,0 +1,104 @@
+#include "contour/fit/contour_fitter.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "contour/fit/body_overlap.h"
+#include "contour/fit/limb_evidence.h"
+#include "contour/fit/pose_priors.h"
+#include "contour/fit/pose_problem.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Levenberg-Marquardt damping in the units of the Hessian's diagonal: 1/rad^2 and 1/m^2, and a
+// share of the diagonal itself.
+constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kShareDamping = 1e-3;
+
+constexpr double kLongestStep = 0.35;  // rad or metres
+
+using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
+
+void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
+               const ContourOptions& options, PoseEquations& equations) {
+  addPosturePriors(pose, equations);
+  addArmsAtRest(pose, equations);
+  if (prediction)
+    addPrediction(pose, prediction->pose, options.turn_rate * prediction->seconds,
+                  options.move_rate * prediction->seconds, equations);
+}
+
+ContourPose stepped(const ContourPose& pose, const PoseEquations& equations) {
+  auto H = equations.H;
+  H.diagonal() *= 1.0 + kShareDamping;
+  H.diagonal().head<3>().array() += kMoveDamping;
+  H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
+  const PoseStep step = -Cholesky(H).solve(equations.g);
+  return moved(pose, step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep));
+}
+
+void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
+           const std::optional<ContourPrediction>& prediction) {
+  if (seen.views.size() != rig.size())
+    throw std::invalid_argument("contour: an observation of " + std::to_string(seen.views.size()) +
+                                " views was given to a rig of " + std::to_string(rig.size()));
+  if (!start.isFinite() || (prediction && !prediction->pose.isFinite()))
+    throw std::invalid_argument("contour: the pose to start from or to expect is not finite");
+  if (prediction && !(prediction->seconds > 0))
+    throw std::invalid_argument("contour: a prediction must be of a later instant");
+}
+
+}  // namespace
+
+ContourPose goneOn(const ContourPose& before, const ContourPose& last, double share) {
+  return moved(last, share * stepBetween(before, last));
+}
+
+double qualityOf(const ContourFit& fit) {
+  return 0.5 * (fit.overlap + fit.rays_explained);
+}
+
+const char* toString(ContourFitStatus status) {
+  constexpr const char* kNames[] = {"fitted", "too few views", "diverged"};
+  return kNames[size_t(status)];
+}
+
+ContourFitter::ContourFitter(const CameraRig& rig, const ContourOptions& options)
+    : rig_(rig), options_(options) {
+  options.validate();
+}
+
+FitSchedule ContourFitter::schedule() const {
+  return {options_.iterations, options_.outlier_first, options_.outlier_last};
+}
+
+ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody& body,
+                              const ContourPose& start,
+                              const std::optional<ContourPrediction>& prediction,
+                              const FitSchedule& schedule) const {
+  check(seen, rig_, start, prediction);
+  ContourFit fit;
+  fit.pose = start;
+  if (seen.usableViews() < 2) return fit;
+  PoseProblem problem(seen, rig_, options_);
+  PoseEquations equations;
+  // One evaluation more than steps: the last one is of the pose that is handed out.
+  for (int i = 0; i <= schedule.iterations; ++i) {
+    problem.evaluate(body, fit.pose, outlierAt(schedule, std::min(i, schedule.iterations - 1)));
+    equations.clear();
+    addToPose(problem.sums(), problem.frames(), problem.cones(), equations);
+    addPriors(fit.pose, prediction, options_, equations);
+    if (i < schedule.iterations) fit.pose = stepped(fit.pose, equations);
+    if (!fit.pose.isFinite()) break;
+  }
+  const bool solved = fit.pose.isFinite() && Cholesky(equations.H).info() == Eigen::Success;
+  fit.status = solved ? ContourFitStatus::kFitted : ContourFitStatus::kDiverged;
+  if (!solved) return fit;
+  gatherEvidence(seen, options_, body, problem, fit);
+  fit.overlap = bodyOverlap(seen, rig_, problem.cones());
+  return fit;
+}
+
+}  // namespace markerless_mocap

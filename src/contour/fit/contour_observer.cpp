@@ -1,0 +1,156 @@
+#include <tbb/parallel_for.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "contour/fit/outline.h"
+#include "contour/fit/pixel_rays.h"
+#include "contour/fit/contour_observation.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Of the samples of a view's box: every other pixel up to VGA, fewer of larger images.
+constexpr int kSamplesAcross = 330;
+
+// Of the image's width: around the person's box, so that a body near it feels the slope.
+constexpr double kMargin = 0.04;
+
+// Pixels of the image's width per pixel of the disk that normals are taken from.
+constexpr int kWidthPerNormalRadius = 160;
+
+void check(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
+  if (masks.size() != rig.size())
+    throw std::invalid_argument("contour: " + std::to_string(masks.size()) + " masks of " +
+                                std::to_string(rig.size()) + " cameras were given");
+  for (size_t i = 0; i < masks.size(); ++i)
+    if (!masks[i].empty() && (masks[i].type() != CV_8UC1 || masks[i].cols != rig[i].width() ||
+                              masks[i].rows != rig[i].height()))
+      throw std::invalid_argument("contour: the mask of camera '" + rig[i].name() +
+                                  "' must have one channel of 8 bits and the camera's size");
+}
+
+/// Pixels to the border of what is not zero, 0.5 next to it, counted inside only.
+cv::Mat depthOf(const cv::Mat& shape) {
+  cv::Mat depth;
+  cv::distanceTransform(shape, depth, cv::DIST_L2, cv::DIST_MASK_5, CV_32F);
+  return depth;
+}
+
+void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& view) {
+  view.step = std::max(1, (mask.cols + kSamplesAcross - 1) / kSamplesAcross);
+  const int margin = int(kMargin * mask.cols);
+  const cv::Rect wide =
+      cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+      cv::Rect(0, 0, mask.cols, mask.rows);
+  // Samples of all views lie on multiples of the step.
+  view.corner = wide.tl() / view.step;
+  const cv::Point end = (wide.br() - cv::Point(1, 1)) / view.step;
+  view.person.create(end.y - view.corner.y + 1, end.x - view.corner.x + 1, CV_8UC1);
+  for (int y = 0; y < view.person.rows; ++y) {
+    const uchar* from =
+        mask.ptr<uchar>((view.corner.y + y) * view.step) + view.corner.x * view.step;
+    uchar* to = view.person.ptr<uchar>(y);
+    for (int x = 0; x < view.person.cols; ++x) to[x] = from[x * view.step] ? 255 : 0;
+  }
+  const cv::Mat inside = depthOf(view.person), outside = depthOf(~view.person);
+  view.distance.create(view.person.size(), CV_32FC1);
+  for (int y = 0; y < view.person.rows; ++y)
+    for (int x = 0; x < view.person.cols; ++x) {
+      const float in = inside.at<float>(y, x), out = outside.at<float>(y, x);
+      view.distance.at<float>(y, x) = float(view.step) * (in > 0 ? 0.5f - in : out - 0.5f);
+    }
+}
+
+ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
+  ContourView view;
+  if (mask.empty()) return view;
+  const cv::Rect box = cv::boundingRect(mask);
+  view.status = ViewStatus::kEmpty;
+  if (box.area() == 0) return view;
+  findCracks(mask, box, cracks);
+  view.status = ViewStatus::kFull;
+  if (cracks.empty()) return view;
+  view.status = ViewStatus::kUsable;
+  measureDistances(mask, box, view);
+  return view;
+}
+
+/// False where the border has no direction.
+bool castRay(const cv::Mat& mask, const Camera& camera, const PixelRays& rays, const Crack& crack,
+             ContourRay& ray) {
+  const int radius = std::clamp(mask.cols / kWidthPerNormalRadius, 2, 6);
+  const Vector2d out = outwardNormal(mask, crack, radius);
+  if (!(out.squaredNorm() > 0)) return false;
+  const Vector2d pixel = crack.pixel(), along = 0.5 * Vector2d(-out.y(), out.x()).normalized();
+  const Vector3d ahead = rays.direction(pixel + along), behind = rays.direction(pixel - along);
+  // The plane through the eye that holds the border there; turning the image's normal by a right
+  // angle and looking along the ray, its normal points out of the person.
+  const Vector3d direction = (ahead + behind).normalized();
+  const Vector3d normal = ahead.cross(behind).normalized(), side = direction.cross(normal);
+  ray.normal = normal.cast<float>();
+  ray.side = side.cast<float>();
+  ray.normal_of_ray = float(normal.dot(camera.position()));
+  ray.side_of_ray = float(side.dot(camera.position()));
+  ray.pixel = pixel.cast<float>();
+  return true;
+}
+
+/// One of `count` places spread evenly over `total`.
+size_t spread(size_t i, size_t count, size_t total) {
+  return (2 * i + 1) * total / (2 * count);
+}
+
+}  // namespace
+
+const char* toString(ViewStatus status) {
+  constexpr const char* kNames[] = {"missing", "empty", "full", "usable"};
+  return kNames[size_t(status)];
+}
+
+int ContourObservation::usableViews() const {
+  return int(std::count_if(views.begin(), views.end(), [](const ContourView& view) {
+    return view.status == ViewStatus::kUsable;
+  }));
+}
+
+ContourObserver::ContourObserver(const CameraRig& rig, const ContourOptions& options)
+    : rig_(rig), rays_(options.rays) {
+  options.validate();
+  if (rig.empty()) throw std::invalid_argument("contour: a rig of at least one camera is needed");
+  for (const Camera& camera : rig_) pixel_rays_.emplace_back(camera);
+}
+
+ContourObserver::~ContourObserver() = default;
+
+ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) const {
+  check(masks, rig_);
+  ContourObservation seen;
+  seen.views.resize(rig_.size());
+  std::vector<std::vector<Crack>> cracks(rig_.size());
+  tbb::parallel_for(size_t(0), rig_.size(),
+                    [&](size_t i) { seen.views[i] = viewOf(masks[i], cracks[i]); });
+  std::vector<size_t> ends;  // of each camera's cracks among all
+  for (size_t i = 0; i < cracks.size(); ++i)
+    ends.push_back((i ? ends.back() : 0) + cracks[i].size());
+  const size_t total = ends.back(), count = std::min(size_t(rays_), total);
+  std::vector<ContourRay> rays(count);
+  tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 64), [&](const auto& some) {
+    for (size_t i = some.begin(); i < some.end(); ++i) {
+      const size_t at = spread(i, count, total);
+      const size_t camera = size_t(std::upper_bound(ends.begin(), ends.end(), at) - ends.begin());
+      const Crack& crack = cracks[camera][at - (ends[camera] - cracks[camera].size())];
+      const bool cast = castRay(masks[camera], rig_[camera], pixel_rays_[camera], crack, rays[i]);
+      rays[i].camera = cast ? int(camera) : -1;
+    }
+  });
+  for (const ContourRay& ray : rays)
+    if (ray.camera >= 0) seen.rays.push_back(ray);
+  return seen;
+}
+
+}  // namespace markerless_mocap

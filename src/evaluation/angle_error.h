@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "evaluation/joint_error.h"
+
+namespace markerless_mocap {
+
+/// Joint angles of one body at one instant by joint name without the body's id, radians.
+struct AngleFrame {
+  int64_t stamp_ns = 0;
+  std::map<std::string, double> angles;
+};
+
+struct AngleError {
+  std::string joint;
+  Spread error_deg;  ///< of the absolute difference, at most 180
+};
+
+/// Absolute difference of two angles on the circle, 0..pi.
+double angleBetween(double a, double b);
+
+/// Per joint of the truth, in the order of names, over the matched frames; joints that the estimate
+/// never has are left out.
+/// \param match index into `estimate` for each frame of the truth or -1 (matchStamps)
+std::vector<AngleError> angleErrors(const std::vector<AngleFrame>& truth,
+                                    const std::vector<AngleFrame>& estimate,
+                                    const std::vector<int>& match);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,152 @@
+#include "evaluation/label_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "evaluation/labels/label_judge.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kThresholds = 100;  // steps of the curve
+constexpr size_t kBins = 10;      // of validity
+
+double ratio(size_t part, size_t whole) {
+  return whole == 0 ? NAN : double(part) / double(whole);
+}
+
+/// A frame that is judged, with the labeller's estimate of it.
+struct JudgedFrame {
+  const LabelVerdict* verdict;
+  double validity;
+};
+using JudgedFrames = std::vector<JudgedFrame>;
+using FrameTest = std::function<bool(const JudgedFrame&)>;
+
+size_t count(const JudgedFrames& frames, const FrameTest& test) {
+  return size_t(std::count_if(frames.begin(), frames.end(), test));
+}
+
+bool isValid(const JudgedFrame& frame) {
+  return frame.verdict->valid;
+}
+
+bool isValidAndRight(const JudgedFrame& frame) {
+  return frame.verdict->valid && frame.verdict->right;
+}
+
+Spread errorsOf(const JudgedFrames& frames, const std::vector<size_t>& ends,
+                const FrameTest& test) {
+  std::vector<double> errors;
+  for (const JudgedFrame& frame : frames)
+    if (test(frame))
+      for (const size_t end : ends) errors.push_back(frame.verdict->error_mm[end]);
+  return spreadOf(errors);
+}
+
+void fillShares(const JudgedFrames& frames, LabelErrors* out) {
+  const size_t right = count(frames, [](const JudgedFrame& f) { return f.verdict->right; });
+  const size_t valid_right = count(frames, isValidAndRight);
+  const size_t sides_right = count(
+      frames, [](const JudgedFrame& f) { return f.verdict->valid && f.verdict->sides_right; });
+  out->frames = frames.size();
+  out->valid = count(frames, isValid);
+  out->share_valid = ratio(out->valid, out->frames);
+  out->share_right = ratio(right, out->frames);
+  out->share_right_and_valid = ratio(valid_right, out->frames);
+  out->share_wrong_but_valid = ratio(out->valid - valid_right, out->frames);
+  out->share_kinds_right = ratio(
+      count(frames, [](const JudgedFrame& f) { return f.verdict->kinds_right; }), out->frames);
+  out->share_sides_right = ratio(sides_right, out->valid);
+}
+
+void fillEnds(const JudgedFrames& frames, LabelErrors* out) {
+  for (size_t end = 0; end < kEndCount; ++end) {
+    const size_t right = count(frames, [end](const JudgedFrame& f) {
+      return f.verdict->valid && f.verdict->end_right[end];
+    });
+    out->ends.push_back(
+        {endNames()[end], ratio(right, out->valid), errorsOf(frames, {end}, isValid)});
+  }
+  out->hands_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValid);
+  out->feet_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValid);
+  out->hands_if_right_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValidAndRight);
+  out->feet_if_right_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValidAndRight);
+}
+
+/// Complete frames of one validity.
+struct Level {
+  size_t right = 0, all = 0;
+};
+
+void fillCurve(const JudgedFrames& frames, LabelErrors* out) {
+  std::map<double, Level, std::greater<double>> levels;  // by validity, highest first
+  size_t right = 0;
+  for (const JudgedFrame& frame : frames) {
+    if (!frame.verdict->complete) continue;
+    Level& level = levels[frame.validity];
+    ++level.all;
+    level.right += frame.verdict->right;
+    right += frame.verdict->right;
+  }
+  Level reached;
+  auto next = levels.begin();
+  out->precision_recall_area = right == 0 ? NAN : 0.0;
+  for (int i = kThresholds; i >= 0; --i) {
+    const double threshold = double(i) / kThresholds;
+    for (; next != levels.end() && (next->first >= threshold || i == 0); ++next) {
+      reached.right += next->second.right;
+      reached.all += next->second.all;
+      out->precision_recall_area +=
+          ratio(next->second.right, right) * ratio(reached.right, reached.all);
+    }
+    out->by_threshold.push_back(
+        {threshold, ratio(reached.right, reached.all), ratio(reached.right, right)});
+  }
+  std::reverse(out->by_threshold.begin(), out->by_threshold.end());
+}
+
+void fillReliability(const JudgedFrames& frames, LabelErrors* out) {
+  struct Bin {
+    double validities = 0.0;
+    size_t frames = 0, right = 0;
+  };
+  std::array<Bin, kBins> bins;
+  for (const JudgedFrame& frame : frames) {
+    if (!frame.verdict->complete) continue;
+    const double place = std::clamp(frame.validity, 0.0, 1.0) * double(kBins);
+    Bin& bin = bins[std::min(size_t(place), kBins - 1)];
+    bin.validities += frame.validity;
+    ++bin.frames;
+    bin.right += frame.verdict->right;
+  }
+  for (const Bin& bin : bins)
+    if (bin.frames > 0)
+      out->reliability.push_back(
+          {bin.frames, bin.validities / double(bin.frames), ratio(bin.right, bin.frames)});
+}
+
+}  // namespace
+
+LabelErrors labelErrors(const JointTrack& truth, const std::vector<LabelledEnds>& labels) {
+  if (labels.size() != truth.frames())
+    throw std::invalid_argument("there are labels for " + std::to_string(labels.size()) +
+                                " frames, the truth has " + std::to_string(truth.frames()));
+  const JointTrack points = truth.select(labelTruthNames());
+  LabelErrors out;
+  for (size_t f = 0; f < labels.size(); ++f)
+    out.verdicts.push_back(judgeLabels(labels[f], points.positions[f]));
+  JudgedFrames frames;
+  for (size_t f = 0; f < labels.size(); ++f)
+    if (out.verdicts[f].judged) frames.push_back({&out.verdicts[f], labels[f].validity});
+  fillShares(frames, &out);
+  fillEnds(frames, &out);
+  fillCurve(frames, &out);
+  fillReliability(frames, &out);
+  return out;
+}
+
+}  // namespace markerless_mocap

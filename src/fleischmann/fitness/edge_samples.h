@@ -1,0 +1,20 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "fleischmann/fitness/cone_outlines.h"
+#include "fleischmann/appearance_fitness.h"
+
+namespace markerless_mocap {
+
+/// Sum of the edge map at points along the body's edges, and how many of them are in the image.
+struct EdgeSum {
+  int64_t sum = 0;  ///< of values 0 to 255
+  int points = 0;
+};
+
+/// \param samples points on each edge, in the middles of as many equal pieces
+EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeChoice& choice,
+                    int samples);
+
+}  // namespace markerless_mocap

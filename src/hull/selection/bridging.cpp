@@ -1,0 +1,123 @@
+#include "hull/selection/bridging.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kLongestBridge = 0.5;  // m
+/// A bridge is as thick as ways longer than the shortest by this make it, m.
+constexpr double kDetour = 0.12;
+constexpr int16_t kOutside = -2, kUnreached = -1;
+
+/// Voxels of a box with a margin of one, so that every voxel of the box has 26 neighbours.
+class BoxGrid {
+ public:
+  BoxGrid(const VoxelBox& box, const VoxelLattice& lattice)
+      : box_(box), lattice_(lattice), size_((box.high - box.low).array() + 2) {
+    for (int z = -1; z <= 1; ++z)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+          if (x != 0 || y != 0 || z != 0) neighbors_.push_back((z * size_.y() + y) * size_.x() + x);
+  }
+
+  size_t count() const { return size_t(size_.prod()); }
+  const std::vector<int>& neighbors() const { return neighbors_; }
+
+  /// Calls visit(place in the grid, bit) for the cell's voxels in the box.
+  template <class Visit>
+  void forEach(const Cell& cell, Visit visit) const {
+    const Eigen::Vector3i corner = cornerOf(lattice_, cell.leaf);
+    for (uint64_t left = cell.voxels & leaf_words::inside(box_, corner); left != 0;
+         left &= left - 1) {
+      const int bit = __builtin_ctzll(left);
+      const Eigen::Vector3i at =
+          corner - box_.low + Eigen::Vector3i((bit & 3) + 1, (bit >> 2 & 3) + 1, (bit >> 4) + 1);
+      visit(size_t(at.z() * size_.y() + at.y()) * size_.x() + at.x(), bit);
+    }
+  }
+
+ private:
+  VoxelBox box_;
+  const VoxelLattice& lattice_;
+  Eigen::Vector3i size_;
+  std::vector<int> neighbors_;
+};
+
+/// Steps over 26-neighbours on the ground from the nearest voxel of `from`, at most `most`.
+std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<Cell>& ground,
+                               const Piece& from, int most) {
+  std::vector<int16_t> steps(grid.count(), kOutside);
+  std::vector<size_t> front, next;
+  for (const Cell& cell : ground)
+    grid.forEach(cell, [&](size_t at, int) { steps[at] = kUnreached; });
+  for (const Cell& cell : from.cells)
+    grid.forEach(cell, [&](size_t at, int) {
+      steps[at] = 0;
+      front.push_back(at);
+    });
+  for (int step = 1; step <= most && !front.empty(); ++step, front.swap(next), next.clear())
+    for (const size_t voxel : front)
+      for (const int neighbor : grid.neighbors()) {
+        int16_t& there = steps[size_t(int64_t(voxel) + neighbor)];
+        if (there != kUnreached) continue;
+        there = int16_t(step);
+        next.push_back(size_t(int64_t(voxel) + neighbor));
+      }
+  return steps;
+}
+
+}  // namespace
+
+Piece PieceBridging::joined(const std::vector<Piece>& pieces, const Piece& body,
+                            const Piece& piece) const {
+  const int most = int(std::lround((kLongestBridge + kDetour) / lattice_.pitch));
+  // No way of a bridge leads further from the piece than its length.
+  VoxelBox box = boxOf(piece, lattice_);
+  box.low = (box.low.array() - most).max(0);
+  box.high = (box.high.array() + most).min(lattice_.size.array());
+  std::vector<Cell> ground = body.cells;
+  for (const Piece& other : pieces)
+    ground.insert(ground.end(), other.cells.begin(), other.cells.end());
+  const LeafVolume& loose = loose_vote_(box);
+  loose.forEachLeaf([&](int, int, int, size_t leaf) {
+    ground.push_back({uint32_t(leaf), loose.word(leaf)});
+  });
+
+  const BoxGrid grid(box, lattice_);
+  const std::vector<int16_t> from_body = stepsFrom(grid, ground, body, most);
+  const std::vector<int16_t> from_piece = stepsFrom(grid, ground, piece, most);
+  int shortest = most + 1;
+  for (const Cell& cell : piece.cells)
+    grid.forEach(cell, [&](size_t at, int) {
+      if (from_body[at] >= 0) shortest = std::min<int>(shortest, from_body[at]);
+    });
+  if (shortest * lattice_.pitch > kLongestBridge) return {};
+  const int longest = shortest + int(std::lround(kDetour / lattice_.pitch));
+  std::vector<Cell> both = body.cells;
+  both.insert(both.end(), piece.cells.begin(), piece.cells.end());
+  for (const Cell& cell : ground)
+    grid.forEach(cell, [&](size_t at, int bit) {
+      const int a = from_body[at], b = from_piece[at];
+      if (a > 0 && b > 0 && a + b <= longest) both.push_back({cell.leaf, uint64_t(1) << bit});
+    });
+  return unionOf(std::move(both));
+}
+
+std::vector<Piece> PieceBridging::bridge(std::vector<Piece> pieces, size_t least_voxels) const {
+  const std::vector<Piece> ground = pieces;
+  std::vector<Piece> result;
+  for (Piece& piece : pieces) {
+    Piece both;
+    const bool may_belong = !piece.suspect_ghost && piece.voxels >= least_voxels;
+    if (!result.empty() && may_belong) both = joined(ground, result[0], piece);
+    if (both.voxels == 0)
+      result.push_back(std::move(piece));
+    else
+      result[0] = std::move(both);
+  }
+  return result;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,167 @@
+#include "hull/voting/ballot.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "hull/voting/bit_counter.h"
+#include "hull/voting/leaf_test.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Without the processor's own instruction, which not every one has.
+int countOf(CameraSet set) {
+  set -= set >> 1 & 0x55555555u;
+  set = (set & 0x33333333u) + (set >> 2 & 0x33333333u);
+  return int(((set + (set >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24);
+}
+
+class Octree {
+ public:
+  Octree(const CarvingPlan& plan, const Ballot& ballot, LeafVolume* volume)
+      : plan_(plan), ballot_(ballot), volume_(volume) {
+    const VoxelBox all{Eigen::Vector3i::Zero(), plan.lattice().size};
+    window_ = {ballot.window.low.cwiseMax(all.low), ballot.window.high.cwiseMin(all.high)};
+    for (size_t c = 0; c < ballot.masks.size(); ++c) {
+      if (ballot.masks[c] == nullptr) continue;
+      voters_ |= 1u << c;
+      order_.push_back(uint8_t(c));
+    }
+    // Small silhouettes first: they decide most.
+    std::stable_sort(order_.begin(), order_.end(), [&](uint8_t a, uint8_t b) {
+      return ballot.masks[a]->setPixels() < ballot.masks[b]->setPixels();
+    });
+  }
+
+  void vote() const {
+    const Eigen::Vector3i& size = plan_.level(kTop).size;
+    tbb::parallel_for(0, size.prod(), [&](int i) {
+      decide(kTop, {i % size.x(), i / size.x() % size.y(), i / (size.x() * size.y())}, voters_, 0);
+    });
+  }
+
+ private:
+  static constexpr int kTop = CarvingPlan::kLevels - 1;
+
+  /// \param open cameras that have not decided on a block around this one
+  /// \param against weight of those that have decided against it
+  void decide(int level_index, const Eigen::Vector3i& at, CameraSet open, uint32_t against) const {
+    const int side = kLeaf << level_index;
+    if (!window_.meets(at * side, (at.array() + 1).matrix() * side)) return;
+    const BlockLevel& level = plan_.level(level_index);
+    const size_t block = level.blockAt(at.x(), at.y(), at.z());
+    const CameraSet some = level.sees_some[block] & voters_;
+    if (countOf(some) < ballot_.min_views) return;
+    open &= some;
+    if (!ask(level, block, &open, &against)) return;
+    const bool views_known = countOf(level.sees_all[block] & voters_) >= ballot_.min_views;
+    if (open == 0 && views_known)
+      fill(at, level_index);
+    else if (level_index == 0)
+      decideLeaf(at, block, open, against, views_known);
+    else
+      descend(level_index - 1, at, open, against);
+  }
+
+  /// Asks the open cameras about a block as a whole; takes those that decide out of `open`. False
+  /// if no voxel of the block stands.
+  bool ask(const BlockLevel& level, size_t block, CameraSet* open, uint32_t* against) const {
+    const TileBox* tiles = &level.tiles[block * plan_.cameras()];
+    for (const uint8_t c : order_) {
+      const CameraSet bit = 1u << c;
+      if ((*open & bit) == 0) continue;
+      const TileCount count = ballot_.masks[c]->count(tiles[c]);
+      if (count.any == 0 && (level.sees_all[block] & bit) != 0) {
+        *against += ballot_.weights[c];
+        if (*against >= ballot_.limit) return false;
+        *open &= ~bit;
+      } else if (count.all == tiles[c].count()) {
+        *open &= ~bit;
+      }
+    }
+    return true;
+  }
+
+  void decideLeaf(const Eigen::Vector3i& at, size_t leaf, CameraSet open, uint32_t against,
+                  bool views_known) const {
+    uint64_t word = leaf_words::inside(window_, at * kLeaf);
+    word &= ballot_.limit - against == 1 ? unopposed(leaf, open, word)
+                                         : scarcelyOpposed(leaf, open, against);
+    if (word == 0) return;
+    if (!views_known) {
+      BitCounter views(0);
+      for (const uint8_t c : order_) views.add(plan_.seen(leaf, c), 1);
+      word &= views.atLeast(uint32_t(ballot_.min_views));
+    }
+    volume_->set(at.x(), at.y(), at.z(), word);
+  }
+
+  uint64_t unopposed(size_t leaf, CameraSet open, uint64_t word) const {
+    // Memory takes longer than a camera's test.
+    for (const uint8_t c : order_)
+      if (open >> c & 1) __builtin_prefetch(plan_.codes(leaf, c));
+    for (const uint8_t c : order_) {
+      if ((open >> c & 1) == 0 || ballot_.weights[c] == 0) continue;
+      word &= ~objection(leaf, c);
+      if (word == 0) break;
+    }
+    return word;
+  }
+
+  uint64_t scarcelyOpposed(size_t leaf, CameraSet open, uint32_t against) const {
+    BitCounter counter(against);
+    for (const uint8_t c : order_)
+      if (open >> c & 1) counter.add(objection(leaf, c), ballot_.weights[c]);
+    return ~counter.atLeast(ballot_.limit);
+  }
+
+  /// The voxels that the camera sees outside its silhouette.
+  uint64_t objection(size_t leaf, size_t camera) const {
+    const uint64_t set = setInLeaf(plan_, *ballot_.masks[camera], leaf, camera);
+    const bool sees_all = plan_.level(0).sees_all[leaf] >> camera & 1;
+    return (sees_all ? kAllVoxels : plan_.seen(leaf, camera)) & ~set;
+  }
+
+  void descend(int level_index, const Eigen::Vector3i& at, CameraSet open, uint32_t against) const {
+    const Eigen::Vector3i& size = plan_.level(level_index).size;
+    const Eigen::Vector3i low = 2 * at, high = (low.array() + 2).min(size.array());
+    const BlockLevel& level = plan_.level(level_index);
+    const size_t pair = 2 * plan_.cameras(), per_line = 64 / sizeof(TileBox);
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y) {
+        const TileBox* tiles = &level.tiles[level.blockAt(low.x(), y, z) * plan_.cameras()];
+        for (size_t i = 0; i < pair; i += per_line) __builtin_prefetch(tiles + i);
+      }
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y)
+        for (int x = low.x(); x < high.x(); ++x) decide(level_index, {x, y, z}, open, against);
+  }
+
+  void fill(const Eigen::Vector3i& at, int level_index) const {
+    const Eigen::Vector3i low = at * (1 << level_index);
+    const Eigen::Vector3i high = (low.array() + (1 << level_index)).min(volume_->size().array());
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y)
+        for (int x = low.x(); x < high.x(); ++x) {
+          const uint64_t word = leaf_words::inside(window_, kLeaf * Eigen::Vector3i(x, y, z));
+          if (word != 0) volume_->set(x, y, z, word);
+        }
+  }
+
+  const CarvingPlan& plan_;
+  const Ballot& ballot_;
+  LeafVolume* volume_;
+  VoxelBox window_;
+  CameraSet voters_ = 0;
+  std::vector<uint8_t> order_;
+};
+
+}  // namespace
+
+void vote(const CarvingPlan& plan, const Ballot& ballot, LeafVolume* volume) {
+  volume->clear();
+  Octree(plan, ballot, volume).vote();
+}
+
+}  // namespace markerless_mocap

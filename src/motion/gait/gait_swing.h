@@ -1,0 +1,18 @@
+#pragma once
+
+#include "motion/gait/gait_path.h"
+
+namespace markerless_mocap {
+
+/// From 0 to 1, at rest at both ends.
+double minimumJerk(double u);
+
+/// Rises from 0 to 1 at u = 0.5 and returns, at rest at both ends.
+double swingBump(double u);
+
+/// A foot's place on its way through the air, u from 0 to 1.
+/// \param detour metres on the floor, off the straight way in its middle
+GroundPlace swungPlace(const GroundPlace& from, const GroundPlace& to,
+                       const Eigen::Vector2d& detour, double u);
+
+}  // namespace markerless_mocap

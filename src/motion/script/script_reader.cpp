@@ -1,0 +1,192 @@
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "motion/motion_script.h"
+#include "motion/script/script_node.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kLongest = 600.0;  // seconds
+constexpr double kFarthest = 10.0;  // metres
+
+Stance readStance(const ScriptNode& node, Stance otherwise) {
+  return {node.number("width", otherwise.width, 0.02, 0.4),
+          node.number("stagger", otherwise.stagger, -0.4, 0.4)};
+}
+
+void readStart(const ScriptNode& node, MotionScript& script) {
+  node.allowKeys({"x", "y", "heading", "width", "stagger"});
+  script.start_x = node.number("x", 0.0, -kFarthest, kFarthest);
+  script.start_y = node.number("y", 0.0, -kFarthest, kFarthest);
+  script.start_heading = kDegree * node.number("heading", 0.0, -360.0, 360.0);
+  script.start_stance = readStance(node, Stance());
+}
+
+double readSeconds(const ScriptNode& node) {
+  return node.number(0.01, kLongest);
+}
+
+/// What a move's first key says, and which other keys it takes.
+struct MoveRow {
+  std::string key;
+  Move::Kind kind;
+  std::vector<std::string> others;
+};
+
+const std::vector<MoveRow>& moveRows() {
+  static const std::vector<std::string> stepping{"seconds", "turn",  "steps",  "first",
+                                                 "run",     "width", "stagger"};
+  static const std::vector<MoveRow> rows{
+      {"stand", Move::Kind::kStand, {}},
+      {"go", Move::Kind::kGo, stepping},
+      {"shift", Move::Kind::kShift, stepping},
+      {"jump", Move::Kind::kJump, {"seconds", "turn", "tuck", "width", "stagger"}}};
+  return rows;
+}
+
+const MoveRow& moveRow(const ScriptNode& node) {
+  for (const MoveRow& row : moveRows())
+    if (node.has(row.key)) return row;
+  throw std::invalid_argument(node.address() +
+                              " names no move, allowed is one of stand, go, shift, jump");
+}
+
+void readWay(const ScriptNode& node, Move& move) {
+  if (move.kind == Move::Kind::kStand) {
+    move.seconds = readSeconds(node);
+  } else if (move.kind == Move::Kind::kGo) {
+    move.forward = node.number(-kFarthest, kFarthest);
+  } else {
+    const std::vector<double> way = node.numbers(2, "metres forward and to the left");
+    move.forward = way[0];
+    move.left = way[1];
+  }
+}
+
+/// \param before how one stood until then
+Move readMove(const ScriptNode& node, const Stance& before) {
+  const MoveRow& row = moveRow(node);
+  std::vector<std::string> allowed{row.key};
+  allowed.insert(allowed.end(), row.others.begin(), row.others.end());
+  node.allowKeys(allowed);
+  Move move;
+  move.kind = row.kind;
+  readWay(node.need(row.key), move);
+  if (move.kind != Move::Kind::kStand) move.seconds = readSeconds(node.need("seconds"));
+  move.turn = kDegree * node.number("turn", 0.0, -3600.0, 3600.0);
+  move.steps = node.whole("steps", 0, 1, 200);
+  if (node.has("first"))
+    move.first = node.need("first").word({"left", "right"}) == "left" ? Move::First::kLeft
+                                                                      : Move::First::kRight;
+  move.run = node.truth("run", false);
+  move.tuck = node.number("tuck", 0.0, 0.0, 0.3);
+  move.stance = readStance(node, before);
+  return move;
+}
+
+void readPath(const ScriptNode& node, MotionScript& script) {
+  Stance stance = script.start_stance;
+  double seconds = 0.0;
+  for (const ScriptNode& item : node.items()) {
+    script.path.push_back(readMove(item, stance));
+    stance = script.path.back().stance;
+    seconds += script.path.back().seconds;
+  }
+  if (seconds > script.seconds + 1e-9)
+    throw std::invalid_argument(node.address() + " takes " + shownNumber(seconds) +
+                                " s, allowed is up to the motion's " + shownNumber(script.seconds) +
+                                " s");
+}
+
+/// Keys [seconds, value, ...] whose values stay within their bounds.
+ScriptCurve readCurve(const ScriptNode& node, const CurveValues& lowest, const CurveValues& highest,
+                      double longest, const std::string& meaning) {
+  std::vector<CurveKey> keys;
+  for (const ScriptNode& item : node.items()) {
+    const std::vector<double> numbers = item.numbers(size_t(lowest.size()) + 1, meaning);
+    if (numbers[0] < 0.0 || numbers[0] > longest)
+      item.refuse("a time from 0 to the motion's " + shownNumber(longest) + " s");
+    if (!keys.empty() && numbers[0] <= keys.back().seconds)
+      item.refuse("a time after the key before, " + shownNumber(keys.back().seconds) + " s");
+    CurveKey key{numbers[0], CurveValues::Zero(lowest.size())};
+    for (Eigen::Index i = 0; i < lowest.size(); ++i) {
+      key.values[i] = numbers[size_t(i) + 1];
+      if (key.values[i] < lowest[i] || key.values[i] > highest[i])
+        item.refuse("as number " + std::to_string(i + 2) + " one from " + shownNumber(lowest[i]) +
+                    " to " + shownNumber(highest[i]));
+    }
+    keys.push_back(key);
+  }
+  if (keys.empty()) node.refuse("at least one key of " + meaning);
+  return ScriptCurve(keys);
+}
+
+void readTracks(const ScriptNode& node, MotionScript& script) {
+  node.allowKeys(trackNames());
+  for (int t = 0; t < kTrackCount; ++t) {
+    const TrackRow& row = trackRow(Track(t));
+    if (!node.has(row.name)) continue;
+    script.tracks[size_t(t)] =
+        readCurve(node.need(row.name), row.lowest, row.highest, script.seconds,
+                  "seconds and the " + std::to_string(row.neutral.size()) + " of " + row.name);
+  }
+}
+
+FootGesture readGesture(const ScriptNode& node, double longest) {
+  node.allowKeys({"foot", "keys"});
+  FootGesture gesture;
+  gesture.left = node.need("foot").word({"left", "right"}) == "left";
+  const ScriptNode keys = node.need("keys");
+  CurveValues bounds(4);
+  bounds << 0.6, 0.4, 0.7, 80.0;
+  gesture.keys = readCurve(keys, -bounds, bounds, longest,
+                           "seconds, forward, outward, up, degrees of toes up");
+  if (!gesture.keys.keys().front().values.isZero() || !gesture.keys.keys().back().values.isZero())
+    keys.refuse("a first and a last key with zeros: the foot comes back to where it stood");
+  return gesture;
+}
+
+MotionScript readRoot(const ScriptNode& root) {
+  root.allowKeys({"seconds", "start", "path", "feet", "tracks"});
+  MotionScript script;
+  script.name = root.address();
+  script.seconds = readSeconds(root.need("seconds"));
+  for (int t = 0; t < kTrackCount; ++t)
+    script.tracks[size_t(t)] = ScriptCurve(trackRow(Track(t)).neutral);
+  readStart(root.need("start"), script);
+  readPath(root.need("path"), script);
+  readTracks(root.need("tracks"), script);
+  if (root.has("feet"))
+    for (const ScriptNode& item : root.need("feet").items())
+      script.gestures.push_back(readGesture(item, script.seconds));
+  return script;
+}
+
+}  // namespace
+
+MotionScript parseMotionScript(const std::string& text, const std::string& name) {
+  YAML::Node node;
+  try {
+    node = YAML::Load(text);
+  } catch (const YAML::Exception& fault) {
+    throw std::invalid_argument(name + " is no YAML in line " +
+                                std::to_string(fault.mark.line + 1) + ": " + fault.msg);
+  }
+  return readRoot(ScriptNode(node, name));
+}
+
+MotionScript readMotionScript(const std::string& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf()))
+    throw std::invalid_argument("the motion " + file + " cannot be read");
+  return parseMotionScript(text.str(), file);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/tracking/body_tracker.h"
+
+namespace markerless_mocap {
+
+/// The body's URDF on the parameter server, in /human_description_<id>.
+class BodyDescription {
+ public:
+  explicit BodyDescription(const std::string& id) : parameter_("/human_description_" + id) {}
+  /// Takes back the parameter if it was set here.
+  ~BodyDescription();
+  BodyDescription(const BodyDescription&) = delete;
+  BodyDescription& operator=(const BodyDescription&) = delete;
+
+  void set(const TrackedBody& body);
+
+ private:
+  std::string parameter_;
+  bool set_ = false;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,192 @@
+#include "nodes/pose_fitting/fitting_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "ros/camera_conversions.h"
+#include "nodes/common/quick_transport.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr uint32_t kQueue = 64;    // callbacks only put messages in their places
+constexpr double kDeadline = 2.0;  // seconds that a stage may lag behind the hulls
+constexpr int kMostPending = 60;   // instants, at 30 a second as long as the deadline
+constexpr size_t kMostViews = 64;  // of a camera: what the stages lag behind the cameras
+constexpr double kSilence = 5.0;   // seconds
+// Between processes a silhouette can be behind the hull that was carved from it.
+constexpr size_t kMostHeld = 3;               // instants
+constexpr int64_t kMostBehind = 100'000'000;  // nanoseconds; a camera further behind has stopped
+
+AssemblerOptions joinOptions(FittingNeeds needs) {
+  AssemblerOptions options;
+  options.tolerance = 0.0;
+  options.deadline = kDeadline;
+  options.max_pending = kMostPending;
+  options.min_streams = needs.masks ? 1 : 3;
+  return options;
+}
+
+}  // namespace
+
+FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
+                             FittingNeeds needs, StageStatus* status,
+                             std::function<void(FittingInput)> sink)
+    : handle_(handle),
+      options_(options),
+      needs_(needs),
+      status_(status),
+      sink_(std::move(sink)),
+      tf_listener_(tf_),
+      collector_(options.cameras, options.world_frame, options.rig_file),
+      assembler_(needs.masks ? 4 : 3, joinOptions(needs)),
+      masks_(options.cameras.size(), kMostViews),
+      images_(options.cameras.size(), kMostViews) {
+  silence_timer_ = handle_.createWallTimer(
+      ros::WallDuration(kSilence),
+      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
+  if (!needs_.masks) rig_ = std::make_shared<const CameraRig>();
+  for (size_t i = 0; needs_.masks && i < options_.cameras.size(); ++i) listenToCamera(i);
+  listenToStages();
+}
+
+template <class MessageT, class CallbackT>
+void FittingInputs::listen(const std::string& topic, uint32_t queue, CallbackT callback) {
+  const std::string name = handle_.resolveName(topic);
+  silent_[name] = ros::message_traits::DataType<MessageT>::value();
+  subscribers_.push_back(handle_.subscribe<MessageT>(
+      name, queue,
+      gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
+        silent_.erase(name);
+        callback(message);
+      }),
+      {}, quickTransport()));
+}
+
+void FittingInputs::listenToStages() {
+  using sensor_msgs::PointCloud2;
+  listen<VoxelGrid>("hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+  listen<PointCloud2>("hull/points", kQueue, [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
+    receive(kHull, hull->header, {hull, nullptr, nullptr});
+  });
+  listen<BodyPartsMsg>("segmentation/parts", kQueue, [this](const BodyPartsMsg::ConstPtr& parts) {
+    receive(kParts, parts->header, {nullptr, parts, nullptr});
+  });
+  listen<PointCloud2>("segmentation/points", kQueue,
+                      [this](const sensor_msgs::PointCloud2ConstPtr& labels) {
+                        receive(kLabels, labels->header, {labels, nullptr, nullptr});
+                      });
+  if (!needs_.masks) return;
+  listen<PoseTreeMsg>("pose_tree", kQueue, [this](const PoseTreeMsg::ConstPtr& tree) {
+    receive(kTree, tree->header, {nullptr, nullptr, tree});
+  });
+}
+
+void FittingInputs::listenToCamera(size_t camera) {
+  const std::string& name = options_.cameras[camera];
+  if (!collector_.isFromFile())
+    listen<sensor_msgs::CameraInfo>(name + "/camera_info", kQueue,
+                                    [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
+                                      if (collector_.add(camera, *info)) rig_.reset();
+                                    });
+  listen<sensor_msgs::Image>(name + "/silhouette", kQueue,
+                             [this, camera](const sensor_msgs::ImageConstPtr& mask) {
+                               masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
+                               giveOut();
+                             });
+  if (!needs_.images) return;
+  subscribers_.push_back(subscribeImages(handle_, name, options_.image_transport, kQueue,
+                                         gate_.guarded([this, camera](const CameraImage& image) {
+                                           images_.add(camera, nanosecondsOf(image.header().stamp),
+                                                       image);
+                                         })));
+}
+
+void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
+  for (auto& instant : assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item)))
+    join(std::move(instant));
+  giveOut();
+  reportCounts();
+}
+
+void FittingInputs::join(Assembler::Instant instant) {
+  if (!instant.present[kHull]) {
+    status_->count("instants without a hull");
+    return;
+  }
+  FittingInput input;
+  input.hull = instant.items[kHull].cloud;
+  input.header = input.hull->header;
+  input.grid = grid_;
+  input.parts = instant.items[kParts].parts;
+  input.labels = instant.items[kLabels].cloud;
+  input.complete = std::count(instant.present.begin(), instant.present.end(), false) == 0;
+  if (needs_.masks) input.tree = instant.items[kTree].tree;
+  held_.push_back(std::move(input));
+}
+
+void FittingInputs::giveOut() {
+  while (!held_.empty()) {
+    FittingInput& input = held_.front();
+    if (held_.size() <= kMostHeld && waitsForMasks(input)) return;
+    if (needs_.masks) addViews(&input);
+    input.refusal = grid_ ? prepareRig() : "no hull/grid has come yet";
+    input.rig = rig_;
+    sink_(std::move(input));
+    held_.pop_front();
+  }
+}
+
+bool FittingInputs::waitsForMasks(const FittingInput& input) const {
+  if (!needs_.masks) return false;
+  for (size_t i = 0; i < options_.cameras.size(); ++i)
+    if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMostBehind))
+      return true;
+  return false;
+}
+
+int64_t FittingInputs::stampTolerance() const {
+  return int64_t(std::llround(options_.stamp_tolerance * 1e9));
+}
+
+void FittingInputs::addViews(FittingInput* input) {
+  const int64_t stamp_ns = nanosecondsOf(input->header.stamp);
+  for (size_t i = 0; i < options_.cameras.size(); ++i) {
+    input->masks.push_back(masks_.take(i, stamp_ns, stampTolerance()));
+    const sensor_msgs::ImageConstPtr& mask = input->masks.back();
+    if (!mask) status_->count("instants without the silhouette of " + options_.cameras[i]);
+    if (needs_.images)
+      input->images.push_back(mask ? images_.take(i, nanosecondsOf(mask->header.stamp), 0)
+                                   : CameraImage());
+  }
+}
+
+std::string FittingInputs::prepareRig() {
+  if (rig_) return "";
+  try {
+    rig_ = std::make_shared<const CameraRig>(collector_.rig(tf_));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+void FittingInputs::reportCounts() {
+  const AssemblerCounts& counts = assembler_.counts();
+  status_->set("instants", counts.complete + counts.incomplete);
+  status_->set("incomplete instants", counts.incomplete);
+  status_->set("abandoned instants", counts.abandoned + counts.overflow);
+  status_->set("duplicate or late", counts.duplicate + counts.late);
+  status_->set("time went back", counts.time_jumps_back);
+}
+
+void FittingInputs::reportSilence() {
+  if (silent_.empty()) {
+    silence_timer_.stop();
+    return;
+  }
+  status_->waiting(silentTopic(silent_.begin()->first, silent_.begin()->second));
+}
+
+}  // namespace markerless_mocap

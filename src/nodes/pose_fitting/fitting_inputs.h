@@ -1,0 +1,100 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/camera/instant_assembler.h"
+#include "ros/messages.h"
+#include "ros/node_options.h"
+#include "ros/rig_collector.h"
+#include "nodes/common/arrival_store.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/camera_image.h"
+#include "nodes/common/stage_status.h"
+
+namespace markerless_mocap {
+
+/// What the other stages and the cameras say of one instant. Messages that have not come are null.
+struct FittingInput {
+  std_msgs::Header header;  ///< of the hull
+  std::string refusal;      ///< why nothing can be fitted; empty: it can
+  bool complete = false;    ///< every stage that is asked for has said something
+  std::shared_ptr<const CameraRig> rig;
+  VoxelGridConstPtr grid;
+  sensor_msgs::PointCloud2ConstPtr hull, labels;
+  BodyPartsMsg::ConstPtr parts;
+  PoseTreeMsg::ConstPtr tree;
+  std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera
+  std::vector<CameraImage> images;                ///< by camera, of the masks' stamps
+};
+
+/// What a method looks at beside hull and parts.
+struct FittingNeeds {
+  bool masks;   ///< and the rig, and the pose tree
+  bool images;  ///< and masks
+};
+
+/// Listens to all that a pose is fitted to and joins it by stamps. An instant that lacks parts or
+/// tree is given out when a later one is complete if masks are there to go by.
+class FittingInputs {
+ public:
+  /// \param sink gets the instants, oldest first, one at a time; it must not take long
+  FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, FittingNeeds needs,
+                StageStatus* status, std::function<void(FittingInput)> sink);
+
+ private:
+  enum Stream : size_t { kHull, kParts, kLabels, kTree };
+  /// A message of one of the streams.
+  struct Item {
+    sensor_msgs::PointCloud2ConstPtr cloud;
+    BodyPartsMsg::ConstPtr parts;
+    PoseTreeMsg::ConstPtr tree;
+  };
+  using Assembler = InstantAssembler<Item>;
+
+  template <class MessageT, class CallbackT>
+  void listen(const std::string& topic, uint32_t queue, CallbackT callback);
+  void listenToStages();
+  void listenToCamera(size_t camera);
+  void receive(Stream stream, const std_msgs::Header& header, Item item);
+  void join(Assembler::Instant instant);
+  /// Gives out what is held, oldest first, up to an instant whose silhouettes may still come.
+  void giveOut();
+  bool waitsForMasks(const FittingInput& input) const;
+  int64_t stampTolerance() const;  ///< nanoseconds
+  void addViews(FittingInput* input);
+  /// Finds out the rig; one sentence on what is missing, empty once it is known.
+  std::string prepareRig();
+  void reportCounts();
+  void reportSilence();
+
+  ros::NodeHandle handle_;
+  FittingNodeOptions options_;
+  FittingNeeds needs_;
+  StageStatus* status_;
+  std::function<void(FittingInput)> sink_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  RigCollector collector_;
+  std::shared_ptr<const CameraRig> rig_;  ///< null until it is known
+  Assembler assembler_;
+  ArrivalStore<sensor_msgs::ImageConstPtr> masks_;
+  ArrivalStore<CameraImage> images_;
+  std::deque<FittingInput> held_;  ///< joined, but for the views
+  VoxelGridConstPtr grid_;
+  std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
+  ros::WallTimer silence_timer_;
+  std::vector<ros::Subscriber> subscribers_;
+  CallbackGate gate_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,195 @@
+#include "nodes/pose_fitting/fitting_stage.h"
+
+#include <ros/console.h>
+#include <sensor_msgs/JointState.h>
+
+#include <exception>
+#include <fstream>
+
+#include "markerless_mocap/tracking/sizes_file.h"
+#include "ros/body_markers.h"
+#include "ros/camera_conversions.h"
+#include "ros/hull_conversions.h"
+#include "ros/image_conversions.h"
+#include "ros/package_files.h"
+#include "ros/pose_conversions.h"
+#include "ros/pose_tree_conversions.h"
+#include "ros/segmentation_conversions.h"
+#include "nodes/common/publish_shared.h"
+#include "nodes/common/quick_transport.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Instants while one is searched for long, 3 s at 30 a second: worked off in order, as the next
+// pose is found from the last one; a later instant would have to be searched for again. Fewer where
+// an instant holds its images, 10 MB.
+constexpr size_t kMostWaiting = 90, kMostWaitingWithImages = 40;
+
+FittingNeeds needsOf(const std::string& method) {
+  return {method != "skeleton", method == "sppso"};
+}
+
+bool isThere(const std::string& file) {
+  return !file.empty() && std::ifstream(file).good();
+}
+
+PersonSources sourcesOf(const FittingNodeOptions& options) {
+  PersonSources sources = readPersonSources(options.body_id, options.urdf_template,
+                                              isThere(options.body_file) ? options.body_file : "");
+  sources.in_background = true;
+  return sources;
+}
+
+/// The body as far as it is known without a camera: whatever the method, that of the skeleton's.
+std::shared_ptr<const TrackedBody> bodyBeforehand(const PersonSources& sources,
+                                                  TrackerOptions options) {
+  options.method = "skeleton";
+  return makeBodyTracker({}, sources, options)->body();
+}
+
+std::vector<cv::Mat> masksOf(const FittingInput& input) {
+  std::vector<cv::Mat> masks;
+  for (const auto& mask : input.masks) masks.push_back(mask ? maskFromMessage(*mask) : cv::Mat());
+  return masks;
+}
+
+std::vector<cv::Mat> imagesOf(const FittingInput& input) {
+  std::vector<cv::Mat> images(input.masks.size());
+  for (size_t i = 0; i < input.images.size(); ++i)
+    if (input.images[i].raw || input.images[i].compressed) images[i] = input.images[i].mat();
+  return images;
+}
+
+BodyParts partsOf(const FittingInput& input) {
+  if (!input.parts || !input.labels) return BodyParts();
+  BodyParts parts = partsFromMessage(*input.parts);
+  parts.labels = labelsFromMessage(*input.labels);
+  return parts;
+}
+
+PoseTree treeOf(const FittingInput& input) {
+  return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
+}
+
+/// Names the stage that said nothing of the instant, as a part of a sentence.
+std::string lackOf(const FittingInput& input) {
+  const std::string what = !input.parts || !input.labels ? "body_segmentation" : "pose_tree";
+  return "; what " + what + " says of this instant has not come";
+}
+
+}  // namespace
+
+FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                           const TrackerOptions& options, const FittingNodeOptions& node_options)
+    : options_(options),
+      node_options_(node_options),
+      sources_(sourcesOf(node_options)),
+      status_(handle, private_handle, "pose fitting"),
+      description_(node_options.body_id),
+      announcer_(handle, node_options.body_id),
+      queue_(needsOf(options.method).images ? kMostWaitingWithImages : kMostWaiting) {
+  node_options_.checkCamerasFor(options_.method);
+  takeOver(bodyBeforehand(sources_, options_));
+  joint_states_ = handle.advertise<sensor_msgs::JointState>(
+      "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
+  pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
+  markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
+  inputs_ = std::make_unique<FittingInputs>(
+      handle, node_options_, needsOf(options_.method), &status_,
+      [this](FittingInput input) { queue_.push(std::move(input)); });
+  worker_ = std::thread([this] { work(); });
+}
+
+FittingStage::~FittingStage() {
+  inputs_.reset();
+  queue_.close();
+  worker_.join();
+}
+
+void FittingStage::work() {
+  while (const std::optional<FittingInput> input = queue_.take()) {
+    const ros::WallTime start = ros::WallTime::now();
+    const BodyPose pose = fit(*input);
+    const double fitting = (ros::WallTime::now() - start).toSec();
+    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
+    publish(pose, input->header);
+    reportTimes(fitting, input->header.stamp);
+  }
+}
+
+BodyPose FittingStage::fit(const FittingInput& input) {
+  try {
+    if (!input.refusal.empty()) throw std::invalid_argument(input.refusal);
+    prepareTracker(input);
+    const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
+    const std::vector<cv::Mat> masks = masksOf(input), images = imagesOf(input);
+    BodyPose pose = tracker_->update(
+        {nanosecondsOf(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
+    if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);
+    return pose;
+  } catch (const std::exception& error) {
+    BodyPose lost;
+    lost.reason = error.what();
+    return lost;
+  }
+}
+
+void FittingStage::prepareTracker(const FittingInput& input) {
+  if (tracker_ && input.rig == rig_) return;
+  if (body_->measured) sources_.measured = body_->sizes;
+  tracker_ = makeBodyTracker(*input.rig, sources_, options_);
+  rig_ = input.rig;
+}
+
+void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
+  const bool newly_measured = body->measured && !sources_.measured;
+  announcer_.announce(false, ros::Time::now());
+  body_ = body;
+  filter_ = makePoseFilter(body_->model, options_.filter);
+  description_.set(*body_);
+  if (!newly_measured) return;
+  ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
+           statureOf(body_->sizes));
+  sources_.measured = body_->sizes;
+  saveBody();
+}
+
+void FittingStage::saveBody() {
+  if (node_options_.body_file.empty()) return;
+  try {
+    writeBodyFile(node_options_.body_file, body_->sizes);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("pose fitting: " << error.what());
+  }
+}
+
+void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
+  const BodyModel& model = *body_->model;
+  const BodyPose pose = filter_ ? filter_->filtered(nanosecondsOf(header.stamp), raw) : raw;
+  const bool tracked = pose.status != PoseStatus::kLost;
+  status_.count(toString(pose.status));
+  if (tracked) {
+    joint_states_.publish(jointStateFromPose(model, pose, header));
+    broadcaster_.sendTransform(linkTransforms(model, pose, header));
+    status_.good(pose.reason.empty() ? "the pose is followed" : pose.reason);
+  } else {
+    status_.problem(pose.reason);
+  }
+  announcer_.announce(tracked, header.stamp);
+  if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
+  publishShared(pose_, messageFromPose(model, raw, header));
+}
+
+void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {
+  fitting_times_.add(fitting);
+  status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
+  status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
+  status_.set("instants passed over for newer ones", queue_.passedOver());
+  if (!ros::Time::isSystemTime()) return;
+  latencies_.add((ros::Time::now() - stamp).toSec());
+  status_.set("capture to tf, median ms", latencies_.milliseconds(0.5));
+  status_.set("capture to tf, 99 % within ms", latencies_.milliseconds(0.99));
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "markerless_mocap/pipeline/make_body_tracker.h"
+#include "markerless_mocap/tracking/pose_filter.h"
+#include "ros/node_options.h"
+#include "nodes/pose_fitting/body_announcer.h"
+#include "nodes/pose_fitting/body_description.h"
+#include "nodes/pose_fitting/fitting_inputs.h"
+#include "nodes/common/lag_queue.h"
+#include "nodes/common/latency_meter.h"
+#include "nodes/common/stage_status.h"
+
+namespace markerless_mocap {
+
+/// Follows the person, in a thread of its own so that messages are never kept waiting, and
+/// publishes the pose (raw on `pose`, filtered as tf, joint_states and markers) and the body.
+class FittingStage {
+ public:
+  /// Throws std::invalid_argument or std::runtime_error as readPersonSources(),
+  /// makeBodyTracker() and FittingNodeOptions::checkCamerasFor().
+  FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+               const TrackerOptions& options, const FittingNodeOptions& node_options);
+  ~FittingStage();
+  FittingStage(const FittingStage&) = delete;
+  FittingStage& operator=(const FittingStage&) = delete;
+
+ private:
+  void work();
+  BodyPose fit(const FittingInput& input);
+  /// Makes the tracker anew if the rig is another one. What has been measured is kept.
+  void prepareTracker(const FittingInput& input);
+  /// Takes the body back that was announced, and publishes the description of the new one.
+  void takeOver(const std::shared_ptr<const TrackedBody>& body);
+  void saveBody();
+  void publish(const BodyPose& raw, const std_msgs::Header& header);
+  void reportTimes(double fitting, const ros::Time& stamp);
+
+  TrackerOptions options_;
+  FittingNodeOptions node_options_;
+  PersonSources sources_;
+  StageStatus status_;
+  ros::Publisher joint_states_, pose_, markers_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  BodyDescription description_;
+  BodyAnnouncer announcer_;
+  std::shared_ptr<const TrackedBody> body_;
+  std::optional<PoseFilter> filter_;      ///< of body_
+  std::shared_ptr<const CameraRig> rig_;  ///< of the tracker
+  std::unique_ptr<BodyTracker> tracker_;  ///< none until the rig is known
+  LatencyMeter fitting_times_, latencies_;
+  LagQueue<FittingInput> queue_;
+  std::unique_ptr<FittingInputs> inputs_;
+  std::thread worker_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,33 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "ros/parameters.h"
+#include "nodes/pose_fitting/fitting_stage.h"
+#include "nodes/common/guarded_start.h"
+
+namespace markerless_mocap {
+
+/// Silhouettes, `hull/points`, `segmentation/parts` and `pose_tree` of one instant -> joint states,
+/// tf, `pose`, `pose/body`.
+class PoseFittingNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    TrackerOptions options;
+    FittingNodeOptions node_options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
+    stage_ = std::make_unique<FittingStage>(getNodeHandle(), getPrivateNodeHandle(), options,
+                                            node_options);
+  }
+
+  std::unique_ptr<FittingStage> stage_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::PoseFittingNodelet, nodelet::Nodelet)

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <mutex>
+
+#include "markerless_mocap/camera/instant_assembler.h"
+#include "ros/node_options.h"
+#include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/camera_image.h"
+#include "nodes/common/stage_status.h"
+
+namespace markerless_mocap {
+
+/// One camera's images in, its masks out.
+class SilhouetteCamera {
+ public:
+  SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                   const std::string& camera, const SilhouetteOptions& options,
+                   const SilhouetteNodeOptions& node_options);
+
+  /// Both throw std::invalid_argument with the reason why not.
+  void learnBackground();
+  void saveBackground();
+
+ private:
+  void receive(const CameraImage& image);
+  void process(const CameraImage& image);
+  void publishMask(const cv::Mat& mask, const CameraImage& image);
+  void publishSilhouette(const CameraImage& image);
+  void loadBackground();
+  std::string backgroundFile() const;
+  void checkInput() const;
+  void reportSilence();
+
+  std::string camera_;
+  std::string topic_;
+  SilhouetteNodeOptions node_options_;
+  std::mutex mutex_;  ///< of the extractor: services come beside images
+  SilhouetteExtractor extractor_;
+  InstantAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
+  StageStatus status_;
+  ros::Publisher publisher_;
+  ros::WallTimer silence_timer_;
+  ros::Subscriber subscriber_;
+  CallbackGate gate_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,131 @@
+#include "nodes/virtual_studio/studio_stage.h"
+
+#include <ros/master.h>
+#include <ros/param.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include <algorithm>
+
+#include "capture/truth.h"
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "ros/package_files.h"
+#include "ros/pose_conversions.h"
+#include "ros/truth_conversions.h"
+#include "nodes/common/publish_shared.h"
+#include "resources/resources.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kClockStart = 1000'000'000'000;  // nanoseconds
+
+StudioFiles filesFor(const StudioNodeOptions& options) {
+  return {options.urdf_template.empty() ? humanUrdfTemplate() : readText(options.urdf_template),
+          packageFile("config/motions")};
+}
+
+std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
+  std::vector<CameraCalibration> out;
+  for (const Camera& camera : rig) out.push_back(camera.calibration());
+  return out;
+}
+
+}  // namespace
+
+StudioStage::StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                         const StudioOptions& options, const StudioNodeOptions& node_options)
+    : handle_(handle),
+      node_options_(node_options),
+      studio_(options, filesFor(node_options), node_options.body_id),
+      status_(handle, private_handle, "virtual studio") {
+  ros::param::set("/human_description_" + node_options_.body_id, studio_.urdf());
+  advertise(handle);
+  publishRig();
+  timer_ = handle.createWallTimer(ros::WallDuration(1.0 / options.fps),
+                                  gate_.guarded([this](const ros::WallTimerEvent&) { tick(); }));
+}
+
+void StudioStage::advertise(ros::NodeHandle& handle) {
+  for (const Camera& camera : studio_.rig()) {
+    images_.push_back(handle.advertise<sensor_msgs::Image>(camera.name() + "/image_raw", 4));
+    infos_.push_back(handle.advertise<sensor_msgs::CameraInfo>(camera.name() + "/camera_info", 4));
+    masks_.push_back(
+        handle.advertise<sensor_msgs::Image>("ground_truth/" + camera.name() + "/silhouette", 4));
+  }
+  joints_ = handle.advertise<JointPositions>("ground_truth/joints", 4);
+  joint_states_ = handle.advertise<sensor_msgs::JointState>("ground_truth/joint_states", 4);
+  if (node_options_.clock) clock_ = handle.advertise<rosgraph_msgs::Clock>("/clock", 4);
+}
+
+void StudioStage::publishRig() {
+  static_broadcaster_.sendTransform(
+      transformsOf(calibrationsOf(studio_.rig()), ros::Time(0), node_options_.world_frame)
+          .transforms);
+}
+
+bool StudioStage::isAwaited() const {
+  if (!node_options_.wait_for_silhouettes) return true;
+  ros::master::V_TopicInfo advertised;
+  ros::master::getTopics(advertised);
+  for (size_t i = 0; i < images_.size(); ++i) {
+    const std::string topic = handle_.resolveName(studio_.rig()[i].name() + "/silhouette");
+    const bool known = std::any_of(advertised.begin(), advertised.end(),
+                                   [&](const auto& info) { return info.name == topic; });
+    if (!known || images_[i].getNumSubscribers() == 0) return false;
+  }
+  return true;
+}
+
+void StudioStage::tick() {
+  if (next_ == 0 && !isAwaited()) {
+    status_.waiting("the film starts when the silhouette of every camera is advertised");
+    return;
+  }
+  const StudioInstant instant = studio_.render(next_++);
+  const ros::Time stamp =
+      node_options_.clock ? rosTime(kClockStart + instant.time_ns) : ros::Time::now();
+  publish(instant, stamp);
+  status_.count("instants");
+  status_.good(instant.person ? "the person is in the room" : "the room is empty");
+}
+
+void StudioStage::publish(const StudioInstant& instant, const ros::Time& stamp) {
+  if (node_options_.clock) {
+    rosgraph_msgs::Clock clock;
+    clock.clock = stamp;
+    clock_.publish(clock);
+  }
+  std_msgs::Header header;
+  header.stamp = stamp;
+  for (size_t i = 0; i < images_.size(); ++i) {
+    header.frame_id = opticalFrame(studio_.rig()[i].name());
+    publishCamera(i, instant, header);
+  }
+  header.frame_id = node_options_.world_frame;
+  if (instant.person) publishTruth(instant, header);
+}
+
+void StudioStage::publishCamera(size_t i, const StudioInstant& instant,
+                                const std_msgs::Header& header) {
+  if (masks_[i].getNumSubscribers() > 0)
+    publishShared(masks_[i], messageFromMat(instant.masks[i], header));
+  if (instant.images[i].empty()) return;
+  sensor_msgs::CameraInfo info = messageFromCalibration(studio_.rig()[i].calibration());
+  info.header = header;
+  infos_[i].publish(info);
+  publishShared(images_[i], messageFromMat(instant.images[i], header));
+}
+
+void StudioStage::publishTruth(const StudioInstant& instant, const std_msgs::Header& header) {
+  joints_.publish(messageFromPoints(truthNames(), instant.points, header));
+  joint_states_.publish(messageFromAngles(studio_.body(), instant.body.angles, header));
+  BodyPose pose;
+  pose.status = PoseStatus::kTracked;
+  pose.T_world_body = instant.body.T_world_body;
+  pose.angles = instant.body.angles;
+  pose.part_seen.fill(true);
+  broadcaster_.sendTransform(linkTransforms(studio_.body(), pose, header));
+}
+
+}  // namespace markerless_mocap

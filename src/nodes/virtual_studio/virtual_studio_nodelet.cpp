@@ -1,0 +1,33 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "ros/parameters.h"
+#include "nodes/common/guarded_start.h"
+#include "nodes/virtual_studio/studio_stage.h"
+
+namespace markerless_mocap {
+
+/// A film of a rendered person: images, camera_info, tf, `ground_truth/joints`, `joint_states` and
+/// `<camera>/silhouette`.
+class VirtualStudioNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    StudioOptions options;
+    StudioNodeOptions node_options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
+    stage_ = std::make_unique<StudioStage>(getNodeHandle(), getPrivateNodeHandle(), options,
+                                           node_options);
+  }
+
+  std::unique_ptr<StudioStage> stage_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::VirtualStudioNodelet, nodelet::Nodelet)

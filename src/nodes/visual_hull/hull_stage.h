@@ -1,0 +1,66 @@
+#pragma once
+
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/camera/instant_assembler.h"
+#include "markerless_mocap/hull/hull_carver.h"
+#include "ros/node_options.h"
+#include "ros/rig_collector.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/image_store.h"
+#include "nodes/common/stage_status.h"
+
+namespace markerless_mocap {
+
+/// Joins the masks of one instant and carves its hull. Its callbacks come one at a time.
+class HullStage {
+ public:
+  HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+            const HullOptions& options, const HullNodeOptions& node_options);
+
+ private:
+  using Assembler = InstantAssembler<sensor_msgs::ImageConstPtr>;
+
+  void subscribe(ros::NodeHandle& handle);
+  void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
+  void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
+  void receiveImage(size_t camera, const CameraImage& image);
+  /// Processes what waits, oldest first, up to an instant whose images may still come.
+  void drain();
+  bool waitsForImages(const Assembler::Instant& instant) const;
+  void process(const Assembler::Instant& instant);
+  /// Says how an instant went, and which cameras were left out of it.
+  void reportHull(const VisualHull& hull);
+  void prepareBeforehand(const ros::Time& stamp);
+  /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
+  void prepareCarver(const std_msgs::Header& header);
+  std::vector<HullView> viewsOf(const Assembler::Instant& instant) const;
+  void reportCounts();
+  void reportSilence();
+
+  HullOptions options_;
+  HullNodeOptions node_options_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  RigCollector rig_;
+  Assembler assembler_;
+  ImageStore images_;
+  std::deque<Assembler::Instant> waiting_;
+  std::optional<HullCarver> carver_;
+  std::string carver_refusal_;  ///< why this rig cannot be carved with; until the rig changes
+  std::vector<bool> silent_;    ///< cameras of which no mask has come
+  StageStatus status_;
+  ros::Publisher points_, grid_, markers_;
+  ros::WallTimer silence_timer_;
+  std::vector<ros::Subscriber> subscribers_;
+  CallbackGate gate_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,32 @@
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "ros/parameters.h"
+#include "nodes/common/guarded_start.h"
+#include "nodes/visual_hull/hull_stage.h"
+
+namespace markerless_mocap {
+
+/// `<camera>/silhouette` of one instant -> `hull/points`, `hull/grid`.
+class VisualHullNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    guardedStart(getName(), [this] { start(); });
+  }
+
+  void start() {
+    HullOptions options;
+    HullNodeOptions node_options;
+    loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
+    stage_ =
+        std::make_unique<HullStage>(getNodeHandle(), getPrivateNodeHandle(), options, node_options);
+  }
+
+  std::unique_ptr<HullStage> stage_;
+};
+
+}  // namespace markerless_mocap
+
+PLUGINLIB_EXPORT_CLASS(markerless_mocap::VisualHullNodelet, nodelet::Nodelet)

@@ -1,0 +1,83 @@
+#include "optimisation/detail/particle_set.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Particles that one task moves and judges.
+constexpr int kBatch = 8;
+
+}  // namespace
+
+ParticleSet::ParticleSet(const SearchProblem& problem, const SearchStart& start, int particles,
+                         const CounterRandom& random)
+    : problem_(problem), start_(start.center), costs_(particles) {
+  replace(start.center.replicate(1, particles), start.sigma.asDiagonal(), random);
+}
+
+void ParticleSet::replace(const MatrixXd& centers, const MatrixXd& root,
+                          const CounterRandom& random) {
+  const auto dimensions = centers.rows();
+  MatrixXd next(dimensions, centers.cols());
+  Eigen::VectorXi unmoved = Eigen::VectorXi::Zero(centers.cols());
+  const auto place = [&](int i) {
+    const CounterRandom own = random.stream(uint64_t(i));
+    VectorXd noise(dimensions);
+    const VectorXd center = centers.col(i);
+    unmoved[i] = !drawAllowed(
+        problem_, center,
+        [&](int attempt, Eigen::Ref<VectorXd> candidate) {
+          for (Eigen::Index d = 0; d < dimensions; ++d)
+            noise[d] = own.normal(uint64_t(attempt * dimensions + d));
+          candidate.noalias() = center + root * noise;
+        },
+        next.col(i));
+  };
+  tbb::parallel_for(tbb::blocked_range<int>(0, int(centers.cols()), kBatch),
+                    [&](const tbb::blocked_range<int>& r) {
+                      for (int i = r.begin(); i < r.end(); ++i) place(i);
+                      problem_.cost(0, next.col(r.begin()).data(), int(r.size()),
+                                    costs_.data() + r.begin());
+                    });
+  positions_ = std::move(next);
+  evaluations_ += int(centers.cols());
+  unmoved_ += unmoved.sum();
+}
+
+SearchOutcome ParticleSet::outcome(const VectorXd& weights) const {
+  SearchOutcome result;
+  result.evaluations = evaluations_;
+  result.unmoved = unmoved_;
+  result.best = start_;
+  result.cost = HUGE_VAL;
+  result.found = costs_.array().isFinite().any();
+  if (!result.found) return result;
+  result.best = positions_ * weights;
+  result.cost = 0.0;
+  for (Eigen::Index i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.0) result.cost += weights[i] * costs_[i];
+  return result;
+}
+
+int drawIndex(const VectorXd& weights, double share) {
+  double left = share * weights.sum();
+  for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) {
+    left -= weights[i];
+    if (left < 0.0) return int(i);
+  }
+  return int(weights.size() - 1);
+}
+
+VectorXd spreadOf(const MatrixXd& positions) {
+  const MatrixXd centered = positions.colwise() - positions.rowwise().mean();
+  return (centered.rowwise().squaredNorm() / double(positions.cols())).cwiseSqrt();
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace markerless_mocap {
+
+// Texts of data files of the package, built into the library (cmake/resources.cmake).
+std::string humanUrdfTemplate();     ///< urdf/human.urdf.in
+std::string contourBodyYaml();       ///< models/contour_body.yaml
+std::string motionStatisticsYaml();  ///< models/motion_statistics.yaml
+
+}  // namespace markerless_mocap

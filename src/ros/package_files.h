@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/tracking/person_sources.h"
+
+namespace markerless_mocap {
+
+/// Path of a file that belongs to the package, such as "urdf/human.urdf.in". Throws
+/// std::runtime_error if ROS does not find the package.
+std::string packageFile(const std::string& relative_path);
+
+/// Text of a file. Throws std::runtime_error if it cannot be read.
+std::string readText(const std::string& path);
+
+/// What is known of the person. Throws std::runtime_error if a file cannot be read,
+/// std::invalid_argument if it does not hold what it should.
+/// \param urdf_template empty: the package's own
+/// \param body_file sizes of the person, as sizesText() writes them; empty: none
+PersonSources readPersonSources(const std::string& body_id, const std::string& urdf_template,
+                                  const std::string& body_file);
+
+/// Writes a person's sizes so that the file is there whole or not at all. Throws std::runtime_error
+/// if it cannot be written.
+void writeBodyFile(const std::string& path, const ContourSizes& sizes);
+
+}  // namespace markerless_mocap

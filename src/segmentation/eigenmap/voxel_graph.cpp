@@ -1,0 +1,182 @@
+#include "segmentation/voxel_graph.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "segmentation/limbs/bridges.h"
+#include "segmentation/eigenmap/disjoint_sets.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kAllVote = 1.0;       // a of Eq. 3-15
+constexpr double kMostVote = 0.5;      // b
+constexpr double kFewVote = -0.9;      // c, above -1 so that every weight stays > 0
+constexpr double kDeepest = 0.002;     // share of the nodes that tell the greatest depth
+constexpr double kShrunkDepth = 0.75;  // of the greatest depth; thighs and head lie under 0.7
+
+std::vector<uint32_t> voxelsByIndex(const VisualHull& hull) {
+  std::vector<uint32_t> order(hull.voxels.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto lower = [&](uint32_t a, uint32_t b) {
+    return hull.voxels[a].index < hull.voxels[b].index;
+  };
+  if (!std::is_sorted(order.begin(), order.end(), lower)) {
+    std::sort(order.begin(), order.end(), lower);
+  }
+  return order;
+}
+
+std::vector<Eigen::Vector3i> cellsOf(const VisualHull& hull, const std::vector<uint32_t>& voxels) {
+  std::vector<Eigen::Vector3i> cells;
+  cells.reserve(voxels.size());
+  for (const uint32_t v : voxels) cells.push_back(hull.lattice.coordinates(hull.voxels[v].index));
+  return cells;
+}
+
+/// The votes about two neighbours are kept by the one with the lower coordinates.
+double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, bool use_color_votes) {
+  if (!use_color_votes) return 1.0;
+  const ColorVotes& votes = hull.voxels[lower].color_votes;
+  return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis]);
+}
+
+/// Leaves out what is not in the largest piece; pieces that touch by an edge or corner are one.
+/// \return the bridges that join what is left
+std::vector<Edge> keepLargestPiece(const VisualHull& hull, VoxelGraph* voxels) {
+  const std::vector<uint32_t> component = faceComponents(voxels->grid);
+  if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; })) return {};
+  std::vector<Edge> bridges = bridgeEdges(voxels->grid, component);
+  std::vector<uint32_t> piece(component.size());  // of each component
+  std::iota(piece.begin(), piece.end(), 0u);
+  for (const Edge& bridge : bridges) joinSets(&piece, component[bridge.from], component[bridge.to]);
+  std::vector<uint32_t> piece_of;
+  for (const uint32_t c : component) piece_of.push_back(rootOf(&piece, c));
+  const uint32_t largest = mostFrequent(piece_of);
+  const std::vector<uint32_t> all = std::move(voxels->hull_voxel);
+  std::vector<uint32_t> number;
+  voxels->hull_voxel.clear();
+  for (size_t node = 0; node < all.size(); ++node) {
+    number.push_back(uint32_t(voxels->hull_voxel.size()));
+    (piece_of[node] == largest ? voxels->hull_voxel : voxels->left_out).push_back(all[node]);
+  }
+  if (voxels->left_out.empty()) return bridges;
+  voxels->grid = NodeGrid(cellsOf(hull, voxels->hull_voxel));
+  std::vector<Edge> kept;
+  for (const Edge& bridge : bridges)
+    if (piece_of[bridge.from] == largest)
+      kept.push_back({number[bridge.from], number[bridge.to], bridge.weight});
+  return kept;
+}
+
+/// Both directions of each, by where they start.
+std::vector<Edge> fromBothEnds(std::vector<Edge> edges) {
+  const size_t count = edges.size();
+  for (size_t i = 0; i < count; ++i) edges.push_back({edges[i].to, edges[i].from, edges[i].weight});
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  return edges;
+}
+
+/// Rows of face neighbours, ascending, then of bridges.
+WeightedGraph graphOf(const VisualHull& hull, const VoxelGraph& voxels,
+                      const std::vector<Edge>& bridges, bool use_color_votes) {
+  const size_t nodes = voxels.hull_voxel.size();
+  WeightedGraph graph;
+  graph.row_start.reserve(nodes + 1);
+  graph.neighbor.reserve(6 * nodes);
+  graph.weight.reserve(6 * nodes);
+  const auto join = [&](uint32_t other, double weight) {
+    graph.neighbor.push_back(other);
+    graph.weight.push_back(weight);
+  };
+  const std::vector<Edge> across = fromBothEnds(bridges);
+  auto bridge = across.begin();
+  for (uint32_t node = 0; node < nodes; ++node) {
+    for (int axis = 2; axis >= 0; --axis) {
+      const int32_t other = voxels.grid.neighbor(node, -(axis == 0), -(axis == 1), -(axis == 2));
+      if (other < 0) continue;
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[other], axis, use_color_votes));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t other = voxels.grid.neighbor(node, axis == 0, axis == 1, axis == 2);
+      if (other < 0) continue;
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[node], axis, use_color_votes));
+    }
+    for (; bridge != across.end() && bridge->from == node; ++bridge)
+      join(bridge->to, bridge->weight);
+    graph.row_start.push_back(uint32_t(graph.neighbor.size()));
+  }
+  return graph;
+}
+
+bool isSurface(const NodeGrid& grid, uint32_t node) {
+  return grid.neighbor(node, -1, 0, 0) < 0 || grid.neighbor(node, 1, 0, 0) < 0 ||
+         grid.neighbor(node, 0, -1, 0) < 0 || grid.neighbor(node, 0, 1, 0) < 0 ||
+         grid.neighbor(node, 0, 0, -1) < 0 || grid.neighbor(node, 0, 0, 1) < 0;
+}
+
+std::vector<double> depthUnderSurface(const VoxelGraph& voxels) {
+  std::vector<uint32_t> surface;
+  for (uint32_t node = 0; node < voxels.graph.nodeCount(); ++node) {
+    if (isSurface(voxels.grid, node)) surface.push_back(node);
+  }
+  std::vector<double> depth = voxels.grid.geodesics(surface);
+  for (double& d : depth) d = (d + 0.5) * voxels.pitch;
+  return depth;
+}
+
+void raiseCoreWeights(VoxelGraph* voxels, double shrink_weight) {
+  std::vector<char> core(voxels->graph.nodeCount(), 0);
+  for (const uint32_t node : coreNodes(voxels->depth, kShrunkDepth)) core[node] = 1;
+  WeightedGraph& graph = voxels->graph;
+  for (uint32_t node = 0; node < graph.nodeCount(); ++node) {
+    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
+      if (core[node] || core[graph.neighbor[e]]) graph.weight[e] += shrink_weight;
+    }
+  }
+}
+
+}  // namespace
+
+double colorBonus(int votes, int possible) {
+  if (possible == 0) return 0.0;
+  if (votes >= possible) return kAllVote;
+  return 2 * votes >= possible ? kMostVote : kFewVote;
+}
+
+VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double shrink_weight) {
+  VoxelGraph voxels;
+  voxels.pitch = hull.lattice.pitch;
+  voxels.hull_voxel = voxelsByIndex(hull);
+  voxels.grid = NodeGrid(cellsOf(hull, voxels.hull_voxel));
+  const std::vector<Edge> bridges = keepLargestPiece(hull, &voxels);
+  voxels.graph = graphOf(hull, voxels, bridges, use_color_votes);
+  for (const Eigen::Vector3i& c : cellsOf(hull, voxels.hull_voxel))
+    voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
+  voxels.centers.reserve(voxels.hull_voxel.size());
+  for (const uint32_t v : voxels.hull_voxel) {
+    voxels.centers.push_back(hull.lattice.center(hull.voxels[v].index));
+  }
+  voxels.depth = depthUnderSurface(voxels);
+  if (shrink_weight > 0.0) raiseCoreWeights(&voxels, shrink_weight);
+  return voxels;
+}
+
+std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double share) {
+  if (depth.empty()) return {};
+  std::vector<double> deepest = depth;
+  const auto count = std::max<size_t>(1, size_t(kDeepest * double(depth.size())));
+  std::partial_sort(deepest.begin(), deepest.begin() + count, deepest.end(), std::greater<>());
+  const double top = std::accumulate(deepest.begin(), deepest.begin() + count, 0.0) / double(count);
+  std::vector<uint32_t> core;
+  for (uint32_t node = 0; node < depth.size(); ++node) {
+    if (depth[node] >= share * top) core.push_back(node);
+  }
+  return core;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,107 @@
+#include "silhouette/background/background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+#include "silhouette/background/row_kernels.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// First bytes of a file; numbers follow as the machine has them, little endian on all of ours.
+constexpr char kMagic[] = "markerless_mocap background 1\n";
+constexpr int kLargestSide = 16384;
+/// One pixel in so many is asked for the usual noise.
+constexpr int kNoiseStep = 61;
+
+struct FileHead {
+  char magic[sizeof(kMagic)];
+  int32_t width, height, channels, modes;
+};
+
+bool isUsable(const FileHead& head) {
+  const auto within = [](int value, int most) { return value >= 1 && value <= most; };
+  return std::memcmp(head.magic, kMagic, sizeof(kMagic)) == 0 && within(head.width, kLargestSide) &&
+         within(head.height, kLargestSide) && (head.channels == 1 || head.channels == 3) &&
+         within(head.modes, Background::kMostModes);
+}
+
+template <class VectorT>
+std::streamsize bytesOf(const VectorT& values) {
+  return std::streamsize(values.size() * sizeof(values[0]));
+}
+
+}  // namespace
+
+Background::Background(const cv::Size& size, int channels, int modes)
+    : size_(size),
+      channels_(channels),
+      modes_(modes),
+      stride_((size.width + 63) / 64 * 64),
+      mean_(size_t(modes) * size.height * stride_ * channels, 0),
+      sigma_(size_t(modes) * size.height * stride_, 0),
+      coarse_(sigma_.size() * (channels + 1), 0) {}
+
+ModeRow Background::coarse(int mode, int y) const {
+  const uint8_t* row = &coarse_[coarseOffset(mode, y)];
+  ModeRow coarse{{}, row + size_t(channels_) * stride_, int16_t(weight_unit_)};
+  for (int c = 0; c < channels_; ++c) coarse.mean[c] = row + size_t(c) * stride_;
+  return coarse;
+}
+
+void Background::renewCoarse(int mode, int y) {
+  roundMeans(mean(mode, y, 0), channels_ * stride_, &coarse_[coarseOffset(mode, y)]);
+}
+
+void Background::setThreshold(double threshold_sigmas, double min_sigma) {
+  const auto weight_of = [&](double sigma) {
+    const double limit = threshold_sigmas * std::max(min_sigma, sigma);
+    return std::min(32767.0, kLimit * kWeightScale / limit);
+  };
+  weight_unit_ = int(std::ceil(weight_of(min_sigma) / 255));
+  std::vector<uint16_t> sample;
+  for (int mode = 0; mode < modes_; ++mode)
+    for (int y = 0; y < size_.height; ++y) {
+      renewCoarse(mode, y);
+      uint8_t* weights = &coarse_[coarseOffset(mode, y) + size_t(channels_) * stride_];
+      for (int x = 0; x < size_.width; ++x)
+        weights[x] =
+            uint8_t(std::lround(weight_of(sigma(mode, y)[x] / double(kMeanScale)) / weight_unit_));
+      for (int x = y % kNoiseStep; x < size_.width; x += kNoiseStep)
+        sample.push_back(sigma(mode, y)[x]);
+    }
+  if (sample.empty()) sample.push_back(0);
+  std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
+  noise_ = std::max(min_sigma, sample[sample.size() / 2] / double(kMeanScale));
+}
+
+void Background::save(const std::string& path) const {
+  FileHead head{{}, size_.width, size_.height, channels_, modes_};
+  std::memcpy(head.magic, kMagic, sizeof(kMagic));
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(&head), sizeof(head));
+  file.write(reinterpret_cast<const char*>(mean_.data()), bytesOf(mean_));
+  file.write(reinterpret_cast<const char*>(sigma_.data()), bytesOf(sigma_));
+  file.close();
+  if (!file) throw std::invalid_argument("the background file " + path + " cannot be written");
+}
+
+Background Background::load(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::invalid_argument("the background file " + path + " cannot be opened");
+  FileHead head;
+  if (!file.read(reinterpret_cast<char*>(&head), sizeof(head)) || !isUsable(head))
+    throw std::invalid_argument("the file " + path + " holds no background of a silhouette");
+  Background background({head.width, head.height}, head.channels, head.modes);
+  file.read(reinterpret_cast<char*>(background.mean_.data()), bytesOf(background.mean_));
+  file.read(reinterpret_cast<char*>(background.sigma_.data()), bytesOf(background.sigma_));
+  if (!file || file.peek() != std::ifstream::traits_type::eof())
+    throw std::invalid_argument("the background file " + path +
+                                " is shorter or longer than its head says");
+  return background;
+}
+
+}  // namespace markerless_mocap

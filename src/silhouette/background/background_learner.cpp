@@ -1,0 +1,65 @@
+#include "silhouette/background/background_learner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "silhouette/background/color_modes.h"
+#include "silhouette/background/light_gain.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kMostBytes = size_t(200) << 20;
+constexpr int kMostKept = 60, kFewestKept = 9;
+
+/// How many of `frames` images of this size are kept.
+int affordable(const cv::Mat& image, int frames) {
+  const int fitting = int(kMostBytes / (image.total() * image.elemSize()));
+  return std::min({frames, kMostKept, std::max(kFewestKept, fitting)});
+}
+
+uint16_t fixed(double grey) {
+  return uint16_t(std::lround(std::clamp(grey, 0.0, 255.0) * Background::kMeanScale));
+}
+
+/// Pixels with fewer modes than there is room for repeat their first.
+void store(const std::vector<ColorMode>& modes, int x, int y, Background* background) {
+  for (int k = 0; k < background->modes(); ++k) {
+    const ColorMode& mode = modes[size_t(k) < modes.size() ? k : 0];
+    for (int c = 0; c < background->channels(); ++c)
+      background->mean(k, y, c)[x] = fixed(mode.mean[c]);
+    background->sigma(k, y)[x] = fixed(mode.sigma);
+  }
+}
+
+}  // namespace
+
+void BackgroundLearner::add(const cv::Mat& image) {
+  const int64_t budget = affordable(image, frames_);
+  if ((seen_ + 1) * budget / frames_ > seen_ * budget / frames_) {
+    kept_.push_back(image.clone());
+    gains_.push_back(compensate_flicker_ ? float(estimateLightGain(image, kept_.front()).gain) : 1);
+  }
+  ++seen_;
+}
+
+Background BackgroundLearner::learn(int modes, double min_sigma) const {
+  const cv::Mat& first = kept_.front();
+  const int channels = first.channels(), n = int(kept_.size());
+  // The first image's light is as good as any; the usual light is better.
+  std::vector<float> sorted = gains_;
+  std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+  const float usual = sorted[n / 2];
+  Background background(first.size(), channels, modes);
+  std::vector<float> samples(size_t(n) * channels);
+  for (int y = 0; y < first.rows; ++y)
+    for (int x = 0; x < first.cols; ++x) {
+      for (int i = 0; i < n; ++i)
+        for (int c = 0; c < channels; ++c)
+          samples[i * channels + c] = kept_[i].ptr(y)[x * channels + c] * usual / gains_[i];
+      store(findColorModes(samples, channels, min_sigma, modes), x, y, &background);
+    }
+  return background;
+}
+
+}  // namespace markerless_mocap

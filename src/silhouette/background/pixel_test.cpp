@@ -1,0 +1,181 @@
+#include "silhouette/background/pixel_test.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "silhouette/bits/bit_morphology.h"
+#include "silhouette/bits/changed_bits.h"
+#include "silhouette/background/row_kernels.h"
+#include "silhouette/shadow/shade_kernels.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// A shade's squared distance from its background's colour that noise may cause, in variances: two
+/// of the three channels' directions are free, of which nine in ten stay within.
+constexpr float kNoiseVariances = 4.6f;
+
+ShadowLimits makeLimits(const SilhouetteOptions& options, const Background& background,
+                        double gain) {
+  const double chroma = options.shadow_chroma_tolerance, noise = background.noise();
+  return {background.channels() == 1, float(gain), float(chroma), float(noise * noise)};
+}
+
+}  // namespace
+
+void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
+  if (image.channels() == 3)
+    splitThree(image.ptr(y) + 3 * size_t(first), count, stride, planes);
+  else
+    std::memcpy(planes, image.ptr(y) + first, count);
+}
+
+void PixelTest::prepare(const Background& background) {
+  const cv::Size size = background.size();
+  const size_t stride = background.stride();
+  classes_.foreground.resize(size);
+  classes_.shade.resize(size);
+  classes_.ratio.resize(size.height * stride);
+  blocks_.resize(size);
+  now_.resize(3 * stride);
+  flags_.resize(stride);
+  squared_.resize(stride);
+  other_.resize(stride);
+}
+
+const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const cv::Mat& image,
+                                        const Background& background, double gain) {
+  options_ = options;
+  prepare(background);
+  findChanged(image, background, gain);
+  // Noise is not worth a closer look: it would not outlive the opening that follows.
+  const int radius = options_.open_radius_px;
+  classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
+  classes_.changed = classes_.foreground.count();
+  if (!options_.remove_shadows) return classes_;
+  for (int row = 0; row < blocks_.rows(); ++row) findShades(image, background, gain, row);
+  for (size_t i = 0; i < classes_.shade.words().size(); ++i)
+    classes_.foreground.words()[i] &= ~classes_.shade.words()[i];
+  const ShadowLimits limits = makeLimits(options_, background, gain);
+  restoreClothes(blocks_, limits, &classes_.shade, &classes_.foreground);
+  return classes_;
+}
+
+void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain) {
+  wanted_.assign(classes_.foreground.rowWords(), 1);
+  if (options_.open_radius_px == 0) {
+    findChangedRows(image, background, gain, 0, 1);
+    return;
+  }
+  findChangedRows(image, background, gain, 0, 4);
+  findChangedRows(image, background, gain, 2, 4);
+  findChangedRows(image, background, gain, 1, 2);
+}
+
+void PixelTest::findChangedRows(const cv::Mat& image, const Background& background, double gain,
+                                int first, int step) {
+  for (int y = first; y < image.rows; y += step) {
+    if (first > 0) wantFor(y, step / 2);
+    findChanged(image, background, gain, y, y + step < image.rows ? step : 0);
+  }
+}
+
+void PixelTest::wantFor(int y, int apart) {
+  const BitMask& mask = classes_.foreground;
+  const int words = mask.rowWords();
+  const uint64_t* above = mask.row(y - apart);
+  const uint64_t* below = y + apart < mask.rows() ? mask.row(y + apart) : above;
+  const uint64_t last_column = mask.tailBits() & ~(mask.tailBits() >> 1);
+  // What outlives the opening is made of crosses; those that touch this row are centred in it, and
+  // then seen above and below, or there, and then seen as three in a row. Further apart only three
+  // in a row count, as noise is often seen twice.
+  const auto centers = [&](int i) {
+    if (i >= words) return uint64_t(0);
+    const auto three = [&](const uint64_t* row) {
+      const uint64_t left = i > 0 ? row[i - 1] >> 63 : 1;
+      const uint64_t right = i + 1 < words ? row[i + 1] << 63 : last_column;
+      return row[i] & (row[i] << 1 | left) & (row[i] >> 1 | right);
+    };
+    return (apart == 1 ? above[i] & below[i] : 0) | three(above) | three(below);
+  };
+  uint64_t left = 0, here = centers(0);
+  for (int i = 0; i < words; ++i) {
+    const uint64_t right = centers(i + 1);
+    wanted_[i] = here | (apart == 1 ? left >> 63 | right << 63 : left | right);
+    left = here;
+    here = right;
+  }
+}
+
+void PixelTest::findChanged(const cv::Mat& image, const Background& background, double gain, int y,
+                            int rows_ahead) {
+  const int n = background.stride(), channels = background.channels();
+  const int16_t fixed_gain = int16_t(std::lround(gain * kGainOne));
+  constexpr uint16_t kSquaredLimit = Background::kLimit * Background::kLimit;
+  uint64_t* bits = classes_.foreground.row(y);
+  if (channels == 3) {
+    std::array<ModeRow, Background::kMostModes> modes;
+    for (int mode = 0; mode < background.modes(); ++mode) modes[mode] = background.coarse(mode, y);
+    const RowsAhead ahead{ptrdiff_t(image.step) * rows_ahead, background.coarseStep() * rows_ahead};
+    if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
+                    kSquaredLimit, ahead, wanted_.data(), bits))
+      return;
+  }
+  splitRow(image, y, 0, image.cols, n, now_.data());
+  const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
+  for (int mode = 0; mode < background.modes(); ++mode) {
+    squaredDistances(now, background.coarse(mode, y), channels, fixed_gain, n,
+                     mode == 0 ? squared_.data() : other_.data());
+    if (mode > 0) keepSmaller(other_.data(), n, squared_.data());
+  }
+  packAbove(squared_.data(), kSquaredLimit, n, flags_.data(), bits);
+}
+
+void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain,
+                           int row) {
+  const int first = row * ShadeBlocks::kSide;
+  const int end = std::min(first + ShadeBlocks::kSide, image.rows);
+  for (int word = 0; word < classes_.foreground.rowWords(); ++word) {
+    uint64_t any = 0;
+    for (int y = first; y < end; ++y) any |= classes_.foreground.row(y)[word];
+    if (!any) continue;
+    ShadeColumns columns;
+    bool is_shaded = false;
+    for (int y = first; y < end; ++y)
+      is_shaded |= findShades(image, background, gain, y, word, &columns);
+    if (is_shaded) blocks_.add(columns, word, row);
+  }
+}
+
+bool PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
+                           int word, ShadeColumns* columns) {
+  constexpr int kWord = ShadeColumns::kCols;
+  const uint64_t changed = classes_.foreground.row(y)[word];
+  if (!changed) return false;
+  const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
+  const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
+                           kNoiseVariances * noise * noise};
+  const int x = kWord * word, width = std::min(kWord, image.cols - x);
+  const ModeRow mode = background.coarse(0, y);
+  uint64_t* shade = &classes_.shade.row(y)[word];
+  uint8_t* ratio = &classes_.ratio[size_t(y) * background.stride() + x];
+  if (background.channels() == 3) {
+    const uint8_t* bgr = image.ptr(y) + 3 * size_t(x);
+    uint8_t rest[3 * kWord] = {};
+    if (width < kWord) bgr = static_cast<uint8_t*>(std::memcpy(rest, bgr, 3 * size_t(width)));
+    if (shadeRatiosOfBgr(bgr, mode, x, float(gain), limits, changed, ratio, shade, columns))
+      return *shade != 0;
+  }
+  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
+  splitRow(image, y, x, width, kWord, now_.data());
+  unpackBits(&changed, kWord, flags_.data());
+  shadeRatios(now, mode, x, background.channels(), float(gain), limits, flags_.data(), ratio,
+              columns);
+  for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
+  *shade = packFlags(flags_.data());
+  return *shade != 0;
+}
+
+}  // namespace markerless_mocap

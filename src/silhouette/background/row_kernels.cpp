@@ -1,0 +1,199 @@
+#include "silhouette/background/row_kernels.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "silhouette/background/background.h"
+#include "silhouette/bits/bit_mask.h"
+#include "silhouette/bits/vectorised.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Half of kMeanScale: what the product with a gain leaves.
+constexpr int kPredictedScale = Background::kMeanScale / 2;
+static_assert(kPredictedScale == 1 << kPredictedBits);
+
+/// a b / 32768, rounded: one instruction for 16 pixels with AVX2.
+__attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {
+  return int16_t(((int32_t(a) * b >> 14) + 1) >> 1);
+}
+
+__attribute__((always_inline)) inline uint16_t square(uint8_t now, uint8_t mean, int16_t weight,
+                                                      int16_t gain) {
+  const int16_t usual = product(int16_t(mean * Background::kMeanScale), gain);
+  const int16_t off = int16_t(now * kPredictedScale - usual);
+  const int16_t apart = int16_t(off < 0 ? -off : off);
+  const int16_t far = product(apart, weight);
+  const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
+  return uint16_t(near * near);
+}
+
+MOCAP_VECTORISED void splitInto(const uint8_t* __restrict row, int n, uint8_t* __restrict plane0,
+                                uint8_t* __restrict plane1, uint8_t* __restrict plane2) {
+  for (int i = 0; i < n; ++i) {
+    plane0[i] = row[3 * i];
+    plane1[i] = row[3 * i + 1];
+    plane2[i] = row[3 * i + 2];
+  }
+}
+
+MOCAP_VECTORISED void squaresOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
+                                   const uint8_t* __restrict weight, int16_t unit, int16_t gain,
+                                   int n, uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i) squared[i] = square(now[i], mean[i], int16_t(weight[i] * unit), gain);
+}
+
+MOCAP_VECTORISED void squaresOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
+                                     const uint8_t* __restrict now2,
+                                     const uint8_t* __restrict mean0,
+                                     const uint8_t* __restrict mean1,
+                                     const uint8_t* __restrict mean2,
+                                     const uint8_t* __restrict weight, int16_t unit, int16_t gain,
+                                     int n, uint16_t* __restrict squared) {
+  for (int i = 0; i < n; ++i) {
+    const int16_t weighted = int16_t(weight[i] * unit);
+    squared[i] = uint16_t(square(now0[i], mean0[i], weighted, gain) +
+                          square(now1[i], mean1[i], weighted, gain) +
+                          square(now2[i], mean2[i], weighted, gain));
+  }
+}
+
+MOCAP_VECTORISED void flagsAbove(const uint16_t* __restrict value, uint16_t limit, int n,
+                                 uint8_t* __restrict flags) {
+  for (int i = 0; i < n; ++i) flags[i] = value[i] > limit ? 1 : 0;
+}
+
+__attribute__((always_inline)) inline float shadeOf(float cross, float usual, float now,
+                                                    const ShadeLimits& limits) {
+  const float ratio = cross / (usual + 1e-6f);
+  const float off = now - ratio * cross;
+  const float allowed = limits.squared_chroma * ratio * ratio * usual + limits.squared_noise;
+  // As numbers, not branches: those would keep the loop from being vectorised.
+  const int is_shade = (ratio >= limits.darkest) & (ratio < 1) & (off < allowed);
+  return ratio * 255 * float(is_shade);
+}
+
+MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
+                                    const uint8_t* __restrict now2, const uint8_t* __restrict mean0,
+                                    const uint8_t* __restrict mean1,
+                                    const uint8_t* __restrict mean2, float gain,
+                                    const ShadeLimits& limits, uint8_t* __restrict ratio) {
+  float shade[64];
+  for (int i = 0; i < 64; ++i) {
+    const int n0 = now0[i], n1 = now1[i], n2 = now2[i];
+    const int m0 = mean0[i], m1 = mean1[i], m2 = mean2[i];
+    shade[i] = shadeOf(float(n0 * m0 + n1 * m1 + n2 * m2) * gain,
+                       float(m0 * m0 + m1 * m1 + m2 * m2) * (gain * gain),
+                       float(n0 * n0 + n1 * n1 + n2 * n2), limits);
+  }
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+}
+
+MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
+                                  float gain, const ShadeLimits& limits,
+                                  uint8_t* __restrict ratio) {
+  float shade[64];
+  for (int i = 0; i < 64; ++i) {
+    const float n = now[i], m = mean[i] * gain;
+    shade[i] = shadeOf(n * m, m * m, n * n, limits);
+  }
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+}
+
+/// Ratios that are not asked for become 0. \param chosen out, 255 for the shades that are, else 0
+MOCAP_VECTORISED void addRatios(const uint8_t* __restrict asked, uint8_t* __restrict ratio,
+                                uint8_t* __restrict chosen, ShadeColumns* __restrict columns) {
+  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+    ratio[i] &= asked[i];
+    chosen[i] = ratio[i] > 0 ? 255 : 0;
+  }
+  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+    const uint16_t half = uint16_t(ratio[i] >> 1);  // four squares fit 16 bits
+    columns->count[i] = uint16_t(columns->count[i] + (chosen[i] & 1));
+    columns->ratio[i] = uint16_t(columns->ratio[i] + half);
+    columns->squares[i] = uint16_t(columns->squares[i] + half * half);
+  }
+}
+
+MOCAP_VECTORISED void addColors(const uint8_t* __restrict values, const uint8_t* __restrict chosen,
+                                uint16_t* __restrict sums) {
+  for (int i = 0; i < ShadeColumns::kCols; ++i)
+    sums[i] = uint16_t(sums[i] + (values[i] & chosen[i]));
+}
+
+}  // namespace
+
+// OpenCV's split writes past the cache, from where the next loop would have to wait for it.
+void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes) {
+  splitInto(row, n, planes, planes + stride, planes + 2 * size_t(stride));
+}
+
+void squaredDistances(const uint8_t* const* now, const ModeRow& mode, int channels, int16_t gain,
+                      int n, uint16_t* squared) {
+  if (channels == 3)
+    squaresOfThree(now[0], now[1], now[2], mode.mean[0], mode.mean[1], mode.mean[2], mode.weight,
+                   mode.weight_unit, gain, n, squared);
+  else
+    squaresOfOne(now[0], mode.mean[0], mode.weight, mode.weight_unit, gain, n, squared);
+}
+
+MOCAP_VECTORISED void keepSmaller(const uint16_t* __restrict other, int n,
+                                  uint16_t* __restrict value) {
+  for (int i = 0; i < n; ++i) value[i] = std::min(value[i], other[i]);
+}
+
+void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uint64_t* bits) {
+  flagsAbove(value, limit, n, flags);
+  for (int i = 0; i < n / 64; ++i) bits[i] = packFlags(flags + size_t(64) * i);
+}
+
+void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
+                 const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
+                 ShadeColumns* columns) {
+  const uint8_t* mean = mode.mean[0] + x;
+  if (channels == 3)
+    shadesOfThree(now[0], now[1], now[2], mean, mode.mean[1] + x, mode.mean[2] + x, gain, limits,
+                  ratio);
+  else
+    shadesOfOne(now[0], mean, gain, limits, ratio);
+  uint8_t chosen[ShadeColumns::kCols];
+  addRatios(asked, ratio, chosen, columns);
+  for (int c = 0; c < channels; ++c) {
+    addColors(now[c], chosen, columns->now[c]);
+    addColors(mode.mean[c] + x, chosen, columns->usual[c]);
+  }
+}
+
+MOCAP_VECTORISED void roundMeans(const uint16_t* __restrict mean, int n, uint8_t* __restrict grey) {
+  constexpr uint16_t kHalf = Background::kMeanScale / 2;
+  for (int i = 0; i < n; ++i) grey[i] = uint8_t(uint16_t(mean[i] + kHalf) / Background::kMeanScale);
+}
+
+MOCAP_VECTORISED void erodeWords(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                                 const uint64_t* __restrict below, int n,
+                                 uint64_t* __restrict out) {
+  for (int i = 0; i < n; ++i)
+    out[i] = erodedWord(row[i - 1], row[i], row[i + 1], above[i], below[i]);
+}
+
+MOCAP_VECTORISED void dilateWords(const uint64_t* __restrict above, const uint64_t* __restrict row,
+                                  const uint64_t* __restrict below, int n,
+                                  uint64_t* __restrict out) {
+  for (int i = 0; i < n; ++i)
+    out[i] = dilatedWord(row[i - 1], row[i], row[i + 1], above[i], below[i]);
+}
+
+MOCAP_VECTORISED void moveMeans(const uint8_t* __restrict now, const uint8_t* __restrict held,
+                                int16_t gain, int16_t rate, int n, uint16_t* __restrict mean) {
+  constexpr int16_t kBrightest = 255 * kPredictedScale;
+  for (int i = 0; i < n; ++i) {
+    const int16_t from = int16_t(mean[i]), lit = product(from, gain);
+    const int16_t brighter = int16_t(2 * (lit < kBrightest ? lit : kBrightest));
+    const int16_t seen = int16_t(now[i] * Background::kMeanScale);
+    const int16_t to = held[i] ? brighter : seen;
+    mean[i] = uint16_t(from + product(int16_t(to - from), rate));
+  }
+}
+
+}  // namespace markerless_mocap

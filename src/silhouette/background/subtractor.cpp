@@ -1,0 +1,110 @@
+#include "silhouette/background/subtractor.h"
+
+#include "silhouette/background/background_learner.h"
+#include "silhouette/bits/bit_morphology.h"
+#include "silhouette/boundary/clean_mask.h"
+#include "silhouette/background/light_gain.h"
+#include "silhouette/bits/mask_runs.h"
+#include "silhouette/boundary/missed.h"
+#include "silhouette/background/pixel_test.h"
+#include "silhouette/bits/prefetch.h"
+#include "silhouette/boundary/rim.h"
+#include "silhouette/background/row_kernels.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Each image renews one row in this many, by so many times the rate.
+constexpr int kUpdateStride = 16;
+/// The background is not renewed this near the person, px: what a mask misses must not melt.
+constexpr int kGuardX = 16, kGuardY = 8;
+
+class ModelSubtractor : public Subtractor {
+ public:
+  ModelSubtractor(const SilhouetteOptions& options, Background background)
+      : options_(options),
+        learner_(options.background_frames, options.compensate_flicker),
+        background_(std::move(background)) {
+    if (!background_.empty())
+      background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+  }
+
+  void learn(const cv::Mat& image) override { learner_.add(image); }
+
+  void finishLearning() override {
+    background_ = learner_.learn(modesOf(options_), options_.min_sigma);
+    background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+    learner_ = BackgroundLearner(options_.background_frames, options_.compensate_flicker);
+  }
+
+  Extraction extract(const cv::Mat& image) override {
+    // What a thread's cameras have in common stays in the cache.
+    static thread_local PixelTest test;
+    static thread_local RimRefiner rim;
+    Extraction found;
+    if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
+    const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
+    found.changed_share = double(classes.changed) / double(image.total());
+    found.mask = openedAndClosed(classes.foreground, options_);
+    rim.refine(image, background_, found.light_gain, classes, &found.mask);
+    // Last, as the new rim has pinholes and crumbs.
+    fillMissed(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
+    removeBlobs(options_.min_blob_px, &found.mask);
+    renew(image, found.light_gain, found.mask, classes.shade);
+    return found;
+  }
+
+  const Background* background() const override { return &background_; }
+
+ private:
+  void renew(const cv::Mat& image, double gain, const BitMask& mask, const BitMask& shade);
+
+  SilhouetteOptions options_;
+  BackgroundLearner learner_;
+  Background background_;
+  int next_row_ = 0;  ///< first row that the next image renews
+  std::vector<uint8_t> now_, held_;
+  std::vector<uint64_t> guarded_;
+};
+
+/// Means follow the image, so slow drift of the light is learned. Behind the person and in shadows
+/// they follow the light of the whole scene instead.
+void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& mask,
+                            const BitMask& shade) {
+  if (options_.update_rate == 0) return;
+  const int n = background_.stride(), channels = background_.channels();
+  const auto rate = int16_t(std::min(1.0, options_.update_rate * kUpdateStride) * 32767 + 0.5);
+  const auto fixed_gain = int16_t(gain * kGainOne + 0.5);
+  now_.resize(size_t(3) * n);
+  held_.resize(n);
+  for (int y = next_row_; y < image.rows; y += kUpdateStride) {
+    if (const int next = y + kUpdateStride; next < image.rows) {
+      prefetch(background_.mean(0, next, 0), sizeof(uint16_t) * channels * n);
+      prefetch(image.ptr(next), size_t(channels) * image.cols);
+    }
+    splitRow(image, y, 0, image.cols, n, now_.data());
+    nearRow(mask, y, kGuardX, kGuardY, &guarded_);
+    for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shade.row(y)[i];
+    unpackBits(&guarded_[1], image.cols, held_.data());
+    for (int c = 0; c < channels; ++c)
+      moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,
+                background_.mean(0, y, c));
+    background_.renewCoarse(0, y);
+  }
+  next_row_ = (next_row_ + 1) % kUpdateStride;
+}
+
+}  // namespace
+
+int modesOf(const SilhouetteOptions& options) {
+  if (options.model == "gaussian") return 1;
+  return options.model == "mean_shift" ? Background::kMostModes : 0;
+}
+
+std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,
+                                           const Background& background) {
+  if (modesOf(options) == 0) return makeOpenCvSubtractor(options);
+  return std::make_unique<ModelSubtractor>(options, background);
+}
+
+}  // namespace markerless_mocap

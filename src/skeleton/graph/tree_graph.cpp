@@ -1,0 +1,194 @@
+#include "skeleton/graph/tree_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include "skeleton/graph/tree_components.h"
+#include "skeleton/graph/tree_voxels.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kSmoothing = 0.03;  // spread along the skeleton, metres
+
+std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
+                                            const std::vector<Eigen::Vector3i>& cells) {
+  const TreeVoxels table(skeleton, cells);
+  std::vector<TreeLinks::Edge> edges;
+  edges.reserve(2 * cells.size());
+  for (size_t node = 0; node < cells.size(); ++node) {
+    for (int code = 14; code < 27; ++code) {  // the other half of the neighbours finds this one
+      const Eigen::Vector3i step(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const int32_t to = table.nodeAt(cells[node] + step);
+      if (to < 0) continue;
+      edges.push_back(
+          {int32_t(node), to, skeleton.lattice.pitch * std::sqrt(double(step.squaredNorm()))});
+    }
+  }
+  return edges;
+}
+
+struct Reached {
+  double way;
+  int32_t node;
+  bool operator>(const Reached& o) const { return way != o.way ? way > o.way : node > o.node; }
+};
+
+/// Shortest paths from `root`.
+struct Walk {
+  std::vector<double> ways;
+  std::vector<int32_t> parents;
+  std::vector<int32_t> order;  ///< nodes as they are settled
+
+  Walk(int32_t root, const TreeLinks& links)
+      : ways(links.size(), std::numeric_limits<double>::infinity()), parents(links.size(), -1) {
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> open;
+    ways[size_t(root)] = 0.0;
+    open.push({0.0, root});
+    while (!open.empty()) {
+      const Reached at = open.top();
+      open.pop();
+      if (at.way > ways[size_t(at.node)]) continue;
+      order.push_back(at.node);
+      for (auto link = links.begin(at.node); link != links.end(at.node); ++link) {
+        const double way = at.way + link->length;
+        if (way >= ways[size_t(link->to)]) continue;
+        ways[size_t(link->to)] = way;
+        parents[size_t(link->to)] = at.node;
+        open.push({way, link->to});
+      }
+    }
+  }
+};
+
+/// Ways over the tree and the loop edges found so far, as far as they matter: up to a few voxels.
+class LoopFinder {
+ public:
+  explicit LoopFinder(TreeGraph* graph) : graph_(graph), children_(graph->size(), -1) {
+    next_ = children_;
+    for (size_t node = graph->size(); node-- > 1;) {
+      next_[node] = children_[size_t(graph->parents[node])];
+      children_[size_t(graph->parents[node])] = int32_t(node);
+    }
+  }
+
+  void offer(const TreeLinks::Edge& edge, double loop_length) {
+    if (!near(edge.a, -1, edge.b, loop_length)) graph_->loop_edges.push_back(edge);
+  }
+
+ private:
+  bool near(int32_t at, int32_t before, int32_t to, double most) const {
+    if (at == to) return true;
+    const auto leads = [&](int32_t next, double length) {
+      return next != before && length <= most && near(next, at, to, most - length);
+    };
+    if (at != 0 && leads(graph_->parents[size_t(at)], graph_->step(at))) return true;
+    for (int32_t child = children_[size_t(at)]; child >= 0; child = next_[size_t(child)])
+      if (leads(child, graph_->step(child))) return true;
+    for (const TreeLinks::Edge& edge : graph_->loop_edges) {
+      if (edge.a == at && leads(edge.b, edge.length)) return true;
+      if (edge.b == at && leads(edge.a, edge.length)) return true;
+    }
+    return false;
+  }
+
+  TreeGraph* graph_;
+  std::vector<int32_t> children_, next_;  ///< first child and next sibling
+};
+
+void closeLoops(const std::vector<TreeLinks::Edge>& edges, const std::vector<int32_t>& place,
+                double loop_length, TreeGraph* graph) {
+  std::vector<TreeLinks::Edge> closing;
+  for (const TreeLinks::Edge& edge : edges) {
+    const int32_t a = place[size_t(edge.a)], b = place[size_t(edge.b)];
+    if (a < 0 || b < 0) continue;
+    if (graph->parents[size_t(a)] != b && graph->parents[size_t(b)] != a)
+      closing.push_back({std::min(a, b), std::max(a, b), edge.length});
+  }
+  std::sort(closing.begin(), closing.end(),
+            [](const auto& x, const auto& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  LoopFinder finder(graph);
+  for (const TreeLinks::Edge& edge : closing) finder.offer(edge, loop_length);
+}
+
+/// Moves the nodes to the middle of their neighbours, again and again, until steps between voxels
+/// are levelled out; ends stay. So lengths do not depend on the pitch or on how a skeleton lies in
+/// it.
+void smoothPositions(TreeGraph* graph) {
+  std::vector<Eigen::Vector3d>& at = graph->positions;
+  std::vector<Eigen::Vector3d> sums(at.size());
+  std::vector<int> counts(at.size());
+  const auto add = [&](int32_t a, int32_t b) {
+    sums[size_t(a)] += at[size_t(b)];
+    sums[size_t(b)] += at[size_t(a)];
+    ++counts[size_t(a)];
+    ++counts[size_t(b)];
+  };
+  const double steps = kSmoothing / graph->pitch;
+  const int rounds = std::clamp(int(std::lround(2.0 * steps * steps)), 1, 40);
+  for (int round = 0; round < rounds; ++round) {
+    std::fill(sums.begin(), sums.end(), Eigen::Vector3d::Zero());
+    std::fill(counts.begin(), counts.end(), 0);
+    for (size_t node = 1; node < at.size(); ++node) add(int32_t(node), graph->parents[node]);
+    for (const TreeLinks::Edge& edge : graph->loop_edges) add(edge.a, edge.b);
+    for (size_t node = 0; node < at.size(); ++node)
+      if (counts[node] > 1) at[node] = 0.5 * (at[node] + sums[node] / counts[node]);
+  }
+  for (size_t node = 1; node < at.size(); ++node) {
+    const size_t parent = size_t(graph->parents[node]);
+    graph->ways[node] = graph->ways[parent] + (at[node] - at[parent]).norm();
+  }
+  for (TreeLinks::Edge& edge : graph->loop_edges)
+    edge.length = (at[size_t(edge.a)] - at[size_t(edge.b)]).norm();
+}
+
+}  // namespace
+
+TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length) {
+  TreeGraph graph;
+  graph.pitch = skeleton.lattice.pitch;
+  const size_t count = skeleton.voxels.size();
+  if (count == 0) return graph;
+  std::vector<Eigen::Vector3i> cells;
+  std::vector<Eigen::Vector3d> positions;
+  for (const uint32_t voxel : skeleton.voxels) {
+    cells.push_back(skeleton.lattice.coordinates(voxel));
+    positions.push_back(skeleton.lattice.center(voxel));
+  }
+  std::vector<TreeLinks::Edge> edges = neighbourEdges(skeleton, cells);
+  const std::vector<bool> kept = joinComponents(positions, gap, &edges);
+  int32_t root = -1;
+  for (size_t node = 0; node < count; ++node) {
+    if (kept[node] && (root < 0 || cells[node].z() > cells[size_t(root)].z())) root = int32_t(node);
+  }
+  const Walk walk(root, TreeLinks(count, edges));
+  std::vector<int32_t> place(count, -1);
+  for (size_t i = 0; i < walk.order.size(); ++i) {
+    const size_t node = size_t(walk.order[i]);
+    place[node] = int32_t(i);
+    graph.voxels.push_back(skeleton.voxels[node]);
+    graph.positions.push_back(positions[node]);
+    graph.ways.push_back(walk.ways[node]);
+    graph.parents.push_back(walk.parents[node] < 0 ? -1 : place[size_t(walk.parents[node])]);
+  }
+  closeLoops(edges, place, loop_length, &graph);
+  smoothPositions(&graph);
+  return graph;
+}
+
+std::vector<double> treeWaysFrom(const TreeGraph& graph, int32_t node) {
+  std::vector<double> ways(graph.size(), -1.0);
+  double way = 0.0;
+  for (int32_t at = node; at >= 0; at = graph.parents[size_t(at)]) {
+    ways[size_t(at)] = way;
+    if (at > 0) way += graph.step(at);
+  }
+  for (size_t at = 1; at < graph.size(); ++at)
+    if (ways[at] < 0.0) ways[at] = ways[size_t(graph.parents[at])] + graph.step(int32_t(at));
+  return ways;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "skeleton/graph/tree_chains.h"
+
+namespace markerless_mocap {
+
+/// Longest way between two nodes of a tree, metres.
+double longestWay(const TreeGraph& graph);
+
+/// Ways from the ends of chains that form a tree to all its vertices.
+class TreeMetric {
+ public:
+  TreeMetric(const TreeGraph& graph, const TreeChains& tree);
+
+  const std::vector<int32_t>& ends() const { return ends_; }  ///< vertices with one chain
+  const std::vector<int32_t>& branchings() const { return branchings_; }  ///< with more than two
+  /// \param end one of ends()
+  double way(int32_t end, int32_t vertex) const { return ways_[size_t(end)][size_t(vertex)]; }
+  /// Length of the chain at an end.
+  double branch(int32_t end) const { return branches_[size_t(end)]; }
+
+ private:
+  std::vector<int32_t> ends_, branchings_;
+  std::vector<std::vector<double>> ways_;  ///< by vertex; empty but for ends
+  std::vector<double> branches_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,73 @@
+#include "skeleton/labelling/extremity_position.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+// From the surface back to the point, shares of the longest path.
+constexpr double kHeadBack = 0.0513, kHandBack = 0.0344, kFootBack = 0.0355;
+// Of feet that are one below, shares of the longest path.
+constexpr double kShankLow = 0.10;      // the shanks are above this way from the end
+constexpr double kFootReach = 0.13;     // of the feet's voxels from the end
+constexpr double kLeastForward = 0.01;  // of their middle from the ankles
+constexpr double kStraight = 0.06;      // metres of the path that tell how it goes on
+
+double backOf(LimbEnd end) {
+  if (end == LimbEnd::kHead) return kHeadBack;
+  return end == LimbEnd::kHand1 || end == LimbEnd::kHand2 ? kHandBack : kFootBack;
+}
+
+}  // namespace
+
+Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed, double longest,
+                                  const TreeVolume& volume) {
+  const NodePath last = stretch(path, 0.0, kStraight);
+  const Eigen::Vector3d out = (last.front() - last.back()).stableNormalized();
+  const double surface =
+      closed ? 0.0 : volume.wayOut(path.front(), out, 0.2) + 0.5 * volume.pitch();
+  double back = backOf(end) * longest - surface;
+  if (back <= 0.0) return path.front() - back * out;
+  for (size_t i = 1; i < path.size(); ++i) {
+    const double step = (path[i] - path[i - 1]).norm();
+    if (step >= back) return path[i - 1] + back / step * (path[i] - path[i - 1]);
+    back -= step;
+  }
+  return path.back();
+}
+
+std::array<Eigen::Vector3d, 2> ballsTogether(const NodePath& path, const BodyAxes& axes,
+                                             double longest, const TreeVolume& volume) {
+  const Eigen::Vector3d& end = path.front();
+  const NodePath shank = stretch(path, 0.5 * kShankLow * longest, kShankLow * longest);
+  const Eigen::Vector3d ankle = shank.empty() ? path.back() : shank.front();
+  const std::vector<Eigen::Vector3d> feet =
+      volume.near(end, kFootReach * longest, 0.5 * (ankle.z() + end.z()));
+  if (feet.empty()) return {end, end};
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : feet) middle += p;
+  middle /= double(feet.size());
+  Eigen::Vector3d forward = middle - ankle;
+  forward.z() = 0.0;
+  if (forward.norm() < kLeastForward * longest) forward = axes.forward;
+  forward.z() = 0.0;
+  forward = forward.stableNormalized();
+  const Eigen::Vector3d left(-forward.y(), forward.x(), 0.0);
+  std::array<Eigen::Vector3d, 2> balls{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::array<double, 2> toes{-1e9, -1e9}, counts{0.0, 0.0};
+  for (const Eigen::Vector3d& p : feet) {
+    const size_t side = left.dot(p - middle) > 0.0 ? 0 : 1;
+    balls[side] += p;
+    counts[side] += 1.0;
+    toes[side] = std::max(toes[side], forward.dot(p));
+  }
+  for (size_t side = 0; side < 2; ++side) {
+    if (counts[side] == 0.0) return {end, end};
+    balls[side] /= counts[side];
+    balls[side] += (toes[side] - kFootBack * longest - forward.dot(balls[side])) * forward;
+  }
+  return balls;
+}
+
+}  // namespace markerless_mocap

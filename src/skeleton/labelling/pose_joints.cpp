@@ -1,0 +1,94 @@
+#include "skeleton/labelling/pose_joints.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace markerless_mocap {
+namespace {
+
+// Shares of the longest path.
+constexpr double kWrist = 0.038, kElbow = 0.1445;            // from the knuckles
+constexpr double kAnkle = 0.049, kKnee = 0.224;              // from the ball of the foot
+constexpr double kNeckDown = 0.07;                           // from the head's end
+constexpr double kShouldersDown = 0.13, kHipsDown = 0.31;    // from the head's end
+constexpr double kShoulderOut = 0.069, kShoulderUp = 0.027;  // from there
+constexpr double kHipOut = 0.0365, kHipUp = -0.0215;
+
+/// Nodes from one of the tree to the root.
+NodePath pathUp(const PoseTree& tree, int32_t node) {
+  NodePath path;
+  for (; node >= 0; node = tree.nodes[size_t(node)].parent)
+    path.push_back(tree.nodes[size_t(node)].position);
+  return path;
+}
+
+/// Way from a path's end to its point nearest to `position`.
+double wayTo(const NodePath& path, const Eigen::Vector3d& position) {
+  double nearest = (path.front() - position).squaredNorm(), way = 0.0, best = 0.0;
+  for (size_t i = 1; i < path.size(); ++i) {
+    way += (path[i] - path[i - 1]).norm();
+    const double distance = (path[i] - position).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = way;
+  }
+  return best;
+}
+
+std::optional<Eigen::Vector3d> atWay(const NodePath& path, double way) {
+  for (size_t i = 1; i < path.size(); ++i) {
+    const double step = (path[i] - path[i - 1]).norm();
+    if (step > 0.0 && step >= way) return path[i - 1] + way / step * (path[i] - path[i - 1]);
+    way -= step;
+  }
+  return std::nullopt;
+}
+
+double ownLength(const PoseTree& tree, int32_t node) {
+  const TreePart part = tree.nodes[size_t(node)].part;
+  double length = 0.0;
+  for (int32_t up = tree.nodes[size_t(node)].parent; up >= 0 && tree.nodes[size_t(up)].part == part;
+       node = up, up = tree.nodes[size_t(node)].parent)
+    length += (tree.nodes[size_t(up)].position - tree.nodes[size_t(node)].position).norm();
+  return length;
+}
+
+void placeOn(const TreeTip& tip, double share, TreeJoint joint, double most, PoseTree* tree) {
+  const NodePath path = pathUp(*tree, tip.node);
+  const double way = wayTo(path, tip.position) + share;
+  if (way <= most) tree->joints[size_t(joint)] = atWay(path, way);
+}
+
+}  // namespace
+
+void placeJoints(const BodyAxes& axes, double longest, PoseTree* tree) {
+  constexpr TreeJoint kJoints[2][6] = {
+      {TreeJoint::kLeftWrist, TreeJoint::kLeftElbow, TreeJoint::kLeftAnkle, TreeJoint::kLeftKnee,
+       TreeJoint::kLeftShoulder, TreeJoint::kLeftHip},
+      {TreeJoint::kRightWrist, TreeJoint::kRightElbow, TreeJoint::kRightAnkle,
+       TreeJoint::kRightKnee, TreeJoint::kRightShoulder, TreeJoint::kRightHip}};
+  const TreeTip& a_foot = tree->tip(Extremity::kLeftFoot);
+  NodePath trunk = pathUp(*tree, a_foot.node);
+  std::reverse(trunk.begin(), trunk.end());
+  tree->joints[size_t(TreeJoint::kNeck)] = atWay(trunk, kNeckDown * longest);
+  const auto shoulders = atWay(trunk, kShouldersDown * longest);
+  const auto hips = atWay(trunk, kHipsDown * longest);
+  const Eigen::Vector3d up = axes.forward.cross(axes.left);
+  for (int side = 0; side < 2; ++side) {
+    const TreeJoint* joints = kJoints[side];
+    const Eigen::Vector3d out = side == 0 ? axes.left : Eigen::Vector3d(-axes.left);
+    const TreeTip& hand = tree->tips[size_t(Extremity::kLeftHand) + size_t(side)];
+    const TreeTip& foot = tree->tips[size_t(Extremity::kLeftFoot) + size_t(side)];
+    const double arm = ownLength(*tree, hand.node);
+    placeOn(hand, kWrist * longest, joints[0], arm, tree);
+    placeOn(hand, kElbow * longest, joints[1], arm, tree);
+    placeOn(foot, kAnkle * longest, joints[2], longest, tree);
+    placeOn(foot, kKnee * longest, joints[3], longest, tree);
+    if (shoulders)
+      tree->joints[size_t(joints[4])] =
+          *shoulders + longest * (kShoulderOut * out + kShoulderUp * up);
+    if (hips) tree->joints[size_t(joints[5])] = *hips + longest * (kHipOut * out + kHipUp * up);
+  }
+}
+
+}  // namespace markerless_mocap

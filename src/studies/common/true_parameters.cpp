@@ -1,0 +1,44 @@
+#include "studies/common/true_parameters.h"
+
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kRate = 60.0;  // frames per second of the statistics
+constexpr int kSmallest = 16;   // pixels: nobody looks at the images
+
+}  // namespace
+
+TrueParameters::TrueParameters(const BodyModel& model) : model_(model), profile_(model) {}
+
+const FleischmannVector& TrueParameters::follow(const BodyState& body) {
+  LinkPoses links;
+  model_.forwardKinematics(body.T_world_body, body.angles, links);
+  last_ = profile_.parametersOf(links, last_);
+  return last_;
+}
+
+MotionStatistics statisticsOf(const std::vector<std::string>& motions, StudioOptions studio,
+                              const StudioFiles& files) {
+  if (motions.empty()) throw std::invalid_argument("statistics need at least one motion");
+  studio.fps = kRate;
+  studio.background_frames = 0;
+  studio.width = studio.height = kSmallest;
+  studio.rig = "ring4";
+  MotionStatistics statistics;
+  for (const std::string& motion : motions) {
+    studio.motion = motion;
+    const VirtualStudio stage(studio, files, "person1");
+    TrueParameters truth(stage.body());
+    FleischmannVector before = truth.follow(stage.render(0).body);
+    for (int i = 1; i < stage.instantCount(); ++i) {
+      const FleischmannVector now = truth.follow(stage.render(i).body);
+      statistics.add(before, now, 1.0 / kRate);
+      before = now;
+    }
+  }
+  return statistics;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,178 @@
+#include "studies/eigenmap_figures/eigenmap_figures.h"
+
+#include <rosbag/view.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "ros/hull_conversions.h"
+#include "markerless_mocap/segmentation/body_segmenter.h"
+#include "segmentation/eigenmap.h"
+#include "segmentation/eigenmap_alignment.h"
+#include "segmentation/spline_walk.h"
+#include "segmentation/voxel_graph.h"
+#include "tools/common/bag_file.h"
+#include "studies/eigenmap_figures/eigenmap_drawing.h"
+#include "studies/eigenmap_figures/eigenmap_plane.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kModes = 6, kLimbs = 5;
+constexpr double kPlaneShrink = 4.0, kPlaneRadius = 0.3, kHullShrink = 100.0;
+
+struct Variant {
+  const char* name;
+  WalkStop stop;
+  bool color;
+  bool shrink;
+};
+constexpr Variant kPlaneVariants[] = {{"plain", WalkStop::kOutliers, false, false},
+                                      {"shrunk", WalkStop::kOrigin, false, true},
+                                      {"color", WalkStop::kOrigin, true, true}};
+constexpr Variant kHullVariants[] = {{"sundaresan", WalkStop::kOutliers, false, false},
+                                     {"modified", WalkStop::kOrigin, true, true}};
+
+std::vector<cv::Scalar> colorsOf(const std::vector<int>& branch) {
+  std::vector<cv::Scalar> colors;
+  for (const int b : branch) colors.push_back(branchColor(b));
+  return colors;
+}
+
+std::string write(const std::string& folder, const std::string& name, const cv::Mat& picture) {
+  const std::string file = (std::filesystem::path(folder) / (name + ".png")).string();
+  if (!cv::imwrite(file, picture)) throw std::runtime_error("cannot write " + file);
+  return file;
+}
+
+std::string drawPlane(const std::string& folder, const Variant& variant) {
+  const cv::Mat image = planeFigure();
+  const PlaneGraph plane = planeGraph(image, {variant.color, variant.shrink ? kPlaneShrink : 0.0});
+  const Eigenmap map = laplacianEigenmap(plane.graph, kModes);
+  const std::vector<int> branch = branchOfNodes(
+      splineWalkBranches(map, variant.stop, kLimbs, kPlaneRadius), plane.pixel.size());
+  Eigen::MatrixXd places(Eigen::Index(plane.pixel.size()), 2);
+  std::vector<cv::Scalar> painted;
+  for (size_t node = 0; node < plane.pixel.size(); ++node) {
+    places.row(Eigen::Index(node)) << plane.pixel[node].x, -plane.pixel[node].y;
+    painted.emplace_back(image.at<cv::Vec3b>(plane.pixel[node]));
+  }
+  return write(
+      folder, std::string("plane_") + variant.name,
+      panelRow({drawPoints(places, 1.0, painted), drawEmbedding(map.vectors, 0, branch),
+                drawEmbedding(map.vectors, 3, branch), drawPoints(places, 1.0, colorsOf(branch))},
+               {"test image", "dimensions 1-3", "dimensions 4-6",
+                std::string("branches, ") + variant.name}));
+}
+
+/// Voxels seen along a level axis (0: x, 1: y), the nearest last.
+cv::Mat drawVoxels(const VoxelGraph& voxels, const std::vector<int>& branch, int along) {
+  std::vector<size_t> order(voxels.centers.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return voxels.centers[a][along] < voxels.centers[b][along];
+  });
+  Eigen::MatrixXd places(Eigen::Index(order.size()), 2);
+  std::vector<cv::Scalar> colors;
+  for (size_t i = 0; i < order.size(); ++i) {
+    const Eigen::Vector3d& center = voxels.centers[order[i]];
+    places.row(Eigen::Index(i)) << (along == 0 ? center.y() : -center.x()), center.z();
+    colors.push_back(branchColor(branch[order[i]]));
+  }
+  return drawPoints(places, 0.7 * voxels.pitch, colors);
+}
+
+cv::Mat drawHull(const VoxelGraph& voxels, const Eigenmap& map, const std::vector<int>& branch,
+                 const std::string& name) {
+  return panelRow({drawEmbedding(map.vectors, 0, branch), drawEmbedding(map.vectors, 3, branch),
+                   drawVoxels(voxels, branch, 0), drawVoxels(voxels, branch, 1)},
+                  {"dimensions 1-3", "dimensions 4-6", name + ", along x", "along y"});
+}
+
+/// What is drawn of an instant, kept to turn the next one's eigenmap alike.
+struct Embedded {
+  VoxelGraph voxels;
+  Eigenmap map;
+};
+
+Embedded embed(const VisualHull& hull, const Variant& variant,
+               const std::optional<Embedded>& previous) {
+  Embedded now{buildVoxelGraph(hull, variant.color, variant.shrink ? kHullShrink : 0.0), {}};
+  now.map = laplacianEigenmap(now.voxels.graph, kModes);
+  if (previous) alignEigenmap(previous->voxels.graph, previous->map, now.voxels.graph, &now.map);
+  return now;
+}
+
+/// Parts of the merge tree, the torso 0.
+std::vector<int> mergeTreeParts(const VisualHull& hull, const VoxelGraph& voxels) {
+  const BodyParts parts = BodySegmenter(SegmentationOptions()).segment(hull);
+  std::vector<int> part;
+  for (const uint32_t voxel : voxels.hull_voxel) part.push_back(parts.labels[voxel]);
+  return part;
+}
+
+std::vector<std::string> drawHulls(const std::string& folder,
+                                   const std::vector<VisualHull>& hulls) {
+  std::vector<std::string> files;
+  for (const Variant& variant : kHullVariants) {
+    std::optional<Embedded> last;
+    for (size_t i = 0; i < hulls.size(); ++i) {
+      last = embed(hulls[i], variant, last);
+      const auto draw = [&](const std::string& name, const std::vector<int>& branch) {
+        files.push_back(write(folder, "hull_" + name + "_" + std::to_string(i),
+                              drawHull(last->voxels, last->map, branch, name)));
+      };
+      draw(variant.name, branchOfNodes(splineWalkBranches(last->map, variant.stop, kLimbs),
+                                       last->voxels.graph.nodeCount()));
+      if (!variant.shrink) draw("merge_tree", mergeTreeParts(hulls[i], last->voxels));
+    }
+  }
+  return files;
+}
+
+VoxelGrid readGrid(const rosbag::Bag& bag, const std::string& topic) {
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic)))
+    if (const auto grid = entry.instantiate<VoxelGrid>()) return *grid;
+  throw std::runtime_error("the bag has no grid on " + topic);
+}
+
+}  // namespace
+
+std::vector<VisualHull> hullsOf(const EigenmapFigures& what) {
+  rosbag::Bag bag;
+  openForReading(what.input, bag);
+  const VoxelGrid grid = readGrid(bag, std::filesystem::path(what.topic).parent_path() / "grid");
+  std::vector<VisualHull> hulls;
+  std::optional<ros::Time> first;
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(what.topic))) {
+    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud || int(hulls.size()) == what.instants) continue;
+    if (!first) first = cloud->header.stamp;
+    if ((cloud->header.stamp - *first).toSec() < what.at) continue;
+    VisualHull hull = hullFromMessage(*cloud, grid);
+    if (!hull.voxels.empty()) hulls.push_back(std::move(hull));
+  }
+  if (hulls.empty())
+    throw std::runtime_error("the bag has no hull with voxels on " + what.topic +
+                             (what.at > 0 ? " from that time on" : ""));
+  return hulls;
+}
+
+std::vector<std::string> drawEigenmapFigures(const EigenmapFigures& what) {
+  std::error_code error;
+  std::filesystem::create_directories(what.folder, error);
+  if (error) throw std::runtime_error("cannot make the folder " + what.folder);
+  std::vector<std::string> files;
+  for (const Variant& variant : kPlaneVariants) files.push_back(drawPlane(what.folder, variant));
+  if (what.input.empty()) return files;
+  for (std::string& file : drawHulls(what.folder, hullsOf(what))) files.push_back(std::move(file));
+  return files;
+}
+
+}  // namespace markerless_mocap

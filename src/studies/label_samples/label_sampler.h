@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/products/visual_hull.h"
+
+namespace markerless_mocap {
+
+class Thinner;
+
+/// Writes what the pose tree's models of ends and of validity are fitted to: one hull after another
+/// with what is true of it. scripts/fit_pose_tree reads it. Lines of words:
+///   frame <number of ends> <longest way> <lowest z> <highest z>
+///   end <x y z> <direction x y z> <extent> <tip radius> <limb radius> <branch> <cut> <what it is>
+///   tree_ways, short_ways <a number for each pair of ends>
+///   label <status> <kinds right> <sides right> <all right> [<doubts by LabelDoubt>]
+/// Metres; what an end is: the sum of 1 << i over the true ends i (endNames()) within reach.
+class LabelSampler {
+ public:
+  /// \param names of the true points, labelTruthNames() among them
+  LabelSampler(std::vector<std::string> names, std::ostream* out);
+  ~LabelSampler();
+
+  /// \param points by the names, world metres
+  void add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points);
+
+ private:
+  std::vector<std::string> names_;
+  std::unique_ptr<Thinner> thinner_;
+  std::ostream& out_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,62 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include "tools/common/body_file.h"
+#include "studies/label_samples/film_labels.h"
+#include "tools/common/studio_settings.h"
+#include "tools/common/run_tool.h"
+#include "resources/resources.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  LabelFilm film;
+  std::string output, motion, rig;
+  std::vector<std::string> changes;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  LabelFilm& film = arguments->film;
+  app.add_option("output", arguments->output, "file to write; replaced if it exists")->required();
+  app.add_option("--motion", arguments->motion,
+                 "name of a motion in config/motions, or path of a .yaml or .bvh file");
+  app.add_option("--rig", arguments->rig,
+                 "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
+  app.add_option("--set", arguments->changes,
+                 "KEY=VALUE of the section virtual_studio, may be given repeatedly");
+  app.add_option("--pitch", film.pitch, "of the hulls, metres")->capture_default_str();
+  app.add_option("--frames", film.frames, "spread evenly over the motion")->capture_default_str();
+  app.add_flag("--silhouettes", film.silhouettes, "from the images, not the studio's own");
+}
+
+void run(Arguments* arguments) {
+  LabelFilm& film = arguments->film;
+  film.studio = readStudioOptions("", changesOf(arguments->changes));
+  if (!arguments->motion.empty()) film.studio.motion = arguments->motion;
+  if (!arguments->rig.empty()) film.studio.rig = arguments->rig;
+  film.files.urdf_template = humanUrdfTemplate();
+  film.files.motions_folder = packageFile("config/motions");
+  film.interrupted = catchInterruptions();
+  const std::string part = arguments->output + ".part";
+  std::ofstream out(part);
+  if (!out) throw std::runtime_error(part + " cannot be written");
+  filmLabels(film, &out);
+  out.close();
+  if (!out || std::rename(part.c_str(), arguments->output.c_str()) != 0)
+    throw std::runtime_error(arguments->output + " cannot be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Films a virtual person as samples that the pose tree's models are fitted to.",
+               "label_samples");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("label_samples", [&] { run(&arguments); });
+}

@@ -1,0 +1,38 @@
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <stdexcept>
+
+#include "tools/common/body_file.h"
+#include "tools/common/run_tool.h"
+#include "studies/common/true_parameters.h"
+#include "resources/resources.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+void write(const std::string& path, const std::vector<std::string>& motions) {
+  const StudioFiles files{humanUrdfTemplate(),
+                          packageFile("config/motions")};
+  const MotionStatistics statistics = statisticsOf(motions, StudioOptions(), files);
+  std::ofstream out(path);
+  out << "# Largest change of each of the 31 parameters between two frames at 60 fps, rad and m,\n"
+         "# over the motions:";
+  for (const std::string& motion : motions) out << ' ' << motion;
+  out << ". Written by motion_statistics.\n" << statistics.toYaml();
+  if (!out.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures how fast people move, for the search by images.", "motion_statistics");
+  std::string output;
+  std::vector<std::string> motions = {"walk", "stroll_arms_down", "wave_and_walk"};
+  app.add_option("output", output, "YAML file to write")->required();
+  app.add_option("--motion", motions,
+                 "names of motions in config/motions, or paths of .yaml or .bvh files")
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return runTool("motion_statistics", [&] { write(output, motions); });
+}

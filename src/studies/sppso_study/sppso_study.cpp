@@ -1,0 +1,187 @@
+#include "studies/sppso_study/sppso_study.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double medianOf(std::vector<double> values) {
+  return spreadOf(values).median;
+}
+
+Eigen::Matrix3Xd markersOf(const FleischmannProfile& profile, const FleischmannVector& v) {
+  FleischmannFrames frames;
+  profile.frames(v.data(), frames);
+  const std::vector<Eigen::Vector3d> positions = profile.markers(frames);
+  Eigen::Matrix3Xd markers(3, Eigen::Index(positions.size()));
+  for (Eigen::Index m = 0; m < markers.cols(); ++m) markers.col(m) = positions[size_t(m)];
+  return markers;
+}
+
+size_t stepOf(const SppsoFilm& film, double fps) {
+  const double step = film.fps / fps;
+  if (!(step >= 1.0 && std::abs(step - std::round(step)) < 1e-9))
+    throw std::invalid_argument("a film of " + std::to_string(film.fps) +
+                                " frames per second cannot be thinned to " + std::to_string(fps));
+  return size_t(std::lround(step));
+}
+
+StudyRun runOnce(const SppsoFilm& film, const MotionStatistics& statistics,
+                 const SppsoOptions& options, size_t step) {
+  const FleischmannProfile profile(*film.body);
+  SppsoTracker tracker(film.rig, profile, ConeBody(*film.body, profile), statistics, options);
+  tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
+  StudyRun run;
+  JointTrack truth, found;
+  truth.names = found.names = film.joints.names;
+  FleischmannVector last = film.frames.front().truth;
+  double seconds = 0.0;
+  for (size_t f = step; f < film.frames.size(); f += step) {
+    const std::vector<AppearanceView> views = wholeViews(film, f);
+    const auto start = Clock::now();
+    const SppsoPose pose = tracker.update(film.frames[f].stamp_ns, views);
+    seconds += secondsSince(start);
+    // A lost frame is judged by the last pose: nothing better is known.
+    if (pose.status == PoseStatus::kTracked)
+      last = pose.v;
+    else
+      ++run.lost;
+    truth.add(film.frames[f].stamp_ns, film.joints.positions[f]);
+    found.add(film.frames[f].stamp_ns, markersOf(profile, last));
+  }
+  run.errors = jointErrors(truth, found);
+  run.seconds_per_frame = seconds / double(std::max<size_t>(1, truth.frames()));
+  return run;
+}
+
+/// Seconds that `work` takes, the least of a few times.
+double leastSeconds(const std::function<void()>& work) {
+  double least = HUGE_VAL;
+  for (int i = 0; i < 7; ++i) {
+    const auto start = Clock::now();
+    work();
+    least = std::min(least, secondsSince(start));
+  }
+  return least;
+}
+
+void stretch(std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double from = *low, range = *high > *low ? *high - *low : 1.0;
+  for (double& value : values) value = (value - from) / range;
+}
+
+}  // namespace
+
+double StudyResult::meanError() const {
+  double sum = 0.0;
+  for (const StudyRun& run : runs) sum += run.errors.D_spread.mean;
+  return sum / double(runs.size());
+}
+
+double StudyResult::largestError() const {
+  double most = 0.0;
+  for (const StudyRun& run : runs) most = std::max(most, run.errors.D_spread.max);
+  return most;
+}
+
+double StudyResult::medianMean() const {
+  std::vector<double> values;
+  for (const StudyRun& run : runs) values.push_back(run.errors.D_spread.mean);
+  return medianOf(values);
+}
+
+double StudyResult::medianLargest() const {
+  std::vector<double> values;
+  for (const StudyRun& run : runs) values.push_back(run.errors.D_spread.max);
+  return medianOf(values);
+}
+
+std::vector<double> StudyResult::meanOverRuns() const {
+  std::vector<double> mean(seconds.size(), 0.0);
+  for (const StudyRun& run : runs)
+    for (size_t f = 0; f < mean.size(); ++f) mean[f] += run.errors.D[f] / double(runs.size());
+  return mean;
+}
+
+StudyResult runVariant(const SppsoFilm& film, const MotionStatistics& statistics,
+                       const StudyVariant& variant) {
+  const size_t step = stepOf(film, variant.fps);
+  StudyResult result;
+  for (size_t f = step; f < film.frames.size(); f += step)
+    result.seconds.push_back(1e-9 * double(film.frames[f].stamp_ns - film.frames.front().stamp_ns));
+  for (int seed = 1; seed <= variant.runs; ++seed) {
+    SppsoOptions options = variant.options;
+    options.seed = seed;
+    result.runs.push_back(runOnce(film, statistics, options, step));
+  }
+  return result;
+}
+
+FitnessCurves fitnessCurves(const SppsoFilm& film, size_t frame, int parameter, double reach,
+                            const SppsoOptions& options) {
+  constexpr int kSteps = 100;
+  const FleischmannProfile profile(*film.body);
+  AppearanceFitness fitness(film.rig, profile, ConeBody(*film.body, profile), options.appearance);
+  fitness.observe(wholeViews(film, frame));
+  FitnessCurves curves;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double offset = reach * (2.0 * i / kSteps - 1.0);
+    FleischmannVector v = film.frames[frame].truth;
+    v[parameter] += offset;
+    const Fitness there = fitness.fitness(v.data(), EdgeChoice());
+    curves.offsets.push_back(offset);
+    curves.silhouette.push_back(there.silhouette);
+    curves.edge.push_back(there.edge);
+    curves.total.push_back(there.total());
+  }
+  for (auto* values : {&curves.silhouette, &curves.edge, &curves.total}) stretch(*values);
+  return curves;
+}
+
+TimeByPart timeByPart(const SppsoFilm& film, const MotionStatistics& statistics,
+                      const SppsoOptions& options) {
+  constexpr int kEvaluations = 1000;
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const FleischmannProfile profile(*film.body);
+  const ConeBody body(*film.body, profile);
+  const size_t frame = std::min<size_t>(3, film.frames.size() - 1);
+  const std::vector<AppearanceView> views = wholeViews(film, frame);
+  const FleischmannVector& truth = film.frames[frame].truth;
+  AppearanceFitness fitness(film.rig, profile, body, options.appearance);
+  const auto evaluate = [&](ConeSet cones) {
+    return leastSeconds([&] {
+      for (int i = 0; i < kEvaluations; ++i) fitness.fitness(truth.data(), {cones, true});
+    });
+  };
+  TimeByPart time{};
+  time.observing = leastSeconds([&] { fitness.observe(views); });
+  FleischmannFrames frames;
+  time.kinematics = leastSeconds([&] {
+    for (int i = 0; i < kEvaluations; ++i) profile.frames(truth.data(), frames);
+  });
+  const double without = evaluate(0), with = evaluate(kAllButHead);
+  time.drawing_and_silhouette = std::max(0.0, without - time.kinematics);
+  time.edges = std::max(0.0, with - without);
+  const double whole = leastSeconds([&] {
+    SppsoTracker tracker(film.rig, profile, body, statistics, options);
+    tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
+    tracker.update(film.frames[frame].stamp_ns, views);
+  });
+  time.rest = std::max(0.0, whole - time.observing - with);
+  return time;
+}
+
+}  // namespace markerless_mocap

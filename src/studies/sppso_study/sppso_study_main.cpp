@@ -1,0 +1,143 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "tools/common/body_file.h"
+#include "tools/common/figure_text.h"
+#include "tools/common/studio_settings.h"
+#include "tools/common/run_tool.h"
+#include "studies/sppso_study/sppso_report.h"
+#include "resources/resources.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  std::string folder, statistics;
+  std::vector<std::string> studio, search, tables;
+  int frames = 450;
+  int most_runs = 5;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  app.add_option("folder", arguments->folder, "for index.html and runs.csv")->required();
+  app.add_option("--frames", arguments->frames, "filmed at 60 a second")
+      ->check(CLI::Range(30, 100000))
+      ->capture_default_str();
+  app.add_option("--runs", arguments->most_runs, "at most, of each variant")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  app.add_option("--table", arguments->tables,
+                 "6.2, 6.5, 6.6, 6.8, 6.10 or ours, may be given repeatedly; all if none is");
+  app.add_option("--studio", arguments->studio,
+                 "KEY=VALUE of virtual_studio, in place of four cameras of 644 x 484 and a walk in "
+                 "a circle");
+  app.add_option("--set", arguments->search, "KEY=VALUE of the search, for all variants");
+  app.add_option("--statistics", arguments->statistics,
+                 "file of motion_statistics, in place of the package's own");
+}
+
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+Changes changesOf(const std::vector<std::string>& texts, const char* option) {
+  Changes changes;
+  for (const std::string& text : texts) {
+    const size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0)
+      throw std::invalid_argument(std::string(option) + " is given \"" + text +
+                                  "\", allowed is KEY=VALUE");
+    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return changes;
+}
+
+StudioOptions studioOf(const Arguments& arguments) {
+  Changes changes = {{"rig", "ring4"},  {"width", "644"},
+                     {"height", "484"}, {"motion", "walk_in_circle"},
+                     {"fps", "60"},     {"duration", "0"}};
+  for (const auto& change : changesOf(arguments.studio, "--studio")) changes.push_back(change);
+  return readStudioOptions("", changes);
+}
+
+SppsoOptions searchOf(const Arguments& arguments) {
+  YAML::Node node(YAML::NodeType::Map);
+  for (const auto& [key, value] : changesOf(arguments.search, "--set")) node[key] = value;
+  return loadOptions<SppsoOptions>(node);
+}
+
+std::vector<StudyTable> wantedTables(const Arguments& arguments, const SppsoOptions& base) {
+  std::vector<StudyTable> wanted;
+  for (StudyTable& table : studyTables(base)) {
+    const auto& names = arguments.tables;
+    if (!names.empty() && std::find(names.begin(), names.end(), table.id) == names.end()) continue;
+    for (StudyVariant& variant : table.variants)
+      variant.runs = std::min(variant.runs, arguments.most_runs);
+    wanted.push_back(table);
+  }
+  if (wanted.empty()) throw std::invalid_argument("--table names no table that there is");
+  return wanted;
+}
+
+std::vector<StudiedTable> studied(const SppsoFilm& film, const MotionStatistics& statistics,
+                                  const std::vector<StudyTable>& tables) {
+  std::vector<StudiedTable> out;
+  for (const StudyTable& table : tables) {
+    out.push_back({table, {}});
+    for (const StudyVariant& variant : table.variants) {
+      out.back().results.push_back(runVariant(film, statistics, variant));
+      const StudyResult& result = out.back().results.back();
+      std::cerr << table.id << ' ' << variant.name << ": "
+                << figureText("mean %.1f mm", result.meanError())
+                << figureText(", largest %.1f mm", result.largestError()) << std::endl;
+    }
+  }
+  return out;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+void run(const Arguments& arguments) {
+  const SppsoOptions search = searchOf(arguments);
+  const std::vector<StudyTable> tables = wantedTables(arguments, search);
+  const std::string& own = arguments.statistics;
+  const MotionStatistics statistics = MotionStatistics::fromYaml(
+      own.empty() ? motionStatisticsYaml() : readText(own));
+  std::filesystem::create_directories(arguments.folder);
+  const StudioOptions studio = studioOf(arguments);
+  const StudioFiles files{humanUrdfTemplate(),
+                          packageFile("config/motions")};
+  const SppsoFilm film = filmOf(studio, files, arguments.frames, [&](int done) {
+    std::cerr << "filmed " << done << " of " << arguments.frames << std::endl;
+  });
+  StudyReport report;
+  report.about = std::to_string(film.frames.size()) + " frames of " + studio.motion + " by " +
+                 std::to_string(film.rig.size()) + " cameras, " + std::to_string(studio.width) +
+                 " x " + std::to_string(studio.height) +
+                 "; limb lengths and first pose are given. D is the mean error of fifteen joints.";
+  report.tables = studied(film, statistics, tables);
+  constexpr int kSwing = kRightShoulder + 1;  // F's x24
+  report.parameter = parameterNames()[kSwing];
+  report.curves = fitnessCurves(film, film.frames.size() / 3, kSwing,
+                                statistics.over(1.0 / 20.0)[kSwing], search);
+  report.time = timeByPart(film, statistics, search);
+  write(std::filesystem::path(arguments.folder) / "index.html", studyPage(report));
+  write(std::filesystem::path(arguments.folder) / "runs.csv", studyCsv(report.tables));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Tracks a filmed walk by images in many ways and compares them.", "sppso_study");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("sppso_study", [&] { run(arguments); });
+}

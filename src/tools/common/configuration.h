@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "markerless_mocap/pipeline/pipeline.h"
+
+namespace markerless_mocap {
+
+/// Reads a configuration file. Throws std::runtime_error if it cannot be read or is no YAML,
+/// std::invalid_argument as loadPipelineOptions(); the sentence names the file.
+PipelineOptions readConfiguration(const std::string& path);
+
+}  // namespace markerless_mocap

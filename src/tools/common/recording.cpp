@@ -1,0 +1,179 @@
+#include "tools/common/recording.h"
+
+#include <sensor_msgs/CameraInfo.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "markerless_mocap/camera/rig_file.h"
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "ros/rig_collector.h"
+#include "tools/common/bag_file.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// A recording can wait longer for a late camera than a live graph.
+AssemblerOptions patientAssembly() {
+  AssemblerOptions options;
+  options.deadline = 0.5;
+  options.max_pending = 1000;  // the deadline bounds the queue, nothing overflows
+  return options;
+}
+
+std::vector<std::string> namesOf(const std::vector<RecordedCamera>& cameras) {
+  std::vector<std::string> names;
+  for (const RecordedCamera& camera : cameras) names.push_back(camera.name);
+  return names;
+}
+
+void readTransforms(rosbag::Bag& bag, tf2::BufferCore* buffer, tf2_msgs::TFMessage* statics) {
+  for (const char* topic : {"/tf_static", "/tf"}) {
+    const bool is_static = std::string(topic) == "/tf_static";
+    for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+      const auto message = entry.instantiate<tf2_msgs::TFMessage>();
+      if (!message) continue;
+      for (const geometry_msgs::TransformStamped& transform : message->transforms) {
+        buffer->setTransform(transform, "bag", is_static);
+        if (is_static) statics->transforms.push_back(transform);
+      }
+    }
+  }
+}
+
+RecordedImage imageOf(const rosbag::MessageInstance& message) {
+  RecordedImage image{message.instantiate<sensor_msgs::Image>(),
+                      message.instantiate<sensor_msgs::CompressedImage>()};
+  if (image.raw || image.compressed) return image;
+  throw std::runtime_error("topic " + message.getTopic() + " holds " + message.getDataType() +
+                           ", wanted are images");
+}
+
+int64_t stampOf(const RecordedImage& image) {
+  return nanosecondsOf(image.raw ? image.raw->header.stamp : image.compressed->header.stamp);
+}
+
+/// The image must be kept as long as the pixels.
+cv::Mat decoded(const RecordedImage& image, bool is_mask) {
+  if (image.compressed) return matFromMessage(*image.compressed);
+  return is_mask ? maskFromMessage(*image.raw) : sharedMatFromMessage(*image.raw);
+}
+
+}  // namespace
+
+Recording::Recording(const std::string& path, const RecordingOptions& options) : options_(options) {
+  openForReading(path, bag_);
+  try {
+    cameras_ = findCameras(bag_, options.cameras, !options.rig.empty());
+    if (cameras_.size() < 2)
+      throw std::runtime_error("camera " + cameras_.front().name +
+                               " is the only one, two are needed at least");
+    options.rig.empty() ? readRig() : takeRig();
+    listStreams();
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + " is damaged (" + error.what() + ")");
+  }
+}
+
+void Recording::readRig() {
+  tf2::BufferCore buffer;
+  readTransforms(bag_, &buffer, &static_transforms_);
+  RigCollector collector(namesOf(cameras_), options_.world_frame);
+  for (size_t i = 0; i < cameras_.size(); ++i) {
+    rosbag::View infos(bag_, rosbag::TopicQuery(cameras_[i].info_topic));
+    if (infos.begin() == infos.end()) continue;
+    const auto info = infos.begin()->instantiate<sensor_msgs::CameraInfo>();
+    collector.add(i, *info);
+    cameras_[i].frame = info->header.frame_id;
+  }
+  rig_ = collector.rig(buffer);
+}
+
+void Recording::takeRig() {
+  const std::vector<CameraCalibration> used =
+      camerasNamed(namesOf(cameras_), markerless_mocap::readRig(options_.rig), options_.rig);
+  for (RecordedCamera& camera : cameras_) camera.frame = opticalFrame(camera.name);
+  for (const CameraCalibration& camera : used) rig_.emplace_back(camera);
+  static_transforms_ = transformsOf(used, rosTime(0), options_.world_frame);
+}
+
+void Recording::listStreams() {
+  for (size_t i = 0; i < cameras_.size(); ++i) {
+    const RecordedCamera& camera = cameras_[i];
+    const bool masks =
+        !camera.silhouette_topic.empty() && (options_.use_masks || camera.image_topic.empty());
+    if (!camera.image_topic.empty()) streams_.push_back({camera.image_topic, i, false});
+    if (masks) streams_.push_back({camera.silhouette_topic, i, true});
+    if (options_.use_masks && !masks)
+      throw std::runtime_error("camera " + camera.name + " has no silhouettes in the bag");
+  }
+}
+
+bool Recording::hasMasks() const {
+  return std::all_of(cameras_.begin(), cameras_.end(),
+                     [](const RecordedCamera& camera) { return !camera.silhouette_topic.empty(); });
+}
+
+void Recording::startReading() {
+  std::vector<std::string> topics;
+  for (size_t i = 0; i < streams_.size(); ++i) {
+    topics.push_back(streams_[i].topic);
+    stream_of_topic_[streams_[i].topic] = i;
+  }
+  rosbag::View all(bag_, rosbag::TopicQuery(topics));
+  if (all.size() == 0) throw std::runtime_error("the bag has no images");
+  const ros::Time first = all.getBeginTime() + ros::Duration(options_.start);
+  const double seconds = std::min(options_.duration, (all.getEndTime() - first).toSec() + 1.0);
+  if (seconds < 0.0) throw std::runtime_error("the start lies after the end of the recording");
+  view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topics), first,
+                                         first + ros::Duration(seconds));
+  message_ = view_->begin();
+  assembler_ = std::make_unique<Assembler>(streams_.size(), patientAssembly());
+}
+
+void Recording::readMessage() {
+  const RecordedImage image = imageOf(*message_);
+  for (auto& instant :
+       assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(image), image))
+    whole_.push_back(std::move(instant));
+  ++message_;
+  ++messages_read_;
+}
+
+std::optional<CapturedInstant> Recording::next() {
+  if (!view_) startReading();
+  while (whole_.empty() && message_ != view_->end()) readMessage();
+  if (whole_.empty())
+    for (auto& instant : assembler_->flush()) whole_.push_back(std::move(instant));
+  counts_ = assembler_->counts();
+  if (whole_.empty()) return std::nullopt;
+  const Assembler::Instant instant = std::move(whole_.front());
+  whole_.pop_front();
+  return instantOf(instant);
+}
+
+double Recording::shareRead() const {
+  return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
+}
+
+CapturedInstant Recording::instantOf(const Assembler::Instant& instant) {
+  CapturedInstant out;
+  out.stamp_ns = instant.stamp_ns;
+  out.frames.resize(cameras_.size());
+  out.owner = instant.items;
+  for (size_t i = 0; i < streams_.size(); ++i) {
+    if (!instant.present[i]) continue;
+    CameraFrame& frame = out.frames[streams_[i].camera];
+    try {
+      (streams_[i].is_mask ? frame.mask : frame.image) =
+          decoded(instant.items[i], streams_[i].is_mask);
+    } catch (const std::invalid_argument& error) {
+      if (unreadable_++ == 0) first_unreadable_ = error.what();
+    }
+  }
+  return out;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,52 @@
+#include "tools/common/studio_settings.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <stdexcept>
+
+#include "ros/package_files.h"
+
+namespace markerless_mocap {
+namespace {
+
+YAML::Node sectionOf(const std::string& config) {
+  if (config.empty()) return YAML::Node(YAML::NodeType::Map);
+  YAML::Node root;
+  try {
+    root = YAML::Load(readText(config));
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(config + " is no YAML: " + error.what());
+  }
+  if (!root.IsMap() || !root[StudioOptions::kStage])
+    throw std::invalid_argument(config + " has no section " + StudioOptions::kStage);
+  return root[StudioOptions::kStage];
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> changesOf(const std::vector<std::string>& texts) {
+  std::vector<std::pair<std::string, std::string>> changes;
+  for (const std::string& text : texts) {
+    const size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0)
+      throw std::invalid_argument("--set is given \"" + text + "\", allowed is KEY=VALUE");
+    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return changes;
+}
+
+StudioOptions readStudioOptions(const std::string& config,
+                                const std::vector<std::pair<std::string, std::string>>& changes) {
+  YAML::Node section = YAML::Clone(sectionOf(config));
+  for (const auto& [key, value] : changes) {
+    try {
+      section[key] = YAML::Load(value);
+    } catch (const YAML::Exception&) {
+      throw std::invalid_argument(key + " is \"" + value +
+                                  "\", allowed are values as in a configuration file");
+    }
+  }
+  return loadOptions<StudioOptions>(section);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,32 @@
+#include "tools/common/tree_labels.h"
+
+#include <vector>
+
+namespace markerless_mocap {
+namespace {
+
+/// Nodes of the part that an end belongs to, from the end upwards.
+Eigen::Matrix3Xd limbOf(const PoseTree& tree, int32_t end) {
+  std::vector<Eigen::Vector3d> path;
+  const TreePart part = tree.nodes[size_t(end)].part;
+  for (int32_t at = end; at >= 0 && tree.nodes[size_t(at)].part == part;
+       at = tree.nodes[size_t(at)].parent)
+    path.push_back(tree.nodes[size_t(at)].position);
+  return Eigen::Map<const Eigen::Matrix3Xd>(path.front().data(), 3, Eigen::Index(path.size()));
+}
+
+}  // namespace
+
+LabelledEnds labelsOf(const PoseTree& tree) {
+  LabelledEnds labels;
+  labels.valid = tree.valid();
+  labels.validity = tree.validity;
+  for (int i = 0; i < kExtremityCount; ++i) {
+    if (tree.tips[size_t(i)].node < 0) continue;
+    labels.positions.col(i) = tree.tips[size_t(i)].position;
+    labels.limbs[size_t(i)] = limbOf(tree, tree.tips[size_t(i)].node);
+  }
+  return labels;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "tools/evaluate/evaluation.h"
+#include "tools/evaluate/evaluation_json.h"
+#include "tools/evaluate/evaluation_page.h"
+#include "tools/evaluate/evaluation_table.h"
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  EvaluationRequest request;
+  std::string json, html;
+  bool quiet = false, no_images = false;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  EvaluationRequest& request = arguments->request;
+  app.add_option("results", request.results, "bag of a tracker: tf, pose, joint states, hull")
+      ->required();
+  app.add_option("--truth", request.truth, "bag with /ground_truth; may be the same")->required();
+  app.add_option("--json", arguments->json, "write all figures here");
+  app.add_option("--html", arguments->html,
+                 "write a report here, one page that needs no other file");
+  app.add_option("--skip", request.skip, "leave out this many seconds of the truth's begin")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--id", request.body_id, "id of the body if the results have several");
+  app.add_option("--rig", request.rig,
+                 "rig file that the run was given: body and hull are drawn with its cameras");
+  app.add_option("--config", request.config,
+                 "configuration of the run: the true hull is carved by its rules");
+  app.add_flag("--no-images", arguments->no_images, "do not judge silhouettes and hull");
+  app.add_flag("--quiet", arguments->quiet, "no progress and no table");
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+void run(Arguments* arguments) {
+  EvaluationRequest& request = arguments->request;
+  request.images = !arguments->no_images;
+  request.pictures = request.images && !arguments->html.empty();
+  Progress progress("evaluate", arguments->quiet ? nullptr : &std::cerr, errorsGoToTerminal());
+  const Evaluation evaluation = evaluate(request, [&](double share) { progress.update(share); });
+  progress.finish();
+  if (!arguments->json.empty()) write(arguments->json, evaluationJson(evaluation));
+  if (!arguments->html.empty()) write(arguments->html, evaluationPage(evaluation));
+  if (!arguments->quiet) printEvaluation(evaluation, std::cout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Judges a tracker's results against ground truth.", "evaluate");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("evaluate", [&] { run(&arguments); });
+}

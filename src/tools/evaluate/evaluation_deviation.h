@@ -1,0 +1,23 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "evaluation/deviation_error.h"
+#include "tools/evaluate/evaluation_results.h"
+#include "tools/evaluate/json_text.h"
+
+namespace markerless_mocap {
+
+/// Expected errors of the parts' ends against those made; empty when none are told.
+/// \param match index into the results' frames for each frame of the truth, or -1
+std::vector<DeviationError> judgeDeviations(const JointTrack& truth, const ResultRecord& results,
+                                            const std::vector<int>& match);
+
+void printDeviations(const std::vector<DeviationError>& deviations, std::ostream& out);
+JsonObject deviationsObject(const std::vector<DeviationError>& deviations);
+/// A section of the page; empty without any.
+std::string deviationsSection(const std::vector<DeviationError>& deviations);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "evaluation/foot_contact.h"
+#include "evaluation/limb_loss.h"
+#include "tools/evaluate/evaluation_results.h"
+
+namespace markerless_mocap {
+
+/// One foot on the floor.
+struct FootEvaluation {
+  FootContact ball, ankle;
+  std::vector<double> sole_m;  ///< height of the estimated sole per frame; NaN without
+  SoleFigures sole;
+  std::vector<double> true_ball_mm, ball_mm;  ///< heights of both balls per frame
+};
+
+/// Left and right.
+using FeetEvaluation = std::array<FootEvaluation, 2>;
+
+/// \param truth with bodyPointNames() \param match index into the results' frames for each frame of
+///   the truth, or -1
+FeetEvaluation judgeFeet(const JointTrack& truth, const ResultRecord& results,
+                         const std::vector<int>& match);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tools/evaluate/evaluation_feet.h"
+#include "tools/evaluate/json_text.h"
+
+namespace markerless_mocap {
+
+/// What is said about feet on the floor and lost limbs: terminal, JSON, page.
+void printFeet(const FeetEvaluation& feet, std::ostream& out);
+JsonObject feetObject(const FeetEvaluation& feet);
+/// \param seconds of each frame
+std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& seconds);
+
+void printLimbs(const std::vector<LimbLoss>& limbs, std::ostream& out);
+JsonObject limbsObject(const std::vector<LimbLoss>& limbs);
+std::string limbsSection(const std::vector<LimbLoss>& limbs, const std::vector<double>& seconds);
+
+}  // namespace markerless_mocap

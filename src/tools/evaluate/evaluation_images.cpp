@@ -1,0 +1,191 @@
+#include "tools/evaluate/evaluation_images.h"
+
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <utility>
+
+#include "evaluation/body_silhouette.h"
+#include "ros/camera_conversions.h"
+#include "ros/hull_conversions.h"
+#include "ros/image_conversions.h"
+#include "tools/common/bag_file.h"
+#include "tools/common/overlay.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// How far from its stamp an image may have been recorded and still be found for a picture.
+constexpr int64_t kRecordedEarlier_ns = 100000000, kRecordedLater_ns = 1000000000;
+
+std::vector<std::string> topicsOf(const CameraRig& rig, const std::string& before) {
+  std::vector<std::string> topics;
+  for (const Camera& camera : rig) topics.push_back(before + "/" + camera.name() + "/silhouette");
+  return topics;
+}
+
+RecordingOptions inWorld(const std::string& world_frame, const std::string& rig) {
+  RecordingOptions options;
+  options.rig = rig;
+  if (!world_frame.empty()) options.world_frame = world_frame;
+  return options;
+}
+
+/// Overlap of two masks; NaN when there are not two, or nobody is to be seen and nobody is seen.
+double overlapOf(const cv::Mat& found, const cv::Mat& real) {
+  if (found.empty() || real.empty() || found.size() != real.size()) return NAN;
+  if (cv::countNonZero(found) + cv::countNonZero(real) == 0) return NAN;
+  return maskIou(found, real);
+}
+
+double voxelIou(const VisualHull& a, const VisualHull& b) {
+  size_t both = 0, i = 0, k = 0;
+  while (i < a.voxels.size() && k < b.voxels.size()) {
+    both += a.voxels[i].index == b.voxels[k].index;
+    const bool advance_a = a.voxels[i].index <= b.voxels[k].index;
+    const bool advance_b = b.voxels[k].index <= a.voxels[i].index;
+    i += advance_a, k += advance_b;
+  }
+  const size_t either = a.voxels.size() + b.voxels.size() - both;
+  return either == 0 ? NAN : double(both) / double(either);
+}
+
+std::optional<VoxelGrid> readGrid(const std::string& path) {
+  rosbag::Bag bag;
+  openForReading(path, bag);
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/grid")))
+    if (const auto grid = entry.instantiate<VoxelGrid>()) return *grid;
+  return std::nullopt;
+}
+
+HullOptions onLattice(HullOptions rules, const VoxelLattice& lattice) {
+  rules.volume = "explicit";
+  rules.follow = false;  // the person may be anywhere in it
+  rules.pitch = lattice.pitch;
+  rules.volume_min = lattice.origin;
+  rules.volume_max = lattice.origin + lattice.pitch * lattice.size.cast<double>();
+  return rules;
+}
+
+double meanOf(const std::vector<double>& values) {
+  return spreadOf(values).mean;
+}
+
+}  // namespace
+
+ImageJudge::ImageJudge(const std::string& truth, const std::string& rig, const std::string& results,
+                       const ResultRecord& record, std::vector<int64_t> stamps_ns,
+                       int64_t tolerance_ns)
+    : truth_(truth),
+      results_(results),
+      record_(record),
+      stamps_ns_(std::move(stamps_ns)),
+      tolerance_ns_(tolerance_ns),
+      recording_(truth, inWorld(record.world_frame, rig)),
+      true_masks_(truth, topicsOf(recording_.rig(), "/ground_truth"), stamps_ns_, tolerance_ns),
+      found_masks_(results, topicsOf(recording_.rig(), ""), stamps_ns_, tolerance_ns) {}
+
+const ResultFrame* ImageJudge::frameAt(int64_t stamp_ns) const {
+  const ResultFrame* best = nullptr;
+  for (const ResultFrame& frame : record_.frames) {
+    const int64_t gap = std::llabs(frame.stamp_ns - stamp_ns);
+    if (gap <= tolerance_ns_ && (!best || gap < std::llabs(best->stamp_ns - stamp_ns)))
+      best = &frame;
+  }
+  return best && !best->T_world_link.empty() ? best : nullptr;
+}
+
+std::vector<cv::Mat> ImageJudge::bodiesAt(int64_t stamp_ns) const {
+  const ResultFrame* frame = frameAt(stamp_ns);
+  if (!frame || !record_.has_description) return {};
+  std::vector<bool> seen;
+  for (const Eigen::Isometry3d& T_world_link : frame->T_world_link)
+    seen.push_back(T_world_link.matrix().allFinite());
+  std::vector<cv::Mat> bodies;
+  for (const Camera& camera : recording_.rig())
+    bodies.push_back(bodySilhouette(*record_.body, frame->T_world_link, camera, seen));
+  return bodies;
+}
+
+std::vector<cv::Mat> ImageJudge::trueMasksAt(int64_t stamp_ns) const {
+  std::vector<cv::Mat> masks;
+  for (size_t c = 0; c < recording_.rig().size(); ++c) masks.push_back(true_masks_.at(stamp_ns, c));
+  return masks;
+}
+
+ImageMeasures ImageJudge::measure(const HullOptions& rules,
+                                  const std::function<void(double)>& progress) {
+  ImageMeasures measures;
+  const size_t cameras = recording_.rig().size();
+  for (const Camera& camera : recording_.rig()) measures.cameras.push_back(camera.name());
+  std::vector<std::vector<double>> mask(cameras), body(cameras);
+  for (const int64_t stamp : stamps_ns_) {
+    const std::vector<cv::Mat> real = trueMasksAt(stamp), bodies = bodiesAt(stamp);
+    std::vector<double> mask_now, body_now;
+    for (size_t c = 0; c < cameras; ++c) {
+      mask_now.push_back(overlapOf(found_masks_.at(stamp, c), real[c]));
+      body_now.push_back(bodies.empty() ? NAN : overlapOf(bodies[c], real[c]));
+      mask[c].push_back(mask_now.back());
+      body[c].push_back(body_now.back());
+    }
+    measures.instants.push_back({stamp, meanOf(mask_now), meanOf(body_now), NAN});
+    progress(double(measures.instants.size()) / double(stamps_ns_.size()));
+  }
+  for (const auto& values : mask) measures.mask_iou.push_back(spreadOf(values));
+  for (const auto& values : body) measures.body_iou.push_back(spreadOf(values));
+  measureHulls(rules, &measures);
+  return measures;
+}
+
+void ImageJudge::measureHulls(const HullOptions& rules, ImageMeasures* measures) {
+  const std::optional<VoxelGrid> grid = readGrid(results_);
+  if (!grid || !hasTrueMasks()) return;
+  HullCarver carver(recording_.rig(), onLattice(rules, latticeFromMessage(*grid)));
+  rosbag::Bag bag;
+  openForReading(results_, bag);
+  std::vector<double> overlaps;
+  for (const auto& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/points"))) {
+    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud) continue;
+    const int64_t* stamp =
+        nearestStamp(stamps_ns_, nanosecondsOf(cloud->header.stamp), tolerance_ns_);
+    if (!stamp) continue;
+    std::vector<HullView> views;
+    for (const cv::Mat& mask : trueMasksAt(*stamp)) views.push_back({mask, cv::Mat()});
+    const VisualHull real = carver.carve(views), found = hullFromMessage(*cloud, *grid);
+    overlaps.push_back(voxelIou(found, real));
+    for (InstantOverlap& instant : measures->instants)
+      if (instant.stamp_ns == *stamp) instant.hull = overlaps.back();
+  }
+  measures->hull_iou = spreadOf(overlaps);
+}
+
+cv::Mat ImageJudge::picture(int64_t stamp_ns) {
+  return overlayOf(recording_.rig(), framesAt(stamp_ns), trueMasksAt(stamp_ns), bodiesAt(stamp_ns));
+}
+
+std::vector<CameraFrame> ImageJudge::framesAt(int64_t stamp_ns) const {
+  std::vector<std::string> topics;
+  for (const RecordedCamera& camera : recording_.cameras()) topics.push_back(camera.image_topic);
+  std::vector<CameraFrame> frames(topics.size());
+  rosbag::Bag bag;
+  openForReading(truth_, bag);
+  rosbag::View near(bag, rosbag::TopicQuery(topics), rosTime(stamp_ns - kRecordedEarlier_ns),
+                    rosTime(stamp_ns + kRecordedLater_ns));
+  for (const rosbag::MessageInstance& entry : near) {
+    const auto camera = std::find(topics.begin(), topics.end(), entry.getTopic()) - topics.begin();
+    const auto raw = entry.instantiate<sensor_msgs::Image>();
+    const auto packed = entry.instantiate<sensor_msgs::CompressedImage>();
+    if (!raw && !packed) continue;
+    const int64_t stamp = nanosecondsOf(raw ? raw->header.stamp : packed->header.stamp);
+    if (std::llabs(stamp - stamp_ns) <= tolerance_ns_)
+      frames[camera].image = raw ? matFromMessage(*raw) : matFromMessage(*packed);
+  }
+  return frames;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,160 @@
+#include "tools/evaluate/evaluation_results.h"
+
+#include <rosbag/view.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "evaluation/body_points.h"
+#include "ros/camera_conversions.h"
+#include "ros/messages.h"
+#include "tools/common/bag_file.h"
+#include "tools/common/body_file.h"
+#include "tools/evaluate/evaluation_transforms.h"
+#include "tools/evaluate/evaluation_truth.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr const char* kRootLink = "body_";
+constexpr double kUsualStature = 1.75;  // m, for the names of a body that is not described
+
+std::string ofBody(const std::string& id, const char* topic) {
+  return "/humans/bodies/" + id + "/" + topic;
+}
+
+StampedTransforms readTransforms(rosbag::Bag& bag) {
+  StampedTransforms transforms;
+  const std::vector<std::string> topics{"/tf", "/tf_static"};
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topics)))
+    if (const auto message = entry.instantiate<tf2_msgs::TFMessage>())
+      transforms.add(*message, entry.getTopic() == "/tf_static");
+  return transforms;
+}
+
+/// Bodies that tf or /pose speak of.
+std::set<std::string> bodiesIn(rosbag::Bag& bag, const StampedTransforms& transforms) {
+  std::set<std::string> ids;
+  for (const std::string& frame : transforms.framesBeginningWith(kRootLink))
+    ids.insert(frame.substr(std::string(kRootLink).size()));
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/pose")))
+    if (const auto pose = entry.instantiate<BodyPoseMsg>()) ids.insert(pose->body_id);
+  return ids;
+}
+
+std::string chooseBody(const std::set<std::string>& ids, const std::string& wanted,
+                       const std::string& path) {
+  std::string names;
+  for (const std::string& id : ids) names += (names.empty() ? "" : ", ") + id;
+  if (ids.empty())
+    throw std::runtime_error(path + " has no results: neither a frame body_<id> in tf nor /pose");
+  if (wanted.empty() && ids.size() > 1)
+    throw std::runtime_error(path + " has several bodies, " + names + ": choose one by --id");
+  if (wanted.empty()) return *ids.begin();
+  if (ids.count(wanted) == 0)
+    throw std::runtime_error(path + " has no body " + wanted + ", it has " + names);
+  return wanted;
+}
+
+void readBody(rosbag::Bag& bag, ResultRecord* results) {
+  std::string urdf;
+  const rosbag::TopicQuery description(ofBody(results->body_id, "human_description"));
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, description))
+    if (const auto text = entry.instantiate<std_msgs::String>()) urdf = text->data;
+  results->has_description = !urdf.empty();
+  if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kUsualStature);
+  results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
+}
+
+FrameStatus statusOf(const BodyPoseMsg& pose) {
+  if (pose.status == BodyPoseMsg::TRACKED) return FrameStatus::kTracked;
+  return pose.status == BodyPoseMsg::REINITIALIZED ? FrameStatus::kReinitialized
+                                                   : FrameStatus::kLost;
+}
+
+using FramesByStamp = std::map<int64_t, ResultFrame>;
+
+/// Status of each instant that the tracker spoke about.
+FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms,
+                           ResultRecord* results) {
+  FramesByStamp frames;
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/pose"))) {
+    const auto pose = entry.instantiate<BodyPoseMsg>();
+    if (!pose || pose->body_id != results->body_id) continue;
+    const int64_t stamp = nanosecondsOf(pose->header.stamp);
+    ResultFrame& frame = frames[stamp];
+    frame = {stamp, statusOf(*pose), pose->reason, {}};
+    std::copy(pose->part_deviation.begin(), pose->part_deviation.end(),
+              frame.part_deviation_m.begin());
+    results->latencies.push_back(double(nanosecondsOf(entry.getTime()) - stamp) * 1e-9);
+  }
+  results->has_status = !frames.empty();
+  if (!results->has_status)  // another tracker: a transform is a pose
+    for (const int64_t stamp : transforms.stampsOf(kRootLink + results->body_id))
+      frames[stamp] = {stamp, FrameStatus::kTracked, "", {}};
+  return frames;
+}
+
+/// Frames of all links; the world is where the first one's tree begins.
+LinkPoses linkPoses(const BodyModel& body, const StampedTransforms& transforms, int64_t stamp_ns,
+                    std::string* world) {
+  LinkPoses T_world_link;
+  for (const std::string& link : body.links()) {
+    const StampedTransforms::Place place = transforms.find(link, stamp_ns);
+    if (world->empty()) *world = place.root;
+    T_world_link.push_back(place.T_root_frame);
+    if (place.root.empty() || place.root != *world) T_world_link.back().matrix().setConstant(NAN);
+  }
+  return T_world_link;
+}
+
+void addPose(const StampedTransforms& transforms, ResultFrame* frame, ResultRecord* results) {
+  frame->T_world_link =
+      linkPoses(*results->body, transforms, frame->stamp_ns, &results->world_frame);
+  Eigen::Matrix3Xd points = bodyPoints(*results->body, frame->T_world_link);
+  if (!results->has_description) points.rightCols(tipNames().size()).setConstant(NAN);
+  results->joints.add(frame->stamp_ns, points);
+}
+
+void readAngles(rosbag::Bag& bag, const FramesByStamp& frames, ResultRecord* results) {
+  std::map<int64_t, AngleFrame> angles;
+  const rosbag::TopicQuery topic(ofBody(results->body_id, "joint_states"));
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag, topic)) {
+    const auto states = entry.instantiate<sensor_msgs::JointState>();
+    if (!states) continue;
+    const int64_t stamp = nanosecondsOf(states->header.stamp);
+    const auto frame = frames.find(stamp);
+    if (frame == frames.end() || frame->second.status == FrameStatus::kLost) continue;
+    angles[stamp].stamp_ns = stamp;
+    for (size_t i = 0; i < std::min(states->name.size(), states->position.size()); ++i)
+      angles[stamp].angles[withoutId(states->name[i])] = states->position[i];
+  }
+  for (auto& entry : angles) results->angles.push_back(std::move(entry.second));
+}
+
+}  // namespace
+
+ResultRecord readResults(const std::string& path, const std::string& id) {
+  rosbag::Bag bag;
+  openForReading(path, bag);
+  const StampedTransforms transforms = readTransforms(bag);
+  ResultRecord results;
+  results.body_id = chooseBody(bodiesIn(bag, transforms), id, path);
+  results.joints.names = bodyPointNames();
+  readBody(bag, &results);
+  FramesByStamp frames = readStatuses(bag, transforms, &results);
+  readAngles(bag, frames, &results);
+  for (auto& entry : frames) {
+    if (entry.second.status != FrameStatus::kLost) addPose(transforms, &entry.second, &results);
+    results.frames.push_back(std::move(entry.second));
+  }
+  return results;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,96 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "markerless_mocap/camera/rig_file.h"
+#include "tools/import/import_recording.h"
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  MatricesInput matrices;
+  VideosInput videos;
+  ImportOptions options;
+  bool quiet = false;
+};
+
+void describeCommon(CLI::App* command, Arguments* arguments) {
+  ImportOptions& options = arguments->options;
+  command
+      ->add_option("--scale-to-metres", options.world.scale_to_metres,
+                   "metres in a unit of the calibration; 0.001 for millimetres")
+      ->capture_default_str();
+  command
+      ->add_option("--up", options.world.up, "axis of the calibration that points up: z, -z, y ...")
+      ->capture_default_str();
+  command->add_option("--fps", options.fps,
+                      "instants per second; 0: the videos' own, 25 for images");
+  command->add_option("--start-stamp", options.start_stamp, "stamp of the first instant, s")
+      ->capture_default_str();
+  command->add_option("--jpeg", options.jpeg_quality,
+                      "write image_raw/compressed of this quality, 1 to 100; 0: image_raw");
+  command->add_option("--rig-out", options.rig_out,
+                      "rig file to write, for mocap_offline --rig and others");
+  command->add_flag("--quiet", arguments->quiet, "no progress and no summary");
+}
+
+CLI::App* describeMatrices(CLI::App& app, Arguments* arguments) {
+  CLI::App* command = app.add_subcommand(
+      "matrices", "images or masks of numbered cameras with 3x4 projection matrices");
+  MatricesInput& input = arguments->matrices;
+  command->add_option("output", arguments->options.output, "bag to write")->required();
+  command
+      ->add_option("--matrices", input.matrices,
+                   "files with 12 numbers or an OpenCV matrix, such as 'DIR/cam%02d.xml'; %02d is "
+                   "the camera's number")
+      ->required();
+  command->add_option("--images", input.images, "such as 'DIR/cam%02d_*.png', sorted by name");
+  command->add_option("--masks", input.masks, "such as 'DIR/silh_cam%02d_*.pbm'; white = person");
+  describeCommon(command, arguments);
+  return command;
+}
+
+CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
+  CLI::App* command = app.add_subcommand(
+      "videos", "a folder per camera with a video and an OpenCV calibration file");
+  VideosInput& input = arguments->videos;
+  command->add_option("output", arguments->options.output, "bag to write")->required();
+  command->add_option("folder", input.folder, "holds the cameras' folders")->required();
+  command->add_option("--video", input.video, "file in each folder")->capture_default_str();
+  command->add_option("--background", input.background,
+                      "file in each folder: video of the empty scene, comes first");
+  command->add_option("--background-frames", input.background_frames, "frames of it to take")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--calibration", input.calibration,
+                   "file in each folder: CameraMatrix, DistortionCoeffs, Rotation, Translation")
+      ->capture_default_str();
+  command->add_option("--rig", input.rig,
+                      "rig file that calibrates the cameras instead, in metres with z up");
+  describeCommon(command, arguments);
+  return command;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Makes a bag for this package from other recordings.", "import_recording");
+  app.require_subcommand(1);
+  Arguments arguments;
+  const CLI::App* matrices = describeMatrices(app, &arguments);
+  describeVideos(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("import_recording", [&] {
+    std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
+    const bool terminal = errorsGoToTerminal();
+    const ImportResult result =
+        matrices->parsed() ? importMatrices(arguments.matrices, arguments.options, notes, terminal)
+                           : importVideos(arguments.videos, arguments.options, notes, terminal);
+    if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
+    if (notes) print(result, *notes);
+  });
+}

@@ -1,0 +1,82 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+
+#include "tools/offline/offline_run.h"
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
+#include "tools/offline/self_calibration_run.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+struct Arguments {
+  OfflineOptions run;
+  std::string config;
+  std::string self_calibrate;  ///< rig file to write; empty: the calibration is taken as it is
+  std::optional<double> stature;
+  bool quiet = false;
+};
+
+void describe(CLI::App& app, Arguments* arguments) {
+  OfflineOptions& run = arguments->run;
+  app.add_option("input", run.input, "bag with images, camera_info and tf_static")->required();
+  app.add_option("output", run.output, "bag to write; replaced if it exists")->required();
+  app.add_option("--config", arguments->config, "YAML file, one section per stage");
+  app.add_option("--cameras", run.recording.cameras, "use these cameras only");
+  app.add_flag("--use-masks", run.recording.use_masks,
+               "take the recorded <camera>/silhouette; without it they are used only for cameras "
+               "that have no images");
+  app.add_option("--rig", run.recording.rig,
+                 "rig file that calibrates the cameras in place of camera_info and tf");
+  app.add_option("--self-calibrate", arguments->self_calibrate,
+                 "estimate from the person how the cameras point, write the corrected rig to this "
+                 "file, for --rig of other runs, and go on with it; says what it does");
+  app.add_option("--world", run.recording.world_frame, "frame of the results")
+      ->capture_default_str();
+  app.add_option("--stature", arguments->stature,
+                 "body height, m; before the configuration's; measuring begins with it");
+  app.add_option("--id", run.body_id, "id of the body")->capture_default_str();
+  app.add_option("--body", run.body_file, "sizes of the person from --save-body of an earlier run");
+  app.add_option("--save-body", run.save_body, "file to write the person's measured sizes to");
+  app.add_option("--urdf-template", run.urdf_template, "in place of the package's own body");
+  app.add_option("--start", run.recording.start, "begin this many seconds after the first image")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--duration", run.recording.duration, "seconds to process")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--report", run.report_folder,
+                 "folder for report.html and pictures of the body over the images");
+  app.add_flag("--masks-out", run.masks_out, "write the silhouettes too");
+  app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
+}
+
+/// From here on the run is one with the corrected rig, if there is one. Said even if quiet: it
+/// changes the calibration.
+void calibrate(const std::string& rig_file, OfflineOptions* options) {
+  const PointingEstimate estimate = selfCalibrate(*options, rig_file);
+  options->remarks = sentencesOf(estimate, rig_file);
+  for (const std::string& remark : options->remarks) std::cerr << remark << '\n';
+  if (estimate.status == PointingStatus::kCorrected) options->recording.rig = rig_file;
+}
+
+void run(Arguments* arguments) {
+  OfflineOptions& options = arguments->run;
+  if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
+  if (arguments->stature) options.pipeline.fitting.person.stature = *arguments->stature;
+  options.interrupted = catchInterruptions();
+  if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
+  std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
+  const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
+  if (notes) summary.print(*notes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Runs all stages over a recorded bag; no frame is dropped.", "mocap_offline");
+  Arguments arguments;
+  describe(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("mocap_offline", [&] { run(&arguments); });
+}

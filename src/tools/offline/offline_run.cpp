@@ -1,0 +1,132 @@
+#include "tools/offline/offline_run.h"
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "markerless_mocap/tracking/sizes_file.h"
+#include "ros/package_files.h"
+#include "tools/common/progress.h"
+#include "tools/offline/result_writer.h"
+#include "tools/offline/run_report.h"
+
+namespace markerless_mocap {
+namespace {
+
+void checkFiles(const OfflineOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.input, options.output, ignored))
+    throw std::runtime_error("input and output are the same file " + options.input);
+}
+
+void checkOutcome(const RunSummary& summary, const Recording& recording) {
+  if (summary.instants() == 0)
+    throw std::runtime_error("no instant has images of two cameras or more");
+  if (summary.processed() == 0)
+    throw std::runtime_error("the recording ends while the background is being learned, after " +
+                             std::to_string(summary.instants()) + " instants" +
+                             (recording.hasMasks() ? "; its silhouettes need --use-masks" : ""));
+}
+
+void remarkOn(const Recording& recording, std::ostream& notes) {
+  const AssemblerCounts& counts = recording.counts();
+  if (counts.incomplete > 0) notes << counts.incomplete << " instants lack the image of a camera\n";
+  if (const uint64_t dropped = counts.abandoned + counts.late + counts.duplicate)
+    notes << dropped << " images are of no use: alone at their instant, too late or doubled\n";
+  if (recording.unreadable() > 0)
+    notes << recording.unreadable()
+          << " images cannot be read, the first: " << recording.firstUnreadable() << '\n';
+}
+
+// Whoever does not move enough in this time is not measured.
+constexpr double kLongestMeasuring = 20.0;  // seconds
+
+void saveBody(const OfflineOptions& options, const TrackedBody& body) {
+  if (!body.measured)
+    throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
+  writeBodyFile(options.save_body, body.sizes);
+}
+
+}  // namespace
+
+std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording) {
+  if (options.interrupted())
+    throw std::runtime_error("interrupted, " + options.output + " is not written");
+  return recording->next();
+}
+
+void measureBody(const OfflineOptions& options, PersonSources* sources, std::ostream* notes) {
+  RecordingOptions beginning = options.recording;
+  beginning.duration = std::min(beginning.duration, kLongestMeasuring);
+  Recording recording(options.input, beginning);
+  PipelineOptions stages = options.pipeline;
+  stages.fitting.method = "contour";  // the only one that measures
+  Pipeline pipeline(recording.rig(), *sources, stages);
+  std::atomic<bool> measured = false;
+  pipeline.processStream([&] { return measured ? std::nullopt : nextInstant(options, &recording); },
+                         [&](const CapturedInstant&, const PipelineResult& result) {
+                           measured = measured || (result.body && result.body->measured);
+                         });
+  pipeline.measureBodyNow();
+  if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
+  if (!notes) return;
+  char stature[16];
+  std::snprintf(stature, sizeof stature, "%.2f m", statureOf(pipeline.body()->sizes));
+  *notes << (sources->measured ? "the body is measured: " : "the body could not be measured: ")
+         << "its stature is taken as " << stature << '\n';
+}
+
+RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
+  checkFiles(options);
+  Recording recording(options.input, options.recording);
+  PersonSources sources =
+      readPersonSources(options.body_id, options.urdf_template, options.body_file);
+  PipelineOptions stages = options.pipeline;
+  if (stages.fitting.measure && stages.fitting.method != "skeleton" && !sources.measured)
+    measureBody(options, &sources, notes);
+  stages.fitting.measure = false;
+  Pipeline pipeline(recording.rig(), sources, stages);
+  const std::shared_ptr<const TrackedBody> body = pipeline.body();
+  RunSummary summary;
+
+  NewBag bag(options.output);
+  ResultWriter writer(&bag, *body->model, options.recording.world_frame,
+                      makePoseFilter(body->model, stages.fitting.filter));
+  Progress progress("mocap_offline", notes, terminal);
+  std::optional<RunReport> report;
+  if (!options.report_folder.empty())
+    report.emplace(options.report_folder, *body->model, pipeline.rig());
+  const auto write = [&](const CapturedInstant& instant, const PipelineResult& result) {
+    if (summary.instants() == 0) {
+      writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
+      writer.writeDescription(instant.stamp_ns, body->urdf);
+    }
+    summary.add(result);
+    if (options.masks_out) writer.writeMasks(instant.stamp_ns, recording.cameras(), result.masks);
+    if (result.learning) return;
+    writer.write(instant.stamp_ns, result);
+    if (report) summary.addOverlaps(report->add(instant, result));
+  };
+  pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
+  pipeline.processStream(
+      [&] {
+        std::optional<CapturedInstant> instant;
+        summary.timed(RunSummary::kReading, [&] { instant = nextInstant(options, &recording); });
+        progress.update(recording.shareRead());
+        return instant;
+      },
+      [&](const CapturedInstant& instant, const PipelineResult& result) {
+        summary.timed(RunSummary::kWriting, [&] { write(instant, result); });
+      });
+  progress.finish();
+  checkOutcome(summary, recording);
+  bag.commit();
+  if (report) report->write(options.input, options.remarks);
+  if (!options.save_body.empty()) saveBody(options, *body);
+  if (notes) remarkOn(recording, *notes);
+  return summary;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "markerless_mocap/tracking/pose_filter.h"
+#include "markerless_mocap/pipeline/pipeline.h"
+#include "tools/common/bag_file.h"
+#include "tools/common/recorded_cameras.h"
+
+namespace markerless_mocap {
+
+/// Writes what the pipeline makes of each instant, on the topics that the nodes publish. The
+/// capture stamp is the header's stamp and the time of record. /pose is raw, tf and joint_states
+/// are filtered.
+class ResultWriter {
+ public:
+  /// \param filter none: tf and joint_states are raw, too
+  ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame,
+               std::optional<PoseFilter> filter = std::nullopt);
+
+  /// To be called once, before the first instant.
+  void writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms);
+  /// The same for the body's URDF, latched.
+  void writeDescription(int64_t stamp_ns, const std::string& urdf);
+  void write(int64_t stamp_ns, const PipelineResult& result);
+  /// \param masks one per camera; empty ones are left out
+  void writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
+                  const std::vector<cv::Mat>& masks);
+
+ private:
+  std_msgs::Header headerAt(int64_t stamp_ns) const;
+  void writeHull(const std_msgs::Header& header, const VisualHull& hull);
+  void writeParts(const std_msgs::Header& header, const PipelineResult& result);
+  void writePose(int64_t stamp_ns, const BodyPose& raw);
+
+  NewBag* bag_;
+  const BodyModel& model_;
+  std::string world_frame_;
+  std::optional<PoseFilter> filter_;
+  bool grid_written_ = false;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,108 @@
+#include "tools/offline/run_summary.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iomanip>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kReasonsShown = 3;
+
+/// Sentences that differ in their figures only are one reason.
+std::string withoutNumbers(const std::string& sentence) {
+  std::string out;
+  for (const char c : sentence)
+    if (!std::isdigit(static_cast<unsigned char>(c))) out += c;
+  return out;
+}
+
+double secondsBetween(std::chrono::steady_clock::time_point a,
+                      std::chrono::steady_clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+}  // namespace
+
+RunSummary::RunSummary() : started_(Clock::now()) {
+  for (const char* step :
+       {kReading, SilhouetteOptions::kStage, HullOptions::kStage, SegmentationOptions::kStage,
+        PoseTreeOptions::kStage, TrackerOptions::kStage, kWriting})
+    times_.push_back({step, 0.0, 0});
+}
+
+void RunSummary::timed(const std::string& step, const std::function<void()>& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  const double seconds = secondsBetween(start, Clock::now());
+  const std::lock_guard<std::mutex> lock(*times_mutex_);
+  for (Time& time : times_)
+    if (time.step == step) {
+      time.seconds += seconds;
+      ++time.runs;
+    }
+}
+
+void RunSummary::add(const PipelineResult& result) {
+  ++instants_;
+  if (result.learning) {
+    ++learning_;
+    return;
+  }
+  valid_trees_ += result.tree.valid();
+  switch (result.pose.status) {
+    case PoseStatus::kTracked:
+      ++tracked_;
+      break;
+    case PoseStatus::kReinitialized:
+      ++reinitialized_;
+      break;
+    case PoseStatus::kLost: {
+      ++lost_;
+      Reason& reason = reasons_[withoutNumbers(result.pose.reason)];
+      if (reason.count++ == 0) reason.example = result.pose.reason;
+    }
+  }
+}
+
+void RunSummary::addOverlaps(const std::vector<double>& overlaps) {
+  for (const double iou : overlaps) iou_sum_ += iou;
+  views_ += int(overlaps.size());
+}
+
+void RunSummary::print(std::ostream& out) const {
+  out << "instants       " << instants_ << ", " << learning_ << " of them to learn the background\n"
+      << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
+      << lost_ << " lost\n";
+  printReasons(out);
+  out << "pose trees     " << valid_trees_ << " valid of " << processed() << '\n';
+  if (views_ > 0)
+    out << "overlap        " << std::setprecision(3) << meanIou()
+        << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
+  printTimes(out);
+  if (processed() > 0 && poses() == 0)
+    out << "No instant has a pose: hull and segmentation are written, pose says LOST throughout.\n";
+}
+
+void RunSummary::printReasons(std::ostream& out) const {
+  std::vector<Reason> reasons;
+  for (const auto& entry : reasons_) reasons.push_back(entry.second);
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const Reason& a, const Reason& b) { return a.count > b.count; });
+  for (size_t i = 0; i < std::min(reasons.size(), kReasonsShown); ++i)
+    out << "  lost " << std::setw(6) << reasons[i].count << " times: " << reasons[i].example
+        << '\n';
+}
+
+void RunSummary::printTimes(std::ostream& out) const {
+  const double seconds = secondsBetween(started_, Clock::now());
+  out << std::fixed << std::setprecision(1);
+  for (const Time& time : times_)
+    out << "  " << std::left << std::setw(18) << time.step << std::right << std::setw(8)
+        << 1e3 * time.seconds / std::max(time.runs, 1) << " ms per instant\n";
+  out << "speed          " << instants_ / std::max(seconds, 1e-9) << " instants per second, "
+      << seconds << " s in all\n"
+      << std::defaultfloat << std::setprecision(6);
+}
+
+}  // namespace markerless_mocap

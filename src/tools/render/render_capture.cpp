@@ -1,0 +1,130 @@
+#include "tools/render/render_capture.h"
+
+#include <std_msgs/String.h>
+
+#include <stdexcept>
+
+#include "markerless_mocap/camera/rig_file.h"
+#include "capture/truth.h"
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "ros/truth_conversions.h"
+#include "tools/common/body_file.h"
+#include "tools/common/camera_bag.h"
+#include "tools/common/progress.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kFirstStamp = 1000'000'000'000;  // nanoseconds
+const std::string kTruth = "/ground_truth/";
+
+[[noreturn]] void refuse(const std::string& option, const std::string& value,
+                         const std::string& allowed) {
+  throw std::invalid_argument(option + " is \"" + value + "\", allowed are " + allowed);
+}
+
+rosbag::CompressionType compressionOf(const std::string& name) {
+  if (name == "lz4") return rosbag::compression::LZ4;
+  if (name == "none") return rosbag::compression::Uncompressed;
+  refuse("compression", name, "lz4 and none");
+}
+
+/// As CameraBag has it: 0 stands for raw images.
+int qualityOf(const RenderOptions& options) {
+  if (options.images != "raw" && options.images != "jpeg" && options.images != "none")
+    refuse("images", options.images, "raw, jpeg and none");
+  if (options.jpeg_quality < 1 || options.jpeg_quality > 100)
+    refuse("jpeg quality", std::to_string(options.jpeg_quality), "1 to 100");
+  return options.images == "jpeg" ? options.jpeg_quality : 0;
+}
+
+std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
+  std::vector<CameraCalibration> out;
+  for (const Camera& camera : rig) out.push_back(camera.calibration());
+  return out;
+}
+
+/// Writes instant after instant.
+class CaptureWriter {
+ public:
+  CaptureWriter(const RenderOptions& options, const VirtualStudio& studio)
+      : studio_(studio),
+        images_(options.images != "none"),
+        masks_(options.masks),
+        bag_(options.output, calibrationsOf(studio.rig()), qualityOf(options),
+             compressionOf(options.compression)) {
+    bag_.writeTransforms(kFirstStamp);
+    std_msgs::String urdf;
+    urdf.data = studio.urdf();
+    bag_.bag().writeLatched(kTruth + "human_description", rosTime(kFirstStamp), urdf);
+  }
+
+  /// Returns how many images are missing.
+  int write(const StudioInstant& instant) {
+    const int64_t stamp = kFirstStamp + instant.time_ns;
+    std_msgs::Header header;
+    header.stamp = rosTime(stamp);
+    int dropped = 0;
+    for (size_t i = 0; i < instant.masks.size(); ++i) {
+      const std::string& name = studio_.rig()[i].name();
+      header.frame_id = opticalFrame(name);
+      bag_.bag().write(kTruth + name + "/silhouette", header.stamp,
+                       messageFromMat(instant.masks[i], header));
+      dropped += instant.images[i].empty();
+      if (instant.images[i].empty()) continue;
+      bag_.write(stamp, i, images_ ? instant.images[i] : cv::Mat(),
+                 masks_ ? instant.silhouettes[i] : cv::Mat());
+    }
+    header.frame_id = "world";
+    if (instant.person) writeTruth(instant, header);
+    return dropped;
+  }
+
+  void commit() { bag_.commit(); }
+
+ private:
+  void writeTruth(const StudioInstant& instant, const std_msgs::Header& header) {
+    bag_.bag().write(kTruth + "joints", header.stamp,
+                     messageFromPoints(truthNames(), instant.points, header));
+    bag_.bag().write(kTruth + "joint_states", header.stamp,
+                     messageFromAngles(studio_.body(), instant.body.angles, header));
+  }
+
+  const VirtualStudio& studio_;
+  bool images_, masks_;
+  CameraBag bag_;
+};
+
+}  // namespace
+
+RenderSummary renderCapture(const RenderOptions& options, std::ostream* notes, bool terminal) {
+  const VirtualStudio studio(options.studio, options.files, options.body_id);
+  CaptureWriter writer(options, studio);
+  RenderSummary summary;
+  summary.cameras = int(studio.rig().size());
+  summary.instants = studio.instantCount();
+  summary.background = options.studio.background_frames;
+  summary.stature = studio.stature();
+  summary.seconds = summary.instants / options.studio.fps;
+  Progress progress("render_capture", notes, terminal);
+  for (int i = 0; i < summary.instants; ++i) {
+    if (options.interrupted())
+      throw std::runtime_error("interrupted, " + options.output + " is not written");
+    summary.dropped += writer.write(studio.render(i));
+    progress.update(double(i + 1) / summary.instants);
+  }
+  progress.finish();
+  if (!options.rig_out.empty()) writeRig(options.rig_out, calibrationsOf(studio.rig()));
+  writer.commit();
+  return summary;
+}
+
+void print(const RenderSummary& summary, std::ostream& out) {
+  out << summary.cameras << " cameras, " << summary.instants << " instants in " << summary.seconds
+      << " s, the first " << summary.background << " show the empty room\n"
+      << "the person is " << summary.stature << " m tall\n";
+  if (summary.dropped > 0) out << summary.dropped << " images are missing, as asked for\n";
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,32 @@
+#include "tracking/tracked_person.h"
+
+#include "markerless_mocap/body/body_urdf.h"
+
+namespace markerless_mocap {
+namespace {
+
+std::shared_ptr<const TrackedBody> bodyOf(const PersonSources& sources,
+                                          const BodyProportions& proportions,
+                                          const ContourSizes& sizes, bool measured) {
+  auto body = std::make_shared<TrackedBody>();
+  body->urdf = fillUrdfTemplate(sources.urdf_template, sources.body_id, proportions);
+  body->model = std::make_shared<const BodyModel>(BodyModel::fromUrdf(body->urdf, sources.body_id));
+  body->sizes = sizes;
+  body->measured = measured;
+  return body;
+}
+
+}  // namespace
+
+std::shared_ptr<const TrackedBody> bodyBeforehand(const PersonSources& sources, double stature) {
+  if (sources.measured) return bodyOfSizes(sources, *sources.measured);
+  return bodyOf(sources, BodyProportions::fromStature(stature), sources.people.sizes(stature),
+                false);
+}
+
+std::shared_ptr<const TrackedBody> bodyOfSizes(const PersonSources& sources,
+                                               const ContourSizes& sizes) {
+  return bodyOf(sources, proportionsOf(sizes), sizes, true);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,54 @@
+#include "fleischmann/motion_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "sentence_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+TEST(MotionStatistics, keepsTheLargestChangeOfEachParameterAtSixtyFrames) {
+  MotionStatistics statistics;
+  FleischmannVector a = FleischmannVector::Zero(), b = a, c = a;
+  b[3] = 0.02;
+  b[9] = -0.06;
+  statistics.add(a, b, 1.0 / 60);
+  c[3] = 0.05;  // 0.03 on from b in 1/30 s
+  c[9] = -0.16;
+  statistics.add(b, c, 1.0 / 30);
+  EXPECT_NEAR(statistics.largest_change[3], 0.02, 1e-12);
+  EXPECT_NEAR(statistics.largest_change[9], 0.06, 1e-12);
+  EXPECT_EQ(statistics.largest_change[0], 0.0);
+  EXPECT_NEAR(statistics.over(1.0 / 20)[3], 0.06, 1e-12);
+  EXPECT_EQ(sentenceOf([&] { statistics.add(a, b, 0.0); }),
+            "motion statistics: two frames must be some time apart");
+}
+
+TEST(MotionStatistics, readsWhatItWrites) {
+  MotionStatistics statistics;
+  for (int d = 0; d < kFleischmannParameters; ++d) statistics.largest_change[d] = 0.001 * d;
+  const MotionStatistics read = MotionStatistics::fromYaml(statistics.toYaml());
+  EXPECT_LT((read.largest_change - statistics.largest_change).norm(), 1e-12);
+}
+
+TEST(MotionStatistics, sentencesNameTheParameter) {
+  const std::string text = MotionStatistics().toYaml();
+  const auto refused = [](const std::string& yaml) {
+    return sentenceOf([&] { MotionStatistics::fromYaml(yaml); });
+  };
+  EXPECT_EQ(refused(text + "left_wing: 0.1\n"),
+            "motion statistics: there is no parameter left_wing");
+  EXPECT_EQ(refused("pelvis_roll: 0.1\n"), "motion statistics: pelvis_pitch is missing");
+  EXPECT_EQ(refused("3"), "motion statistics: a map from parameters to values is needed");
+  std::string negative = text;
+  negative.replace(negative.find("left_knee: 0.00000"), 18, "left_knee: -1");
+  EXPECT_EQ(refused(negative),
+            "motion statistics: left_knee must be a number of at least 0, its largest change "
+            "between frames");
+  std::string word = text;
+  word.replace(word.find("left_knee: 0.00000"), 18, "left_knee: fast");
+  EXPECT_EQ(refused(word), refused(negative));
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,56 @@
+#include "studies/learn_contour_body/learn_contour_body.h"
+
+#include "motion/human_skeleton.h"
+#include "tools/tool_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+LearnOptions fewInstants() {
+  const std::string package = MOCAP_SOURCE_DIR;
+  std::ifstream urdf(package + "/urdf/human.urdf.in");
+  LearnOptions options;
+  options.people = 1;
+  options.instants = 3;
+  options.motions = {"melee"};
+  options.files = {std::string(std::istreambuf_iterator<char>(urdf), {}),
+                   package + "/config/motions"};
+  return options;
+}
+
+TEST(LearnContourBody, FindsThePersonsOwnLengths) {
+  const ContourTemplate learned = learnContourBody(fewInstants(), nullptr);
+  const CharacterOptions who = exampleOf(0);
+  const HumanSkeleton bones = HumanSkeleton::adult(who.stature, who.male);
+  const ContourSizes sizes = learned.sizes(who.stature);
+  EXPECT_NEAR(sizes[ContourLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
+  EXPECT_NEAR(sizes[ContourLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
+  EXPECT_NEAR(sizes[ContourLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
+}
+
+TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
+  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/models/contour_body.yaml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const ContourTemplate learned = ContourTemplate::fromText(text, "contour_body.yaml");
+  const ContourTemplate made = ContourTemplate::handMade();
+  for (int i = 0; i < ContourLength::kCount; ++i)
+    EXPECT_NEAR(learned.mean[i], made.mean[i], 0.25 * made.mean[i]) << sizeName(i);
+  const ContourBody body(learned.sizes(1.75));
+  EXPECT_GT(learned.mean[radiusIndex(ContourCone::kThigh, 0)],
+            learned.mean[radiusIndex(ContourCone::kForearm, 1)]);
+}
+
+TEST(LearnContourBody, PeopleDiffer) {
+  EXPECT_NE(exampleOf(0).stature, exampleOf(1).stature);
+  for (int i = 0; i < 40; ++i) EXPECT_NO_THROW(exampleOf(i).validate());
+}
+
+TEST(LearnContourBody, NeedsSomebodyToLearnFrom) {
+  LearnOptions options = fewInstants();
+  options.people = 0;
+  EXPECT_EQ(sentenceOf([&] { learnContourBody(options, nullptr); }),
+            "at least one person, one motion and one instant are needed");
+}
+
+}  // namespace
+}  // namespace markerless_mocap
