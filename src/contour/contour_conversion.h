@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
+#include <optional>
 
+#include "body/urdf_ball.h"
 #include "markerless_mocap/body/body_model.h"
 #include "contour/model/contour_pose.h"
 
@@ -30,20 +32,14 @@ class ContourConversion {
   ContourPose poseOf(const Eigen::Isometry3d& T_world_body, const Eigen::VectorXd& angles) const;
 
  private:
-  struct UrdfBall {
-    std::array<int, 3> angle;  ///< positions in the angle vector
-    std::array<Eigen::Vector3d, 3> axes;
-    double middle_lower, middle_upper;
-  };
   int angleOf(const std::string& joint, const Eigen::Vector3d& axis) const;
-  UrdfBall ballOf(const std::array<std::string, 3>& joints) const;
-  void setBall(const UrdfBall& ball, const Eigen::Matrix3d& R, Eigen::VectorXd& angles) const;
+  void setBall(size_t ball, const Eigen::Matrix3d& R, Eigen::VectorXd& angles) const;
   void setArm(int side, const ContourPose& pose, Eigen::VectorXd& angles) const;
 
   std::shared_ptr<const BodyModel> model_;
   std::array<int, ContourAngle::kCount>
       single_;  ///< position of each angle; -1 if the URDF has none
-  std::array<UrdfBall, ContourBall::kCount> balls_;  ///< all but the root's
+  std::array<std::optional<UrdfBall>, ContourBall::kCount> balls_;  ///< all but the root's
   Eigen::VectorXd last_;
 };
 

@@ -3,18 +3,20 @@
 #include <cmath>
 #include <cstdint>
 
+#include "numerics/split_mix.h"
+
 namespace markerless_mocap {
 
 /// Random numbers that depend on a seed and on where they are used, not on the order of use, so
 /// that threads cannot change them (SplitMix64's finaliser; Steele et al. 2014).
 class CounterRandom {
  public:
-  explicit CounterRandom(uint64_t seed) : key_(mix(seed)) {}
+  explicit CounterRandom(uint64_t seed) : key_(splitMix64(seed)) {}
   /// Numbers of their own for a part of the work.
-  CounterRandom stream(uint64_t part) const { return CounterRandom(key_ ^ mix(~part)); }
+  CounterRandom stream(uint64_t part) const { return CounterRandom(key_ ^ splitMix64(~part)); }
 
   /// In [0, 1).
-  double uniform(uint64_t counter) const { return double(mix(key_ + counter) >> 11) * 0x1p-53; }
+  double uniform(uint64_t counter) const { return splitMixUniform(key_ + counter); }
   /// In [lowest, highest).
   double between(double lowest, double highest, uint64_t counter) const {
     return lowest + (highest - lowest) * uniform(counter);
@@ -26,13 +28,6 @@ class CounterRandom {
   }
 
  private:
-  static uint64_t mix(uint64_t z) {
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-
   uint64_t key_;
 };
 

@@ -142,7 +142,7 @@ TEST_F(HsiaoProfileTest, ARaisedArmKeepsItsShoulderInsideItsLimits) {
 TEST(DecomposeRotation, HoldsTheFirstAngleWhereOnlyTheSumIsDefined) {
   const std::array<Vector3d, 3> zxz = {Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitZ()};
   const Matrix3d R = AngleAxisd(0.9, Vector3d::UnitZ()).toRotationMatrix();
-  const Vector3d t = decomposeRotation(R, zxz, Vector3d(0.4, 0.0, 0.0), -1.0, 1.0);
+  const Vector3d t = davenportAngles(R, zxz, Vector3d(0.4, 0.0, 0.0), -1.0, 1.0);
   EXPECT_NEAR(t[0], 0.4, 1e-9);
   EXPECT_NEAR(t[1], 0.0, 1e-9);
   EXPECT_NEAR(t[2], 0.5, 1e-9);
@@ -153,7 +153,7 @@ TEST(DecomposeRotation, ReturnsTheAnglesItWasBuiltFrom) {
   const Vector3d built(0.7, -0.4, 1.9);
   Matrix3d R = Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) R = R * AngleAxisd(built[i], axes[i]);
-  EXPECT_LT((decomposeRotation(R, axes, Vector3d::Zero(), -1.5, 1.5) - built).norm(), 1e-9);
+  EXPECT_LT((davenportAngles(R, axes, Vector3d::Zero(), -1.5, 1.5) - built).norm(), 1e-9);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "capture/common/hash.h"
+#include "numerics/split_mix.h"
 #include "markerless_mocap/camera/rig_file.h"
 
 namespace markerless_mocap {
@@ -30,10 +30,10 @@ struct LensPlan {
 /// Even in [lowest, highest].
 class Dice {
  public:
-  explicit Dice(uint64_t seed) : state_(hashBits(seed ^ 0x5269675365656421u)) {}
+  explicit Dice(uint64_t seed) : state_(splitMix64(seed ^ 0x5269675365656421u)) {}
   double between(double lowest, double highest) {
-    state_ = hashBits(state_);
-    return lowest + (highest - lowest) * hashUniform(state_);
+    state_ = splitMix64(state_);
+    return lowest + (highest - lowest) * splitMixUniform(state_);
   }
 
  private:

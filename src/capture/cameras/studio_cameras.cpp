@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "capture/common/hash.h"
+#include "numerics/split_mix.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "capture/degradations/mask_damage.h"
 #include "capture/cameras/rigs.h"
@@ -18,7 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 enum Purpose : uint64_t { kNoise = 1, kFlicker, kMask, kDrop, kOffset, kCalibration };
 
 uint64_t mixed(uint64_t seed, uint64_t purpose) {
-  return hashBits(hashBits(seed) ^ (purpose << 32));
+  return splitMix64(splitMix64(seed) ^ (purpose << 32));
 }
 
 CameraRig plannedRig(const StudioOptions& options) {
@@ -38,7 +38,7 @@ CameraRig misjudged(const CameraRig& rig, double pixels, uint64_t seed) {
   CameraRig told;
   for (size_t i = 0; i < rig.size(); ++i) {
     CameraCalibration camera = rig[i].calibration();
-    const double direction = 2.0 * kPi * hashUniform(mixed(seed, kCalibration) + i);
+    const double direction = 2.0 * kPi * splitMixUniform(mixed(seed, kCalibration) + i);
     const double angle = pixels / std::sqrt(camera.K(0, 0) * camera.K(1, 1));
     const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
     if (pixels > 0.0) camera.T_world_camera.rotate(Eigen::AngleAxisd(angle, axis));
@@ -58,15 +58,15 @@ StudioCameras::StudioCameras(const StudioOptions& options)
       renderers_(makeRenderers(rig_, room_)) {
   for (size_t i = 0; i < rig_.size(); ++i)
     offsets_.push_back(1e-3 * troubles_.time_offset_ms *
-                       (hashUniform(mixed(seed_, kOffset) + i) - 0.5));
+                       (splitMixUniform(mixed(seed_, kOffset) + i) - 0.5));
 }
 
 uint64_t StudioCameras::streamOf(int index, size_t camera, uint64_t purpose) const {
-  return hashBits(mixed(seed_, purpose) + uint64_t(index)) + camera;
+  return splitMix64(mixed(seed_, purpose) + uint64_t(index)) + camera;
 }
 
 bool StudioCameras::isDropped(int index, size_t camera) const {
-  return hashUniform(streamOf(index, camera, kDrop)) < troubles_.drop_rate;
+  return splitMixUniform(streamOf(index, camera, kDrop)) < troubles_.drop_rate;
 }
 
 void StudioCameras::expose(int index, size_t camera, double seconds, cv::Mat& image) const {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "capture/common/hash.h"
+#include "numerics/split_mix.h"
 
 namespace markerless_mocap {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 /// Draws numbers one after another.
 class Dice {
  public:
-  explicit Dice(uint64_t stream) : state_(hashBits(stream)) {}
-  double uniform(double low, double high) { return low + (high - low) * hashUniform(state_++); }
+  explicit Dice(uint64_t stream) : state_(splitMix64(stream)) {}
+  double uniform(double low, double high) { return low + (high - low) * splitMixUniform(state_++); }
   int below(int count) { return int(uniform(0.0, count)); }
 
  private:

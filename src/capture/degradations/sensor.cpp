@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "capture/common/hash.h"
+#include "numerics/split_mix.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,7 +17,7 @@ constexpr size_t kChunk = 128;  // values that read the table in one go
 /// Sum of twelve uniform numbers: mean 0, standard deviation 1.
 double nearNormal(uint64_t stream) {
   double sum = -6.0;
-  for (uint64_t i = 0; i < 12; ++i) sum += hashUniform(stream + i);
+  for (uint64_t i = 0; i < 12; ++i) sum += splitMixUniform(stream + i);
   return sum;
 }
 
@@ -39,23 +39,23 @@ void applyToChunk(float noise_levels, float gain, const float* noise, size_t cou
 }  // namespace
 
 double flickerGain(double amount, double seconds, uint64_t stream) {
-  const double phase = hashUniform(hashBits(stream));
+  const double phase = splitMixUniform(splitMix64(stream));
   const double beat = std::sqrt(2.0) * std::sin(2.0 * kPi * (kBeatHz * seconds + phase));
   const auto instant = uint64_t(std::llround(seconds * 1e6));
-  const double random = nearNormal(hashBits(hashBits(stream + 1) ^ instant));
+  const double random = nearNormal(splitMix64(splitMix64(stream + 1) ^ instant));
   return std::max(0.0, 1.0 + amount * std::sqrt(0.5) * (beat + random));
 }
 
 void applySensor(double noise_levels, double gain, uint64_t stream, cv::Mat& image) {
   if (noise_levels == 0.0 && gain == 1.0) return;
   static const std::vector<float> table = makeTable();
-  const uint64_t key = hashBits(stream);
+  const uint64_t key = splitMix64(stream);
   const size_t values = size_t(image.cols) * image.channels();
   uint64_t chunk = 0;
   for (int y = 0; y < image.rows; ++y) {
     uint8_t* const row = image.ptr<uint8_t>(y);
     for (size_t x = 0; x < values; x += kChunk)
-      applyToChunk(float(noise_levels), float(gain), &table[hashBits(key + chunk++) % kTableSize],
+      applyToChunk(float(noise_levels), float(gain), &table[splitMix64(key + chunk++) % kTableSize],
                    std::min(kChunk, values - x), row + x);
   }
 }

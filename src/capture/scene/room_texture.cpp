@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "capture/common/hash.h"
+#include "numerics/split_mix.h"
 
 namespace markerless_mocap {
 namespace {
@@ -12,15 +12,15 @@ constexpr float kSkirting = 0.12f;  // metres high
 constexpr float kGroove = 0.006f;   // metres on each side of the gap between boards
 
 uint64_t mixed(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
-  return hashBits(seed ^ hashBits(uint64_t(a) * 0x9e3779b97f4a7c15u ^
-                                  hashBits(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
+  return splitMix64(seed ^ splitMix64(uint64_t(a) * 0x9e3779b97f4a7c15u ^
+                                  splitMix64(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
 }
 
 /// Random numbers -1 to 1 on the corners of a grid that repeats.
 class Lattice {
  public:
   Lattice() : values_(size_t(kSide) * kSide) {
-    for (size_t i = 0; i < values_.size(); ++i) values_[i] = float(2.0 * hashUniform(i) - 1.0);
+    for (size_t i = 0; i < values_.size(); ++i) values_[i] = float(2.0 * splitMixUniform(i) - 1.0);
   }
   /// \param seed shifts the grid
   float at(uint64_t seed, int x, int y) const {
@@ -55,15 +55,15 @@ float smoothNoise(uint64_t seed, float x, float y) {
 float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
   float sum = 0.0f, amplitude = 0.6f, scale = 1.0f / size;
   for (int i = 0; i < octaves; ++i, amplitude *= 0.65f, scale *= 2.1f)
-    sum += amplitude * smoothNoise(hashBits(seed + uint64_t(i)), x * scale, y * scale);
+    sum += amplitude * smoothNoise(splitMix64(seed + uint64_t(i)), x * scale, y * scale);
   return sum;
 }
 
 /// Draws numbers one after another.
 struct Dice {
   uint64_t state;
-  float uniform(float low, float high) { return low + (high - low) * float(hashUniform(state++)); }
-  int below(int count) { return int(hashBits(state++) % uint64_t(count)); }
+  float uniform(float low, float high) { return low + (high - low) * float(splitMixUniform(state++)); }
+  int below(int count) { return int(splitMix64(state++) % uint64_t(count)); }
 };
 
 /// \param strongest saturation
@@ -80,7 +80,7 @@ Eigen::Vector3f paint(Dice& dice, float strongest) {
 }  // namespace
 
 RoomTexture::RoomTexture(uint64_t seed, const Eigen::Vector3f& half_size)
-    : seed_(hashBits(seed)), half_size_(half_size) {
+    : seed_(splitMix64(seed)), half_size_(half_size) {
   Dice dice{mixed(seed_, 1, 2)};
   const float base = dice.uniform(0.56f, 0.70f);
   for (Eigen::Vector3f& color : wall_colors_)
@@ -120,9 +120,9 @@ Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point, float blur
   const float along = boards_along_x_ ? point.x() : point.y();
   const float across = boards_along_x_ ? point.y() : point.x();
   const int board = floorOf(across / board_width_);
-  const float length = 1.6f, shift = length * float(hashUniform(mixed(seed_, 5, board)));
+  const float length = 1.6f, shift = length * float(splitMixUniform(mixed(seed_, 5, board)));
   const int piece = floorOf((along + shift) / length);
-  const float tone = float(hashUniform(mixed(seed_, 6, board, piece))) - 0.5f;
+  const float tone = float(splitMixUniform(mixed(seed_, 6, board, piece))) - 0.5f;
   float light = 1.0f + 0.36f * tone;
   light += 0.10f * fractalNoise(seed_ + 11, along / 4.0f, across, 0.12f, 4);
   light += 0.08f * fractalNoise(seed_ + 12, point.x(), point.y(), 1.5f, 3);

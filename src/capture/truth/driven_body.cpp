@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "capture/truth/ball_joint.h"
+#include "body/davenport_angles.h"
+#include "capture/truth/aiming_angles.h"
 #include "capture/truth.h"
 
 namespace markerless_mocap {
@@ -83,7 +84,7 @@ void DrivenBody::aim(const std::string& first, const std::string& second, const 
 /// Three joints in turn give the last one's link a rotation.
 void DrivenBody::turn(const std::array<std::string, 3>& joints, const Matrix3d& R_world,
                       Eigen::VectorXd& angles) const {
-  JointAxes axes;
+  std::array<Vector3d, 3> axes;
   Vector3d near;
   for (size_t i = 0; i < 3; ++i) {
     const BodyJoint& joint = model_->joint(joints[i]);
@@ -92,7 +93,7 @@ void DrivenBody::turn(const std::array<std::string, 3>& joints, const Matrix3d& 
   }
   const BodyJoint& middle = model_->joint(joints[1]);
   const Matrix3d R = linkRotation(model_->joint(joints[0]).parent_link).transpose() * R_world;
-  const Vector3d t = ballAngles(R, axes, near, middle.lower, middle.upper);
+  const Vector3d t = davenportAngles(R, axes, near, middle.lower, middle.upper);
   for (size_t i = 0; i < 3; ++i) setAngle(joints[i], t[Eigen::Index(i)], angles);
 }
 

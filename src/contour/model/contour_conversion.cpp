@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contour/three_axes.h"
-
 namespace markerless_mocap {
 namespace {
 
@@ -19,10 +17,6 @@ using B = ContourBall;
 // four times as far out again.
 constexpr double kClavicleRoot = 0.1, kClavicle = 0.4;
 
-double unwound(double angle) {
-  return std::abs(angle) < 2 * M_PI ? angle : std::remainder(angle, 2 * M_PI);
-}
-
 }  // namespace
 
 ContourConversion::ContourConversion(std::shared_ptr<const BodyModel> model)
@@ -31,7 +25,8 @@ ContourConversion::ContourConversion(std::shared_ptr<const BodyModel> model)
   single_.fill(-1);
   single_[A::kSpinePitch] = angleOf("waist", y);
   single_[A::kSpineRoll] = angleOf("r_waist", x);
-  balls_[B::kNeck] = ballOf({"r_head", "y_head", "p_head"});
+  using Joints = std::array<std::string, 3>;
+  balls_[B::kNeck].emplace(*model_, Joints{"r_head", "y_head", "p_head"});
   for (const int side : {0, 1}) {
     const std::string name = side ? "r_" : "l_";
     const double sign = side ? -1 : 1;
@@ -42,9 +37,10 @@ ContourConversion::ContourConversion(std::shared_ptr<const BodyModel> model)
     single_[size_t(A::kLeftKnee + side)] = angleOf(name + "knee", -y);
     if (model_->joint(name + "ankle").angle_index >= 0)
       single_[size_t(A::kLeftAnkle + side)] = angleOf(name + "ankle", -y);
-    balls_[size_t(B::kLeftShoulder + side)] =
-        ballOf({name + "y_shoulder", name + "p_shoulder", name + "r_shoulder"});
-    balls_[size_t(B::kLeftHip + side)] = ballOf({name + "y_hip", name + "p_hip", name + "r_hip"});
+    balls_[size_t(B::kLeftShoulder + side)].emplace(
+        *model_, Joints{name + "y_shoulder", name + "p_shoulder", name + "r_shoulder"});
+    balls_[size_t(B::kLeftHip + side)].emplace(
+        *model_, Joints{name + "y_hip", name + "p_hip", name + "r_hip"});
   }
   reset();
 }
@@ -56,34 +52,12 @@ int ContourConversion::angleOf(const std::string& joint, const Vector3d& axis) c
   return model_->angleIndex(joint);
 }
 
-ContourConversion::UrdfBall ContourConversion::ballOf(
-    const std::array<std::string, 3>& joints) const {
-  UrdfBall ball;
-  for (size_t i = 0; i < 3; ++i) {
-    const BodyJoint& joint = model_->joint(joints[i]);
-    ball.angle[i] = model_->angleIndex(joints[i]);
-    ball.axes[i] = joint.axis;
-    if (i > 0 && (std::abs(ball.axes[i].dot(ball.axes[i - 1])) > 1e-9 ||
-                  joint.parent_link != model_->joint(joints[i - 1]).child_link))
-      throw std::invalid_argument("body " + model_->id() + ": joint " + joints[i] +
-                                  " must follow " + joints[i - 1] +
-                                  " and turn about an axis perpendicular to its");
-  }
-  ball.middle_lower = model_->joint(joints[1]).lower;
-  ball.middle_upper = model_->joint(joints[1]).upper;
-  return ball;
-}
-
 void ContourConversion::reset() {
   last_ = Eigen::VectorXd::Zero(model_->angleCount());
 }
 
-void ContourConversion::setBall(const UrdfBall& ball, const Matrix3d& R,
-                                Eigen::VectorXd& angles) const {
-  const Vector3d near(last_[ball.angle[0]], last_[ball.angle[1]], last_[ball.angle[2]]);
-  const Vector3d t =
-      threeAngles(R, ball.axes, near.unaryExpr(&unwound), ball.middle_lower, ball.middle_upper);
-  for (size_t i = 0; i < 3; ++i) angles[ball.angle[i]] = t[Eigen::Index(i)];
+void ContourConversion::setBall(size_t ball, const Matrix3d& R, Eigen::VectorXd& angles) const {
+  balls_[ball]->set(R, last_, angles);
 }
 
 void ContourConversion::setArm(int side, const ContourPose& pose, Eigen::VectorXd& angles) const {
@@ -103,7 +77,7 @@ void ContourConversion::setArm(int side, const ContourPose& pose, Eigen::VectorX
   angles[single_[yaw]] = turned;
   angles[single_[yaw + 1]] = lifted;
   const size_t ball = size_t(B::kLeftShoulder + side);
-  setBall(balls_[ball], clavicle(turned, lifted).transpose() * wanted * pose.balls[ball], angles);
+  setBall(ball, clavicle(turned, lifted).transpose() * wanted * pose.balls[ball], angles);
 }
 
 void ContourConversion::convert(const ContourPose& pose, Eigen::Isometry3d& T_world_body,
@@ -115,11 +89,11 @@ void ContourConversion::convert(const ContourPose& pose, Eigen::Isometry3d& T_wo
   for (size_t a = 0; a < A::kCount; ++a)
     if (single_[a] >= 0) angles[single_[a]] = pose.angles[a];
   const Matrix3d twist = AngleAxisd(pose.angles[A::kSpineTwist], Vector3d::UnitZ()).matrix();
-  setBall(balls_[B::kNeck], twist * pose.balls[B::kNeck], angles);
+  setBall(B::kNeck, twist * pose.balls[B::kNeck], angles);
   for (const int side : {0, 1}) {
     setArm(side, pose, angles);
     const size_t hip = size_t(B::kLeftHip + side);
-    setBall(balls_[hip], pose.balls[hip], angles);
+    setBall(hip, pose.balls[hip], angles);
   }
   last_ = angles;
 }
@@ -135,10 +109,7 @@ ContourPose ContourConversion::poseOf(const Eigen::Isometry3d& T_world_body,
   pose.balls[B::kRoot] = T_world_body.linear();
   for (size_t a = 0; a < A::kCount; ++a)
     if (single_[a] >= 0) pose.angles[a] = angles[single_[a]];
-  for (size_t b = B::kNeck; b < B::kCount; ++b)
-    for (size_t i = 0; i < 3; ++i)
-      pose.balls[b] =
-          pose.balls[b] * AngleAxisd(angles[balls_[b].angle[i]], balls_[b].axes[i]).matrix();
+  for (size_t b = B::kNeck; b < B::kCount; ++b) pose.balls[b] = balls_[b]->rotation(angles);
   return pose;
 }
 

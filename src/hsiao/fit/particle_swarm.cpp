@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "numerics/split_mix.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -96,11 +98,7 @@ void move(Swarm& swarm, const VectorXd& lower, const VectorXd& upper, const Swar
 }  // namespace
 
 double counterRandom(uint64_t seed, uint64_t counter) {
-  // SplitMix64 (Steele et al. 2014): the state is a function of seed and counter.
-  uint64_t z = seed * 0xD1342543DE82EF95ull + (counter + 1) * 0x9E3779B97F4A7C15ull;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-  return double((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
+  return splitMixUniform(seed * 0xD1342543DE82EF95ull + counter * 0x9E3779B97F4A7C15ull);
 }
 
 SwarmResult searchBySwarm(const SwarmCost& cost, const VectorXd& lower, const VectorXd& upper,
