@@ -13,38 +13,38 @@
 #include <random>
 
 #include "../test/appearance/appearance_scene.h"
-#include "fleischmann/fitness/cone_outlines.h"
 #include "fleischmann/fitness/edge_samples.h"
-#include "fleischmann/appearance_fitness.h"
+#include "fleischmann/fitness/fleischmann_cone_outlines.h"
+#include "fleischmann/fleischmann_fitness.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr int kCandidates = 1000;
 
-AppearanceOptions optionsOf(int reduction) {
-  AppearanceOptions options;
-  options.reduction = reduction;
+FleischmannImageOptions optionsOf(int downsampling) {
+  FleischmannImageOptions options;
+  options.downsampling = downsampling;
   return options;
 }
 
 /// A person in mid-step, seen by four cameras, and candidates about the pose.
 struct Scene {
   CameraRig rig = ringOfFour({-0.08, 0.01, 0.0, 0.0, 0.0});
-  FleischmannProfile profile{sampleBody()};
-  ConeBody body{sampleBody(), profile};
-  int reduction;
-  AppearanceFitness fitness;
-  std::vector<AppearanceView> views;
+  FleischmannBodyModel profile{sampleBody()};
+  FleischmannBodyShape body{sampleBody(), profile};
+  int downsampling;
+  FleischmannFitness fitness;
+  std::vector<FleischmannView> views;
   std::vector<FleischmannVector> candidates;
   tbb::global_control threads;
 
   explicit Scene(const benchmark::State& state)
-      : reduction(int(state.range(0))),
-        fitness(rig, profile, body, optionsOf(reduction)),
+      : downsampling(int(state.range(0))),
+        fitness(rig, profile, body, optionsOf(downsampling)),
         threads(tbb::global_control::max_allowed_parallelism, size_t(state.range(1))) {
     const FleischmannVector pose = stride();
-    AppearanceFitness painter(rig, profile, body, AppearanceOptions());
+    FleischmannFitness painter(rig, profile, body, FleischmannImageOptions());
     for (int i = 0; i < 4; ++i) {
       const cv::Mat mask = painter.drawing(pose.data(), i);
       cv::Mat image(mask.size(), CV_8UC1, cv::Scalar(150));
@@ -56,7 +56,7 @@ struct Scene {
     std::normal_distribution<double> normal;
     for (int i = 0; i < kCandidates; ++i) {
       candidates.push_back(pose);
-      for (int d = 0; d < kFleischmannParameters; ++d)
+      for (int d = 0; d < kFleischmannParameterCount; ++d)
         candidates.back()[d] += (d >= 3 && d < 6 ? 0.04 : 0.15) * normal(random);
     }
   }
@@ -73,7 +73,7 @@ void evaluate(benchmark::State& state) {
   for (auto _ : state)
     tbb::parallel_for(tbb::blocked_range<int>(0, kCandidates, 10), [&](const auto& range) {
       for (int i = range.begin(); i < range.end(); ++i)
-        totals[i] = scene.fitness.fitness(scene.candidates[i].data(), EdgeChoice()).total();
+        totals[i] = scene.fitness.fitness(scene.candidates[i].data(), EdgeSelection()).total();
     });
   state.counters["mean_fitness"] = std::accumulate(totals.begin(), totals.end(), 0.0) / kCandidates;
 }
@@ -83,7 +83,7 @@ double fitnessWithOpenCv(const Scene& scene, const std::vector<ViewCamera>& came
                          const std::vector<cv::Mat>& silhouettes, const ConePlacer& placer,
                          const FleischmannVector& candidate) {
   FleischmannFrames frames;
-  WorldCones cones;
+  FleischmannWorldCones cones;
   scene.profile.frames(candidate.data(), frames);
   placer.place(frames, cones);
   double total = 0.0;
@@ -91,7 +91,7 @@ double fitnessWithOpenCv(const Scene& scene, const std::vector<ViewCamera>& came
     ConeCorners corners;
     cameras[view].outlines(cones, corners);
     cv::Mat drawn = cv::Mat::zeros(silhouettes[view].size(), CV_8UC1);
-    for (int cone = 0; cone < kBodyCones; ++cone) {
+    for (int cone = 0; cone < kFleischmannConeCount; ++cone) {
       cv::Point points[4];
       for (int k = 0; k < 4; ++k)
         points[k] = {cvRound(corners.x[k][cone]), cvRound(corners.y[k][cone])};
@@ -101,7 +101,7 @@ double fitnessWithOpenCv(const Scene& scene, const std::vector<ViewCamera>& came
     cv::bitwise_and(drawn, silhouettes[view], drawn);
     const double shared = cv::countNonZero(drawn);
     total += 0.5 * shared / count + 0.5 * shared / area;
-    const EdgeSum edge = sampleEdges(corners, scene.fitness.edges(int(view)), EdgeChoice(), 10);
+    const EdgeSum edge = sampleEdges(corners, scene.fitness.edges(int(view)), EdgeSelection(), 10);
     total += double(edge.sum) / (255.0 * edge.points);
   }
   return total / double(cameras.size());
@@ -113,7 +113,7 @@ void evaluateWithOpenCv(benchmark::State& state) {
   std::vector<ViewCamera> cameras;
   std::vector<cv::Mat> silhouettes;
   for (size_t i = 0; i < scene.rig.size(); ++i) {
-    cameras.emplace_back(scene.rig[i], scene.reduction);
+    cameras.emplace_back(scene.rig[i], scene.downsampling);
     cv::Mat small;
     cv::resize(scene.views[i].silhouette, small, cv::Size(cameras[i].width(), cameras[i].height()),
                0, 0, cv::INTER_AREA);
@@ -130,8 +130,8 @@ void evaluateWithOpenCv(benchmark::State& state) {
 }
 
 void arguments(benchmark::internal::Benchmark* benchmark) {
-  for (const int reduction : {1, 2})
-    for (const int threads : {1, 2}) benchmark->Args({reduction, threads});
+  for (const int downsampling : {1, 2})
+    for (const int threads : {1, 2}) benchmark->Args({downsampling, threads});
   benchmark->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 

@@ -11,7 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/fit/pose_problem.h"
-#include "contour/size_estimator.h"
+#include "contour/shape_estimation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -36,9 +36,9 @@ CameraRig ring() {
 }
 
 /// Balls along every cone, drawn as disks.
-cv::Mat maskOf(const Camera& camera, const PlacedCones& cones) {
+cv::Mat maskOf(const Camera& camera, const ContourWorldCones& cones) {
   cv::Mat mask = cv::Mat::zeros(camera.height(), camera.width(), CV_8UC1);
-  for (const PlacedCone& cone : cones)
+  for (const ContourWorldCone& cone : cones)
     for (int i = 0; i <= 40; ++i) {
       const double s = i / 40.0;
       const Eigen::Vector3d middle = cone.a + s * (cone.b - cone.a);
@@ -56,20 +56,20 @@ cv::Mat maskOf(const Camera& camera, const PlacedCones& cones) {
 struct Scene {
   CameraRig rig = ring();
   ContourOptions options;
-  ContourTemplate people = ContourTemplate::handMade();
+  ShapeStatistics people = ShapeStatistics::handMade();
   ContourBody body{people.sizes(1.75)};
   ContourPose pose;
   std::vector<cv::Mat> masks;
   ContourObserver observer{rig, options};
   ContourObservation seen;
-  PlacedCones cones;
+  ContourWorldCones cones;
 
   Scene() {
     pose.position.z() = 0.95;
-    pose.balls[ContourBall::kLeftShoulder] = rotationOf({2.0, 0, 0});
-    pose.balls[ContourBall::kRightShoulder] = rotationOf({-0.5, 0, 0});
-    pose.balls[ContourBall::kLeftHip] = rotationOf({0, -0.4, 0});
-    pose.angles[ContourAngle::kRightElbow] = 1.0;
+    pose.rotations[SphericalJoint::kLeftShoulder] = expSO3({2.0, 0, 0});
+    pose.rotations[SphericalJoint::kRightShoulder] = expSO3({-0.5, 0, 0});
+    pose.rotations[SphericalJoint::kLeftHip] = expSO3({0, -0.4, 0});
+    pose.angles[RevoluteJoint::kRightElbow] = 1.0;
     ContourFrames frames;
     body.place(pose, frames);
     body.place(frames, cones);
@@ -92,9 +92,9 @@ BENCHMARK(observe)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond)
 
 void fit(benchmark::State& state) {
   const ContourFitter fitter(scene().rig, scene().options);
-  PoseStep step;
+  PoseIncrement step;
   step.setConstant(0.03);
-  const ContourPose start = moved(scene().pose, step);
+  const ContourPose start = boxPlus(scene().pose, step);
   for (auto _ : state)
     benchmark::DoNotOptimize(fitter.fit(scene().seen, scene().body, start,
                                         ContourPrediction{start, 1.0 / 30}, fitter.schedule()));
@@ -104,26 +104,26 @@ BENCHMARK(fit)->Unit(benchmark::kMillisecond);
 void findSizes(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   size_t(state.range(0)));
-  SizePrior prior;
+  ShapePrior prior;
   prior.people = scene().people;
-  const std::vector<SizeInstant> instants(30, {scene().seen, scene().pose, {}});
+  const std::vector<ShapeSample> instants(30, {scene().seen, scene().pose, {}});
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        estimateSizes(scene().rig, scene().options, prior, prior.people.sizes(1.7), instants, {}));
+        estimateShape(scene().rig, scene().options, prior, prior.people.sizes(1.7), instants, {}));
 }
 BENCHMARK(findSizes)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void matchRaysInVectors(benchmark::State& state) {
   std::vector<RayMatch> matches;
   for (auto _ : state) {
-    matchRays(ConeLanes(scene().cones), scene().seen.rays, matches);
+    matchRays(PackedContourCones(scene().cones), scene().seen.rays, matches);
     benchmark::DoNotOptimize(matches.data());
   }
 }
 BENCHMARK(matchRaysInVectors)->Unit(benchmark::kMillisecond);
 
 /// Distance from a ray to a cone's surface by the formula of ray_match.cpp, and its penalty.
-double plainScore(const ContourRay& ray, const PlacedCone& cone) {
+double plainScore(const ContourRay& ray, const ContourWorldCone& cone) {
   Eigen::Matrix<double, 2, 3> across;
   across << ray.normal.cast<double>().transpose(), ray.side.cast<double>().transpose();
   const Eigen::Vector2d eye(ray.normal_of_ray, ray.side_of_ray);

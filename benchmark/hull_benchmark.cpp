@@ -12,7 +12,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "hull/voting/ballot.h"
+#include "hull/voting/vote_rule.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
 namespace markerless_mocap {
@@ -77,24 +77,24 @@ struct Scene {
 void packAndVote(benchmark::State& state) {
   const Scene scene(state);
   const VoxelLattice lattice = scene.options.lattice();
-  const CarvingPlan plan(scene.rig, lattice);
+  const ProjectionTable table(scene.rig, lattice);
   std::vector<TileMask> masks(scene.rig.size());
-  Ballot ballot;
-  for (const TileMask& mask : masks) ballot.masks.push_back(&mask);
-  ballot.weights.assign(masks.size(), 1);
-  ballot.window.high = lattice.size;
-  LeafVolume volume(lattice);
+  VoteRule rule;
+  for (const TileMask& mask : masks) rule.masks.push_back(&mask);
+  rule.weights.assign(masks.size(), 1);
+  rule.window.high = lattice.size;
+  BrickVolume volume(lattice);
   for (auto _ : state) {
     tbb::parallel_for(size_t(0), masks.size(),
                       [&](size_t c) { masks[c].pack(scene.views[c].mask); });
-    vote(plan, ballot, &volume);
+    vote(table, rule, &volume);
   }
   size_t voxels = 0;
-  volume.forEachLeaf([&](int, int, int, size_t leaf) {
-    voxels += size_t(__builtin_popcountll(volume.word(leaf)));
+  volume.forEachBrick([&](int, int, int, size_t brick) {
+    voxels += size_t(__builtin_popcountll(volume.word(brick)));
   });
   state.counters["voxels"] = double(voxels);
-  state.counters["plan_MB"] = double(plan.bytes()) / 1e6;
+  state.counters["plan_MB"] = double(table.bytes()) / 1e6;
 }
 
 /// The whole stage: components, the person, views of each voxel.

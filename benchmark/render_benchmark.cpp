@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "capture/render/mesh_renderer.h"
 #include "capture/degradations/sensor.h"
+#include "capture/render/mesh_renderer.h"
 
 namespace markerless_mocap {
 namespace {
@@ -81,7 +81,7 @@ void meshRenderer(benchmark::State& state) {
   const TexturedRoom room = TexturedRoom::around(1, rig);
   const std::vector<MeshRenderer> renderers = makeRenderers(rig, room);
   const ColoredMesh mesh = person();
-  std::vector<MeshView> views(rig.size());
+  std::vector<RenderedView> views(rig.size());
   for (auto _ : state) {
     const LitScene scene(room, {{mesh.vertices, &mesh, true}}, 0.5);
     tbb::parallel_for(size_t(0), rig.size(), [&](size_t i) {

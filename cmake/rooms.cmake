@@ -1,7 +1,8 @@
 # A room is src/<name>, include/markerless_mocap/<name> and test/<name>, with all their folders.
-# mocap_room(<name> [DEPENDS <room>...] [LIBRARIES <library>...] [SOURCES <generated>...])
+# mocap_room(<name> [DEPENDS <room>...] [LIBRARIES <library>...] [SOURCES <generated>...]
+#   [TESTS_USE <room>...])
 function(mocap_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;SOURCES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;SOURCES;TESTS_USE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   list(APPEND sources ${ROOM_SOURCES})
@@ -20,7 +21,8 @@ function(mocap_room name)
   endforeach()
   target_link_libraries(mocap_${name} ${scope} ${ROOM_LIBRARIES})
   if(MARKERLESS_MOCAP_TESTS)
-    mocap_room_tests(${name})
+    list(TRANSFORM ROOM_TESTS_USE PREPEND mocap_)
+    mocap_room_tests(${name} ${ROOM_TESTS_USE})
   endif()
 endfunction()
 

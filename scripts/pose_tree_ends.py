@@ -155,7 +155,7 @@ def fit(frames):
     body = fit_body(frames, ends, body)
     kinds = ',\n'.join(f'{{{ends[-1, kind]:.2f},\n{{{{{curve_text(END_CURVES, ends[:, kind])}}}}}}}'
                        for kind in range(3))
-    return (f'const std::array<EndCurves, 3> kEndCurves = {{{{{kinds}}}}};\n\n'
-            'const std::array<LabelCurve, kBodyCurveCount> kBodyCurves = '
+    return (f'const std::array<ExtremityModel, 3> kExtremityModels = {{{{{kinds}}}}};\n\n'
+            'const std::array<PiecewiseLinear, kBodyFeatureCount> kBodyCurves = '
             f'{{{{{curve_text(BODY_CURVES, body[:, 0])}}}}};\n\n'
-            f'const double kNobodyScore = {body[-1, 0]:.2f};')
+            f'const double kNoBodyLogOdds = {body[-1, 0]:.2f};')

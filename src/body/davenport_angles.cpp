@@ -39,7 +39,7 @@ Vector3d solveOuter(const Matrix3d& R, const std::array<Vector3d, 3>& axes, doub
 }  // namespace
 
 Vector3d davenportAngles(const Matrix3d& R, const std::array<Vector3d, 3>& axes,
-                           const Vector3d& near, double middle_lower, double middle_upper) {
+                         const Vector3d& near, double middle_lower, double middle_upper) {
   const double shift = std::atan2(axes[0].dot(axes[1].cross(axes[2])), axes[0].dot(axes[2]));
   const Vector3d reached = R * axes[2];
   const double opening = std::atan2(axes[0].cross(reached).norm(), axes[0].dot(reached));

@@ -93,35 +93,36 @@ Eigen::Vector2d undistort(const double (&k)[8], double max_radius_squared,
   return p;
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+[[noreturn]] void throwError(const std::string& name, const std::string& what) {
   throw std::invalid_argument("camera '" + name + "': " + what);
 }
 
 void validateIntrinsics(const CameraCalibration& c) {
   if (c.width <= 0 || c.height <= 0)
-    refuse(c.name, "image size is " + std::to_string(c.width) + " x " + std::to_string(c.height) +
-                       ", it must be at least 1 x 1");
-  if (!c.K.allFinite()) refuse(c.name, "K holds a value that is not finite");
-  if (c.K.isZero(0)) refuse(c.name, "K is all zero, so the camera is not calibrated");
-  if (!(c.K(0, 0) > 0 && c.K(1, 1) > 0)) refuse(c.name, "the focal lengths in K must be positive");
+    throwError(c.name, "image size is " + std::to_string(c.width) + " x " +
+                           std::to_string(c.height) + ", it must be at least 1 x 1");
+  if (!c.K.allFinite()) throwError(c.name, "K holds a value that is not finite");
+  if (c.K.isZero(0)) throwError(c.name, "K is all zero, so the camera is not calibrated");
+  if (!(c.K(0, 0) > 0 && c.K(1, 1) > 0))
+    throwError(c.name, "the focal lengths in K must be positive");
   if (c.K(1, 0) != 0 || c.K.row(2) != Eigen::RowVector3d(0, 0, 1))
-    refuse(c.name, "K must be upper triangular with a last row of 0 0 1");
+    throwError(c.name, "K must be upper triangular with a last row of 0 0 1");
   const size_t n = c.D.size();
   if (n != 0 && n != 4 && n != 5 && n != 8)
-    refuse(c.name,
-           "D has " + std::to_string(n) + " distortion coefficients, allowed are 0, 4, 5 or 8");
+    throwError(c.name,
+               "D has " + std::to_string(n) + " distortion coefficients, allowed are 0, 4, 5 or 8");
   for (const double d : c.D)
-    if (!std::isfinite(d)) refuse(c.name, "D holds a value that is not finite");
+    if (!std::isfinite(d)) throwError(c.name, "D holds a value that is not finite");
 }
 
 void validatePose(const CameraCalibration& c) {
   constexpr double kTolerance = 1e-6;
   const Eigen::Matrix4d& T = c.T_world_camera.matrix();
-  if (!T.allFinite()) refuse(c.name, "the pose holds a value that is not finite");
+  if (!T.allFinite()) throwError(c.name, "the pose holds a value that is not finite");
   const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
   if (!(R.transpose() * R).isIdentity(kTolerance) || R.determinant() < 0 ||
       T.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-    refuse(c.name, "the pose is not a rigid transform (rotation and translation)");
+    throwError(c.name, "the pose is not a rigid transform (rotation and translation)");
 }
 
 }  // namespace

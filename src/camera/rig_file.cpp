@@ -22,7 +22,7 @@ constexpr const char* kHead =
     "# centres. distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6]], [] for none.\n"
     "# position and orientation: of the optical frame in the world, m and quaternion x y z w.\n";
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+[[noreturn]] void throwError(const std::string& where, const std::string& what) {
   throw std::invalid_argument(where + ": " + what);
 }
 
@@ -81,11 +81,11 @@ std::string cameraText(const CameraCalibration& c) {
 class StrictMap {
  public:
   StrictMap(YAML::Node node, std::string where) : node_(std::move(node)), where_(std::move(where)) {
-    if (!node_.IsMap()) refuse(where_, "this is no map of keys to values");
+    if (!node_.IsMap()) throwError(where_, "this is no map of keys to values");
     std::set<std::string> keys;
     for (const auto& entry : node_)
       if (!keys.insert(entry.first.as<std::string>("")).second)
-        refuse(where_, "key '" + entry.first.as<std::string>("") + "' stands there twice");
+        throwError(where_, "key '" + entry.first.as<std::string>("") + "' stands there twice");
   }
 
   const std::string& where() const { return where_; }
@@ -96,20 +96,20 @@ class StrictMap {
   }
   YAML::Node required(const std::string& key) {
     const YAML::Node value = optional(key);
-    if (!value) refuse(where_, "key '" + key + "' is missing");
+    if (!value) throwError(where_, "key '" + key + "' is missing");
     return value;
   }
   double number(const std::string& key) { return numberIn(required(key), key); }
   std::vector<double> numbers(const std::string& key, size_t wanted, const char* meaning) {
     const std::vector<double> values = numbers(key);
     if (values.size() != wanted)
-      refuse(where_, "'" + key + "' has " + std::to_string(values.size()) +
-                         " numbers, wanted are " + std::to_string(wanted) + ": " + meaning);
+      throwError(where_, "'" + key + "' has " + std::to_string(values.size()) +
+                             " numbers, wanted are " + std::to_string(wanted) + ": " + meaning);
     return values;
   }
   std::vector<double> numbers(const std::string& key) {
     const YAML::Node node = required(key);
-    if (!node.IsSequence()) refuse(where_, "'" + key + "' is no list of numbers");
+    if (!node.IsSequence()) throwError(where_, "'" + key + "' is no list of numbers");
     std::vector<double> values;
     for (const auto& entry : node) values.push_back(numberIn(entry, key));
     return values;
@@ -117,8 +117,9 @@ class StrictMap {
   double numberIn(const YAML::Node& node, const std::string& key) const {
     double value = 0.0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-      refuse(where_, "'" + key + "' holds " + (node.IsScalar() ? node.Scalar() : "a list or map") +
-                         ", allowed are finite numbers");
+      throwError(where_, "'" + key + "' holds " +
+                             (node.IsScalar() ? node.Scalar() : "a list or map") +
+                             ", allowed are finite numbers");
     return value;
   }
   /// Throws if there is a key that nobody asked for.
@@ -127,7 +128,7 @@ class StrictMap {
     for (const std::string& key : known_) known += (known.empty() ? "" : ", ") + key;
     for (const auto& entry : node_)
       if (const auto key = entry.first.as<std::string>(""); known_.count(key) == 0)
-        refuse(where_, "key '" + key + "' is unknown, allowed are " + known);
+        throwError(where_, "key '" + key + "' is unknown, allowed are " + known);
   }
 
  private:
@@ -138,8 +139,8 @@ class StrictMap {
 
 int pixelsOf(double value, const StrictMap& camera) {
   if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
-    refuse(camera.where(),
-           "'size' holds " + text(value) + ", allowed are whole numbers from 1 to 65536");
+    throwError(camera.where(),
+               "'size' holds " + text(value) + ", allowed are whole numbers from 1 to 65536");
   return int(value);
 }
 
@@ -149,17 +150,17 @@ Eigen::Quaterniond orientationIn(StrictMap& camera) {
   const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
   const double length = q.norm();
   if (!(std::abs(length - 1.0) <= kTolerance))
-    refuse(camera.where(), "'orientation' is a quaternion of length " + text(length) +
-                               ", allowed are rotations, whose length is 1");
+    throwError(camera.where(), "'orientation' is a quaternion of length " + text(length) +
+                                   ", allowed are rotations, whose length is 1");
   return q.normalized();
 }
 
 CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::string& where) {
   const std::string place = where + ", camera " + std::to_string(index);
-  if (!node.IsMap()) refuse(place, "this is no map of keys to values");
+  if (!node.IsMap()) throwError(place, "this is no map of keys to values");
   const YAML::Node name = node["name"];
   if (!name || !name.IsScalar() || name.Scalar().empty())
-    refuse(place, "key 'name' is missing or empty, each camera needs a name");
+    throwError(place, "key 'name' is missing or empty, each camera needs a name");
   CameraCalibration c;
   c.name = name.Scalar();
   StrictMap camera(node, where + ", camera '" + c.name + "'");
@@ -179,16 +180,17 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
 }
 
 void checkRig(const std::vector<CameraCalibration>& rig, const std::string& where) {
-  if (rig.empty()) refuse(where, "the rig has no cameras, key 'cameras' lists one at least");
+  if (rig.empty()) throwError(where, "the rig has no cameras, key 'cameras' lists one at least");
   std::set<std::string> names;
   for (const CameraCalibration& camera : rig) {
-    if (camera.name.empty()) refuse(where, "a camera has no name");
+    if (camera.name.empty()) throwError(where, "a camera has no name");
     if (!names.insert(camera.name).second)
-      refuse(where, "two cameras are named '" + camera.name + "', each needs a name of its own");
+      throwError(where,
+                 "two cameras are named '" + camera.name + "', each needs a name of its own");
     try {
       camera.validate();
     } catch (const std::invalid_argument& error) {
-      refuse(where, error.what());
+      throwError(where, error.what());
     }
   }
 }
@@ -207,9 +209,9 @@ std::vector<CameraCalibration> rigFromText(const std::string& text, const std::s
   try {
     root = YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    refuse(where, std::string("this is no YAML: ") + error.what());
+    throwError(where, std::string("this is no YAML: ") + error.what());
   }
-  if (!root.IsMap()) refuse(where, "the rig has no cameras, key 'cameras' lists one at least");
+  if (!root.IsMap()) throwError(where, "the rig has no cameras, key 'cameras' lists one at least");
   StrictMap top(root, where);
   const YAML::Node cameras = top.optional("cameras");
   top.finish();
@@ -251,7 +253,8 @@ std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& name
       lacking += (lacking.empty() ? "" : ", ") + name;
   }
   for (const CameraCalibration& camera : rig) known += (known.empty() ? "" : ", ") + camera.name;
-  if (!lacking.empty()) refuse(where, "the rig lacks " + lacking + ", its cameras are " + known);
+  if (!lacking.empty())
+    throwError(where, "the rig lacks " + lacking + ", its cameras are " + known);
   return chosen;
 }
 

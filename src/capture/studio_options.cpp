@@ -30,7 +30,7 @@ void StudioOptions::visit(OptionVisitor& v) {
           "path of a rigged character (glTF, Collada, FBX) in place of the generated person; only "
           "`stature` of the keys below is then used");
   character.visit(v);
-  troubles.visit(v);
+  degradations.visit(v);
 }
 
 void StudioOptions::validate() const {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "capture/trouble_options.h"
+#include "capture/degradation_options.h"
 #include "character/character_options.h"
 #include "markerless_mocap/options/options.h"
 
@@ -25,7 +25,7 @@ struct StudioOptions {
   int seed = 1;
   std::string character_file;
   CharacterOptions character;
-  TroubleOptions troubles;
+  DegradationOptions degradations;
 
   void visit(OptionVisitor& v);
   void validate() const;

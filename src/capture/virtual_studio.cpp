@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "capture/cameras/studio_cameras.h"
-#include "capture/scene/studio_cast.h"
+#include "capture/scene/studio_scene.h"
 
 namespace markerless_mocap {
 namespace {
@@ -31,19 +31,19 @@ std::vector<double> shutterTimes(double seconds, double exposure_ms) {
 /// The scenes of one exposure.
 class Exposure {
  public:
-  Exposure(const StudioCast& cast, const StudioCameras& cameras, const StudioOptions& options,
+  Exposure(const StudioScene& cast, const StudioCameras& cameras, const StudioOptions& options,
            double seconds, bool people) {
-    const auto times = shutterTimes(seconds, people ? options.troubles.exposure_ms : 0.0);
+    const auto times = shutterTimes(seconds, people ? options.degradations.exposure_ms : 0.0);
     std::vector<std::optional<LitScene>> made(times.size());
     tbb::parallel_for(size_t(0), times.size(), [&](size_t i) {
       made[i].emplace(cameras.room(), cast.objectsAt(times[i], people),
-                      options.troubles.shadow_strength);
+                      options.degradations.shadow_strength);
     });
     for (auto& scene : made) scenes_.push_back(std::move(*scene));
   }
 
-  MeshView seenBy(const MeshRenderer& renderer) const {
-    std::vector<MeshView> shots;
+  RenderedView seenBy(const MeshRenderer& renderer) const {
+    std::vector<RenderedView> shots;
     for (const LitScene& scene : scenes_) shots.push_back(renderer.render(scene));
     return shots.size() == 1 ? shots.front() : motionBlurred(shots);
   }
@@ -58,12 +58,13 @@ VirtualStudio::VirtualStudio(const StudioOptions& options, const StudioFiles& fi
                              const std::string& body_id)
     : options_(validated(options)),
       cameras_(std::make_unique<StudioCameras>(options)),
-      cast_(std::make_unique<StudioCast>(options, files, cameras_->room().wallColor(), body_id)) {}
+      scene_(std::make_unique<StudioScene>(options, files, cameras_->room().wallColor(), body_id)) {
+}
 
 VirtualStudio::~VirtualStudio() = default;
 
 const CameraRig& VirtualStudio::rig() const {
-  return cameras_->toldRig();
+  return cameras_->calibratedRig();
 }
 
 const CameraRig& VirtualStudio::trueRig() const {
@@ -71,60 +72,60 @@ const CameraRig& VirtualStudio::trueRig() const {
 }
 
 const BodyModel& VirtualStudio::body() const {
-  return cast_->body();
+  return scene_->body();
 }
 
 const std::string& VirtualStudio::urdf() const {
-  return cast_->urdf();
+  return scene_->urdf();
 }
 
 double VirtualStudio::stature() const {
-  return cast_->stature();
+  return scene_->stature();
 }
 
-int VirtualStudio::instantCount() const {
-  const double seconds = options_.duration > 0.0 ? options_.duration : cast_->duration();
+int VirtualStudio::frameSetCount() const {
+  const double seconds = options_.duration > 0.0 ? options_.duration : scene_->duration();
   return options_.background_frames + std::max(1, int(std::lround(seconds * options_.fps)));
 }
 
-StudioInstant VirtualStudio::render(int index) const {
+StudioFrameSet VirtualStudio::render(int index) const {
   if (index < 0)
     throw std::invalid_argument("the index of a studio instant is " + std::to_string(index) +
                                 ", allowed is 0 and above");
-  StudioInstant instant;
-  instant.time_ns = std::llround(index * 1e9 / options_.fps);
-  instant.person = index >= options_.background_frames;
-  const int frame = std::max(0, index - options_.background_frames) % cast_->framesPerRound();
+  StudioFrameSet frame_set;
+  frame_set.time_ns = std::llround(index * 1e9 / options_.fps);
+  frame_set.person = index >= options_.background_frames;
+  const int frame = std::max(0, index - options_.background_frames) % scene_->framesPerRound();
   const double seconds = frame / options_.fps;
-  if (instant.person) {
-    instant.body = cast_->bodyAt(frame);
-    instant.points = cast_->pointsAt(seconds);
+  if (frame_set.person) {
+    frame_set.body = scene_->bodyAt(frame);
+    frame_set.points = scene_->pointsAt(seconds);
   }
-  film(index, seconds, &instant);
-  return instant;
+  film(index, seconds, &frame_set);
+  return frame_set;
 }
 
-void VirtualStudio::film(int index, double seconds, StudioInstant* instant) const {
+void VirtualStudio::film(int index, double seconds, StudioFrameSet* frame_set) const {
   const auto exposureAt = [&](double when) {
-    return Exposure(*cast_, *cameras_, options_, when, instant->person);
+    return Exposure(*scene_, *cameras_, options_, when, frame_set->person);
   };
   // Cameras that are not in step see scenes of their own.
-  const bool in_step = options_.troubles.time_offset_ms == 0.0 || !instant->person;
+  const bool in_step = options_.degradations.time_offset_ms == 0.0 || !frame_set->person;
   std::optional<Exposure> shared;
   if (in_step) shared.emplace(exposureAt(seconds));
   const size_t count = cameras_->rig().size();
-  instant->images.resize(count);
-  instant->masks.resize(count);
-  instant->silhouettes.resize(count);
+  frame_set->images.resize(count);
+  frame_set->masks.resize(count);
+  frame_set->silhouettes.resize(count);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     const MeshRenderer& renderer = cameras_->renderer(i);
-    MeshView view = in_step ? shared->seenBy(renderer)
-                            : exposureAt(seconds + cameras_->offset(i)).seenBy(renderer);
-    instant->masks[i] = view.mask;
+    RenderedView view = in_step ? shared->seenBy(renderer)
+                                : exposureAt(seconds + cameras_->offset(i)).seenBy(renderer);
+    frame_set->masks[i] = view.mask;
     if (cameras_->isDropped(index, i)) return;
-    instant->silhouettes[i] = cameras_->silhouette(index, i, view.mask);
-    cameras_->expose(index, i, 1e-9 * double(instant->time_ns), view.image);
-    instant->images[i] = view.image;
+    frame_set->silhouettes[i] = cameras_->silhouette(index, i, view.mask);
+    cameras_->expose(index, i, 1e-9 * double(frame_set->time_ns), view.image);
+    frame_set->images[i] = view.image;
   });
 }
 

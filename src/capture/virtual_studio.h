@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/camera/camera.h"
 #include "capture/body_state.h"
 #include "capture/studio_options.h"
+#include "markerless_mocap/body/body_model.h"
+#include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
@@ -20,17 +20,17 @@ struct StudioFiles {
 };
 
 /// All cameras at one instant, with the truth.
-struct StudioInstant {
+struct StudioFrameSet {
   int64_t time_ns = 0;               ///< since the first instant
   std::vector<cv::Mat> images;       ///< by camera, CV_8UC3 BGR; empty where dropped
   std::vector<cv::Mat> silhouettes;  ///< by camera, CV_8UC1, 0 | 255; damaged; empty where dropped
   std::vector<cv::Mat> masks;        ///< by camera, CV_8UC1, 0 | 255, exact
   bool person = false;  ///< false while the room is empty; then there is no truth below
   BodyState body;       ///< of body()
-  std::vector<Eigen::Vector3d> points;  ///< of truthNames(), world metres
+  std::vector<Eigen::Vector3d> points;  ///< of groundTruthNames(), world metres
 };
 
-class StudioCast;
+class StudioScene;
 class StudioCameras;
 
 /// A dressed person, moving before a rig of cameras in a room. Each instant is a function of its
@@ -53,17 +53,17 @@ class VirtualStudio {
   const std::string& urdf() const;
   double stature() const;  ///< of the person, metres
   /// Empty-room instants and those of the motion.
-  int instantCount() const;
+  int frameSetCount() const;
   /// \param index from 0; the first `background_frames` show the empty room, beyond
-  ///   instantCount() the motion goes on. Throws std::invalid_argument below 0.
-  StudioInstant render(int index) const;
+  ///   frameSetCount() the motion goes on. Throws std::invalid_argument below 0.
+  StudioFrameSet render(int index) const;
 
  private:
-  void film(int index, double seconds, StudioInstant* instant) const;
+  void film(int index, double seconds, StudioFrameSet* frame_set) const;
 
   StudioOptions options_;
   std::unique_ptr<const StudioCameras> cameras_;
-  std::unique_ptr<const StudioCast> cast_;
+  std::unique_ptr<const StudioScene> scene_;
 };
 
 }  // namespace markerless_mocap

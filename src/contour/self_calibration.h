@@ -4,32 +4,32 @@
 #include <string>
 #include <vector>
 
-#include "contour/model/contour_body.h"
 #include "contour/fit/contour_fitter.h"
-#include "contour/size_estimator.h"
+#include "contour/model/contour_body.h"
+#include "contour/shape_estimation.h"
 
 namespace markerless_mocap {
 
 /// One instant that the cameras' pointing is estimated from.
-struct PointingInstant {
+struct OrientationSample {
   ContourObservation seen;  ///< by the rig that is to be corrected
   ContourPose start;
 };
 
 /// Settings of the estimate.
-struct PointingOptions {
+struct OrientationRefinementOptions {
   int iterations = 12;
-  double outlier_first = 0.08, outlier_last = 0.03;  ///< metres
+  double robust_scale_initial = 0.08, robust_scale_final = 0.03;  ///< metres
   /// Standard deviation of the pointing as given, pixels: what contours do not tell stays as it is.
-  double deviation_px = 2.0;
+  double sigma_px = 2.0;
   /// A gain counts when it is this many times its standard error over the instants, and when the
   /// rays' distance from the body falls by this share at least.
-  double least_significance = 4.0;
+  double min_significance = 4.0;
   double least_gain = 0.03;
 };
 
 /// How one camera points otherwise than its calibration says.
-struct PointingCorrection {
+struct OrientationCorrection {
   std::string camera;
   /// By which the image of a point in the middle of the image moves when the correction is applied,
   /// right and down, pixels.
@@ -44,26 +44,26 @@ struct PointingCorrection {
 };
 
 /// How well body and silhouettes go together, mean over the instants.
-struct PointingFit {
+struct OrientationFit {
   double overlap = 0.0;   ///< ContourFit::overlap, 0 to 1
   double distance = 0.0;  ///< of the rays from the body, root mean square, limited, metres
 };
 
 /// kCorrected: the rig is better with the corrections. kNoGain: it is not, or not surely.
-/// kTooFewInstants: less than four instants could be fitted.
-enum class PointingStatus { kCorrected, kNoGain, kTooFewInstants };
-const char* toString(PointingStatus status);
+/// kTooFewSamples: less than four instants could be fitted.
+enum class OrientationRefinementStatus { kCorrected, kNoGain, kTooFewSamples };
+const char* toString(OrientationRefinementStatus status);
 
-struct PointingEstimate {
-  PointingStatus status = PointingStatus::kTooFewInstants;
-  CameraRig rig;                                ///< turned cameras if corrected, else as given
-  std::vector<PointingCorrection> corrections;  ///< by camera, as estimated even if not applied
-  PointingFit before;                           ///< with the rig as given
+struct OrientationRefinement {
+  OrientationRefinementStatus status = OrientationRefinementStatus::kTooFewSamples;
+  CameraRig rig;                                   ///< turned cameras if corrected, else as given
+  std::vector<OrientationCorrection> corrections;  ///< by camera, as estimated even if not applied
+  OrientationFit before;                           ///< with the rig as given
   /// Of instants that had no part in the estimate: each half of them judges the other half's.
-  PointingFit after;
+  OrientationFit after;
   double significance = 0.0;       ///< of the gain in distance: mean by standard error
   std::vector<ContourPose> poses;  ///< by instant, with `rig`
-  int instants_used = 0;           ///< with at least two usable views and a fit
+  int samples_used = 0;            ///< with at least two usable views and a fit
   /// One sentence for people: what was found and done.
   std::string sentence() const;
 };
@@ -79,19 +79,20 @@ struct PointingEstimate {
 /// count.
 /// Throws std::invalid_argument if an observation is of another rig, a start is not finite, or the
 /// options are out of range.
-PointingEstimate estimatePointing(const CameraRig& rig, const ContourOptions& contour,
-                                  const ContourBody& body,
-                                  const std::vector<PointingInstant>& instants,
-                                  const PointingOptions& options);
+OrientationRefinement refineCameraOrientations(const CameraRig& rig, const ContourOptions& contour,
+                                               const ContourBody& body,
+                                               const std::vector<OrientationSample>& instants,
+                                               const OrientationRefinementOptions& options);
 
-/// estimatePointing() and estimateSizes() in turn, as sizes that were measured with cameras that
-/// point elsewhere hide a part of it. Without a gain by the sizes as given, these are all that was
-/// tried.
-/// \param prior, sizes of the person; sizes as measured with the rig as given
-/// Throws std::invalid_argument as these two.
-PointingEstimate estimatePointingAndSizes(const CameraRig& rig, const ContourOptions& contour,
-                                          const SizePrior& prior, const ContourSizes& sizes,
-                                          const std::vector<PointingInstant>& instants,
-                                          const PointingOptions& options);
+/// refineCameraOrientations() and estimateShape() in turn, as sizes that were measured with cameras
+/// that point elsewhere hide a part of it. Without a gain by the sizes as given, these are all that
+/// was tried. \param prior, sizes of the person; sizes as measured with the rig as given Throws
+/// std::invalid_argument as these two.
+OrientationRefinement refineOrientationsAndShape(const CameraRig& rig,
+                                                 const ContourOptions& contour,
+                                                 const ShapePrior& prior,
+                                                 const ShapeParameters& sizes,
+                                                 const std::vector<OrientationSample>& instants,
+                                                 const OrientationRefinementOptions& options);
 
 }  // namespace markerless_mocap

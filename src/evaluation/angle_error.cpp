@@ -22,7 +22,8 @@ std::vector<AngleError> angleErrors(const std::vector<AngleFrame>& truth,
     }
   }
   std::vector<AngleError> errors;
-  for (const auto& joint : differences) errors.push_back({joint.first, spreadOf(joint.second)});
+  for (const auto& joint : differences)
+    errors.push_back({joint.first, summaryStatistics(joint.second)});
   return errors;
 }
 

@@ -17,7 +17,7 @@ struct AngleFrame {
 
 struct AngleError {
   std::string joint;
-  Spread error_deg;  ///< of the absolute difference, at most 180
+  SummaryStatistics error_deg;  ///< of the absolute difference, at most 180
 };
 
 /// Absolute difference of two angles on the circle, 0..pi.

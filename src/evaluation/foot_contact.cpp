@@ -94,10 +94,10 @@ std::pair<double, double> travelled(const JointTrack& track, const ContactRun& r
   return {kMillimetres * reach, seconds > 0.0 ? kMillimetres * path / seconds : NAN};
 }
 
-Spread spreadOfSlides(const std::vector<ContactSlide>& slides, double ContactSlide::*figure) {
+SummaryStatistics spreadOfSlides(const std::vector<FootSkate>& slides, double FootSkate::*figure) {
   std::vector<double> values;
-  for (const ContactSlide& slide : slides) values.push_back(slide.*figure);
-  return spreadOf(values);
+  for (const FootSkate& slide : slides) values.push_back(slide.*figure);
+  return summaryStatistics(values);
 }
 
 void judgeAgreement(const JointTrack& truth, const JointTrack& estimate, FootContact* out) {
@@ -135,17 +135,18 @@ FootContact footContact(const JointTrack& truth, const JointTrack& estimate,
     const auto [true_reach, true_path] = travelled(real, run);
     out.contacts.push_back({run, reach, path, true_reach, true_path});
   }
-  out.reach_mm = spreadOfSlides(out.contacts, &ContactSlide::reach_mm);
-  out.path_mm_per_s = spreadOfSlides(out.contacts, &ContactSlide::path_mm_per_s);
-  out.true_reach_mm = spreadOfSlides(out.contacts, &ContactSlide::true_reach_mm);
-  out.true_path_mm_per_s = spreadOfSlides(out.contacts, &ContactSlide::true_path_mm_per_s);
+  out.max_slide_mm = spreadOfSlides(out.contacts, &FootSkate::max_slide_mm);
+  out.path_mm_per_s = spreadOfSlides(out.contacts, &FootSkate::path_mm_per_s);
+  out.true_max_slide_mm = spreadOfSlides(out.contacts, &FootSkate::true_max_slide_mm);
+  out.true_path_mm_per_s = spreadOfSlides(out.contacts, &FootSkate::true_path_mm_per_s);
   return out;
 }
 
-SoleFigures soleFigures(const std::vector<double>& heights_m, const std::vector<bool>& resting) {
+SoleStatistics soleStatistics(const std::vector<double>& heights_m,
+                              const std::vector<bool>& resting) {
   if (heights_m.size() != resting.size())
     throw std::invalid_argument("soles are judged by one height and one contact for each frame");
-  SoleFigures out;
+  SoleStatistics out;
   std::vector<double> standing;
   size_t below = 0;
   double sum = 0.0, deepest = 0.0;
@@ -159,10 +160,10 @@ SoleFigures soleFigures(const std::vector<double>& heights_m, const std::vector<
     if (resting[f]) standing.push_back(height);
   }
   const double frames = out.frames == 0 ? NAN : double(out.frames);
-  out.share_below = double(below) / frames;
+  out.fraction_below = double(below) / frames;
   out.mean_below_mm = sum / frames;
   out.deepest_mm = out.frames == 0 ? NAN : deepest;
-  out.standing_mm = spreadOf(standing);
+  out.standing_mm = summaryStatistics(standing);
   return out;
 }
 

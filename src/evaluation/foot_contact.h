@@ -27,22 +27,24 @@ struct ContactRun {
 };
 
 /// How far an estimated point travels across the floor while the true one rests on it.
-struct ContactSlide {
+struct FootSkate {
   ContactRun run;
-  double reach_mm;  ///< greatest horizontal distance from where it is first; NaN without estimate
+  double
+      max_slide_mm;  ///< greatest horizontal distance from where it is first; NaN without estimate
   double path_mm_per_s;  ///< horizontal way from frame to frame by its time; NaN below two frames
-  double true_reach_mm, true_path_mm_per_s;  ///< the same of the truth
+  double true_max_slide_mm, true_path_mm_per_s;  ///< the same of the truth
 };
 
 /// Contact of one point of a foot.
 struct FootContact {
-  std::string name;                    ///< of the point, as l_foot
-  std::vector<ContactSlide> contacts;  ///< by the truth
-  std::vector<bool> truth, estimate;   ///< per frame, whether it rests
+  std::string name;                   ///< of the point, as l_foot
+  std::vector<FootSkate> contacts;    ///< by the truth
+  std::vector<bool> truth, estimate;  ///< per frame, whether it rests
   /// Share of the estimate's contact frames that are the truth's too, and the other way round, over
   /// frames with truth and estimate; NaN without any.
   double precision, recall;
-  Spread reach_mm, path_mm_per_s, true_reach_mm, true_path_mm_per_s;  ///< over the contacts
+  SummaryStatistics max_slide_mm, path_mm_per_s, true_max_slide_mm,
+      true_path_mm_per_s;  ///< over the contacts
 };
 
 /// \param truth, estimate tracks of the same frames \param name of the point with its side; the
@@ -53,16 +55,17 @@ FootContact footContact(const JointTrack& truth, const JointTrack& estimate,
                         const std::string& name);
 
 /// A foot's sole and the floor at z = 0.
-struct SoleFigures {
-  size_t frames = 0;     ///< with a sole
-  double share_below;    ///< of them deeper than kPenetrationLimit_mm; NaN without any
-  double mean_below_mm;  ///< mean depth, counting 0 above the floor
-  double deepest_mm;     ///< 0 if never below
-  Spread standing_mm;    ///< height while the true foot rests, below the floor negative
+struct SoleStatistics {
+  size_t frames = 0;              ///< with a sole
+  double fraction_below;          ///< of them deeper than kPenetrationLimit_mm; NaN without any
+  double mean_below_mm;           ///< mean depth, counting 0 above the floor
+  double deepest_mm;              ///< 0 if never below
+  SummaryStatistics standing_mm;  ///< height while the true foot rests, below the floor negative
 };
 
 /// \param heights_m of the sole's lowest point above the floor per frame, NaN without estimate
 /// \param resting whether the true foot rests; throws std::invalid_argument unless as many
-SoleFigures soleFigures(const std::vector<double>& heights_m, const std::vector<bool>& resting);
+SoleStatistics soleStatistics(const std::vector<double>& heights_m,
+                              const std::vector<bool>& resting);
 
 }  // namespace markerless_mocap

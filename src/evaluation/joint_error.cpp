@@ -113,7 +113,7 @@ void separateOffsets(const JointTrack& truth, const JointTrack& estimate, JointE
     frame -= offset;
     errors->D_unbiased.push_back(meanDistance(frame));
   }
-  const Spread unbiased = spreadOf(errors->D_unbiased);
+  const SummaryStatistics unbiased = summaryStatistics(errors->D_unbiased);
   errors->D_mean_unbiased = unbiased.mean;
   errors->D_max_unbiased = unbiased.max;
   for (Eigen::Index i = 0; i < columns; ++i) {
@@ -125,7 +125,7 @@ void separateOffsets(const JointTrack& truth, const JointTrack& estimate, JointE
 }
 
 MarkerError markerError(const std::string& name, const std::vector<double>& distances) {
-  const Spread spread = spreadOf(distances);
+  const SummaryStatistics spread = summaryStatistics(distances);
   MarkerError error;
   error.name = name;
   error.frames = spread.count;
@@ -136,7 +136,7 @@ MarkerError markerError(const std::string& name, const std::vector<double>& dist
 
 }  // namespace
 
-Spread spreadOf(const std::vector<double>& values) {
+SummaryStatistics summaryStatistics(const std::vector<double>& values) {
   std::vector<double> sorted;
   for (const double value : values)
     if (std::isfinite(value)) sorted.push_back(value);
@@ -170,15 +170,15 @@ JointErrors jointErrors(const JointTrack& truth, const JointTrack& estimate) {
   errors.frames = truth.frames();
   for (size_t f = 0; f < truth.frames(); ++f)
     errors.D.push_back(meanDistance(estimate.positions[f] - truth.positions[f]));
-  errors.D_spread = spreadOf(errors.D);
+  errors.D_spread = summaryStatistics(errors.D);
   errors.frames_estimated = errors.D_spread.count;
   size_t pairs = 0;
   for (size_t i = 0; i < distances.size(); ++i) {
     errors.markers.push_back(markerError(truth.names[i], distances[i]));
     pairs += errors.markers.back().frames;
   }
-  errors.share_without_estimate = 1.0 - double(errors.frames_estimated) / double(errors.frames);
-  errors.share_markers_missing =
+  errors.fraction_without_estimate = 1.0 - double(errors.frames_estimated) / double(errors.frames);
+  errors.fraction_markers_missing =
       1.0 - double(pairs) / double(errors.frames_estimated * distances.size());
   separateOffsets(truth, estimate, &errors);
   errors.swaps = {swapRate(truth, estimate),
@@ -204,7 +204,7 @@ ExtremityError extremityError(const JointTrack& truth, const JointTrack& estimat
       distances.push_back(own);
       right += own <= kExtremityLimit_mm && !(other < own);
     }
-  return {name, spreadOf(distances), known == 0 ? NAN : double(right) / double(known)};
+  return {name, summaryStatistics(distances), known == 0 ? NAN : double(right) / double(known)};
 }
 
 }  // namespace markerless_mocap

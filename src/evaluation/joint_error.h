@@ -8,11 +8,11 @@
 namespace markerless_mocap {
 
 /// Statistics of what is finite; NaN when nothing is. Percentiles are linear between the samples.
-struct Spread {
+struct SummaryStatistics {
   size_t count = 0;
   double mean, deviation, median, p95, max;
 };
-Spread spreadOf(const std::vector<double>& values);
+SummaryStatistics summaryStatistics(const std::vector<double>& values);
 
 /// One marker's share of the error.
 struct MarkerError {
@@ -35,11 +35,11 @@ struct SwapRates {
 struct JointErrors {
   std::vector<double> D;           ///< per frame; NaN without estimate
   std::vector<double> D_unbiased;  ///< the same with each marker's offset taken out
-  Spread D_spread;
+  SummaryStatistics D_spread;
   double D_mean_unbiased, D_max_unbiased;  ///< NaN without estimate
   size_t frames = 0, frames_estimated = 0;
-  double share_without_estimate;  ///< of the frames
-  double share_markers_missing;   ///< of the markers in frames with estimate
+  double fraction_without_estimate;  ///< of the frames
+  double fraction_markers_missing;   ///< of the markers in frames with estimate
   std::vector<MarkerError> markers;
   SwapRates swaps;
 };
@@ -60,8 +60,9 @@ constexpr double kExtremityLimit_mm = 150.0;
 /// the share of frames in which one is labelled right.
 struct ExtremityError {
   std::string name;  ///< of the left and right points without their side: hand, foot
-  Spread error_mm;
-  double share_right;  ///< of left and right in all frames of the truth; no estimate is not right
+  SummaryStatistics error_mm;
+  double
+      fraction_correct;  ///< of left and right in all frames of the truth; no estimate is not right
 };
 
 /// \param truth, estimate tracks of the same frames that have l_<name> and r_<name>; NaN figures

@@ -56,7 +56,7 @@ LimbLoss limbLoss(const JointTrack& truth, const JointTrack& estimate, size_t fi
                              ? double(truth.stamps_ns.back() - truth.stamps_ns[first]) * 1e-9
                              : NAN;
   limb.per_minute = 60.0 * double(limb.losses) / seconds;
-  limb.share_lost =
+  limb.fraction_lost =
       limb.frames == 0 ? NAN : double(limb.far_off + limb.not_published) / double(limb.frames);
   return limb;
 }

@@ -18,8 +18,8 @@ struct LimbLoss {
   size_t frames = 0;                      ///< judged: from the first pose on, with a truth
   size_t far_off = 0, not_published = 0;  ///< frames
   size_t losses = 0;
-  double per_minute;  ///< losses; NaN below two frames
-  double share_lost;  ///< of the frames; NaN without any
+  double per_minute;     ///< losses; NaN below two frames
+  double fraction_lost;  ///< of the frames; NaN without any
   double longest_s = 0.0;
   std::vector<bool> lost;  ///< per frame of the truth, as seen frame by frame
 };

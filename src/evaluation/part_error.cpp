@@ -106,39 +106,40 @@ void checkHull(const SegmentedHull& hull) {
 }
 
 double meanOf(const std::vector<double>& values) {
-  return spreadOf(values).mean;
+  return summaryStatistics(values).mean;
 }
 
 template <class Wanted>
-PartFigures figuresOf(const std::vector<PartVerdict>& verdicts, const Wanted& wanted) {
-  PartFigures figures;
+PartStatistics figuresOf(const std::vector<PartEvaluation>& verdicts, const Wanted& wanted) {
+  PartStatistics figures;
   std::vector<double> right, inside, six;
-  for (const PartVerdict& verdict : verdicts) {
+  for (const PartEvaluation& verdict : verdicts) {
     if (!verdict.judged || !wanted(verdict)) continue;
     ++figures.frames;
-    right.push_back(verdict.share_right);
-    inside.push_back(verdict.share_right_inside);
-    six.push_back(verdict.six_right);
+    right.push_back(verdict.fraction_correct);
+    inside.push_back(verdict.fraction_correct_inside);
+    six.push_back(verdict.all_six_correct);
   }
-  figures.share_right = meanOf(right);
-  figures.worst_right = right.empty() ? NAN : *std::min_element(right.begin(), right.end());
-  figures.share_right_inside = meanOf(inside);
-  figures.share_six = meanOf(six);
+  figures.fraction_correct = meanOf(right);
+  figures.worst_correct = right.empty() ? NAN : *std::min_element(right.begin(), right.end());
+  figures.fraction_correct_inside = meanOf(inside);
+  figures.fraction_all_six = meanOf(six);
   return figures;
 }
 
-Spread curveSpread(const std::vector<PartVerdict>& verdicts, size_t first, size_t last) {
+SummaryStatistics curveSpread(const std::vector<PartEvaluation>& verdicts, size_t first,
+                              size_t last) {
   std::vector<double> distances;
-  for (const PartVerdict& verdict : verdicts)
+  for (const PartEvaluation& verdict : verdicts)
     for (size_t part = first; verdict.judged && part <= last; ++part)
       if (verdict.overlap[part] > kHalf) distances.push_back(verdict.curve_mm[part]);
-  return spreadOf(distances);
+  return summaryStatistics(distances);
 }
 
 }  // namespace
 
-PartVerdict partVerdict(const Eigen::Matrix3Xd& true_points, const SegmentedHull& hull) {
-  PartVerdict verdict;
+PartEvaluation evaluateParts(const Eigen::Matrix3Xd& true_points, const SegmentedHull& hull) {
+  PartEvaluation verdict;
   verdict.curve_mm.fill(NAN);
   if (hull.voxels.cols() == 0 || !true_points.allFinite()) return verdict;
   verdict.judged = true;
@@ -156,14 +157,14 @@ PartVerdict partVerdict(const Eigen::Matrix3Xd& true_points, const SegmentedHull
     ++inside;
     right_inside += is_right;
   }
-  verdict.share_right = double(right) / double(hull.labels.size());
-  verdict.share_right_inside = inside ? double(right_inside) / double(inside) : NAN;
+  verdict.fraction_correct = double(right) / double(hull.labels.size());
+  verdict.fraction_correct_inside = inside ? double(right_inside) / double(inside) : NAN;
   const PartTruth truth(true_points);
-  verdict.six_right = true;
+  verdict.all_six_correct = true;
   for (size_t part = 0; part < kTruePartCount; ++part) {
     const size_t named = size_t(label[part]);
     verdict.overlap[part] = overlapOf(counts, part, named);
-    verdict.six_right = verdict.six_right && verdict.overlap[part] > kHalf;
+    verdict.all_six_correct = verdict.all_six_correct && verdict.overlap[part] > kHalf;
     verdict.curve_mm[part] = curveDistance(truth, hull.curves[named], int(part));
   }
   return verdict;
@@ -175,14 +176,14 @@ PartErrors partErrors(const JointTrack& truth, const std::vector<SegmentedHull>&
   PartErrors errors;
   for (size_t f = 0; f < hulls.size(); ++f) {
     checkHull(hulls[f]);
-    errors.verdicts.push_back(partVerdict(truth.positions[f], hulls[f]));
+    errors.verdicts.push_back(evaluateParts(truth.positions[f], hulls[f]));
   }
-  const std::vector<PartVerdict>& verdicts = errors.verdicts;
-  errors.all = figuresOf(verdicts, [](const PartVerdict&) { return true; });
-  errors.free = figuresOf(verdicts, [](const PartVerdict& v) { return v.free; });
-  errors.touching = figuresOf(verdicts, [](const PartVerdict& v) { return !v.free; });
-  errors.valid = figuresOf(verdicts, [](const PartVerdict& v) { return v.valid; });
-  errors.share_valid =
+  const std::vector<PartEvaluation>& verdicts = errors.verdicts;
+  errors.all = figuresOf(verdicts, [](const PartEvaluation&) { return true; });
+  errors.free = figuresOf(verdicts, [](const PartEvaluation& v) { return v.free; });
+  errors.touching = figuresOf(verdicts, [](const PartEvaluation& v) { return !v.free; });
+  errors.valid = figuresOf(verdicts, [](const PartEvaluation& v) { return v.valid; });
+  errors.fraction_valid =
       errors.all.frames ? double(errors.valid.frames) / double(errors.all.frames) : NAN;
   errors.torso_mm = curveSpread(verdicts, 0, 0);
   errors.head_mm = curveSpread(verdicts, 1, 1);

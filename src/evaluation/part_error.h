@@ -16,36 +16,38 @@ struct SegmentedHull {
 };
 
 /// One frame judged. Shares are of its voxels.
-struct PartVerdict {
+struct PartEvaluation {
   bool judged = false;  ///< there are voxels and the truth has all points
   bool valid = false;
   /// Whether no forearm, hand, shank or foot touches another part in the hull: by the truth no
   /// voxel of it has a face in common with one of another part.
   bool free = false;
-  double share_right = 0.0;
-  double share_right_inside = 0.0;  ///< of the voxels farther than 60 mm from a true border; NaN
-                                    ///< without any
+  double fraction_correct = 0.0;
+  double fraction_correct_inside = 0.0;  ///< of the voxels farther than 60 mm from a true border;
+                                         ///< NaN without any
   std::array<double, kTruePartCount> overlap{};  ///< intersection over union, by truePartNames()
-  bool six_right = false;                        ///< all overlaps are over a half
+  bool all_six_correct = false;                  ///< all overlaps are over a half
   /// Mean distance from the curve's points to the true axis, mm, by truePartNames(); NaN if not
   /// seen.
   std::array<double, kTruePartCount> curve_mm{};
 };
 
 /// Over the frames of one kind.
-struct PartFigures {
+struct PartStatistics {
   size_t frames = 0;
-  double share_right, worst_right, share_right_inside, share_six;  ///< NaN without frames
+  double fraction_correct, worst_correct, fraction_correct_inside,
+      fraction_all_six;  ///< NaN without frames
 };
 
 struct PartErrors {
-  std::vector<PartVerdict> verdicts;  ///< per frame of the truth
-  PartFigures all, free, touching, valid;
-  double share_valid;                          ///< of the judged frames
-  Spread torso_mm, head_mm, arms_mm, legs_mm;  ///< curves of the parts with an overlap over a half
+  std::vector<PartEvaluation> verdicts;  ///< per frame of the truth
+  PartStatistics all, free, touching, valid;
+  double fraction_valid;  ///< of the judged frames
+  SummaryStatistics torso_mm, head_mm, arms_mm,
+      legs_mm;  ///< curves of the parts with an overlap over a half
 };
 
-PartVerdict partVerdict(const Eigen::Matrix3Xd& true_points, const SegmentedHull& segmented);
+PartEvaluation evaluateParts(const Eigen::Matrix3Xd& true_points, const SegmentedHull& segmented);
 
 /// \param truth track with partTruthNames() \param hulls one for each of its frames; throws
 ///   std::invalid_argument otherwise, or if a hull's labels are not as many as its voxels or name

@@ -26,47 +26,49 @@ constexpr const char* kAngleKeys[kHsiaoAngles][2] = {
     {"left_knee_lowest", "left_knee_highest"},
     {"right_knee_lowest", "right_knee_highest"}};
 
-void visitSwarm(FittingOptions& o, OptionVisitor& v) {
+void visitSwarm(HsiaoOptions& o, OptionVisitor& v) {
   v.field("curve_samples", o.curve_samples, 4, 200, "points compared along each part curve");
   v.field("particles_per_parameter", o.particles_per_parameter, 0.5, 50.0,
           "particles of a swarm stage for each parameter that it searches");
   v.field("iterations_per_parameter", o.iterations_per_parameter, 0.5, 50.0,
           "iterations of a swarm stage for each parameter that it searches");
-  v.field("tune_particles", o.tune_particles, 2, 1000, "particles when one part is tuned");
-  v.field("tune_iterations", o.tune_iterations, 1, 1000, "iterations when one part is tuned");
-  v.field("spin_starts", o.spin_starts, 2, 16,
+  v.field("fine_tune_particles", o.fine_tune_particles, 2, 1000,
+          "particles when one part is tuned");
+  v.field("fine_tune_iterations", o.fine_tune_iterations, 1, 1000,
+          "iterations when one part is tuned");
+  v.field("initial_headings", o.initial_headings, 2, 16,
           "facing directions tried; two are the limbs' left and right, and the reverse");
-  v.field("start_attempts", o.start_attempts, 1, 50,
+  v.field("initialization_attempts", o.initialization_attempts, 1, 50,
           "searches with other seeds at a start; contour takes one");
-  v.field("refine_iterations", o.refine_iterations, 0, 100,
+  v.field("refinement_iterations", o.refinement_iterations, 0, 100,
           "steps of the final refinement against curves and hull");
-  v.field("surface_points", o.surface_points, 50, 100000,
+  v.field("refinement_surface_points", o.refinement_surface_points, 50, 100000,
           "surface voxels of the hull used by the refinement");
 }
 
-void visitJudgement(FittingOptions& o, OptionVisitor& v) {
-  v.field("highest_speed", o.highest_speed, 0.1, 20.0,
+void visitJudgement(HsiaoOptions& o, OptionVisitor& v) {
+  v.field("max_root_speed", o.max_root_speed, 0.1, 20.0,
           "speed of the trunk that the temporal search allows for, m/s");
-  v.field("highest_turn_rate", o.highest_turn_rate, 0.5, 60.0,
+  v.field("max_joint_velocity", o.max_joint_velocity, 0.5, 60.0,
           "rate of change of a joint angle that the temporal search allows for, rad/s");
   v.field("reset_threshold", o.reset_threshold, 0.0, 1.0,
           "the temporal pose is dropped when its error exceeds the basic one's by this, m");
-  v.field("highest_error", o.highest_error, 0.01, 1.0,
+  v.field("max_skeleton_error", o.max_skeleton_error, 0.01, 1.0,
           "skeleton error above which a pose is not claimed, m");
-  v.field("highest_limb_error", o.highest_limb_error, 0.01, 1.0,
+  v.field("max_limb_error", o.max_limb_error, 0.01, 1.0,
           "error of one limb above which that limb counts as not seen, m");
-  v.field("explained_margin", o.explained_margin, 0.0, 0.5,
+  v.field("hull_margin", o.hull_margin, 0.0, 0.5,
           "distance from the body within which a hull voxel counts as explained, m");
-  v.field("least_hull_explained", o.least_hull_explained, 0.0, 1.0,
+  v.field("min_hull_explained", o.min_hull_explained, 0.0, 1.0,
           "share of the hull that the body must explain");
-  v.field("least_body_in_hull", o.least_body_in_hull, 0.0, 1.0,
+  v.field("min_body_in_hull", o.min_body_in_hull, 0.0, 1.0,
           "share of the body's volume that must lie in the hull");
-  v.field("memory", o.memory, 0.0, 10.0, "time for which the last pose guides the search, s");
+  v.field("memory", o.max_pose_age, 0.0, 10.0, "time for which the last pose guides the search, s");
 }
 
 }  // namespace
 
-HsiaoLimits HsiaoLimits::thesis() {
+HsiaoLimits HsiaoLimits::fromThesis() {
   const double pi = M_PI;
   HsiaoLimits limits;
   limits.lower = {-pi / 2, -pi / 2, -pi,     -pi,     -pi, -pi / 2, -pi / 2, -3 * pi / 4,
@@ -76,7 +78,7 @@ HsiaoLimits HsiaoLimits::thesis() {
   return limits;
 }
 
-void FittingOptions::visit(OptionVisitor& v) {
+void HsiaoOptions::visit(OptionVisitor& v) {
   v.field("seed", seed, 0, 1000000000, "start of the random numbers");
   visitSwarm(*this, v);
   visitJudgement(*this, v);
@@ -88,7 +90,7 @@ void FittingOptions::visit(OptionVisitor& v) {
   }
 }
 
-void FittingOptions::validate() const {
+void HsiaoOptions::validate() const {
   checkFields(*this);
   for (int k = 0; k < kHsiaoAngles; ++k)
     if (limits.lower[k] > limits.upper[k])

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "hull/selection/camera_faults.h"
 #include "hull/color/coloring.h"
+#include "hull/selection/camera_faults.h"
 
 namespace markerless_mocap {
 namespace {
@@ -80,9 +80,9 @@ class HullCarver::State {
       : rig_(std::move(rig)),
         options_(options),
         lattice_(latticeOf(rig_, options_)),
-        booth_(rig_, options_, lattice_),
-        faults_(rig_, options_.min_views, &booth_),
-        painter_(rig_, booth_.plan(), options_.color_vote_distance) {}
+        voting_(rig_, options_, lattice_),
+        faults_(rig_, options_.min_views, &voting_),
+        coloring_(rig_, voting_.table(), options_.color_vote_distance) {}
 
   VisualHull carve(const std::vector<HullView>& views);
 
@@ -91,60 +91,62 @@ class HullCarver::State {
 
  private:
   VisualHull carveIn(const VoxelBox& window, const std::vector<HullView>& views);
-  FaultFinder::Result carvePieces(const MaskSurvey& masks, const VoxelBox& window);
+  FaultFinder::Result carveComponents(const MaskSummary& masks, const VoxelBox& window);
   /// Fills the hull's voxels: indices, views, colours and colour votes.
-  void describe(const Piece& person, CameraSet voters, const std::vector<HullView>& views,
+  void describe(const VoxelComponent& person, CameraSet voters, const std::vector<HullView>& views,
                 VisualHull* hull);
   /// How many cameras see all of a cell, and which others see some of it.
   struct CellViews {
     uint8_t whole;
     CameraSet in_part;
   };
-  std::vector<CellViews> viewsOf(const Piece& person, CameraSet voters) const;
+  std::vector<CellViews> viewsOf(const VoxelComponent& person, CameraSet voters) const;
 
   CameraRig rig_;
   HullOptions options_;
   VoxelLattice lattice_;
-  VotingBooth booth_;
+  VoxelVoting voting_;
   FaultFinder faults_;
-  HullPainter painter_;
+  VoxelColoring coloring_;
   std::optional<VoxelBox> followed_;  ///< around the last person
 };
 
 VisualHull HullCarver::State::carve(const std::vector<HullView>& views) {
   checkViews(rig_, views);
-  booth_.takeMasks(views);
+  voting_.setMasks(views);
   if (followed_) {
     VisualHull hull = carveIn(*followed_, views);
     if (hull.status == HullStatus::kOk) return hull;
     followed_.reset();
   }
-  return carveIn(booth_.bounds(), views);
+  return carveIn(voting_.bounds(), views);
 }
 
-FaultFinder::Result HullCarver::State::carvePieces(const MaskSurvey& masks,
-                                                   const VoxelBox& window) {
+FaultFinder::Result HullCarver::State::carveComponents(const MaskSummary& masks,
+                                                       const VoxelBox& window) {
   if (options_.leave_out_bad_cameras) return faults_.carve(masks, window);
-  return {booth_.carve(masks.present, window), masks.present, {}};
+  return {voting_.carve(masks.present, window), masks.present, {}};
 }
 
 VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<HullView>& views) {
   VisualHull hull;
   hull.lattice = lattice_;
-  const MaskSurvey masks = surveyMasks(rig_, booth_);
+  const MaskSummary masks = summariseMasks(rig_, voting_);
   FaultFinder::Result found;
   found.voters = masks.present;
   if (masks.count() >= options_.min_views && masks.empty != masks.present)
-    found = carvePieces(masks, window);
-  if (refuseMasks(masks, found.voters, rig_, options_.min_views, &hull)) return hull;
+    found = carveComponents(masks, window);
+  if (rejectMasks(masks, found.voters, rig_, options_.min_views, &hull)) return hull;
   for (const CameraFault& fault : found.faults)
     hull.cameras_left_out.push_back({rig_[fault.camera].name(), fault.reason});
 
-  const std::vector<Piece> pieces = rankPieces(std::move(found.pieces), booth_.plan(), found.voters,
-                                               options_.min_component_litres, &hull);
-  MaskSurvey left = masks;
+  const std::vector<VoxelComponent> components =
+      rankComponents(std::move(found.components), voting_.table(), found.voters,
+                     options_.min_component_litres, &hull);
+  MaskSummary left = masks;
   left.empty &= found.voters;
-  const Piece* person = selectPerson(pieces, options_.min_component_litres, left, rig_, &hull);
+  const VoxelComponent* person =
+      selectPerson(components, options_.min_component_litres, left, rig_, &hull);
   if (person == nullptr) return hull;
   describe(*person, found.voters, views, &hull);
   if (options_.follow) {
@@ -156,7 +158,7 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
   return hull;
 }
 
-void HullCarver::State::describe(const Piece& person, CameraSet voters,
+void HullCarver::State::describe(const VoxelComponent& person, CameraSet voters,
                                  const std::vector<HullView>& views, VisualHull* hull) {
   const std::vector<CellViews> cell_views = viewsOf(person, voters);
   HullVoxel unpainted;
@@ -170,7 +172,7 @@ void HullCarver::State::describe(const Piece& person, CameraSet voters,
     voxel.views = cell_views[cell].whole;
     for (CameraSet part = cell_views[cell].in_part; part != 0; part &= part - 1) {
       const uint64_t seen =
-          booth_.plan().seen(person.cells[cell].leaf, size_t(__builtin_ctz(part)));
+          voting_.table().seen(person.cells[cell].brick, size_t(__builtin_ctz(part)));
       voxel.views = uint8_t(voxel.views + (seen >> slot % 64 & 1));
     }
   });
@@ -181,18 +183,18 @@ void HullCarver::State::describe(const Piece& person, CameraSet voters,
       images[c] = views[c].image;
       any = true;
     }
-  if (any) painter_.paint(person, inLatticeOrder(person, lattice_), images, &hull->voxels);
+  if (any) coloring_.paint(person, inLatticeOrder(person, lattice_), images, &hull->voxels);
 }
 
-std::vector<HullCarver::State::CellViews> HullCarver::State::viewsOf(const Piece& person,
+std::vector<HullCarver::State::CellViews> HullCarver::State::viewsOf(const VoxelComponent& person,
                                                                      CameraSet voters) const {
-  const BlockLevel& leaves = booth_.plan().level(0);
+  const BlockLevel& bricks = voting_.table().level(0);
   std::vector<CellViews> views;
   views.reserve(person.cells.size());
-  for (const Cell& cell : person.cells) {
-    const CameraSet all = leaves.sees_all[cell.leaf] & voters;
+  for (const BrickVoxels& cell : person.cells) {
+    const CameraSet all = bricks.sees_all[cell.brick] & voters;
     views.push_back(
-        {uint8_t(__builtin_popcount(all)), leaves.sees_some[cell.leaf] & voters & ~all});
+        {uint8_t(__builtin_popcount(all)), bricks.sees_some[cell.brick] & voters & ~all});
   }
   return views;
 }

@@ -117,22 +117,4 @@ std::vector<double> HullOptions::trust(const CameraRig& rig) const {
   return result;
 }
 
-const char* toString(HullStatus status) {
-  switch (status) {
-    case HullStatus::kOk:
-      return "ok";
-    case HullStatus::kNoCameras:
-      return "no cameras";
-    case HullStatus::kEmptyMasks:
-      return "empty masks";
-    case HullStatus::kFullMask:
-      return "full mask";
-    case HullStatus::kNobody:
-      return "nobody";
-    case HullStatus::kSeveralBodies:
-      return "several bodies";
-  }
-  return "unknown";
-}
-
 }  // namespace markerless_mocap

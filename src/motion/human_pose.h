@@ -59,6 +59,6 @@ struct HumanPose {
 };
 
 /// Spherical between two poses, linear in `hips`. \param share 0 gives a, 1 gives b
-HumanPose interpolate(const HumanPose& a, const HumanPose& b, double share);
+HumanPose interpolate(const HumanPose& a, const HumanPose& b, double fraction);
 
 }  // namespace markerless_mocap

@@ -4,16 +4,16 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "markerless_mocap/segmentation/body_segmenter.h"
+#include "markerless_mocap/segmentation/part_tracker.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/guarded_start.h"
+#include "nodes/common/low_latency_transport.h"
+#include "nodes/common/publish_shared.h"
+#include "nodes/common/stage_status.h"
 #include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/segmentation_conversions.h"
-#include "markerless_mocap/segmentation/body_segmenter.h"
-#include "markerless_mocap/segmentation/part_memory.h"
-#include "nodes/common/callback_gate.h"
-#include "nodes/common/guarded_start.h"
-#include "nodes/common/publish_shared.h"
-#include "nodes/common/quick_transport.h"
-#include "nodes/common/stage_status.h"
 
 namespace markerless_mocap {
 
@@ -35,11 +35,11 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     grid_subscriber_ = handle.subscribe<VoxelGrid>(
         "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
-        quickTransport());
+        lowLatencyTransport());
     hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
         "hull/points", 2,
         gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
-        quickTransport());
+        lowLatencyTransport());
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
@@ -68,7 +68,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
   }
 
   std::optional<BodySegmenter> segmenter_;
-  PartMemory memory_;
+  PartTracker memory_;
   VoxelGridConstPtr grid_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher parts_, points_, curves_;

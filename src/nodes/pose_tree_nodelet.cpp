@@ -4,15 +4,15 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "ros/hull_conversions.h"
-#include "ros/parameters.h"
-#include "ros/pose_tree_conversions.h"
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
-#include "nodes/common/quick_transport.h"
 #include "nodes/common/stage_status.h"
+#include "ros/hull_conversions.h"
+#include "ros/parameters.h"
+#include "ros/pose_tree_conversions.h"
 
 namespace markerless_mocap {
 
@@ -35,11 +35,11 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     grid_subscriber_ = handle.subscribe<VoxelGrid>(
         "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
-        quickTransport());
+        lowLatencyTransport());
     hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
         "hull/points", 2,
         gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
-        quickTransport());
+        lowLatencyTransport());
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {

@@ -19,11 +19,11 @@ constexpr double kScheduleExponent = 0.7, kCovarianceShare = 0.4, kLeastVariance
 void require(const AnnealingSettings& s) {
   if (s.particles < 2 || s.layers < 1)
     throw std::invalid_argument("an annealed filter needs at least two particles and one layer");
-  if (!(s.survival > 0.0 && s.survival <= 1.0))
+  if (!(s.survival_rate > 0.0 && s.survival_rate <= 1.0))
     throw std::invalid_argument("the survival of an annealed filter must be above 0, at most 1");
   if (!(s.crossover >= 0.0 && s.crossover <= 1.0))
     throw std::invalid_argument("the crossover of an annealed filter must be 0 to 1");
-  if (!(s.sharpness > 0.0))
+  if (!(s.inverse_temperature > 0.0))
     throw std::invalid_argument("the sharpness of an annealed filter must be above 0");
 }
 
@@ -34,7 +34,7 @@ VectorXd weightsAt(const VectorXd& costs, double least, double beta) {
   return weights / weights.sum();
 }
 
-double leastOf(const VectorXd& costs) {
+double minOf(const VectorXd& costs) {
   double least = HUGE_VAL;
   for (const double cost : costs)
     if (std::isfinite(cost)) least = std::min(least, cost);
@@ -57,15 +57,15 @@ void crossOver(const ParticleSet& set, const VectorXd& weights, const CounterRan
 
 }  // namespace
 
-VectorXd weightsOfSurvival(const VectorXd& costs, double share) {
-  const double least = leastOf(costs);
+VectorXd survivalWeights(const VectorXd& costs, double fraction) {
+  const double least = minOf(costs);
   const auto finite =
       std::count_if(costs.begin(), costs.end(), [](double cost) { return std::isfinite(cost); });
   if (finite == 0) return VectorXd::Constant(costs.size(), 1.0 / double(costs.size()));
   const auto survivors = [&](double beta) {
     return 1.0 / weightsAt(costs, least, beta).squaredNorm();
   };
-  const double wanted = std::max(1.0, share * double(finite));
+  const double wanted = std::max(1.0, fraction * double(finite));
   double low = 0.0, high = 1.0;
   constexpr double kSharpest = 1e12;
   while (survivors(high) > wanted && high < kSharpest) high *= 4.0;
@@ -83,11 +83,11 @@ AnnealedParticleFilter::AnnealedParticleFilter(const AnnealingSettings& settings
 
 SearchOutcome AnnealedParticleFilter::minimise(const SearchProblem& problem,
                                                const SearchStart& start, uint64_t seed) const {
-  requireProblem(problem, start);
+  validateProblem(problem, start);
   const CounterRandom random(seed);
   ParticleSet set(problem, start, settings_.particles, random.stream(0));
   VectorXd sigma = start.sigma;
-  VectorXd weights = weightsOfSurvival(set.costs(), settings_.survival);
+  VectorXd weights = survivalWeights(set.costs(), settings_.survival_rate);
   for (int layer = 1; layer < settings_.layers; ++layer) {
     const CounterRandom own = random.stream(uint64_t(layer));
     MatrixXd next(start.center.size(), settings_.particles);
@@ -96,7 +96,7 @@ SearchOutcome AnnealedParticleFilter::minimise(const SearchProblem& problem,
     sigma = sigma.cwiseMin(spreadOf(next));
     crossOver(set, weights, own.stream(1), settings_.crossover, next);
     set.replace(next, sigma.asDiagonal(), own.stream(2));
-    weights = weightsOfSurvival(set.costs(), settings_.survival);
+    weights = survivalWeights(set.costs(), settings_.survival_rate);
   }
   return set.outcome(weights);
 }
@@ -108,14 +108,14 @@ InteractingAnnealing::InteractingAnnealing(const AnnealingSettings& settings)
 
 SearchOutcome InteractingAnnealing::minimise(const SearchProblem& problem, const SearchStart& start,
                                              uint64_t seed) const {
-  requireProblem(problem, start);
+  validateProblem(problem, start);
   const CounterRandom random(seed);
   ParticleSet set(problem, start, settings_.particles, random.stream(0));
   const auto weightsOf = [&](int layer) -> VectorXd {
-    const double least = leastOf(set.costs());
-    if (!std::isfinite(least)) return weightsOfSurvival(set.costs(), 1.0);
+    const double least = minOf(set.costs());
+    if (!std::isfinite(least)) return survivalWeights(set.costs(), 1.0);
     return weightsAt(set.costs(), least,
-                     settings_.sharpness * std::pow(layer + 1.0, kScheduleExponent));
+                     settings_.inverse_temperature * std::pow(layer + 1.0, kScheduleExponent));
   };
   VectorXd weights = weightsOf(0);
   for (int layer = 1; layer < settings_.layers; ++layer) {

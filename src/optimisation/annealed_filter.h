@@ -9,13 +9,13 @@ struct AnnealingSettings {
   int particles = 200;
   int layers = 5;
   /// Annealed particle filter: share of the particles that is to survive a layer.
-  double survival = 0.5;
+  double survival_rate = 0.5;
   /// Annealed particle filter: probability that a particle takes a run of its parameters from a
   /// second survivor.
   double crossover = 0.0;
   /// Interacting simulated annealing: weights of layer k, from 0, are
   /// exp(-sharpness (k + 1)^0.7 cost).
-  double sharpness = 100.0;
+  double inverse_temperature = 100.0;
 };
 
 /// Annealed particle filter after Deutscher and Reid 2005: each layer resamples all particles by
@@ -51,6 +51,6 @@ class InteractingAnnealing : public Optimiser {
 /// Weights exp(-beta (cost - least cost)), their sum 1, with beta such that 1 / sum w^2 is `share`
 /// of the number of finite costs; costs that are not finite weigh 0. Equal when costs are equal.
 /// \param share in (0, 1]
-Eigen::VectorXd weightsOfSurvival(const Eigen::VectorXd& costs, double share);
+Eigen::VectorXd survivalWeights(const Eigen::VectorXd& costs, double fraction);
 
 }  // namespace markerless_mocap

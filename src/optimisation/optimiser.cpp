@@ -6,7 +6,7 @@
 
 namespace markerless_mocap {
 
-void requireProblem(const SearchProblem& problem, const SearchStart& start) {
+void validateProblem(const SearchProblem& problem, const SearchStart& start) {
   const auto size = start.center.size();
   if (!problem.cost) throw std::invalid_argument("a search needs a cost");
   if (size < 1 || start.sigma.size() != size || problem.lower.size() != size ||
@@ -24,21 +24,21 @@ void requireProblem(const SearchProblem& problem, const SearchStart& start) {
   }
 }
 
-bool isAllowed(const SearchProblem& problem, const double* candidate) {
+bool isFeasible(const SearchProblem& problem, const double* candidate) {
   for (Eigen::Index d = 0; d < problem.lower.size(); ++d)
     if (!(candidate[d] >= problem.lower[d] && candidate[d] <= problem.upper[d])) return false;
-  return !problem.forbidden || !problem.forbidden(candidate);
+  return !problem.infeasible || !problem.infeasible(candidate);
 }
 
-bool drawAllowed(const SearchProblem& problem, const Eigen::VectorXd& fallback,
-                 const std::function<void(int, Eigen::Ref<Eigen::VectorXd>)>& draw,
-                 Eigen::Ref<Eigen::VectorXd> candidate) {
+bool drawFeasible(const SearchProblem& problem, const Eigen::VectorXd& fallback,
+                  const std::function<void(int, Eigen::Ref<Eigen::VectorXd>)>& draw,
+                  Eigen::Ref<Eigen::VectorXd> candidate) {
   for (int attempt = 0; attempt < kDrawAttempts; ++attempt) {
     draw(attempt, candidate);
-    if (isAllowed(problem, candidate.data())) return true;
+    if (isFeasible(problem, candidate.data())) return true;
   }
   candidate = candidate.cwiseMax(problem.lower).cwiseMin(problem.upper);
-  if (isAllowed(problem, candidate.data())) return true;
+  if (isFeasible(problem, candidate.data())) return true;
   candidate = fallback;
   return false;
 }

@@ -12,7 +12,7 @@ struct SearchProblem {
   /// one is asking, from 0; what is not finite counts as infinitely bad.
   std::function<void(int stage, const double* candidates, int count, double* costs)> cost;
   /// Candidates that may not be, beyond the bounds; empty: none.
-  std::function<bool(const double* candidate)> forbidden;
+  std::function<bool(const double* candidate)> infeasible;
   Eigen::VectorXd lower, upper;  ///< bounds; infinite where there are none
 };
 
@@ -26,9 +26,9 @@ struct SearchStart {
 struct SearchOutcome {
   Eigen::VectorXd best;  ///< the start's centre when nothing was found
   double cost = 0.0;
-  bool found = false;   ///< some candidate had a finite cost
-  int evaluations = 0;  ///< candidates whose cost was asked for
-  int unmoved = 0;      ///< moves given up because no draw met the constraints
+  bool found = false;      ///< some candidate had a finite cost
+  int evaluations = 0;     ///< candidates whose cost was asked for
+  int rejected_moves = 0;  ///< moves given up because no draw met the constraints
 };
 
 /// One interface for all: candidates in, costs out. Stateless: a search depends on its arguments
@@ -42,10 +42,10 @@ class Optimiser {
 };
 
 /// Throws as Optimiser::minimise() says.
-void requireProblem(const SearchProblem& problem, const SearchStart& start);
+void validateProblem(const SearchProblem& problem, const SearchStart& start);
 
 /// Whether a candidate is finite, inside the bounds and not forbidden.
-bool isAllowed(const SearchProblem& problem, const double* candidate);
+bool isFeasible(const SearchProblem& problem, const double* candidate);
 
 /// A draw that must meet the constraints has this many attempts (Fleischmann 2012, 5.3.2).
 constexpr int kDrawAttempts = 10;
@@ -53,7 +53,7 @@ constexpr int kDrawAttempts = 10;
 /// Draws candidates with `draw(attempt, candidate)` until one is allowed. Failing that, the last
 /// one is moved inside the bounds; failing that too, `candidate` is set to `fallback`.
 /// \return false when it was
-bool drawAllowed(
+bool drawFeasible(
     const SearchProblem& problem, const Eigen::VectorXd& fallback,
     const std::function<void(int attempt, Eigen::Ref<Eigen::VectorXd> candidate)>& draw,
     Eigen::Ref<Eigen::VectorXd> candidate);

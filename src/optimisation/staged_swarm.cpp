@@ -15,8 +15,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFirstPull = 2.05, kLastPull = 2.15;
-constexpr double kFastest = 2.0;  // sigmas per iteration
+constexpr double kInitialAcceleration = 2.05, kFinalAcceleration = 2.15;
+constexpr double kMaxVelocity = 2.0;  // sigmas per iteration
 // Particles that one task moves and judges.
 constexpr int kBatch = 3;
 
@@ -33,10 +33,10 @@ class Swarm {
         keep_center_(keep_center),
         position_(start.center.size(), stage.particles),
         velocity_(start.center.size(), stage.particles),
-        own_best_(start.center.size(), stage.particles),
+        personal_best_(start.center.size(), stage.particles),
         cost_(stage.particles),
-        own_cost_(VectorXd::Constant(stage.particles, HUGE_VAL)),
-        unmoved_(Eigen::VectorXi::Zero(stage.particles)) {
+        personal_best_cost_(VectorXd::Constant(stage.particles, HUGE_VAL)),
+        rejected_moves_(Eigen::VectorXi::Zero(stage.particles)) {
     result_.best = start.center;
     result_.cost = HUGE_VAL;
   }
@@ -44,13 +44,14 @@ class Swarm {
   SearchOutcome run() {
     forEachParticle([this](int i) { scatter(i); });
     for (int k = 1; k < stage_.iterations; ++k) {
-      const double pull =
-          kFirstPull + (kLastPull - kFirstPull) * k / std::max(1, stage_.iterations - 1);
+      const double acceleration =
+          kInitialAcceleration +
+          (kFinalAcceleration - kInitialAcceleration) * k / std::max(1, stage_.iterations - 1);
       const CounterRandom random = random_.stream(uint64_t(k));
-      forEachParticle([&](int i) { move(i, pull, random.stream(uint64_t(i))); });
+      forEachParticle([&](int i) { move(i, acceleration, random.stream(uint64_t(i))); });
     }
     result_.evaluations = stage_.particles * stage_.iterations;
-    result_.unmoved = unmoved_.sum();
+    result_.rejected_moves = rejected_moves_.sum();
     return result_;
   }
 
@@ -68,9 +69,9 @@ class Swarm {
     for (int i = 0; i < stage_.particles; ++i) {
       if (!std::isfinite(cost_[i])) continue;
       result_.found = true;
-      if (cost_[i] < own_cost_[i]) {
-        own_cost_[i] = cost_[i];
-        own_best_.col(i) = position_.col(i);
+      if (cost_[i] < personal_best_cost_[i]) {
+        personal_best_cost_[i] = cost_[i];
+        personal_best_.col(i) = position_.col(i);
       }
       if (cost_[i] < result_.cost) {
         result_.cost = cost_[i];
@@ -82,7 +83,7 @@ class Swarm {
   void scatter(int i) {
     const CounterRandom random = random_.stream(0).stream(uint64_t(i));
     const auto dimensions = position_.rows();
-    const bool drawn = drawAllowed(
+    const bool drawn = drawFeasible(
         problem_, start_.center,
         [&](int attempt, Eigen::Ref<VectorXd> candidate) {
           const double scale = keep_center_ && i == 0 && attempt == 0 ? 0.0 : 1.0;
@@ -91,32 +92,33 @@ class Swarm {
                                                   random.normal(uint64_t(attempt * dimensions + d));
         },
         position_.col(i));
-    unmoved_[i] += !drawn;
+    rejected_moves_[i] += !drawn;
     const CounterRandom velocities = random.stream(1);
     for (Eigen::Index d = 0; d < dimensions; ++d)
       velocity_(d, i) = velocities.between(-start_.sigma[d], start_.sigma[d], uint64_t(d));
-    own_best_.col(i) = position_.col(i);
+    personal_best_.col(i) = position_.col(i);
   }
 
   /// Eq. 5.8 with the velocity limited, drawn anew from the same place until it is allowed.
-  void move(int i, double pull, const CounterRandom& random) {
+  void move(int i, double acceleration, const CounterRandom& random) {
     const auto dimensions = position_.rows();
-    const double chi = constriction(2.0 * pull);
+    const double chi = constriction(2.0 * acceleration);
     const VectorXd from = position_.col(i), velocity = velocity_.col(i);
-    const bool drawn = drawAllowed(
+    const bool drawn = drawFeasible(
         problem_, from,
         [&](int attempt, Eigen::Ref<VectorXd> candidate) {
           for (Eigen::Index d = 0; d < dimensions; ++d) {
             const uint64_t counter = uint64_t(2 * (attempt * dimensions + d));
             const double v =
-                chi * (velocity[d] + pull * random.uniform(counter) * (own_best_(d, i) - from[d]) +
-                       pull * random.uniform(counter + 1) * (result_.best[d] - from[d]));
-            const double most = kFastest * start_.sigma[d];
+                chi * (velocity[d] +
+                       acceleration * random.uniform(counter) * (personal_best_(d, i) - from[d]) +
+                       acceleration * random.uniform(counter + 1) * (result_.best[d] - from[d]));
+            const double most = kMaxVelocity * start_.sigma[d];
             candidate[d] = from[d] + std::min(std::max(v, -most), most);
           }
         },
         position_.col(i));
-    unmoved_[i] += !drawn;
+    rejected_moves_[i] += !drawn;
     velocity_.col(i) = position_.col(i) - from;
   }
 
@@ -126,9 +128,9 @@ class Swarm {
   const SearchStart& start_;
   CounterRandom random_;
   bool keep_center_;
-  MatrixXd position_, velocity_, own_best_;  // a particle is a column
-  VectorXd cost_, own_cost_;
-  Eigen::VectorXi unmoved_;
+  MatrixXd position_, velocity_, personal_best_;  // a particle is a column
+  VectorXd cost_, personal_best_cost_;
+  Eigen::VectorXi rejected_moves_;
   SearchOutcome result_;
 };
 
@@ -146,8 +148,8 @@ StagedSwarm::StagedSwarm(std::vector<SwarmStage> stages, bool keep_center)
     const std::string name = "swarm stage " + std::to_string(i);
     if (stage.particles < 1 || stage.iterations < 1)
       throw std::invalid_argument(name + " needs at least one particle and one iteration");
-    if (stage.reach.size() != stages_.front().reach.size() || !stage.reach.allFinite() ||
-        (stage.reach.array() < 0.0).any())
+    if (stage.sigma_scale.size() != stages_.front().sigma_scale.size() ||
+        !stage.sigma_scale.allFinite() || (stage.sigma_scale.array() < 0.0).any())
       throw std::invalid_argument(name + " needs a reach of at least 0 for each parameter");
   }
 }
@@ -160,20 +162,20 @@ int StagedSwarm::evaluations() const {
 
 SearchOutcome StagedSwarm::minimise(const SearchProblem& problem, const SearchStart& start,
                                     uint64_t seed) const {
-  requireProblem(problem, start);
-  if (stages_.front().reach.size() != start.center.size())
+  validateProblem(problem, start);
+  if (stages_.front().sigma_scale.size() != start.center.size())
     throw std::invalid_argument("a staged swarm for " +
-                                std::to_string(stages_.front().reach.size()) +
+                                std::to_string(stages_.front().sigma_scale.size()) +
                                 " parameters cannot search " + std::to_string(start.center.size()));
   const CounterRandom random(seed);
   SearchOutcome all;
   all.best = start.center;
   for (size_t i = 0; i < stages_.size(); ++i) {
-    const SearchStart here = {all.best, start.sigma.cwiseProduct(stages_[i].reach)};
+    const SearchStart here = {all.best, start.sigma.cwiseProduct(stages_[i].sigma_scale)};
     const SearchOutcome found =
         Swarm(problem, stages_[i], int(i), here, random.stream(i), keep_center_).run();
     all.evaluations += found.evaluations;
-    all.unmoved += found.unmoved;
+    all.rejected_moves += found.rejected_moves;
     all.found = found.found;
     all.cost = found.cost;
     if (found.found) all.best = found.best;

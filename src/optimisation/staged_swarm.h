@@ -12,7 +12,7 @@ struct SwarmStage {
   int iterations = 40;
   /// Factor of each parameter's sigma: 0 holds the parameter still (a hard partition), a small one
   /// lets it be corrected (a soft partition).
-  Eigen::VectorXd reach;
+  Eigen::VectorXd sigma_scale;
 };
 
 /// The constriction factor chi of Clerc and Kennedy 2002 for phi = c1 + c2 > 4 (Eq. 5.9).

@@ -33,32 +33,32 @@ std::string shown(const YAML::Node& node) {
   return out.c_str();
 }
 
-[[noreturn]] void refuse(const std::string& where, const char* key, const std::string& value,
-                         const std::string& allowed) {
+[[noreturn]] void throwError(const std::string& where, const char* key, const std::string& value,
+                             const std::string& allowed) {
   throw std::invalid_argument(where + "/" + key + " is " + value + ", allowed is " + allowed);
 }
 
 template <class T>
-std::string rangeText(T lowest, T highest) {
-  return text(lowest) + " to " + text(highest);
+std::string rangeText(T min_value, T max_value) {
+  return text(min_value) + " to " + text(max_value);
 }
 
 template <class T>
-void checkRange(const std::string& where, const char* key, T value, T lowest, T highest) {
-  if (!(value >= lowest && value <= highest))  // NaN fails too
-    refuse(where, key, text(value), rangeText(lowest, highest));
+void checkRange(const std::string& where, const char* key, T value, T min_value, T max_value) {
+  if (!(value >= min_value && value <= max_value))  // NaN fails too
+    throwError(where, key, text(value), rangeText(min_value, max_value));
 }
 
-void checkVector(const std::string& where, const char* key, const Eigen::Vector3d& v, double lowest,
-                 double highest) {
-  if (!v.allFinite() || v.minCoeff() < lowest || v.maxCoeff() > highest)
-    refuse(where, key, text(v), "three numbers, each " + rangeText(lowest, highest));
+void checkVector(const std::string& where, const char* key, const Eigen::Vector3d& v,
+                 double min_value, double max_value) {
+  if (!v.allFinite() || v.minCoeff() < min_value || v.maxCoeff() > max_value)
+    throwError(where, key, text(v), "three numbers, each " + rangeText(min_value, max_value));
 }
 
 void checkChoice(const std::string& where, const char* key, const std::string& value,
                  const std::vector<std::string>& allowed) {
   if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-    refuse(where, key, '"' + value + '"', "one of " + joined(allowed));
+    throwError(where, key, '"' + value + '"', "one of " + joined(allowed));
 }
 
 /// The node's value, or a sentence that says which type is wanted.
@@ -68,7 +68,7 @@ T converted(const YAML::Node& node, const std::string& where, const char* key,
   try {
     return node.as<T>();
   } catch (const YAML::Exception&) {
-    refuse(where, key, shown(node), wanted);
+    throwError(where, key, shown(node), wanted);
   }
 }
 
@@ -107,19 +107,19 @@ void OptionReader::field(const char* key, bool& value, const char*) {
   if (const YAML::Node n = take(key)) value = converted<bool>(n, where_, key, "true or false");
 }
 
-void OptionReader::field(const char* key, int& value, int lowest, int highest, const char*) {
+void OptionReader::field(const char* key, int& value, int min_value, int max_value, const char*) {
   const YAML::Node n = take(key);
   if (!n) return;
-  value = converted<int>(n, where_, key, "a whole number, " + rangeText(lowest, highest));
-  checkRange(where_, key, value, lowest, highest);
+  value = converted<int>(n, where_, key, "a whole number, " + rangeText(min_value, max_value));
+  checkRange(where_, key, value, min_value, max_value);
 }
 
-void OptionReader::field(const char* key, double& value, double lowest, double highest,
+void OptionReader::field(const char* key, double& value, double min_value, double max_value,
                          const char*) {
   const YAML::Node n = take(key);
   if (!n) return;
-  value = converted<double>(n, where_, key, "a number, " + rangeText(lowest, highest));
-  checkRange(where_, key, value, lowest, highest);
+  value = converted<double>(n, where_, key, "a number, " + rangeText(min_value, max_value));
+  checkRange(where_, key, value, min_value, max_value);
 }
 
 void OptionReader::field(const char* key, std::string& value,
@@ -136,15 +136,15 @@ void OptionReader::field(const char* key, std::vector<std::string>& value, const
     value = converted<std::vector<std::string>>(n, where_, key, "a list of texts");
 }
 
-void OptionReader::field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
-                         const char*) {
+void OptionReader::field(const char* key, Eigen::Vector3d& value, double min_value,
+                         double max_value, const char*) {
   const YAML::Node n = take(key);
   if (!n) return;
-  const std::string wanted = "three numbers, each " + rangeText(lowest, highest);
+  const std::string wanted = "three numbers, each " + rangeText(min_value, max_value);
   const auto numbers = converted<std::vector<double>>(n, where_, key, wanted);
-  if (numbers.size() != 3) refuse(where_, key, shown(n), wanted);
+  if (numbers.size() != 3) throwError(where_, key, shown(n), wanted);
   value = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-  checkVector(where_, key, value, lowest, highest);
+  checkVector(where_, key, value, min_value, max_value);
 }
 
 void OptionReader::finish() const {
@@ -164,13 +164,13 @@ void OptionReader::finish() const {
 
 void OptionChecker::field(const char*, bool&, const char*) {}
 
-void OptionChecker::field(const char* key, int& value, int lowest, int highest, const char*) {
-  checkRange(where_, key, value, lowest, highest);
+void OptionChecker::field(const char* key, int& value, int min_value, int max_value, const char*) {
+  checkRange(where_, key, value, min_value, max_value);
 }
 
-void OptionChecker::field(const char* key, double& value, double lowest, double highest,
+void OptionChecker::field(const char* key, double& value, double min_value, double max_value,
                           const char*) {
-  checkRange(where_, key, value, lowest, highest);
+  checkRange(where_, key, value, min_value, max_value);
 }
 
 void OptionChecker::field(const char* key, std::string& value,
@@ -180,9 +180,9 @@ void OptionChecker::field(const char* key, std::string& value,
 
 void OptionChecker::field(const char*, std::vector<std::string>&, const char*) {}
 
-void OptionChecker::field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
-                          const char*) {
-  checkVector(where_, key, value, lowest, highest);
+void OptionChecker::field(const char* key, Eigen::Vector3d& value, double min_value,
+                          double max_value, const char*) {
+  checkVector(where_, key, value, min_value, max_value);
 }
 
 void OptionDescriber::row(const char* key, const std::string& value, const std::string& allowed,
@@ -194,14 +194,14 @@ void OptionDescriber::field(const char* key, bool& value, const char* meaning) {
   row(key, value ? "true" : "false", "true, false", meaning);
 }
 
-void OptionDescriber::field(const char* key, int& value, int lowest, int highest,
+void OptionDescriber::field(const char* key, int& value, int min_value, int max_value,
                             const char* meaning) {
-  row(key, text(value), rangeText(lowest, highest), meaning);
+  row(key, text(value), rangeText(min_value, max_value), meaning);
 }
 
-void OptionDescriber::field(const char* key, double& value, double lowest, double highest,
+void OptionDescriber::field(const char* key, double& value, double min_value, double max_value,
                             const char* meaning) {
-  row(key, text(value), rangeText(lowest, highest), meaning);
+  row(key, text(value), rangeText(min_value, max_value), meaning);
 }
 
 void OptionDescriber::field(const char* key, std::string& value,
@@ -214,23 +214,23 @@ void OptionDescriber::field(const char* key, std::vector<std::string>& value, co
   row(key, "[" + joined(value) + "]", "list of texts", meaning);
 }
 
-void OptionDescriber::field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
-                            const char* meaning) {
-  row(key, text(value), "each " + rangeText(lowest, highest), meaning);
+void OptionDescriber::field(const char* key, Eigen::Vector3d& value, double min_value,
+                            double max_value, const char* meaning) {
+  row(key, text(value), "each " + rangeText(min_value, max_value), meaning);
 }
 
 void PrefixedVisitor::field(const char* key, bool& value, const char* meaning) {
   inner_.field((prefix_ + key).c_str(), value, meaning);
 }
 
-void PrefixedVisitor::field(const char* key, int& value, int lowest, int highest,
+void PrefixedVisitor::field(const char* key, int& value, int min_value, int max_value,
                             const char* meaning) {
-  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+  inner_.field((prefix_ + key).c_str(), value, min_value, max_value, meaning);
 }
 
-void PrefixedVisitor::field(const char* key, double& value, double lowest, double highest,
+void PrefixedVisitor::field(const char* key, double& value, double min_value, double max_value,
                             const char* meaning) {
-  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+  inner_.field((prefix_ + key).c_str(), value, min_value, max_value, meaning);
 }
 
 void PrefixedVisitor::field(const char* key, std::string& value,
@@ -242,9 +242,9 @@ void PrefixedVisitor::field(const char* key, std::vector<std::string>& value, co
   inner_.field((prefix_ + key).c_str(), value, meaning);
 }
 
-void PrefixedVisitor::field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
-                            const char* meaning) {
-  inner_.field((prefix_ + key).c_str(), value, lowest, highest, meaning);
+void PrefixedVisitor::field(const char* key, Eigen::Vector3d& value, double min_value,
+                            double max_value, const char* meaning) {
+  inner_.field((prefix_ + key).c_str(), value, min_value, max_value, meaning);
 }
 
 }  // namespace markerless_mocap

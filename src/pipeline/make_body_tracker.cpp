@@ -2,44 +2,44 @@
 
 #include <stdexcept>
 
-#include "contour/contour_method.h"
-#include "fleischmann/sppso_method.h"
-#include "hsiao/skeleton_method.h"
+#include "contour/contour_tracker.h"
+#include "fleischmann/fleischmann_tracker.h"
+#include "hsiao/hsiao_tracker.h"
 #include "resources/resources.h"
 
 namespace markerless_mocap {
 namespace {
 
 /// Proposes starts from part curves and hull.
-InitializerFactory initializers(FittingOptions options) {
+InitializerFactory initializers(HsiaoOptions options) {
   return [options](std::shared_ptr<const BodyModel> model) {
-    return std::make_unique<PoseTracker>(std::move(model), options);
+    return std::make_unique<HsiaoPoseEstimator>(std::move(model), options);
   };
 }
 
 /// A start is one proposal among several that contours refine: one search for it does.
-FittingOptions withOneAttempt(FittingOptions options) {
-  options.start_attempts = 1;
+HsiaoOptions withOneAttempt(HsiaoOptions options) {
+  options.initialization_attempts = 1;
   return options;
 }
 
 }  // namespace
 
-std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonSources& sources,
+std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& sources,
                                              const TrackerOptions& options) {
   options.validate();
   const PersonOptions& person = options.person;
-  if (options.method == "skeleton")
-    return std::make_unique<SkeletonMethod>(sources, person, options.skeleton);
+  if (options.method == "hsiao")
+    return std::make_unique<HsiaoTracker>(sources, person, options.hsiao);
   if (rig.empty())
     throw std::invalid_argument("pose_fitting/method is " + options.method +
-                                ", which needs cameras; without any, allowed is skeleton");
-  if (options.method == "sppso")
-    return std::make_unique<SppsoMethod>(rig, sources, person, options.sppso,
-                                         MotionStatistics::fromYaml(motionStatisticsYaml()),
-                                         initializers(options.skeleton));
+                                ", which needs cameras; without any, allowed is hsiao");
+  if (options.method == "fleischmann")
+    return std::make_unique<FleischmannTracker>(
+        rig, sources, person, options.fleischmann,
+        FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()), initializers(options.hsiao));
   return std::make_unique<ContourMethod>(rig, sources, person, options.contour,
-                                         initializers(withOneAttempt(options.skeleton)));
+                                         initializers(withOneAttempt(options.hsiao)));
 }
 
 }  // namespace markerless_mocap

@@ -37,7 +37,7 @@ std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
 
 }  // namespace
 
-Pipeline::Pipeline(CameraRig rig, const PersonSources& sources, const PipelineOptions& options)
+Pipeline::Pipeline(CameraRig rig, const PersonResources& sources, const PipelineOptions& options)
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),
@@ -48,7 +48,7 @@ Pipeline::Pipeline(CameraRig rig, const PersonSources& sources, const PipelineOp
 
 struct Pipeline::Stage {
   const char* name;
-  void (Pipeline::*work)(const CapturedInstant&, PipelineResult*);
+  void (Pipeline::*work)(const FrameSet&, PipelineResult*);
 };
 
 const std::vector<Pipeline::Stage>& Pipeline::stages() {
@@ -77,7 +77,7 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
   tbb::filter<void, Item> chain =
       tbb::make_filter<void, Item>(kInOrder, [&](tbb::flow_control& control) -> Item {
-        std::optional<CapturedInstant> instant = source();
+        std::optional<FrameSet> instant = source();
         if (instant) return std::make_shared<Work>(Work{std::move(*instant), {}});
         control.stop();
         return nullptr;
@@ -105,7 +105,7 @@ void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   }
 }
 
-void Pipeline::extractSilhouettes(const CapturedInstant& instant, PipelineResult* result) {
+void Pipeline::extractSilhouettes(const FrameSet& instant, PipelineResult* result) {
   const std::vector<CameraFrame>& frames = instant.frames;
   checkFrames(frames);
   std::vector<cv::Mat> found(frames.size());
@@ -126,19 +126,19 @@ void Pipeline::extractSilhouettes(const CapturedInstant& instant, PipelineResult
   if (!result->learning) result->masks = std::move(found);
 }
 
-void Pipeline::carve(const CapturedInstant& instant, PipelineResult* result) {
+void Pipeline::carve(const FrameSet& instant, PipelineResult* result) {
   result->hull = carver_.carve(viewsOf(instant.frames, result->masks));
 }
 
-void Pipeline::segment(const CapturedInstant& instant, PipelineResult* result) {
+void Pipeline::segment(const FrameSet& instant, PipelineResult* result) {
   result->parts = segmenter_.segment(result->hull, instant.stamp_ns, &part_memory_);
 }
 
-void Pipeline::buildTree(const CapturedInstant&, PipelineResult* result) {
+void Pipeline::buildTree(const FrameSet&, PipelineResult* result) {
   result->tree = tree_builder_.build(result->hull);
 }
 
-void Pipeline::track(const CapturedInstant& instant, PipelineResult* result) {
+void Pipeline::track(const FrameSet& instant, PipelineResult* result) {
   result->pose = tracker_->update({instant.stamp_ns, result->masks, imagesOf(instant.frames),
                                    result->hull, result->parts, result->tree});
   result->body = tracker_->body();

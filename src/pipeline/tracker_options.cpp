@@ -3,23 +3,23 @@
 namespace markerless_mocap {
 
 void TrackerOptions::visit(OptionVisitor& v) {
-  v.field("method", method, {"contour", "skeleton", "sppso"},
+  v.field("method", method, {"contour", "hsiao", "fleischmann"},
           "how the person is followed: the body fitted to the silhouettes' contours, to the part "
           "curves and the hull (Hsiao), or searched by silhouettes and edges (Fleischmann)");
   person.visit(v);
   filter.visit(v);
-  skeleton.visit(v);
+  hsiao.visit(v);
   PrefixedVisitor of_contour("contour_", v);
   contour.visit(of_contour);
   PrefixedVisitor of_sppso("sppso_", v);
-  sppso.visit(of_sppso);
+  fleischmann.visit(of_sppso);
 }
 
 void TrackerOptions::validate() const {
   checkFields(*this);
-  skeleton.validate();
+  hsiao.validate();
   contour.validate();
-  sppso.validate();
+  fleischmann.validate();
 }
 
 }  // namespace markerless_mocap

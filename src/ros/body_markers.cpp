@@ -101,7 +101,7 @@ visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPo
     marker.action = lost || !pose.part_seen[part] ? Marker::DELETE : Marker::ADD;
     marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
     marker.pose.orientation.w = 1.0;
-    marker.color = colorOf(pose.part_deviation_m[part]);
+    marker.color = colorOf(pose.part_sigma_m[part]);
   }
   if (lost) return array;
   LinkPoses T_world_link;

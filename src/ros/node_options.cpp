@@ -87,7 +87,7 @@ void HullNodeOptions::validate() const {
                                 ", allowed is stamp_tolerance or more");
 }
 
-size_t HullNodeOptions::fewestCameras() const {
+size_t HullNodeOptions::requiredCameras() const {
   return min_cameras > 0 ? static_cast<size_t>(min_cameras) : (3 * cameras.size() + 3) / 4;
 }
 
@@ -114,7 +114,7 @@ void FittingNodeOptions::validate() const {
 }
 
 void FittingNodeOptions::checkCamerasFor(const std::string& method) const {
-  if (method != "skeleton") checkCameras(kStage, cameras, 2);
+  if (method != "hsiao") checkCameras(kStage, cameras, 2);
 }
 
 void StudioNodeOptions::visit(OptionVisitor& v) {

@@ -34,7 +34,7 @@ struct HullNodeOptions {
   void visit(OptionVisitor& v);
   void validate() const;
   /// min_cameras, or what it stands for when it is 0.
-  size_t fewestCameras() const;
+  size_t requiredCameras() const;
 };
 
 /// What the node `pose_fitting` asks for beside TrackerOptions.

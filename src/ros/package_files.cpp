@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "markerless_mocap/tracking/sizes_file.h"
+#include "markerless_mocap/tracking/shape_file.h"
 
 namespace markerless_mocap {
 
@@ -27,19 +27,19 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
-PersonSources readPersonSources(const std::string& body_id, const std::string& urdf_template,
-                                  const std::string& body_file) {
-  PersonSources sources = PersonSources::standard();
+PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
+                                    const std::string& body_file) {
+  PersonResources sources = PersonResources::standard();
   sources.body_id = body_id;
   if (!urdf_template.empty()) sources.urdf_template = readText(urdf_template);
-  if (!body_file.empty()) sources.measured = sizesFromText(readText(body_file), body_file);
+  if (!body_file.empty()) sources.measured = shapeFromYaml(readText(body_file), body_file);
   return sources;
 }
 
-void writeBodyFile(const std::string& path, const ContourSizes& sizes) {
+void writeBodyFile(const std::string& path, const ShapeParameters& sizes) {
   const std::string unfinished = path + ".part";
   std::ofstream file(unfinished);
-  file << sizesText(sizes);
+  file << shapeToYaml(sizes);
   file.close();
   if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0)
     throw std::runtime_error("cannot write the body file " + path);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "markerless_mocap/tracking/person_sources.h"
+#include "markerless_mocap/tracking/person_resources.h"
 
 namespace markerless_mocap {
 
@@ -16,12 +16,12 @@ std::string readText(const std::string& path);
 /// What is known of the person. Throws std::runtime_error if a file cannot be read,
 /// std::invalid_argument if it does not hold what it should.
 /// \param urdf_template empty: the package's own
-/// \param body_file sizes of the person, as sizesText() writes them; empty: none
-PersonSources readPersonSources(const std::string& body_id, const std::string& urdf_template,
-                                  const std::string& body_file);
+/// \param body_file sizes of the person, as shapeToYaml() writes them; empty: none
+PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
+                                    const std::string& body_file);
 
 /// Writes a person's sizes so that the file is there whole or not at all. Throws std::runtime_error
 /// if it cannot be written.
-void writeBodyFile(const std::string& path, const ContourSizes& sizes);
+void writeBodyFile(const std::string& path, const ShapeParameters& sizes);
 
 }  // namespace markerless_mocap

@@ -98,8 +98,7 @@ BodyPoseMsg messageFromPose(const BodyModel& model, const BodyPose& pose,
   message.body_id = model.id();
   message.status = statusToMessage(pose.status);
   message.reason = pose.reason;
-  std::copy(pose.part_deviation_m.begin(), pose.part_deviation_m.end(),
-            message.part_deviation.begin());
+  std::copy(pose.part_sigma_m.begin(), pose.part_sigma_m.end(), message.part_deviation.begin());
   message.silhouette_overlap = pose.silhouette_overlap;
   message.skeleton_error = pose.skeleton_error_m;
   message.hull_explained = pose.hull_explained;

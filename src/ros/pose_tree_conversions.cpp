@@ -86,7 +86,7 @@ void readTips(const PoseTreeMsg& message, PoseTree* tree) {
               message.tip_positions.size() == count,
           "names, nodes and positions of tips of different lengths");
   for (size_t i = 0; i < count; ++i) {
-    TreeTip& tip =
+    TreeExtremity& tip =
         tree->tips[size_t(named<Extremity>(message.tip_names[i], kExtremityCount, "tip"))];
     checkNode(message.tip_nodes[i], *tree, "a tip");
     tip.node = message.tip_nodes[i];
@@ -120,7 +120,7 @@ PoseTreeMsg messageFromPoseTree(const PoseTree& tree, const std_msgs::Header& he
   }
   message.origin = tree.origin;
   for (int i = 0; i < kExtremityCount; ++i) {
-    const TreeTip& tip = tree.tips[size_t(i)];
+    const TreeExtremity& tip = tree.extremities[size_t(i)];
     if (tip.node < 0) continue;
     message.tip_names.emplace_back(toString(Extremity(i)));
     message.tip_nodes.push_back(tip.node);

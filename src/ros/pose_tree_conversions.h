@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include "ros/messages.h"
 #include "markerless_mocap/products/pose_tree.h"
+#include "ros/messages.h"
 
 namespace markerless_mocap {
 

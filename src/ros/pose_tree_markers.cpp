@@ -56,7 +56,7 @@ class MarkerSet {
   }
 
   void addTip(Extremity extremity) {
-    const TreeTip& tip = tree_.tip(extremity);
+    const TreeExtremity& tip = tree_.extremity(extremity);
     const int id = int(extremity);
     const auto color = treeColor(partAt(extremity));
     Marker& ball = add("tips", id, Marker::SPHERE, tip.node >= 0);

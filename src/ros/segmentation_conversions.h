@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 
+#include "markerless_mocap/products/body_parts.h"
 #include "markerless_mocap/products/visual_hull.h"
 #include "ros/messages.h"
-#include "markerless_mocap/products/body_parts.h"
 
 namespace markerless_mocap {
 

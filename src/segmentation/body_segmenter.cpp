@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "segmentation/limbs/limbs.h"
+#include "markerless_mocap/segmentation/part_tracker.h"
 #include "segmentation/curves/part_curve.h"
-#include "markerless_mocap/segmentation/part_memory.h"
+#include "segmentation/limbs/limbs.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,7 +29,7 @@ std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) 
   return labels;
 }
 
-void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, PartMemory* memory,
+void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, PartTracker* memory,
                std::vector<PartLabel>* labels, BodyParts* parts) {
   const auto carried = memory->carryOver(stamp_ns, voxels, limbs, labels);
   for (int part = 0; part < kPartCount; ++part) parts->parts[part].carried = carried[part];
@@ -92,8 +92,8 @@ void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<P
   }
   for (int part = 1; part < kPartCount; ++part) {
     if (!limbs.has(PartLabel(part))) continue;
-    std::vector<double> ahead = limbs.way[part];
-    for (double& way : ahead) way = -way;
+    std::vector<double> ahead = limbs.geodesic[part];
+    for (double& geodesic : ahead) geodesic = -geodesic;
     parts->parts[part] =
         fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes, kPieces[part]);
     parts->parts[part].whole = parts->parts[part].seen && limbs.whole[part];
@@ -110,10 +110,10 @@ std::string hullFault(const VisualHull& hull, const SegmentationOptions& options
   }
   std::ostringstream reason;
   const double litres = hull.litres();
-  if (litres >= options.least_litres && litres <= options.most_litres) return "";
+  if (litres >= options.min_litres && litres <= options.max_litres) return "";
   reason.precision(3);
-  reason << "the hull has " << litres << " litres, a person " << options.least_litres << " to "
-         << options.most_litres;
+  reason << "the hull has " << litres << " litres, a person " << options.min_litres << " to "
+         << options.max_litres;
   return reason.str();
 }
 
@@ -153,7 +153,7 @@ std::string loopsIn(const Limbs& limbs) {
   return sentence;
 }
 
-void judge(const Limbs& limbs, double highest_cost, BodyParts* result) {
+void judge(const Limbs& limbs, double max_cost, BodyParts* result) {
   const std::string missing = partsWithout(*result, [](const PartCurve& p) { return p.seen; });
   const std::string merged =
       partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
@@ -164,9 +164,9 @@ void judge(const Limbs& limbs, double highest_cost, BodyParts* result) {
   reason.precision(3);
   if (!isBody(*result)) {
     reason << "no body is recognised: " << missing << " not seen";
-  } else if (limbs.cost > highest_cost) {
+  } else if (limbs.cost > max_cost) {
     reason << "the hull's branches do not fit a body (cost " << limbs.cost << ", allowed "
-           << highest_cost << ")";
+           << max_cost << ")";
   } else if (missing.empty() && arms_whole && areLegsAlike(*result)) {
     result->status = SegmentationStatus::kOk;
   } else {
@@ -197,18 +197,16 @@ void SegmentationOptions::visit(OptionVisitor& v) {
           "weight edges by the cameras' votes that neighbours have the same colour");
   v.field("shrink_weight", shrink_weight, 0.0, 1000.0,
           "weight added to the edges in the body's thick core; draws the torso together");
-  v.field("highest_cost", highest_cost, 0.1, 9.0,
+  v.field("max_cost", max_cost, 0.1, 9.0,
           "mean squared z-score of the limbs' measures above which a hull is no person");
-  v.field("least_litres", least_litres, 0.0, 1000.0, "volume of the smallest person, litres");
-  v.field("most_litres", most_litres, 0.0, 1000.0,
-          "volume of the largest hull of a person, litres");
+  v.field("min_litres", min_litres, 0.0, 1000.0, "volume of the smallest person, litres");
+  v.field("max_litres", max_litres, 0.0, 1000.0, "volume of the largest hull of a person, litres");
 }
 
 void SegmentationOptions::validate() const {
   checkFields(*this);
-  if (least_litres >= most_litres) {
-    throw std::invalid_argument(std::string(kStage) +
-                                ": least_litres must be less than most_litres");
+  if (min_litres >= max_litres) {
+    throw std::invalid_argument(std::string(kStage) + ": min_litres must be less than max_litres");
   }
 }
 
@@ -221,7 +219,7 @@ BodyParts BodySegmenter::segment(const VisualHull& hull) const {
 }
 
 BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
-                                 PartMemory* memory) const {
+                                 PartTracker* memory) const {
   BodyParts result;
   result.labels.assign(hull.voxels.size(), uint8_t(PartLabel::kTorso));
   result.reason = hullFault(hull, options_);
@@ -234,7 +232,7 @@ BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
     if (memory) carryOver(stamp_ns, voxels, limbs, memory, &labels, &result);
     result.labels = voxelLabels(hull, voxels, labels);
     fitCurves(voxels, limbs, labels, &result);
-    judge(limbs, options_.highest_cost, &result);
+    judge(limbs, options_.max_cost, &result);
   } catch (const std::runtime_error& error) {
     result.reason = error.what();
   }

@@ -37,6 +37,6 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
 
 /// Nodes of the thick core: at least `share` of the greatest depth (the mean of the deepest 0.2 %)
 /// under the surface.
-std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double share);
+std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double fraction);
 
 }  // namespace markerless_mocap

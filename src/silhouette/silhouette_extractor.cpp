@@ -28,7 +28,7 @@ class SilhouetteExtractor::Impl {
       return {};
     }
     const Extraction found = subtractor_->extract(image);
-    return {stateAfter(found), found.mask.toMat(), found.changed_share, found.light_gain};
+    return {stateAfter(found), found.mask.toMat(), found.changed_fraction, found.light_gain};
   }
 
   void reset() {
@@ -97,7 +97,7 @@ void SilhouetteExtractor::Impl::checkImage(const cv::Mat& image) const {
 
 SilhouetteState SilhouetteExtractor::Impl::stateAfter(const Extraction& found) {
   const bool at_limit = found.light_gain <= kDarkestGain || found.light_gain >= kBrightestGain;
-  misfits_ = found.changed_share > options_.stale_share || at_limit ? misfits_ + 1 : 0;
+  misfits_ = found.changed_fraction > options_.stale_fraction || at_limit ? misfits_ + 1 : 0;
   return misfits_ >= options_.stale_frames ? SilhouetteState::kStale : SilhouetteState::kReady;
 }
 

@@ -20,7 +20,7 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "divide each image by the change of light estimated over the background");
   v.field("remove_shadows", remove_shadows,
           "take foreground that is a darker shade of its background as background");
-  v.field("shadow_darkest", shadow_darkest, 0.05, 1,
+  v.field("min_shadow_brightness", min_shadow_brightness, 0.05, 1,
           "brightness of the darkest cast shadow, as a share of the background's");
   v.field("shadow_chroma_tolerance", shadow_chroma_tolerance, 0, 1,
           "a shadow's mean colour differs at most by this from its background's, relative");
@@ -30,7 +30,7 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "holes up to this area are filled, px; gaussian and mean_shift also fill those up to 50 "
           "times as large around which the person looks like the background");
   v.field("min_blob_px", min_blob_px, 0, 1000000, "blobs below this area are removed, px");
-  v.field("stale_share", stale_share, 0, 1,
+  v.field("stale_fraction", stale_fraction, 0, 1,
           "more of the image than this share differs from a background that is stale");
   v.field("stale_frames", stale_frames, 1, 100000,
           "the background is stale after so many such images in a row");

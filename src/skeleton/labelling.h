@@ -3,15 +3,15 @@
 #include <optional>
 #include <string>
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/pose_tree.h"
+#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
-#include "skeleton/labelling/label_doubts.h"
-#include "skeleton/labelling/label_ranking.h"
-#include "skeleton/labelling/left_right.h"
 #include "skeleton/graph/tree_graph.h"
 #include "skeleton/graph/tree_parts.h"
 #include "skeleton/graph/tree_volume.h"
+#include "skeleton/labelling/label_ranking.h"
+#include "skeleton/labelling/left_right.h"
+#include "skeleton/labelling/validity_features.h"
 
 namespace markerless_mocap {
 
@@ -26,27 +26,27 @@ class Labelling {
   Labelling(const PoseTreeOptions& options, const VisualHull& hull, const CurveSkeleton& skeleton);
 
   /// \param last ends to follow \param now set to the ends if the tree is valid
-  PoseTree run(const LastEnds& last, LastEnds* now);
+  PoseTree run(const PreviousExtremities& last, PreviousExtremities* now);
 
   /// What the validity was told by; nothing where the labelling did not come so far.
-  const std::optional<LabelDoubts>& doubts() const { return doubts_; }
+  const std::optional<ValidityFeatures>& features() const { return validity_features_; }
   const TreeGraph& graph() const { return graph_; }
   const TreeVolume& volume() const { return volume_; }
 
  private:
-  PoseTree& refuse(TreeStatus status, const std::string& reason) {
+  PoseTree& reject(TreeStatus status, const std::string& reason) {
     tree_.status = status;
     tree_.reason = reason;
     return tree_;
   }
-  bool feetTogether() const { return choice_.ends[3] == choice_.ends[4]; }
-  void choose(const LastEnds& last);
-  void plant();
-  void placeTips();
-  void tellSides();
-  void nameSides();
-  void swapSides(size_t first_tip, TreePart left, TreePart right);
-  void judge();
+  bool feetTogether() const { return choice_.extremities[3] == choice_.extremities[4]; }
+  void choose(const PreviousExtremities& last);
+  void reroot();
+  void placeExtremities();
+  void estimateBodyAxes();
+  void assignSides();
+  void swapSides(size_t first_extremity, TreePart left, TreePart right);
+  void assessValidity();
 
   const PoseTreeOptions& options_;
   const VisualHull& hull_;
@@ -54,11 +54,11 @@ class Labelling {
   TreeGraph graph_;
   LabelChoice choice_;
   double names_probability_ = 0.0;
-  PlantedTree planted_;
+  RerootedTree rerooted_;
   BodyPaths body_;
   BodyAxes axes_;
   bool torso_ = false;
-  std::optional<LabelDoubts> doubts_;
+  std::optional<ValidityFeatures> validity_features_;
   PoseTree tree_;
 };
 

@@ -2,7 +2,7 @@
 
 #include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/labelling.h"
-#include "skeleton/validity_checks.h"
+#include "skeleton/plausibility_checks.h"
 
 namespace markerless_mocap {
 namespace {
@@ -12,10 +12,10 @@ PoseTreeOptions validated(const PoseTreeOptions& options) {
   return options;
 }
 
-PoseTree refused(const Refusal& refusal) {
+PoseTree rejected(const Rejection& rejection) {
   PoseTree tree;
-  tree.status = refusal.status;
-  tree.reason = refusal.reason;
+  tree.status = rejection.status;
+  tree.reason = rejection.reason;
   return tree;
 }
 
@@ -26,13 +26,13 @@ class PoseTreeBuilder::State {
   explicit State(const PoseTreeOptions& options) : options_(validated(options)) {}
 
   PoseTree build(const VisualHull& hull, const CurveSkeleton* skeleton) {
-    LastEnds now;
-    if (const auto refusal = refuseHull(hull)) {
+    PreviousExtremities now;
+    if (const auto rejection = rejectHull(hull)) {
       last_.reset();
-      return refused(*refusal);
+      return rejected(*rejection);
     }
     PoseTree tree = Labelling(options_, hull, skeleton ? *skeleton : thinner_.thin(hull))
-                        .run(options_.follow_labels ? last_ : LastEnds(), &now);
+                        .run(options_.follow_labels ? last_ : PreviousExtremities(), &now);
     last_ = now;
     return tree;
   }
@@ -41,7 +41,7 @@ class PoseTreeBuilder::State {
  private:
   PoseTreeOptions options_;
   Thinner thinner_{kTreePersistence};
-  LastEnds last_;
+  PreviousExtremities last_;
 };
 
 PoseTreeBuilder::PoseTreeBuilder(const PoseTreeOptions& options)

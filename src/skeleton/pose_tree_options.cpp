@@ -14,9 +14,9 @@ void PoseTreeOptions::visit(OptionVisitor& v) {
   v.field("prune_ratio", prune_ratio, 0.01, 0.5,
           "in `ranking`, branches shorter than this share of the longest path are spurs; as "
           "published 0.274");
-  v.field("least_rank", least_rank, 0, 1,
+  v.field("min_rank", min_rank, 0, 1,
           "in `ranking`, ranks of the origin below this make a frame invalid");
-  v.field("least_validity", least_validity, 0, 1,
+  v.field("min_validity", min_validity, 0, 1,
           "in `template`, estimated probability of right labels and sides below which a frame is "
           "invalid");
   v.field("follow_labels", follow_labels,

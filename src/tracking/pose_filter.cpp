@@ -23,7 +23,7 @@ double shortest(double angle) {
 }
 
 /// Of the difference to the last value that a first-order low-pass takes over.
-double shareOf(double cutoff_hz, double seconds) {
+double smoothingFactor(double cutoff_hz, double seconds) {
   const double turned = kFullTurn * cutoff_hz * seconds;
   return turned / (1.0 + turned);
 }
@@ -75,7 +75,7 @@ std::optional<PoseFilter::Speed> PoseFilter::speedTo(const State& raw, double se
   const double turning = std::max(speed.rotation.norm(), speed.angles.cwiseAbs().maxCoeff());
   if (turning * seconds > kFarthestTurn) return std::nullopt;
   if (!state_->speed) return speed;
-  const double share = shareOf(kTrendCutoff, seconds);
+  const double share = smoothingFactor(kTrendCutoff, seconds);
   const Speed& last = *state_->speed;
   speed.position = last.position + share * (speed.position - last.position);
   speed.rotation = last.rotation + share * (speed.rotation - last.rotation);
@@ -86,7 +86,7 @@ std::optional<PoseFilter::Speed> PoseFilter::speedTo(const State& raw, double se
 void PoseFilter::follow(const State& raw, const Speed& speed, double seconds) {
   const double fastest =
       std::max({speed.position.norm(), speed.rotation.norm(), speed.angles.cwiseAbs().maxCoeff()});
-  const double share = shareOf(cutoff_hz_ + beta_ * fastest, seconds);
+  const double share = smoothingFactor(cutoff_hz_ + beta_ * fastest, seconds);
   State next = raw;
   next.speed = speed;
   next.position = state_->position + seconds * speed.position;

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "error_text_of.h"
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 

@@ -192,15 +192,15 @@ TEST_F(HumanTest, shapeReachesFromTheSoleToTheStature) {
 
 TEST_F(HumanTest, wrongNumberOfAnglesIsRefused) {
   LinkPoses poses;
-  EXPECT_EQ(
-      sentenceOf([&] { model_.forwardKinematics(T_world_root_, Eigen::VectorXd::Zero(3), poses); }),
-      "body person1 has 27 joint angles, 3 were given");
+  EXPECT_EQ(errorTextOf(
+                [&] { model_.forwardKinematics(T_world_root_, Eigen::VectorXd::Zero(3), poses); }),
+            "body person1 has 27 joint angles, 3 were given");
 }
 
 TEST_F(HumanTest, unknownNamesAreRefused) {
-  EXPECT_EQ(sentenceOf([&] { model_.linkIndex("tail"); }), "body person1 has no link tail");
-  EXPECT_EQ(sentenceOf([&] { model_.joint("tail"); }), "body person1 has no joint tail");
-  EXPECT_EQ(sentenceOf([&] { model_.angleIndex("torso"); }),
+  EXPECT_EQ(errorTextOf([&] { model_.linkIndex("tail"); }), "body person1 has no link tail");
+  EXPECT_EQ(errorTextOf([&] { model_.joint("tail"); }), "body person1 has no joint tail");
+  EXPECT_EQ(errorTextOf([&] { model_.angleIndex("torso"); }),
             "joint torso of body person1 is fixed and has no angle");
 }
 

@@ -26,23 +26,23 @@ TEST(BodyUrdfTest, evaluatesInTheUsualOrder) {
 }
 
 TEST(BodyUrdfTest, badExpressionsAreToldInOneSentence) {
-  EXPECT_EQ(sentenceOf([] { filled("${tail}"); }),
+  EXPECT_EQ(errorTextOf([] { filled("${tail}"); }),
             "URDF template: the expression ${tail} has the unknown name tail");
-  EXPECT_EQ(sentenceOf([] { filled("${1 / 0}"); }),
+  EXPECT_EQ(errorTextOf([] { filled("${1 / 0}"); }),
             "URDF template: the expression ${1 / 0} has no finite value");
-  EXPECT_EQ(sentenceOf([] { filled("${2 * }"); }),
+  EXPECT_EQ(errorTextOf([] { filled("${2 * }"); }),
             "URDF template: the expression ${2 * } lacks a number or name");
-  EXPECT_EQ(sentenceOf([] { filled("${(1}"); }),
+  EXPECT_EQ(errorTextOf([] { filled("${(1}"); }),
             "URDF template: the expression ${(1} lacks a closing bracket");
-  EXPECT_EQ(sentenceOf([] { filled("${1 1}"); }),
+  EXPECT_EQ(errorTextOf([] { filled("${1 1}"); }),
             "URDF template: the expression ${1 1} cannot be understood from \"1\" on");
-  EXPECT_EQ(sentenceOf([] { filled("a ${thigh"); }), "URDF template: a ${ is never closed by }");
+  EXPECT_EQ(errorTextOf([] { filled("a ${thigh"); }), "URDF template: a ${ is never closed by }");
 }
 
 TEST(BodyUrdfTest, badIdsAreRefused) {
   for (const char* id : {"", "1a", "a b", "a\"", "a_b", "ä"})
     EXPECT_EQ(
-        sentenceOf([&] { fillUrdfTemplate("", id, BodyProportions()); }),
+        errorTextOf([&] { fillUrdfTemplate("", id, BodyProportions()); }),
         "body id is \"" + std::string(id) + "\", allowed are letters and digits, a letter first");
 }
 
@@ -56,10 +56,10 @@ TEST(BodyUrdfTest, statureIsTheSumOfItsParts) {
 }
 
 TEST(BodyUrdfTest, impossibleStaturesAreRefused) {
-  EXPECT_EQ(sentenceOf([] { BodyProportions::fromStature(0.49); }),
+  EXPECT_EQ(errorTextOf([] { BodyProportions::fromStature(0.49); }),
             "stature is 0.490000 m, allowed is 0.5 to 2.5 m");
-  EXPECT_NE(sentenceOf([] { BodyProportions::fromStature(2.51); }), "");
-  EXPECT_NE(sentenceOf([] { BodyProportions::fromStature(std::stod("nan")); }), "");
+  EXPECT_NE(errorTextOf([] { BodyProportions::fromStature(2.51); }), "");
+  EXPECT_NE(errorTextOf([] { BodyProportions::fromStature(std::stod("nan")); }), "");
 }
 
 }  // namespace

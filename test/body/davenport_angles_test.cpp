@@ -33,8 +33,9 @@ TEST(DavenportAnglesTest, anglesGiveTheRotationBack) {
 
 TEST(DavenportAnglesTest, theSolutionWithinTheLimitsAndThenTheNearOneIsTaken) {
   const Vector3d t(0.3, 1.2, -0.8);
-  EXPECT_LT((davenportAngles(turned(kShoulder, t), kShoulder, Vector3d::Zero(), -0.7, 3.3) - t).norm(),
-            1e-9);
+  EXPECT_LT(
+      (davenportAngles(turned(kShoulder, t), kShoulder, Vector3d::Zero(), -0.7, 3.3) - t).norm(),
+      1e-9);
   const Vector3d other(0.3 - M_PI, -1.2, -0.8 + M_PI);
   EXPECT_LT((davenportAngles(turned(kShoulder, t), kShoulder, other, -2, 2) - other).norm(), 1e-9);
   EXPECT_LT((davenportAngles(turned(kShoulder, t), kShoulder, other, 0, 3) - t).norm(), 1e-9);
@@ -46,6 +47,15 @@ TEST(DavenportAnglesTest, whereTwoAxesFallTogetherTheFirstAngleStays) {
       davenportAngles(turned(kShoulder, hanging), kShoulder, Vector3d(1.0, 0, 0.5), -0.7, 3.3);
   EXPECT_NEAR(found[0], 1.0, 1e-9);
   EXPECT_LT((turned(kShoulder, found) - turned(kShoulder, hanging)).norm(), 1e-9);
+}
+
+TEST(DavenportAnglesTest, holdsTheFirstAngleWhereOnlyTheSumIsDefined) {
+  const std::array<Vector3d, 3> zxz = {Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitZ()};
+  const Matrix3d R = AngleAxisd(0.9, Vector3d::UnitZ()).toRotationMatrix();
+  const Vector3d t = davenportAngles(R, zxz, Vector3d(0.4, 0.0, 0.0), -1.0, 1.0);
+  EXPECT_NEAR(t[0], 0.4, 1e-9);
+  EXPECT_NEAR(t[1], 0.0, 1e-9);
+  EXPECT_NEAR(t[2], 0.5, 1e-9);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace markerless_mocap {
 namespace {
 
 std::string refusal(const std::string& urdf) {
-  return sentenceOf([&] { BodyModel::fromUrdf(urdf, "person1"); });
+  return errorTextOf([&] { BodyModel::fromUrdf(urdf, "person1"); });
 }
 
 TEST(UrdfReaderTest, garbageIsRefused) {
@@ -17,7 +17,7 @@ TEST(UrdfReaderTest, garbageIsRefused) {
 }
 
 TEST(UrdfReaderTest, bodyOfAnotherIdIsRefused) {
-  EXPECT_EQ(sentenceOf([] { BodyModel::fromUrdf(humanUrdf(), "person2"); }),
+  EXPECT_EQ(errorTextOf([] { BodyModel::fromUrdf(humanUrdf(), "person2"); }),
             "URDF of the body: link body_person2 is missing");
 }
 

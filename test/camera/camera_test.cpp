@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -170,7 +170,7 @@ template <class Spoil>
 std::string refusal(Spoil spoil) {
   CameraCalibration calibration = makeCalibration();
   spoil(calibration);
-  return sentenceOf([&] { Camera camera(calibration); });
+  return errorTextOf([&] { Camera camera(calibration); });
 }
 
 TEST(CameraCalibration, RefusalsNameCameraAndFault) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -36,12 +36,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(text.find(what), what.size(), with);
 }
 
-std::string sentenceFor(const std::string& text) {
-  return sentenceOf([&] { rigFromText(text, "rig.yaml"); });
+std::string errorFor(const std::string& text) {
+  return errorTextOf([&] { rigFromText(text, "rig.yaml"); });
 }
 
-std::string sentenceForCamera(const std::string& what, const std::string& with) {
-  return sentenceFor("cameras:\n" + replaced(kCamera, what, with));
+std::string errorForCamera(const std::string& what, const std::string& with) {
+  return errorFor("cameras:\n" + replaced(kCamera, what, with));
 }
 
 TEST(RigFileTest, everyNumberComesBackAsItWas) {
@@ -82,41 +82,41 @@ TEST(RigFileTest, theFormatIsThatOfTheManual) {
 }
 
 TEST(RigFileTest, faultsAreNamed) {
-  EXPECT_EQ(sentenceFor("cameras: []"),
+  EXPECT_EQ(errorFor("cameras: []"),
             "rig.yaml: the rig has no cameras, key 'cameras' lists one at least");
-  EXPECT_EQ(sentenceFor(""), "rig.yaml: the rig has no cameras, key 'cameras' lists one at least");
-  EXPECT_EQ(sentenceFor(std::string("cameras:\n") + kCamera + kCamera),
+  EXPECT_EQ(errorFor(""), "rig.yaml: the rig has no cameras, key 'cameras' lists one at least");
+  EXPECT_EQ(errorFor(std::string("cameras:\n") + kCamera + kCamera),
             "rig.yaml: two cameras are named 'a', each needs a name of its own");
-  EXPECT_EQ(sentenceFor("cameras: [3]"), "rig.yaml, camera 0: this is no map of keys to values");
-  EXPECT_EQ(sentenceFor("camera: []"), "rig.yaml: key 'camera' is unknown, allowed are cameras");
-  EXPECT_EQ(sentenceForCamera("name: a", "name: \"\""),
+  EXPECT_EQ(errorFor("cameras: [3]"), "rig.yaml, camera 0: this is no map of keys to values");
+  EXPECT_EQ(errorFor("camera: []"), "rig.yaml: key 'camera' is unknown, allowed are cameras");
+  EXPECT_EQ(errorForCamera("name: a", "name: \"\""),
             "rig.yaml, camera 0: key 'name' is missing or empty, each camera needs a name");
-  EXPECT_EQ(sentenceForCamera("fx: 70", "fx: .nan"),
+  EXPECT_EQ(errorForCamera("fx: 70", "fx: .nan"),
             "rig.yaml, camera 'a': 'fx' holds .nan, allowed are finite numbers");
-  EXPECT_EQ(sentenceForCamera("fx: 70", "fx: wide"),
+  EXPECT_EQ(errorForCamera("fx: 70", "fx: wide"),
             "rig.yaml, camera 'a': 'fx' holds wide, allowed are finite numbers");
-  EXPECT_EQ(sentenceForCamera("  cy: 29.5\n", ""), "rig.yaml, camera 'a': key 'cy' is missing");
-  EXPECT_EQ(sentenceForCamera("cy: 29.5", "cy: 29.5\n  cy: 3"),
+  EXPECT_EQ(errorForCamera("  cy: 29.5\n", ""), "rig.yaml, camera 'a': key 'cy' is missing");
+  EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  cy: 3"),
             "rig.yaml, camera 'a': key 'cy' stands there twice");
-  EXPECT_EQ(sentenceForCamera("cy: 29.5", "cy: 29.5\n  zoom: 3"),
+  EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  zoom: 3"),
             "rig.yaml, camera 'a': key 'zoom' is unknown, allowed are cx, cy, distortion, fx, fy, "
             "name, orientation, position, size, skew");
 }
 
 TEST(RigFileTest, valuesThatAreNoCameraAreNamed) {
-  EXPECT_EQ(sentenceForCamera("[0, 0, 0, 1]", "[0, 0, 1, 1]"),
+  EXPECT_EQ(errorForCamera("[0, 0, 0, 1]", "[0, 0, 1, 1]"),
             "rig.yaml, camera 'a': 'orientation' is a quaternion of length 1.4142135623730951, "
             "allowed are rotations, whose length is 1");
   EXPECT_EQ(
-      sentenceForCamera("[0, 0, 0, 1]", "[0, 0, 1]"),
+      errorForCamera("[0, 0, 0, 1]", "[0, 0, 1]"),
       "rig.yaml, camera 'a': 'orientation' has 3 numbers, wanted are 4: a quaternion x y z w");
-  EXPECT_EQ(sentenceForCamera("[80, 60]", "[80.5, 60]"),
+  EXPECT_EQ(errorForCamera("[80, 60]", "[80.5, 60]"),
             "rig.yaml, camera 'a': 'size' holds 80.5, allowed are whole numbers from 1 to 65536");
-  EXPECT_EQ(sentenceForCamera("distortion: []", "distortion: [1, 2]"),
+  EXPECT_EQ(errorForCamera("distortion: []", "distortion: [1, 2]"),
             "rig.yaml: camera 'a': D has 2 distortion coefficients, allowed are 0, 4, 5 or 8");
-  EXPECT_EQ(sentenceForCamera("fx: 70", "fx: -70"),
+  EXPECT_EQ(errorForCamera("fx: 70", "fx: -70"),
             "rig.yaml: camera 'a': the focal lengths in K must be positive");
-  EXPECT_EQ(sentenceFor("cameras: [").rfind("rig.yaml: this is no YAML: ", 0), 0u);
+  EXPECT_EQ(errorFor("cameras: [").rfind("rig.yaml: this is no YAML: ", 0), 0u);
 }
 
 TEST(RigFileTest, camerasAreChosenByNameAndLackingOnesNamed) {
@@ -126,7 +126,7 @@ TEST(RigFileTest, camerasAreChosenByNameAndLackingOnesNamed) {
   ASSERT_EQ(chosen.size(), 2u);
   EXPECT_EQ(chosen[0].name, "cam1");
   EXPECT_EQ(chosen[1].K, rig[0].K);
-  EXPECT_EQ(sentenceOf([&] {
+  EXPECT_EQ(errorTextOf([&] {
               camerasNamed({"cam2", "cam1", "left"}, rig, "rig.yaml");
             }),
             "rig.yaml: the rig lacks cam2, left, its cameras are cam0, cam1");

@@ -8,7 +8,7 @@
 
 #include "capture/mesh_fixture.h"
 #include "capture/scene/shadow_map.h"
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 const TexturedRoom kRoom(1, 5, 5, 3.2);
 
 std::string refusal(const SceneObject& object, double strength = 0.5) {
-  return sentenceOf([&] { LitScene(kRoom, {object}, strength); });
+  return errorTextOf([&] { LitScene(kRoom, {object}, strength); });
 }
 
 TEST(ShadowMapTest, shadowFallsOnTheSideAwayFromTheLamp) {
@@ -24,7 +24,7 @@ TEST(ShadowMapTest, shadowFallsOnTheSideAwayFromTheLamp) {
   const ColoredMesh mesh = ball(20, {1, 1, 1});
   const ShadowMap map(lamp, {placed(mesh, 0.2f, {0, 0, 1})});
   const auto dark = [&](const Eigen::Vector3f& place) {
-    return map.darkness(shadowTexel(lamp, place));
+    return map.occlusion(shadowTexel(lamp, place));
   };
   EXPECT_NEAR(dark({-1, 0, 0}), 1.0, 1e-5);  // lamp, ball's middle and this are in line
   EXPECT_EQ(dark({1, 0, 0}), 0.0f);
@@ -39,7 +39,7 @@ TEST(ShadowMapTest, shadowOfSomethingHighIsSofter) {
     const ShadowMap map(lamp, {placed(mesh, radius, {0, 0, height})});
     int partly = 0;
     for (float x = 0.0f; x < 1.5f; x += 0.01f) {
-      const float dark = map.darkness(shadowTexel(lamp, {x, 0, 0}));
+      const float dark = map.occlusion(shadowTexel(lamp, {x, 0, 0}));
       partly += dark > 0.02f && dark < 0.98f;
     }
     return partly;
@@ -51,17 +51,17 @@ TEST(ShadowMapTest, onlyWhatIsNearerToTheLampHidesIt) {
   const Lamp lamp{{0, 0, 3.0f}, 1.0f, 0.1f};
   const ColoredMesh mesh = ball(20, {1, 1, 1});
   const ShadowMap map(lamp, {placed(mesh, 0.3f, {0.013f, 0.007f, 1})});
-  EXPECT_EQ(map.hiddenShare({0, 0, 0.5f}), 1.0f);
-  EXPECT_EQ(map.hiddenShare({0, 0, 1.3f}), 0.0f);  // the ball's own top
-  EXPECT_EQ(map.hiddenShare({0, 0, 2.0f}), 0.0f);
-  EXPECT_EQ(map.hiddenShare({1, 0, 0.5f}), 0.0f);
+  EXPECT_EQ(map.occludedFraction({0, 0, 0.5f}), 1.0f);
+  EXPECT_EQ(map.occludedFraction({0, 0, 1.3f}), 0.0f);  // the ball's own top
+  EXPECT_EQ(map.occludedFraction({0, 0, 2.0f}), 0.0f);
+  EXPECT_EQ(map.occludedFraction({1, 0, 0.5f}), 0.0f);
 }
 
 TEST(LitSceneTest, shadowsDarkenTheFloorByTheirStrength) {
   const MeshRenderer renderer(sideCamera(), kRoom);
   const ColoredMesh mesh = ball(20, {1, 1, 1});
   const auto darkest = [&](double strength) {
-    const MeshView view =
+    const RenderedView view =
         renderer.render(LitScene(kRoom, {placed(mesh, 0.3f, {0, 0, 0.7f})}, strength));
     cv::Mat object;
     cv::dilate(view.mask, object, cv::Mat(), {-1, -1}, 2);

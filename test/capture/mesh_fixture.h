@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "markerless_mocap/camera/camera.h"
-#include "capture/scene/lit_scene.h"
 #include "capture/render/mesh_renderer.h"
+#include "capture/scene/lit_scene.h"
+#include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
@@ -59,12 +59,14 @@ inline SceneObject placed(const ColoredMesh& mesh, float scale, const Eigen::Vec
 inline ColoredMesh triangleSoup(int count, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
                                 uint32_t seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<float> share(0.0f, 1.0f);
-  const auto any = [&] { return Eigen::Vector3f(share(random), share(random), share(random)); };
+  std::uniform_real_distribution<float> fraction(0.0f, 1.0f);
+  const auto any = [&] {
+    return Eigen::Vector3f(fraction(random), fraction(random), fraction(random));
+  };
   ColoredMesh mesh;
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3f middle = low + any().cwiseProduct(high - low);
-    const float size = std::pow(10.0f, -2.0f * share(random));
+    const float size = std::pow(10.0f, -2.0f * fraction(random));
     for (int corner = 0; corner < 3; ++corner) {
       mesh.vertices.push_back(middle + size * (2.0f * any() - Eigen::Vector3f::Ones()));
       mesh.colors.push_back(any());

@@ -42,7 +42,7 @@ Hit cast(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray,
 /// Compares mask and depth with cast() but where an edge passes a pixel's centre closer than a
 /// thousandth of a pixel.
 void expectSameAsCasting(const Camera& camera, const std::vector<SceneObject>& objects) {
-  const MeshView view = MeshRenderer(camera, kRoom).render(LitScene(kRoom, objects, 0.5));
+  const RenderedView view = MeshRenderer(camera, kRoom).render(LitScene(kRoom, objects, 0.5));
   int checked = 0, wrong = 0, persons = 0, things = 0;
   for (int y = 0; y < camera.height(); ++y)
     for (int x = 0; x < camera.width(); ++x) {
@@ -89,7 +89,7 @@ TEST(MeshRendererTest, nearObjectHidesTheFarOneInEitherOrder) {
   const ColoredMesh red = ball(16, kRed), blue = ball(16, kBlue);
   const SceneObject near = placed(red, 0.1f, {1, 0, 1}), far = placed(blue, 0.8f, {-1, 0, 1});
   for (const auto& objects : {std::vector{near, far}, std::vector{far, near}}) {
-    const MeshView view = renderer.render(LitScene(kRoom, objects, 0.0));
+    const RenderedView view = renderer.render(LitScene(kRoom, objects, 0.0));
     const cv::Vec3b center = view.image.at<cv::Vec3b>(59, 79),
                     beside = view.image.at<cv::Vec3b>(59, 95);
     EXPECT_GT(center[2], 60);
@@ -105,9 +105,9 @@ TEST(MeshRendererTest, maskLeavesOutWhatAThingHides) {
   const ColoredMesh red = ball(16, kRed);
   const SceneObject person = placed(red, 0.4f, {-1, 0, 1}),
                     thing = placed(red, 0.1f, {1, 0, 1}, false);
-  const MeshView whole = renderer.render(LitScene(kRoom, {person}, 0.0));
-  const MeshView hidden = renderer.render(LitScene(kRoom, {person, thing}, 0.0));
-  const MeshView alone = renderer.render(LitScene(kRoom, {thing}, 0.0));
+  const RenderedView whole = renderer.render(LitScene(kRoom, {person}, 0.0));
+  const RenderedView hidden = renderer.render(LitScene(kRoom, {person, thing}, 0.0));
+  const RenderedView alone = renderer.render(LitScene(kRoom, {thing}, 0.0));
   EXPECT_EQ(cv::countNonZero(alone.mask), 0);
   const cv::Mat thing_seen = alone.depth < 100.0;
   EXPECT_GT(cv::countNonZero(thing_seen), 100);
@@ -121,7 +121,7 @@ TEST(MeshRendererTest, closedSurfaceHasNoPinholes) {
   for (const int rings : {6, 31, 120}) {
     const ColoredMesh mesh = ball(rings, kRed);
     const SceneObject object = placed(mesh, float(radius), {0, 0, 1});
-    const MeshView view = renderer.render(LitScene(kRoom, {object}, 0.0));
+    const RenderedView view = renderer.render(LitScene(kRoom, {object}, 0.0));
     // The polyhedron holds a ball of this radius.
     const double inner = radius * std::pow(std::cos(1.5708 / rings), 2);
     for (int y = 0; y < camera.height(); ++y)
@@ -137,7 +137,7 @@ TEST(MeshRendererTest, closedSurfaceHasNoPinholes) {
 TEST(MeshRendererTest, edgesMixWithWhatIsBehind) {
   const ColoredMesh white = ball(60, {1, 1, 1});
   const MeshRenderer renderer(sideCamera(), kRoom);
-  const MeshView view = renderer.render(LitScene(kRoom, {placed(white, 0.5f, {0, 0, 1})}, 0.0));
+  const RenderedView view = renderer.render(LitScene(kRoom, {placed(white, 0.5f, {0, 0, 1})}, 0.0));
   cv::Mat changed = view.image != renderer.background();
   cv::cvtColor(changed, changed, cv::COLOR_BGR2GRAY);
   const int area = cv::countNonZero(view.mask), touched = cv::countNonZero(changed);
@@ -151,7 +151,7 @@ TEST(MeshRendererTest, emptySceneIsTheBackground) {
   const ColoredMesh red = ball(8, kRed);
   for (const LitScene& scene :
        {LitScene(kRoom, {}, 1.0), LitScene(kRoom, {placed(red, 0.3f, {4.5f, 0, 1})}, 0.0)}) {
-    const MeshView view = renderer.render(scene);  // nothing, or behind the camera
+    const RenderedView view = renderer.render(scene);  // nothing, or behind the camera
     EXPECT_EQ(cv::norm(view.image, renderer.background(), cv::NORM_INF), 0.0);
     EXPECT_EQ(cv::countNonZero(view.mask), 0);
     EXPECT_TRUE(std::isinf(view.depth.at<float>(60, 80)));
@@ -165,18 +165,18 @@ TEST(MeshRendererTest, oneThreadDrawsTheSameBytes) {
     const MeshRenderer renderer = makeRenderers({sideCamera(kLens)}, kRoom).front();
     return renderer.render(LitScene(kRoom, {placed(soup, 1, {0, 0, 0})}, 0.7));
   };
-  const MeshView one = draw(1), many = draw(4);
+  const RenderedView one = draw(1), many = draw(4);
   EXPECT_EQ(cv::norm(one.image, many.image, cv::NORM_INF), 0.0);
   EXPECT_EQ(cv::norm(one.mask, many.mask, cv::NORM_INF), 0.0);
 }
 
 TEST(MotionBlurTest, imagesAreAveragedAndTheMaskIsTheMiddleOne) {
-  std::vector<MeshView> shots(3);
+  std::vector<RenderedView> shots(3);
   for (int i = 0; i < 3; ++i) {
     shots[i].image = cv::Mat(2, 2, CV_8UC3, cv::Scalar(10 * i, 100, 7));
     shots[i].mask = cv::Mat(2, 2, CV_8UC1, cv::Scalar(i == 1 ? 255 : 0));
   }
-  const MeshView blurred = motionBlurred(shots);
+  const RenderedView blurred = motionBlurred(shots);
   EXPECT_EQ(blurred.image.at<cv::Vec3b>(1, 1), cv::Vec3b(10, 100, 7));
   EXPECT_EQ(blurred.mask.at<uint8_t>(0, 0), 255);
   EXPECT_EQ(shots[1].image.at<cv::Vec3b>(0, 0), cv::Vec3b(10, 100, 7));

@@ -13,9 +13,10 @@ TEST(SampleGridTest, pointsFallWhereTheCameraProjectsThem) {
   const Camera camera = sideCamera(kLens);
   const SampleGrid grid(camera);
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  std::uniform_real_distribution<double> fraction(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Vector3d point(share(random), 0.8 * share(random), 1.0 + 0.6 * share(random));
+    const Eigen::Vector3d point(fraction(random), 0.8 * fraction(random),
+                                1.0 + 0.6 * fraction(random));
     const auto pixel = camera.project(point);
     ASSERT_TRUE(pixel);
     const Eigen::Vector2d place = grid.place(grid.worldToCamera() * point);

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "capture/virtual_studio.h"
+#include "error_text_of.h"
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "capture/virtual_studio.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 

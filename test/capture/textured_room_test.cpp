@@ -44,7 +44,7 @@ TEST(TexturedRoomTest, lampsSharesSumToOneUnderTheCeiling) {
   const TexturedRoom room(1, 6, 5, 3);
   float sum = 0.0f;
   for (const Lamp& lamp : room.lamps()) {
-    sum += lamp.share;
+    sum += lamp.fraction;
     EXPECT_LT(lamp.position.cwiseAbs().x(), 6.0f);
     EXPECT_LT(lamp.position.cwiseAbs().y(), 5.0f);
     EXPECT_LT(lamp.position.z(), 3.0f);

@@ -4,8 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "capture/ground_truth.h"
 #include "capture/studio_fixture.h"
-#include "capture/truth.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,8 +17,8 @@ VirtualStudio studio(const StudioOptions& options) {
 /// Without noise and flicker.
 StudioOptions calmStudio() {
   StudioOptions options = smallStudio();
-  options.troubles.noise_levels = 0.0;
-  options.troubles.flicker = 0.0;
+  options.degradations.noise_levels = 0.0;
+  options.degradations.flicker = 0.0;
   return options;
 }
 
@@ -31,10 +31,10 @@ double difference(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) 
 TEST(VirtualStudioTest, sameOptionsGiveTheSameBytes) {
   StudioOptions options = smallStudio();
   options.rig = "random8";
-  options.troubles = {3.0, 0.02, 0.4, 0.3, 0.4, 2.0, 30.0, 0.2, 12.0, 1.0, 1.0};
+  options.degradations = {3.0, 0.02, 0.4, 0.3, 0.4, 2.0, 30.0, 0.2, 12.0, 1.0, 1.0};
   const VirtualStudio one = studio(options), two = studio(options);
   two.render(40);  // the order of asking does not matter
-  const StudioInstant a = one.render(20), b = two.render(20);
+  const StudioFrameSet a = one.render(20), b = two.render(20);
   ASSERT_EQ(a.images.size(), 8u);
   for (size_t i = 0; i < 8; ++i) {
     ASSERT_EQ(a.images[i].empty(), b.images[i].empty());
@@ -49,8 +49,8 @@ TEST(VirtualStudioTest, sameOptionsGiveTheSameBytes) {
 
 TEST(VirtualStudioTest, firstInstantsShowTheEmptyRoom) {
   const VirtualStudio room = studio(calmStudio());
-  EXPECT_EQ(room.instantCount(), 3 + 60);
-  const StudioInstant first = room.render(0), last = room.render(2), action = room.render(3);
+  EXPECT_EQ(room.frameSetCount(), 3 + 60);
+  const StudioFrameSet first = room.render(0), last = room.render(2), action = room.render(3);
   for (const cv::Mat& mask : last.masks) EXPECT_EQ(cv::countNonZero(mask), 0);
   EXPECT_FALSE(last.person);
   EXPECT_TRUE(last.points.empty());
@@ -63,7 +63,7 @@ TEST(VirtualStudioTest, instantsAreEvenlySpacedInTime) {
   const VirtualStudio room = studio(smallStudio());
   EXPECT_EQ(room.render(0).time_ns, 0);
   EXPECT_EQ(room.render(10).time_ns, 333333333);
-  EXPECT_EQ(sentenceOf([&] { room.render(-1); }),
+  EXPECT_EQ(errorTextOf([&] { room.render(-1); }),
             "the index of a studio instant is -1, allowed is 0 and above");
 }
 
@@ -71,14 +71,14 @@ TEST(VirtualStudioTest, jointsLieInTheMasks) {
   const VirtualStudio room = studio(smallStudio());
   int inside = 0, all = 0;
   for (const int index : {5, 30, 55}) {
-    const StudioInstant instant = room.render(index);
-    ASSERT_EQ(instant.points.size(), truthNames().size());
+    const StudioFrameSet frame_set = room.render(index);
+    ASSERT_EQ(frame_set.points.size(), groundTruthNames().size());
     for (size_t c = 0; c < room.rig().size(); ++c)
       for (size_t i = 0; i < markerNames().size(); ++i) {
-        const auto pixel = room.trueRig()[c].projectInside(instant.points[i]);
+        const auto pixel = room.trueRig()[c].projectInside(frame_set.points[i]);
         ASSERT_TRUE(pixel);
-        inside += instant.masks[c].at<uint8_t>(int(std::lround(pixel->y())),
-                                               int(std::lround(pixel->x()))) == 255;
+        inside += frame_set.masks[c].at<uint8_t>(int(std::lround(pixel->y())),
+                                                 int(std::lround(pixel->x()))) == 255;
         ++all;
       }
   }
@@ -87,12 +87,12 @@ TEST(VirtualStudioTest, jointsLieInTheMasks) {
 
 TEST(VirtualStudioTest, drivenBodyIsWhereThePersonIs) {
   const VirtualStudio room = studio(smallStudio());
-  const StudioInstant instant = room.render(30);
+  const StudioFrameSet frame_set = room.render(30);
   LinkPoses poses;
-  room.body().forwardKinematics(instant.body.T_world_body, instant.body.angles, poses);
+  room.body().forwardKinematics(frame_set.body.T_world_body, frame_set.body.angles, poses);
   const auto markers = markerPositions(room.body(), poses);
   double sum = 0.0;
-  for (size_t i = 0; i < markers.size(); ++i) sum += (markers[i] - instant.points[i]).norm();
+  for (size_t i = 0; i < markers.size(); ++i) sum += (markers[i] - frame_set.points[i]).norm();
   EXPECT_LT(sum / double(markers.size()), 0.025);
   EXPECT_NE(room.urdf().find("body_person1"), std::string::npos);
 }
@@ -105,18 +105,18 @@ TEST(VirtualStudioTest, theMotionGoesOnWithoutAJump) {
   options.duration = 0.0;
   options.background_frames = 0;
   const VirtualStudio room = studio(options);
-  StudioInstant last = room.render(room.instantCount() - 2);
-  for (int i = room.instantCount() - 1; i < room.instantCount() + 15; ++i) {
-    const StudioInstant next = room.render(i);
+  StudioFrameSet last = room.render(room.frameSetCount() - 2);
+  for (int i = room.frameSetCount() - 1; i < room.frameSetCount() + 15; ++i) {
+    const StudioFrameSet next = room.render(i);
     for (size_t k = 0; k < next.points.size(); ++k)
-      EXPECT_LT((next.points[k] - last.points[k]).norm(), 0.35) << i << truthNames()[k];
+      EXPECT_LT((next.points[k] - last.points[k]).norm(), 0.35) << i << groundTruthNames()[k];
     last = next;
   }
 }
 
 TEST(VirtualStudioTest, personStandsOutFromTheRoom) {
   const VirtualStudio room = studio(calmStudio());
-  const StudioInstant empty = room.render(0), action = room.render(20);
+  const StudioFrameSet empty = room.render(0), action = room.render(20);
   for (size_t i = 0; i < action.images.size(); ++i) {
     cv::Mat apart;
     cv::absdiff(action.images[i], empty.images[i], apart);
@@ -129,20 +129,20 @@ TEST(VirtualStudioTest, badOptionsAreNamed) {
   StudioOptions options = smallStudio();
   options.motion = "fly";
   EXPECT_EQ(
-      sentenceOf([&] { studio(options); }).rfind("there is no motion \"fly\", allowed are ", 0),
+      errorTextOf([&] { studio(options); }).rfind("there is no motion \"fly\", allowed are ", 0),
       0u);
   options = smallStudio();
   options.stage = 0.5;
   options.motion = "walk";
-  const std::string sentence = sentenceOf([&] { studio(options); });
+  const std::string sentence = errorTextOf([&] { studio(options); });
   EXPECT_EQ(sentence.rfind("motion walk: the motion reaches ", 0), 0u) << sentence;
   options = smallStudio();
   options.rig = "ring5";
-  EXPECT_EQ(sentenceOf([&] { studio(options); }).rfind("the rig is \"ring5\", allowed are ", 0),
+  EXPECT_EQ(errorTextOf([&] { studio(options); }).rfind("the rig is \"ring5\", allowed are ", 0),
             0u);
   options = smallStudio();
-  options.troubles.drop_rate = 1.5;
-  EXPECT_EQ(sentenceOf([&] { studio(options); }),
+  options.degradations.drop_rate = 1.5;
+  EXPECT_EQ(errorTextOf([&] { studio(options); }),
             "virtual_studio/drop_rate is 1.5, allowed is 0 to 0.9");
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -91,7 +91,7 @@ float halfWidth(const ColoredMesh& mesh, float below, float above) {
 }
 
 std::string refusal(const CharacterOptions& options) {
-  return sentenceOf([&] { makeCharacter(options); });
+  return errorTextOf([&] { makeCharacter(options); });
 }
 
 TEST(MakeCharacter, IsClosedInAllClothes) {
@@ -156,15 +156,15 @@ TEST(MakeCharacter, JointsLieInTheFleshWhereAnatomyHasThem) {
 }
 
 TEST(MakeCharacter, IsMirrorSymmetric) {
-  std::map<std::array<int, 3>, int> places;
+  std::map<std::array<int, 3>, int> joint_positions;
   const auto key = [](const Vector3f& v) {
     const Eigen::Vector3i mm = (v * 1000.0f).array().round().cast<int>();
     return std::array<int, 3>{mm.x(), mm.y(), mm.z()};
   };
-  for (const Vector3f& v : man().mesh.vertices) ++places[key(v)];
+  for (const Vector3f& v : man().mesh.vertices) ++joint_positions[key(v)];
   size_t alone = 0;
   for (const Vector3f& v : man().mesh.vertices)
-    alone += places.count(key({v.x(), -v.y(), v.z()})) == 0;
+    alone += joint_positions.count(key({v.x(), -v.y(), v.z()})) == 0;
   EXPECT_LE(alone, man().mesh.vertices.size() / 500);  // rounding at half a millimetre
 }
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "character/imported_character_scene.h"
 #include "character/imported_character.h"
-#include "sentence_of.h"
+#include "character/imported_character_scene.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 
@@ -50,7 +50,7 @@ class Imported : public testing::Test {
   }
 
   std::string faultOf(const std::string& path, double stature = kStature) const {
-    const std::string sentence = sentenceOf([&] { importCharacter(path, stature); });
+    const std::string sentence = errorTextOf([&] { importCharacter(path, stature); });
     EXPECT_EQ(sentence.rfind(path + ": ", 0), 0u) << sentence;
     return sentence.substr(std::min(path.size() + 2, sentence.size()));
   }

@@ -19,8 +19,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, ImportedAnyFormat, testing::Values(kGltf, kGlb
 double distanceToBone(const HumanSkeleton& skeleton, Bone bone, const Vector3d& point) {
   const Vector3d along = skeleton.tailOf(bone) - skeleton.headOf(bone);
   const Vector3d from = point - skeleton.headOf(bone);
-  const double share = std::clamp(from.dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (from - share * along).norm();
+  const double fraction = std::clamp(from.dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (from - fraction * along).norm();
 }
 
 double volume(const ColoredMesh& mesh) {

@@ -101,13 +101,13 @@ TEST(Pose, TwistIsSpreadAlongTheForearm) {
   const std::vector<Vector3f> vertices = posed(pose);
   const Vector3d elbow = person().skeleton.headOf(Bone::kLeftForearm);
   const double length = person().skeleton.lengthOf(Bone::kLeftForearm);
-  for (double share : {0.25, 0.5, 0.75}) {
+  for (double fraction : {0.25, 0.5, 0.75}) {
     for (size_t v = 0; v < vertices.size(); ++v) {
       const Vector3d rest = person().mesh.vertices[v].cast<double>();
-      if (std::abs(rest.y() - elbow.y() - share * length) > 0.006) continue;
+      if (std::abs(rest.y() - elbow.y() - fraction * length) > 0.006) continue;
       const double angle = (rest.y() - elbow.y()) / length * M_PI / 2;
       const Vector3d want = elbow + AngleAxisd(angle, Vector3d::UnitY()) * (rest - elbow);
-      ASSERT_LT((vertices[v].cast<double>() - want).norm(), 0.004) << "at " << share;
+      ASSERT_LT((vertices[v].cast<double>() - want).norm(), 0.004) << "at " << fraction;
     }
   }
 }

@@ -6,19 +6,19 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "contour/model/contour_tree.h"
 #include "contour/drawn_body.h"
+#include "contour/model/contour_kinematics.h"
+#include "error_text_of.h"
 #include "markerless_mocap/body/body_model.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
-ContourSizes plainSizes() {
-  return ContourTemplate::handMade().sizes(1.75);
+ShapeParameters plainSizes() {
+  return ShapeStatistics::handMade().sizes(1.75);
 }
 
-BodyModel urdfOf(const ContourSizes& sizes) {
+BodyModel urdfOf(const ShapeParameters& sizes) {
   std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return BodyModel::fromUrdf(fillUrdfTemplate(text, "p", proportionsOf(sizes)), "p");
@@ -26,20 +26,20 @@ BodyModel urdfOf(const ContourSizes& sizes) {
 
 TEST(ContourPose, StepsLeadFromPoseToPose) {
   const ContourPose from = stride(), to = disturbed(from, 0.5, 0.2, 3);
-  const ContourPose there = moved(from, stepBetween(from, to));
-  EXPECT_LT(stepBetween(there, to).norm(), 1e-12);
-  EXPECT_LT(stepBetween(moved(from, PoseStep::Zero()), from).norm(), 1e-12);
+  const ContourPose there = boxPlus(from, boxMinus(to, from));
+  EXPECT_LT(boxMinus(there, to).norm(), 1e-12);
+  EXPECT_LT(boxMinus(boxPlus(from, PoseIncrement::Zero()), from).norm(), 1e-12);
 }
 
 TEST(ContourPose, TurnsByItsVector) {
-  const Eigen::Matrix3d R = rotationOf({0, 0, M_PI / 2});
+  const Eigen::Matrix3d R = expSO3({0, 0, M_PI / 2});
   EXPECT_TRUE((R * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
-  EXPECT_TRUE(turnOf(rotationOf({0.3, -2.0, 1.5})).isApprox(Eigen::Vector3d(0.3, -2.0, 1.5), 1e-9));
-  EXPECT_EQ(turnOf(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero());
+  EXPECT_TRUE(logSO3(expSO3({0.3, -2.0, 1.5})).isApprox(Eigen::Vector3d(0.3, -2.0, 1.5), 1e-9));
+  EXPECT_EQ(logSO3(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero());
 }
 
 TEST(ContourBody, StandsAsTheUrdfDoes) {
-  const ContourSizes sizes = plainSizes();
+  const ShapeParameters sizes = plainSizes();
   const BodyModel urdf = urdfOf(sizes);
   LinkPoses T_world_link;
   urdf.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(urdf.angleCount()),
@@ -53,8 +53,8 @@ TEST(ContourBody, StandsAsTheUrdfDoes) {
 
 TEST(ContourBody, MirrorsRightFromLeft) {
   ContourFrames frames;
-  PlacedCones cones;
-  ContourSizes sizes = plainSizes();
+  ContourWorldCones cones;
+  ShapeParameters sizes = plainSizes();
   sizes[offsetIndex(ContourCone::kThigh, 1)] = 0.02;
   sizes[offsetIndex(ContourCone::kThigh, 1) + 1] = 0.01;
   const ContourBody body(sizes);
@@ -73,15 +73,15 @@ TEST(ContourBody, DerivativesByPoseAreThoseOfDifferences) {
   const ContourPose pose = stride();
   ContourFrames frames;
   body.place(pose, frames);
-  const auto& points = contourTree().points;
+  const auto& points = contourKinematicTree().points;
   for (size_t i = 0; i < points.size(); ++i) {
     Eigen::Matrix<double, 3, kContourDof> J;
     const Eigen::Vector3d at = body.points(pose).col(Eigen::Index(i));
     poseJacobian(frames, points[i].segment, at, J);
     for (int dof = 0; dof < kContourDof; ++dof) {
-      const PoseStep step = 1e-5 * PoseStep::Unit(dof);
-      const Eigen::Vector3d difference = (body.points(moved(pose, step)).col(Eigen::Index(i)) -
-                                          body.points(moved(pose, -step)).col(Eigen::Index(i))) /
+      const PoseIncrement step = 1e-5 * PoseIncrement::Unit(dof);
+      const Eigen::Vector3d difference = (body.points(boxPlus(pose, step)).col(Eigen::Index(i)) -
+                                          body.points(boxPlus(pose, -step)).col(Eigen::Index(i))) /
                                          2e-5;
       EXPECT_LT((J.col(dof) - difference).norm(), 1e-6) << i << " by " << dof;
     }
@@ -89,13 +89,13 @@ TEST(ContourBody, DerivativesByPoseAreThoseOfDifferences) {
 }
 
 TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
-  const ContourSizes sizes = plainSizes();
+  const ShapeParameters sizes = plainSizes();
   const ContourPose pose = stride();
   ContourFrames frames;
   ContourBody(sizes).place(pose, frames);
-  const auto place = [&](const ContourSizes& s, size_t cone, int end) {
+  const auto place = [&](const ShapeParameters& s, size_t cone, int end) {
     ContourFrames moved_frames;
-    PlacedCones cones;
+    ContourWorldCones cones;
     const ContourBody body(s);
     body.place(pose, moved_frames);
     body.place(moved_frames, cones);
@@ -103,62 +103,63 @@ TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
   };
   for (size_t c = 0; c < kContourCones; ++c)
     for (int end = 0; end < 2; ++end) {
-      Eigen::Matrix<double, 3, kContourSizes> J;
-      sizeJacobian(frames, contourTree().cones[c].ends[end], J);
-      for (int i = 0; i < kContourSizes; ++i) {
-        const ContourSizes step = 1e-4 * ContourSizes::Unit(i);
+      Eigen::Matrix<double, 3, kShapeParameterCount> J;
+      shapeJacobian(frames, contourKinematicTree().cones[c].ends[end], J);
+      for (int i = 0; i < kShapeParameterCount; ++i) {
+        const ShapeParameters step = 1e-4 * ShapeParameters::Unit(i);
         const Eigen::Vector3d difference =
             (place(sizes + step, c, end) - place(sizes - step, c, end)) / 2e-4;
-        EXPECT_LT((J.col(i) - difference).norm(), 1e-9) << sizeName(i);
+        EXPECT_LT((J.col(i) - difference).norm(), 1e-9) << shapeParameterName(i);
       }
     }
 }
 
 TEST(ContourBody, RefusesSizesThatNoBodyHas) {
-  ContourSizes sizes = plainSizes();
+  ShapeParameters sizes = plainSizes();
   sizes[ContourLength::kThigh] = 0;
-  EXPECT_EQ(sentenceOf([&] { ContourBody body(sizes); }),
+  EXPECT_EQ(errorTextOf([&] { ContourBody body(sizes); }),
             "size thigh of a body is 0.000000, it must be finite and positive");
 }
 
-TEST(ContourTemplate, ReadsWhatItWrites) {
-  const ContourTemplate made = ContourTemplate::handMade();
-  const ContourTemplate read = ContourTemplate::fromText(made.text(), "file");
+TEST(ShapeStatistics, ReadsWhatItWrites) {
+  const ShapeStatistics made = ShapeStatistics::handMade();
+  const ShapeStatistics read = ShapeStatistics::fromYaml(made.text(), "file");
   EXPECT_LT((read.mean - made.mean).cwiseAbs().maxCoeff(), 6e-6);
   EXPECT_LT((read.deviation - made.deviation).cwiseAbs().maxCoeff(), 6e-6);
   EXPECT_NEAR(made.sizes(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
 }
 
-TEST(ContourTemplate, IsTheMeanOfPeople) {
-  const ContourSizes one = ContourTemplate::handMade().sizes(1.6);
-  ContourSizes other = ContourTemplate::handMade().sizes(1.8);
+TEST(ShapeStatistics, IsTheMeanOfPeople) {
+  const ShapeParameters one = ShapeStatistics::handMade().sizes(1.6);
+  ShapeParameters other = ShapeStatistics::handMade().sizes(1.8);
   const int offset = offsetIndex(ContourCone::kChest, 1) + 1, thigh = ContourLength::kThigh;
   other[offset] += 1.8 * 0.01;
-  const ContourTemplate both = ContourTemplate::ofPeople({one, other}, {1.6, 1.8});
+  const ShapeStatistics both = ShapeStatistics::fromPeople({one, other}, {1.6, 1.8});
   EXPECT_NEAR(both.mean[thigh], 0.245, 1e-12);
   EXPECT_NEAR(both.deviation[thigh], 0.05 * 0.245, 1e-12);
   EXPECT_NEAR(both.mean[offset], one[offset] / 1.6 + 0.005, 1e-12);
   EXPECT_NEAR(both.deviation[offset], std::hypot(2 * 0.005, 0.002), 1e-12);
   EXPECT_EQ(both.deviation[offsetIndex(ContourCone::kNeck, 0) + 1], 0);
-  EXPECT_THROW(ContourTemplate::ofPeople({one}, {1.6, 1.8}), std::invalid_argument);
+  EXPECT_THROW(ShapeStatistics::fromPeople({one}, {1.6, 1.8}), std::invalid_argument);
 }
 
-TEST(ContourTemplate, SaysWhatIsWrongWithAFile) {
-  std::string text = ContourTemplate::handMade().text();
-  EXPECT_EQ(sentenceOf([&] { ContourTemplate::fromText(text + "tail: [1, 0]\n", "f"); }),
+TEST(ShapeStatistics, SaysWhatIsWrongWithAFile) {
+  std::string text = ShapeStatistics::handMade().text();
+  EXPECT_EQ(errorTextOf([&] { ShapeStatistics::fromYaml(text + "tail: [1, 0]\n", "f"); }),
             "f has the unknown size tail");
-  EXPECT_EQ(sentenceOf([&] { ContourTemplate::fromText(text + "thigh: [0.2, 0]\n", "f"); }),
+  EXPECT_EQ(errorTextOf([&] { ShapeStatistics::fromYaml(text + "thigh: [0.2, 0]\n", "f"); }),
             "f has two sizes thigh");
-  EXPECT_EQ(sentenceOf([] { ContourTemplate::fromText("torso: [0.3, 0]", "f"); }),
+  EXPECT_EQ(errorTextOf([] { ShapeStatistics::fromYaml("torso: [0.3, 0]", "f"); }),
             "f lacks the size neck");
-  EXPECT_EQ(sentenceOf([] { ContourTemplate::fromText("[", "f"); }).substr(0, 13), "f is not YAML");
+  EXPECT_EQ(errorTextOf([] { ShapeStatistics::fromYaml("[", "f"); }).substr(0, 13),
+            "f is not YAML");
   const size_t at = text.find("thigh: [0.24500");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_EQ(sentenceOf([&] {
-              ContourTemplate::fromText(std::string(text).replace(at, 15, "thigh: [-0.2450"), "f");
+  EXPECT_EQ(errorTextOf([&] {
+              ShapeStatistics::fromYaml(std::string(text).replace(at, 15, "thigh: [-0.2450"), "f");
             }),
             "f: size thigh must be positive");
-  EXPECT_THROW(ContourTemplate::handMade().sizes(3.0), std::invalid_argument);
+  EXPECT_THROW(ShapeStatistics::handMade().sizes(3.0), std::invalid_argument);
 }
 
 }  // namespace

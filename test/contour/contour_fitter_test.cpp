@@ -10,7 +10,7 @@
 #include "contour/drawn_body.h"
 #include "contour/fit/pose_priors.h"
 #include "contour/fit/pose_problem.h"
-#include "contour/measure/size_equations.h"
+#include "contour/measure/shape_equations.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 class ContourFitterTest : public ::testing::Test {
  protected:
   ContourFitterTest()
-      : rig(drawnRig(6)), body(ContourTemplate::handMade().sizes(1.75)), fitter(rig, options) {
+      : rig(drawnRig(6)), body(ShapeStatistics::handMade().sizes(1.75)), fitter(rig, options) {
     seen = ContourObserver(rig, options).observe(drawnMasks(rig, body, stride()));
   }
   double error(const ContourPose& pose) const { return jointDistance(body, pose, body, stride()); }
@@ -29,7 +29,7 @@ class ContourFitterTest : public ::testing::Test {
     double sum = 0;
     for (const RayMatch& match : problem.matches()) {
       const double r2 = double(match.residual) * match.residual;
-      sum += options.contour_weight / double(seen.rays.size()) * r2 / (1 + r2 / outlier / outlier);
+      sum += options.effective_rays / double(seen.rays.size()) * r2 / (1 + r2 / outlier / outlier);
     }
     return 0.5 * sum / (options.sigma * options.sigma);
   }
@@ -50,10 +50,10 @@ std::vector<Neighbour> neighbours(const ContourBody& body, const ContourPose& po
   std::vector<Neighbour> out;
   for (int i = 0; i < kContourDof; ++i)
     for (const double step : {by, -by})
-      out.push_back({body, moved(pose, step * PoseStep::Unit(i))});
-  for (int i = 0; i < kContourSizes; ++i)
+      out.push_back({body, boxPlus(pose, step * PoseIncrement::Unit(i))});
+  for (int i = 0; i < kShapeParameterCount; ++i)
     for (const double step : {by, -by})
-      out.push_back({ContourBody(body.sizes() + step * ContourSizes::Unit(i)), pose});
+      out.push_back({ContourBody(body.sizes() + step * ShapeParameters::Unit(i)), pose});
   return out;
 }
 
@@ -84,9 +84,9 @@ TEST_F(ContourFitterTest, RayDerivativesAreThoseOfDifferences) {
   seen = steady;
   ASSERT_GT(seen.rays.size(), here.size() * 7 / 10);
 
-  const SizeEquations equations =
-      sizeEquations(rig, options, body, {seen, pose, {}}, pose, kOutlier, 1.0);
-  PoseEquations posture;
+  const ShapeNormalEquations equations =
+      shapeNormalEquations(rig, options, body, {seen, pose, {}}, pose, kOutlier, 1.0);
+  PoseNormalEquations posture;
   posture.clear();
   addPosturePriors(pose, posture);
   Eigen::VectorXd slope = equations.g;
@@ -102,37 +102,38 @@ TEST_F(ContourFitterTest, RayDerivativesAreThoseOfDifferences) {
 
 TEST_F(ContourFitterTest, PriorDerivativesAreThoseOfDifferences) {
   ContourPose pose = disturbed(stride(), 0.3, 0.1, 5);
-  pose.angles[ContourAngle::kLeftKnee] = 0.4;                        // beyond its limit
-  pose.balls[ContourBall::kRightHip] = rotationOf({0.8, 0.9, 1.3});  // beyond three
+  pose.angles[RevoluteJoint::kLeftKnee] = 0.4;                          // beyond its limit
+  pose.rotations[SphericalJoint::kRightHip] = expSO3({0.8, 0.9, 1.3});  // beyond three
   const ContourPose expected = disturbed(pose, 0.4, 0.1, 6);
-  PoseEquations equations;
+  PoseNormalEquations equations;
   equations.clear();
   addPosturePriors(pose, equations);
-  addArmsAtRest(pose, equations);
-  addPrediction(pose, expected, 0.2, 0.05, equations);
+  addArmRestPrior(pose, equations);
+  addMotionPrior(pose, expected, 0.2, 0.05, equations);
   const auto energyAt = [&](const ContourPose& at) {
-    return postureEnergy(at) + restEnergy(at) + predictionEnergy(at, expected, 0.2, 0.05);
+    return postureEnergy(at) + armRestEnergy(at) + motionPriorEnergy(at, expected, 0.2, 0.05);
   };
   for (int dof = 0; dof < kContourDof; ++dof) {
-    const PoseStep step = 1e-5 * PoseStep::Unit(dof);
-    const double difference = (energyAt(moved(pose, step)) - energyAt(moved(pose, -step))) / 2e-5;
+    const PoseIncrement step = 1e-5 * PoseIncrement::Unit(dof);
+    const double difference =
+        (energyAt(boxPlus(pose, step)) - energyAt(boxPlus(pose, -step))) / 2e-5;
     EXPECT_NEAR(equations.g[dof], difference, 1e-3 * (1 + std::abs(difference))) << dof;
   }
 }
 
 TEST_F(ContourFitterTest, AnArmThatNothingHoldsComesToHang) {
   ContourPose pose;  // arms to the sides, elbows bent
-  pose.balls[ContourBall::kLeftShoulder] = rotationOf({1.5, 0, 0});
-  pose.balls[ContourBall::kRightShoulder] = rotationOf({-1.5, 0, 0});
-  pose.angles[ContourAngle::kLeftElbow] = pose.angles[ContourAngle::kRightElbow] = 1.5;
+  pose.rotations[SphericalJoint::kLeftShoulder] = expSO3({1.5, 0, 0});
+  pose.rotations[SphericalJoint::kRightShoulder] = expSO3({-1.5, 0, 0});
+  pose.angles[RevoluteJoint::kLeftElbow] = pose.angles[RevoluteJoint::kRightElbow] = 1.5;
   const auto heightOf = [&](Eigen::Index wrist) { return body.points(pose)(2, wrist); };
   for (int i = 0; i < 30; ++i) {
-    PoseEquations posture;
+    PoseNormalEquations posture;
     posture.clear();
     addPosturePriors(pose, posture);
-    addArmsAtRest(pose, posture);
+    addArmRestPrior(pose, posture);
     posture.H.diagonal().array() += 1.0;
-    pose = moved(pose, -posture.H.ldlt().solve(posture.g).cwiseMax(-0.2).cwiseMin(0.2));
+    pose = boxPlus(pose, -posture.H.ldlt().solve(posture.g).cwiseMax(-0.2).cwiseMin(0.2));
   }
   const double hanging = body.points(ContourPose())(2, 5);
   EXPECT_NEAR(heightOf(5), hanging, 0.03);
@@ -142,11 +143,11 @@ TEST_F(ContourFitterTest, AnArmThatNothingHoldsComesToHang) {
 TEST_F(ContourFitterTest, ARaisedArmIsPulledNoMoreThanOneThatHangsNearly) {
   const auto pullAt = [&](double raised) {
     ContourPose pose;
-    pose.balls[ContourBall::kLeftShoulder] = rotationOf({raised, 0, 0});
-    PoseEquations posture;
+    pose.rotations[SphericalJoint::kLeftShoulder] = expSO3({raised, 0, 0});
+    PoseNormalEquations posture;
     posture.clear();
-    addArmsAtRest(pose, posture);
-    return posture.g[dofOfBall(ContourBall::kLeftShoulder)];
+    addArmRestPrior(pose, posture);
+    return posture.g[sphericalDof(SphericalJoint::kLeftShoulder)];
   };
   EXPECT_GT(pullAt(0.6), 5.0);
   EXPECT_LT(pullAt(1.5), 1.2 * pullAt(0.6));
@@ -156,15 +157,15 @@ TEST_F(ContourFitterTest, ARaisedArmIsPulledNoMoreThanOneThatHangsNearly) {
 TEST_F(ContourFitterTest, ContainmentPullsABodyBackInside) {
   ContourPose outside = stride();
   outside.position.x() += 0.3;
-  PlacedCones cones;
+  ContourWorldCones cones;
   ContourFrames frames;
   body.place(outside, frames);
   body.place(frames, cones);
-  AllConeSums sums;
+  AllConeNormalEquations sums;
   addContainment(seen, rig, cones, 1.0, sums);
-  PoseEquations equations;
+  PoseNormalEquations equations;
   equations.clear();
-  addToPose(sums, frames, cones, equations);
+  accumulatePoseEquations(sums, frames, cones, equations);
   EXPECT_GT(equations.g[0], 0);  // less x is better
   EXPECT_GT(equations.g[0], 3 * std::abs(equations.g[1]));
 }
@@ -173,7 +174,7 @@ TEST_F(ContourFitterTest, FindsTheDrawnPose) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const ContourPose start = disturbed(stride(), 0.1, 0.03, seed);
     EXPECT_GT(error(start), 0.03);
-    const ContourFit fit = fitter.fit(seen, body, start, std::nullopt, FitSchedule::wide());
+    const ContourFit fit = fitter.fit(seen, body, start, std::nullopt, RobustSchedule::wide());
     ASSERT_EQ(fit.status, ContourFitStatus::kFitted);
     EXPECT_LT(error(fit.pose), 0.008) << seed;
     EXPECT_GT(fit.overlap, 0.95);
@@ -194,7 +195,8 @@ TEST_F(ContourFitterTest, FollowsFromThePredictedPose) {
 }
 
 TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
-  ContourSizes stump = body.sizes();  // forearms and hands so short that nothing is drawn of them
+  ShapeParameters stump =
+      body.sizes();  // forearms and hands so short that nothing is drawn of them
   stump[ContourLength::kForearm] = stump[ContourLength::kHand] = 0.01;
   const ContourObservation cut =
       ContourObserver(rig, options).observe(drawnMasks(rig, ContourBody(stump), stride()));
@@ -207,13 +209,13 @@ TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
 
 TEST_F(ContourFitterTest, KeepsJointLimits) {
   ContourPose broken = stride();
-  broken.angles[ContourAngle::kLeftKnee] = 0.6;
-  broken.angles[ContourAngle::kRightElbow] = -0.5;
-  broken.balls[ContourBall::kLeftHip] =
-      rotationOf({0, 0, 1.3}) * broken.balls[ContourBall::kLeftHip];
-  EXPECT_GT(worstLimitExcess(broken), 0.4);
-  const ContourFit fit = fitter.fit(seen, body, broken, std::nullopt, FitSchedule::wide());
-  EXPECT_LT(worstLimitExcess(fit.pose), 0.05);
+  broken.angles[RevoluteJoint::kLeftKnee] = 0.6;
+  broken.angles[RevoluteJoint::kRightElbow] = -0.5;
+  broken.rotations[SphericalJoint::kLeftHip] =
+      expSO3({0, 0, 1.3}) * broken.rotations[SphericalJoint::kLeftHip];
+  EXPECT_GT(maxLimitViolation(broken), 0.4);
+  const ContourFit fit = fitter.fit(seen, body, broken, std::nullopt, RobustSchedule::wide());
+  EXPECT_LT(maxLimitViolation(fit.pose), 0.05);
 }
 
 TEST_F(ContourFitterTest, NeedsTwoUsableViews) {
@@ -249,12 +251,12 @@ TEST_F(ContourFitterTest, RefusesWhatIsNotFiniteOrOfAnotherRig) {
 TEST_F(ContourFitterTest, GoesOnAsFastAsBefore) {
   ContourPose before, last;
   last.position.x() = 0.1;
-  last.angles[ContourAngle::kLeftElbow] = 0.2;
-  last.balls[ContourBall::kNeck] = rotationOf({0, 0, 0.4});
-  const ContourPose next = goneOn(before, last, 0.5);
+  last.angles[RevoluteJoint::kLeftElbow] = 0.2;
+  last.rotations[SphericalJoint::kNeck] = expSO3({0, 0, 0.4});
+  const ContourPose next = predictConstantVelocity(before, last, 0.5);
   EXPECT_NEAR(next.position.x(), 0.15, 1e-12);
-  EXPECT_NEAR(next.angles[ContourAngle::kLeftElbow], 0.3, 1e-12);
-  EXPECT_NEAR(turnOf(next.balls[ContourBall::kNeck]).z(), 0.6, 1e-9);
+  EXPECT_NEAR(next.angles[RevoluteJoint::kLeftElbow], 0.3, 1e-12);
+  EXPECT_NEAR(logSO3(next.rotations[SphericalJoint::kNeck]).z(), 0.6, 1e-9);
 }
 
 }  // namespace

@@ -110,13 +110,13 @@ TEST(ContourObserver, RefusesMasksOfOtherCameras) {
   EXPECT_THROW(observer.observe({blank(), cv::Mat::zeros(10, 10, CV_8UC1)}), std::invalid_argument);
   EXPECT_THROW(ContourObserver({}, {}), std::invalid_argument);
   ContourOptions options;
-  options.outlier_last = 0.5;
+  options.robust_scale_final = 0.5;
   EXPECT_THROW(ContourObserver(drawnRig(2), options), std::invalid_argument);
 }
 
 TEST(ContourObserver, IsTheSameOnAnyNumberOfThreads) {
   const CameraRig rig = drawnRig(4);
-  const ContourBody body(ContourTemplate::handMade().sizes(1.7));
+  const ContourBody body(ShapeStatistics::handMade().sizes(1.7));
   const auto masks = drawnMasks(rig, body, stride());
   const ContourObserver observer(rig, {});
   const auto on = [&](size_t threads) {

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "markerless_mocap/camera/camera.h"
 #include "contour/model/contour_body.h"
+#include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
@@ -33,7 +33,8 @@ inline CameraRig drawnRig(int cameras, double distortion_k1 = 0.0) {
 }
 
 /// Whether a ray comes as near to the cone as its radius: tried at many of its balls.
-inline bool meets(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray, const PlacedCone& cone) {
+inline bool meets(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray,
+                  const ContourWorldCone& cone) {
   for (int i = 0; i <= 30; ++i) {
     const double s = i / 30.0;
     const Eigen::Vector3d way = cone.a + s * (cone.b - cone.a) - eye;
@@ -44,9 +45,9 @@ inline bool meets(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray, const 
 }
 
 /// The body's mask, pixel by pixel: no code of the fitter's is used.
-inline cv::Mat drawnMask(const Camera& camera, const PlacedCones& cones) {
+inline cv::Mat drawnMask(const Camera& camera, const ContourWorldCones& cones) {
   cv::Mat mask = cv::Mat::zeros(camera.height(), camera.width(), CV_8UC1);
-  for (const PlacedCone& cone : cones) {
+  for (const ContourWorldCone& cone : cones) {
     const Eigen::Vector2d a = *camera.project(cone.a), b = *camera.project(cone.b);
     const double reach = 1.5 * 300 / 3 * std::max(cone.radius_a, cone.radius_b) + 2;
     const int x0 = std::max(0, int(std::min(a.x(), b.x()) - reach));
@@ -65,7 +66,7 @@ inline cv::Mat drawnMask(const Camera& camera, const PlacedCones& cones) {
 inline std::vector<cv::Mat> drawnMasks(const CameraRig& rig, const ContourBody& body,
                                        const ContourPose& pose) {
   ContourFrames frames;
-  PlacedCones cones;
+  ContourWorldCones cones;
   body.place(pose, frames);
   body.place(frames, cones);
   std::vector<cv::Mat> masks;
@@ -77,18 +78,18 @@ inline std::vector<cv::Mat> drawnMasks(const CameraRig& rig, const ContourBody& 
 inline ContourPose stride() {
   ContourPose pose;
   pose.position << 0.05, -0.1, 0.92;
-  pose.balls[ContourBall::kRoot] = rotationOf({0, 0, 0.4});
-  pose.balls[ContourBall::kNeck] = rotationOf({0.1, 0.1, 0.2});
-  pose.balls[ContourBall::kLeftShoulder] = rotationOf({0.8, -0.4, 0});
-  pose.balls[ContourBall::kRightShoulder] = rotationOf({-1.0, 0.3, 0.2});
-  pose.balls[ContourBall::kLeftHip] = rotationOf({0.15, -0.5, 0.1});
-  pose.balls[ContourBall::kRightHip] = rotationOf({-0.15, 0.3, 0});
-  pose.angles[ContourAngle::kSpinePitch] = 0.15;
-  pose.angles[ContourAngle::kSpineTwist] = 0.1;
-  pose.angles[ContourAngle::kLeftElbow] = 0.9;
-  pose.angles[ContourAngle::kRightElbow] = 0.4;
-  pose.angles[ContourAngle::kLeftKnee] = -0.5;
-  pose.angles[ContourAngle::kRightKnee] = -0.3;
+  pose.rotations[SphericalJoint::kRoot] = expSO3({0, 0, 0.4});
+  pose.rotations[SphericalJoint::kNeck] = expSO3({0.1, 0.1, 0.2});
+  pose.rotations[SphericalJoint::kLeftShoulder] = expSO3({0.8, -0.4, 0});
+  pose.rotations[SphericalJoint::kRightShoulder] = expSO3({-1.0, 0.3, 0.2});
+  pose.rotations[SphericalJoint::kLeftHip] = expSO3({0.15, -0.5, 0.1});
+  pose.rotations[SphericalJoint::kRightHip] = expSO3({-0.15, 0.3, 0});
+  pose.angles[RevoluteJoint::kSpinePitch] = 0.15;
+  pose.angles[RevoluteJoint::kSpineTwist] = 0.1;
+  pose.angles[RevoluteJoint::kLeftElbow] = 0.9;
+  pose.angles[RevoluteJoint::kRightElbow] = 0.4;
+  pose.angles[RevoluteJoint::kLeftKnee] = -0.5;
+  pose.angles[RevoluteJoint::kRightKnee] = -0.3;
   return pose;
 }
 
@@ -96,9 +97,9 @@ inline ContourPose stride() {
 inline ContourPose disturbed(const ContourPose& pose, double turn, double move, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  PoseStep step;
+  PoseIncrement step;
   for (int i = 0; i < kContourDof; ++i) step[i] = normal(random) * (i < 3 ? move : turn);
-  return moved(pose, step);
+  return boxPlus(pose, step);
 }
 
 /// Mean distance of the fifteen joints, metres.

@@ -12,7 +12,7 @@ using Deviations = std::array<double, ContourLimb::kCount>;
 
 /// A body so stout that an arm which hangs lies within its trunk.
 ContourBody stout() {
-  ContourSizes sizes = ContourTemplate::handMade().sizes(1.75);
+  ShapeParameters sizes = ShapeStatistics::handMade().sizes(1.75);
   for (const int kind : {ContourCone::kPelvis, ContourCone::kChest, ContourCone::kThigh})
     for (const int end : {0, 1}) sizes[radiusIndex(kind, end)] *= 2.2;
   return ContourBody(sizes);
@@ -22,10 +22,10 @@ ContourBody stout() {
 class LimbEvidenceTest : public ::testing::Test {
  protected:
   LimbEvidenceTest()
-      : rig(drawnRig(4)), slim(ContourTemplate::handMade().sizes(1.75)), fitter(rig, options) {
+      : rig(drawnRig(4)), slim(ShapeStatistics::handMade().sizes(1.75)), fitter(rig, options) {
     pose.position.z() = 0.92;
-    pose.balls[ContourBall::kRightShoulder] = rotationOf({-1.3, 0, 0});
-    pose.angles[ContourAngle::kLeftElbow] = pose.angles[ContourAngle::kRightElbow] = 0.2;
+    pose.rotations[SphericalJoint::kRightShoulder] = expSO3({-1.3, 0, 0});
+    pose.angles[RevoluteJoint::kLeftElbow] = pose.angles[RevoluteJoint::kRightElbow] = 0.2;
   }
   std::vector<cv::Mat> masksOf(const ContourBody& body) const {
     return drawnMasks(rig, body, pose);

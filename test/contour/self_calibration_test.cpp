@@ -7,7 +7,7 @@
 
 #include "contour/drawn_body.h"
 #include "contour/rig_shift.h"
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -28,49 +28,49 @@ CameraRig misjudged(const CameraRig& rig, double pixels) {
 class SelfCalibrationTest : public ::testing::Test {
  protected:
   SelfCalibrationTest()
-      : truth(drawnRig(6)), body(ContourTemplate::handMade().sizes(1.7)), told(truth) {}
+      : truth(drawnRig(6)), body(ShapeStatistics::handMade().sizes(1.7)), told(truth) {}
 
   void film(const CameraRig& calibration, int count = 8) {
     told = calibration;
     const ContourObserver observer(told, options);
     for (int i = 0; i < count; ++i) {
       poses.push_back(disturbed(stride(), 0.25, 0.1, 10 + unsigned(i)));
-      PointingInstant instant;
+      OrientationSample instant;
       instant.seen = observer.observe(drawnMasks(truth, body, poses.back()));
       instant.start = disturbed(poses.back(), 0.05, 0.02, 30 + unsigned(i));
       instants.push_back(std::move(instant));
     }
   }
-  PointingEstimate estimate() const {
-    return estimatePointing(told, options, body, instants, settings);
+  OrientationRefinement estimate() const {
+    return refineCameraOrientations(told, options, body, instants, settings);
   }
 
   CameraRig truth;
   ContourOptions options;
-  PointingOptions settings;
+  OrientationRefinementOptions settings;
   ContourBody body;
   CameraRig told;
   std::vector<ContourPose> poses;
-  std::vector<PointingInstant> instants;
+  std::vector<OrientationSample> instants;
 };
 
 TEST_F(SelfCalibrationTest, FindsHowCamerasPointRelativeToEachOther) {
   film(misjudged(truth, 3.0));
   const Eigen::VectorXd off = relative(truth, shiftBetween(truth, told));
   ASSERT_GT(off.norm() / std::sqrt(6), 2.0);
-  const PointingEstimate found = estimate();
-  EXPECT_EQ(found.status, PointingStatus::kCorrected);
+  const OrientationRefinement found = estimate();
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kCorrected);
   EXPECT_LT(relative(truth, shiftBetween(truth, found.rig)).cwiseAbs().maxCoeff(), 0.3);
   EXPECT_GT(found.after.overlap, found.before.overlap + 0.02);
   EXPECT_LT(found.after.distance, 0.4 * found.before.distance);
-  EXPECT_EQ(found.instants_used, 8);
+  EXPECT_EQ(found.samples_used, 8);
   ASSERT_EQ(found.corrections.size(), 6u);
   for (size_t c = 0; c < 6; ++c) {
     EXPECT_EQ(found.corrections[c].camera, truth[c].name());
     const Eigen::Vector2d moved = shiftBetween(told, found.rig).segment<2>(Eigen::Index(2 * c));
     EXPECT_LT((moved - found.corrections[c].pixels).norm(), 0.2);
     EXPECT_GT(found.corrections[c].deviation.minCoeff(), 0.0);
-    EXPECT_LT(found.corrections[c].deviation.maxCoeff(), settings.deviation_px);
+    EXPECT_LT(found.corrections[c].deviation.maxCoeff(), settings.sigma_px);
     EXPECT_GT(found.corrections[c].rays, 500u);
   }
   EXPECT_EQ(found.sentence().rfind("the cameras' pointing is corrected: by 8 instants", 0), 0u)
@@ -90,19 +90,19 @@ TEST_F(SelfCalibrationTest, PerspectiveTellsAShiftOfAllCamerasTogether) {
   film(shifted);
   ASSERT_GT(shiftBetween(truth, told).norm() / std::sqrt(6), 1.2);
   ASSERT_LT(relative(truth, shiftBetween(truth, told)).norm() / std::sqrt(6), 0.1);
-  const PointingEstimate found = estimate();
-  EXPECT_EQ(found.status, PointingStatus::kCorrected);
+  const OrientationRefinement found = estimate();
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kCorrected);
   EXPECT_LT(shiftBetween(truth, found.rig).norm() / std::sqrt(6), 0.5);
 }
 
 TEST_F(SelfCalibrationTest, ARigThatIsRightStaysAndIsSaidTo) {
   film(truth);
-  const PointingEstimate found = estimate();
-  EXPECT_EQ(found.status, PointingStatus::kNoGain);
+  const OrientationRefinement found = estimate();
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kNoGain);
   for (size_t c = 0; c < truth.size(); ++c)
     EXPECT_EQ(found.rig[c].calibration().T_world_camera.matrix(),
               truth[c].calibration().T_world_camera.matrix());
-  for (const PointingCorrection& one : found.corrections) EXPECT_LT(one.pixels.norm(), 0.3);
+  for (const OrientationCorrection& one : found.corrections) EXPECT_LT(one.pixels.norm(), 0.3);
   EXPECT_EQ(found.sentence().rfind("the calibration is kept, as no other is surely better: ", 0),
             0u)
       << found.sentence();
@@ -110,7 +110,7 @@ TEST_F(SelfCalibrationTest, ARigThatIsRightStaysAndIsSaidTo) {
 
 TEST_F(SelfCalibrationTest, PosesComeWithTheRig) {
   film(misjudged(truth, 3.0));
-  const PointingEstimate found = estimate();
+  const OrientationRefinement found = estimate();
   ASSERT_EQ(found.poses.size(), poses.size());
   // A body that is elsewhere as a whole, as contours cannot tell where it is.
   Eigen::MatrixXd off(3, poses.size());
@@ -126,7 +126,7 @@ TEST_F(SelfCalibrationTest, IsTheSameOnAnyNumberOfThreads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return estimate();
   };
-  const PointingEstimate one = on(1), two = on(2);
+  const OrientationRefinement one = on(1), two = on(2);
   for (size_t c = 0; c < one.corrections.size(); ++c)
     EXPECT_EQ(one.corrections[c].pixels, two.corrections[c].pixels);
 }
@@ -134,8 +134,8 @@ TEST_F(SelfCalibrationTest, IsTheSameOnAnyNumberOfThreads) {
 TEST_F(SelfCalibrationTest, TooFewInstantsSaySo) {
   film(truth, 4);
   instants[2].seen = ContourObserver(told, options).observe(std::vector<cv::Mat>(told.size()));
-  const PointingEstimate found = estimate();
-  EXPECT_EQ(found.status, PointingStatus::kTooFewInstants);
+  const OrientationRefinement found = estimate();
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kTooFewSamples);
   EXPECT_EQ(found.rig.size(), told.size());
   EXPECT_EQ(
       found.sentence(),
@@ -145,13 +145,13 @@ TEST_F(SelfCalibrationTest, TooFewInstantsSaySo) {
 
 TEST_F(SelfCalibrationTest, RefusesOtherRigsAndBadSettings) {
   film(truth, 4);
-  settings.deviation_px = 0.0;
-  EXPECT_EQ(sentenceOf([&] { estimate(); }),
+  settings.sigma_px = 0.0;
+  EXPECT_EQ(errorTextOf([&] { estimate(); }),
             "contour: an estimate of the cameras' pointing needs at least one iteration, positive "
             "deviations and an outlier distance that does not grow");
   settings = {};
   told.pop_back();
-  EXPECT_EQ(sentenceOf([&] { estimate(); }),
+  EXPECT_EQ(errorTextOf([&] { estimate(); }),
             "contour: an instant for the estimate of pointing is of another rig");
 }
 

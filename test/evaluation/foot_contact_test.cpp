@@ -40,14 +40,14 @@ TEST(FootContact, IsWhereAPointIsLowAndSlow) {
   EXPECT_EQ(found.contacts[1].run.frames, 9u);
   EXPECT_EQ(found.precision, 1.0);
   EXPECT_EQ(found.recall, 1.0);
-  EXPECT_EQ(found.reach_mm.max, 0.0);
+  EXPECT_EQ(found.max_slide_mm.max, 0.0);
 }
 
 TEST(FootContact, AFootInTheAirHasNone) {
   const FootContact found = footContact(step(nothing), step(nothing), "r_foot");
   EXPECT_TRUE(found.contacts.empty());
   EXPECT_TRUE(std::isnan(found.recall));
-  EXPECT_TRUE(std::isnan(found.reach_mm.mean));
+  EXPECT_TRUE(std::isnan(found.max_slide_mm.mean));
 }
 
 TEST(FootContact, SlideIsHowFarTheEstimateGoesWhileTheTruthRests) {
@@ -59,12 +59,12 @@ TEST(FootContact, SlideIsHowFarTheEstimateGoesWhileTheTruthRests) {
   });
   const FootContact found = footContact(step(nothing), estimate, "l_foot");
   ASSERT_EQ(found.contacts.size(), 2u);
-  EXPECT_NEAR(found.contacts[0].reach_mm, 8.0, 1e-9);
+  EXPECT_NEAR(found.contacts[0].max_slide_mm, 8.0, 1e-9);
   EXPECT_NEAR(found.contacts[0].path_mm_per_s, 25.0, 1e-9);
-  EXPECT_NEAR(found.contacts[1].reach_mm, 3.0, 1e-9);
+  EXPECT_NEAR(found.contacts[1].max_slide_mm, 3.0, 1e-9);
   EXPECT_NEAR(found.contacts[1].path_mm_per_s, 6.0 / 0.32, 1e-9);
   EXPECT_EQ(found.contacts[1].true_path_mm_per_s, 0.0);
-  EXPECT_NEAR(found.reach_mm.mean, 5.5, 1e-9);
+  EXPECT_NEAR(found.max_slide_mm.mean, 5.5, 1e-9);
   EXPECT_EQ(found.recall, 1.0);
 }
 
@@ -74,9 +74,9 @@ TEST(FootContact, FramesWithoutEstimateDoNotCount) {
     if (f == 18) points->setConstant(NAN);
   });
   const FootContact found = footContact(step(nothing), estimate, "l_foot");
-  EXPECT_TRUE(std::isnan(found.contacts[0].reach_mm));
-  EXPECT_EQ(found.contacts[1].reach_mm, 0.0);
-  EXPECT_EQ(found.reach_mm.count, 1u);
+  EXPECT_TRUE(std::isnan(found.contacts[0].max_slide_mm));
+  EXPECT_EQ(found.contacts[1].max_slide_mm, 0.0);
+  EXPECT_EQ(found.max_slide_mm.count, 1u);
   EXPECT_EQ(found.recall, 6.0 / 8);  // 16 and 17 are too short to be a contact by themselves
   EXPECT_EQ(found.precision, 1.0);
 }
@@ -97,15 +97,16 @@ TEST(FootContact, TakesTracksOfTheSameFrames) {
   EXPECT_THROW(footContact(step(nothing), shorter, "l_foot"), std::invalid_argument);
 }
 
-TEST(SoleFigures, CountDepthsBelowTheFloor) {
-  const SoleFigures sole = soleFigures({0.010, -0.005, -0.020, NAN}, {true, true, false, true});
+TEST(SoleStatistics, CountDepthsBelowTheFloor) {
+  const SoleStatistics sole =
+      soleStatistics({0.010, -0.005, -0.020, NAN}, {true, true, false, true});
   EXPECT_EQ(sole.frames, 3u);
-  EXPECT_NEAR(sole.share_below, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(sole.fraction_below, 1.0 / 3, 1e-12);
   EXPECT_NEAR(sole.mean_below_mm, 25.0 / 3, 1e-9);
   EXPECT_NEAR(sole.deepest_mm, 20.0, 1e-9);
   EXPECT_NEAR(sole.standing_mm.mean, 2.5, 1e-9);
-  EXPECT_TRUE(std::isnan(soleFigures({NAN}, {true}).share_below));
-  EXPECT_THROW(soleFigures({0.0}, {}), std::invalid_argument);
+  EXPECT_TRUE(std::isnan(soleStatistics({NAN}, {true}).fraction_below));
+  EXPECT_THROW(soleStatistics({0.0}, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double kExact_mm = 1e-9;
 
-TEST(Spread, IsThatOfTheFiniteValues) {
-  const Spread spread = spreadOf({4, NAN, 1, 2, 3, 5});
+TEST(SummaryStatistics, IsThatOfTheFiniteValues) {
+  const SummaryStatistics spread = summaryStatistics({4, NAN, 1, 2, 3, 5});
   EXPECT_EQ(spread.count, 5u);
   EXPECT_DOUBLE_EQ(spread.mean, 3);
   EXPECT_DOUBLE_EQ(spread.median, 3);
   EXPECT_DOUBLE_EQ(spread.p95, 4.8);  // 0.95 of the way along 1 2 3 4 5: between 4 and 5
   EXPECT_DOUBLE_EQ(spread.max, 5);
   EXPECT_DOUBLE_EQ(spread.deviation, std::sqrt(2.0));
-  EXPECT_TRUE(std::isnan(spreadOf({NAN}).mean));
+  EXPECT_TRUE(std::isnan(summaryStatistics({NAN}).mean));
 }
 
 TEST(JointErrors, TruthAgainstItselfIsZero) {
@@ -25,8 +25,8 @@ TEST(JointErrors, TruthAgainstItselfIsZero) {
   const JointErrors errors = jointErrors(truth, truth);
   EXPECT_EQ(errors.D_spread.max, 0.0);
   EXPECT_EQ(errors.D_mean_unbiased, 0.0);
-  EXPECT_EQ(errors.share_without_estimate, 0.0);
-  EXPECT_EQ(errors.share_markers_missing, 0.0);
+  EXPECT_EQ(errors.fraction_without_estimate, 0.0);
+  EXPECT_EQ(errors.fraction_markers_missing, 0.0);
   EXPECT_EQ(errors.swaps.all, 0.0);
   for (const MarkerError& marker : errors.markers) EXPECT_EQ(marker.max_mm, 0.0) << marker.name;
 }
@@ -117,8 +117,8 @@ TEST(JointErrors, FramesAndMarkersWithoutEstimateAreCountedAndLeftOut) {
   for (size_t f = 5; f < 20; ++f) estimate.positions[f].col(3).setConstant(NAN);
   const JointErrors errors = jointErrors(truth, estimate);
   EXPECT_EQ(errors.frames_estimated, 15u);
-  EXPECT_DOUBLE_EQ(errors.share_without_estimate, 0.25);
-  EXPECT_NEAR(errors.share_markers_missing, 1.0 / 15, 1e-12);
+  EXPECT_DOUBLE_EQ(errors.fraction_without_estimate, 0.25);
+  EXPECT_NEAR(errors.fraction_markers_missing, 1.0 / 15, 1e-12);
   EXPECT_NEAR(errors.D_spread.mean, 10, kExact_mm);
   EXPECT_TRUE(std::isnan(errors.D[4]));
   EXPECT_TRUE(std::isnan(errors.markers[3].mean_mm));
@@ -129,7 +129,7 @@ TEST(JointErrors, NothingEstimatedIsNoFigure) {
   JointTrack estimate = truth;
   for (size_t f = 0; f < 4; ++f) lose(&estimate, f);
   const JointErrors errors = jointErrors(truth, estimate);
-  EXPECT_EQ(errors.share_without_estimate, 1.0);
+  EXPECT_EQ(errors.fraction_without_estimate, 1.0);
   EXPECT_TRUE(std::isnan(errors.D_spread.mean));
   EXPECT_TRUE(std::isnan(errors.swaps.all));
 }
@@ -148,8 +148,8 @@ JointTrack hands(double off_m) {
 }
 
 TEST(Extremities, AreRightWithinTheLimit) {
-  EXPECT_DOUBLE_EQ(extremityError(hands(0), hands(0.149), "hand").share_right, 1.0);
-  EXPECT_DOUBLE_EQ(extremityError(hands(0), hands(0.151), "hand").share_right, 0.0);
+  EXPECT_DOUBLE_EQ(extremityError(hands(0), hands(0.149), "hand").fraction_correct, 1.0);
+  EXPECT_DOUBLE_EQ(extremityError(hands(0), hands(0.151), "hand").fraction_correct, 0.0);
   EXPECT_NEAR(extremityError(hands(0), hands(0.151), "hand").error_mm.mean, 151, kExact_mm);
 }
 
@@ -157,8 +157,8 @@ TEST(Extremities, WrongSideOrNoEstimateIsNotRight) {
   JointTrack found = hands(0);
   swapSides(&found, 0);
   lose(&found, 1);
-  EXPECT_DOUBLE_EQ(extremityError(hands(0), found, "hand").share_right, 0.8);
-  EXPECT_TRUE(std::isnan(extremityError(hands(0), found, "foot").share_right));
+  EXPECT_DOUBLE_EQ(extremityError(hands(0), found, "hand").fraction_correct, 0.8);
+  EXPECT_TRUE(std::isnan(extremityError(hands(0), found, "foot").fraction_correct));
 }
 
 TEST(Extremities, HandsThatTouchAreHeldAgainstTheNearerOne) {
@@ -166,7 +166,7 @@ TEST(Extremities, HandsThatTouchAreHeldAgainstTheNearerOne) {
   for (auto& points : truth.positions) points.row(1) << 0.05, -0.05;
   JointTrack found = truth;
   swapSides(&found, 0);  // each 100 mm off: within the limit, and yet the other hand
-  EXPECT_DOUBLE_EQ(extremityError(truth, found, "hand").share_right, 0.9);
+  EXPECT_DOUBLE_EQ(extremityError(truth, found, "hand").fraction_correct, 0.9);
 }
 
 }  // namespace

@@ -37,22 +37,22 @@ inline JointTrack standing(int frames) {
 }
 
 /// Labels that are the truth.
-inline std::vector<LabelledEnds> trueLabels(const JointTrack& truth) {
-  std::vector<LabelledEnds> labels(truth.frames());
+inline std::vector<LabelledExtremities> trueLabels(const JointTrack& truth) {
+  std::vector<LabelledExtremities> labels(truth.frames());
   for (size_t f = 0; f < labels.size(); ++f) {
     labels[f].valid = true;
     labels[f].validity = 1.0;
-    for (int end = 0; end < kEndCount; ++end)
+    for (int end = 0; end < kLabelledExtremityCount; ++end)
       labels[f].positions.col(end) = truth.positions[f].col(2 * end);
   }
   return labels;
 }
 
-inline void swapHands(LabelledEnds* labels) {
+inline void swapHands(LabelledExtremities* labels) {
   labels->positions.col(kLeftHand).swap(labels->positions.col(kRightHand));
 }
 
-inline void swapFeet(LabelledEnds* labels) {
+inline void swapFeet(LabelledExtremities* labels) {
   labels->positions.col(kLeftFoot).swap(labels->positions.col(kRightFoot));
 }
 

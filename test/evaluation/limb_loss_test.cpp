@@ -18,7 +18,7 @@ TEST(LimbLoss, ATrackThatIsRightLosesNothing) {
   for (const LimbLoss& limb : limbs) {
     EXPECT_EQ(limb.frames, size_t(kFrames)) << limb.limb;
     EXPECT_EQ(limb.per_minute, 0.0) << limb.limb;
-    EXPECT_EQ(limb.share_lost, 0.0) << limb.limb;
+    EXPECT_EQ(limb.fraction_lost, 0.0) << limb.limb;
   }
 }
 
@@ -39,7 +39,7 @@ TEST(LimbLoss, CountsWhatIsFarOffOrNotPublishedAfterTheFirstPose) {
   EXPECT_EQ(arm.losses, 2u);                         // 0.08 s between the first two: one
   EXPECT_NEAR(arm.longest_s, 0.36, 1e-9);            // from frame 10 to frame 19
   EXPECT_NEAR(arm.per_minute, 2 * 60 / 1.76, 1e-9);  // from frame 5 to frame 49
-  EXPECT_EQ(arm.share_lost, 0.2);
+  EXPECT_EQ(arm.fraction_lost, 0.2);
   EXPECT_TRUE(arm.lost[17]);
   EXPECT_FALSE(arm.lost[15]);
   EXPECT_EQ(limbs[2].losses, 0u);
@@ -62,7 +62,7 @@ TEST(LimbLoss, WithoutAnyPoseThereIsNothingToLose) {
   for (const LimbLoss& limb : limbLosses(truth, estimate)) {
     EXPECT_EQ(limb.losses, 0u) << limb.limb;
     EXPECT_TRUE(std::isnan(limb.per_minute)) << limb.limb;
-    EXPECT_TRUE(std::isnan(limb.share_lost)) << limb.limb;
+    EXPECT_TRUE(std::isnan(limb.fraction_lost)) << limb.limb;
   }
 }
 

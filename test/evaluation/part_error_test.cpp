@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -101,10 +101,10 @@ TEST(PartTruth, needsAllPoints) {
 
 TEST(PartError, findsNothingWrongWithTheTruth) {
   const Eigen::Matrix3Xd points = standing(true);
-  const PartVerdict verdict = partVerdict(points, perfectHull(points));
-  EXPECT_TRUE(verdict.judged && verdict.free && verdict.six_right && verdict.valid);
-  EXPECT_EQ(verdict.share_right, 1.0);
-  EXPECT_EQ(verdict.share_right_inside, 1.0);
+  const PartEvaluation verdict = evaluateParts(points, perfectHull(points));
+  EXPECT_TRUE(verdict.judged && verdict.free && verdict.all_six_correct && verdict.valid);
+  EXPECT_EQ(verdict.fraction_correct, 1.0);
+  EXPECT_EQ(verdict.fraction_correct_inside, 1.0);
   for (const double overlap : verdict.overlap) EXPECT_EQ(overlap, 1.0);
 }
 
@@ -112,11 +112,11 @@ TEST(PartError, leavesSidesOpenButNotKinds) {
   const Eigen::Matrix3Xd points = standing(true);
   SegmentedHull hull = perfectHull(points);
   rename(hull, 2, 3);
-  EXPECT_EQ(partVerdict(points, hull).share_right, 1.0);
+  EXPECT_EQ(evaluateParts(points, hull).fraction_correct, 1.0);
   rename(hull, 3, 4);
-  const PartVerdict exchanged = partVerdict(points, hull);
-  EXPECT_LT(exchanged.share_right, 0.75) << "an arm for a leg";
-  EXPECT_FALSE(exchanged.six_right);
+  const PartEvaluation exchanged = evaluateParts(points, hull);
+  EXPECT_LT(exchanged.fraction_correct, 0.75) << "an arm for a leg";
+  EXPECT_FALSE(exchanged.all_six_correct);
 }
 
 TEST(PartError, tellsMistakesAtBordersFromOthers) {
@@ -131,16 +131,16 @@ TEST(PartError, tellsMistakesAtBordersFromOthers) {
     ++wrong;
   }
   ASSERT_GT(wrong, 0u);
-  const PartVerdict verdict = partVerdict(points, hull);
-  EXPECT_NEAR(verdict.share_right, 1.0 - double(wrong) / double(hull.labels.size()), 1e-12);
-  EXPECT_GT(verdict.share_right_inside, verdict.share_right);
+  const PartEvaluation verdict = evaluateParts(points, hull);
+  EXPECT_NEAR(verdict.fraction_correct, 1.0 - double(wrong) / double(hull.labels.size()), 1e-12);
+  EXPECT_GT(verdict.fraction_correct_inside, verdict.fraction_correct);
   EXPECT_NEAR(verdict.overlap[2], double(left_arm - wrong) / double(left_arm), 1e-12);
 }
 
 TEST(PartError, callsAFrameFreeWhileNoForearmTouches) {
   const auto isFree = [](double gap) {
     const Eigen::Matrix3Xd points = standing(false, gap);
-    return partVerdict(points, perfectHull(points)).free;
+    return evaluateParts(points, perfectHull(points)).free;
   };
   EXPECT_TRUE(isFree(0.4));
   EXPECT_FALSE(isFree(0.0)) << "the hands lie at the thighs";
@@ -162,9 +162,9 @@ TEST(PartError, measuresCurvesFromTheBones) {
   EXPECT_NEAR(errors.arms_mm.mean, 30.0, 1e-9);
   EXPECT_FALSE(errors.verdicts[1].judged) << "there is no truth";
   EXPECT_EQ(errors.all.frames, 1u);
-  EXPECT_EQ(errors.share_valid, 1.0);
+  EXPECT_EQ(errors.fraction_valid, 1.0);
   EXPECT_EQ(errors.touching.frames, 0u);
-  EXPECT_TRUE(std::isnan(errors.touching.share_right));
+  EXPECT_TRUE(std::isnan(errors.touching.fraction_correct));
 }
 
 TEST(PartError, refusesLabelsThatAreNone) {
@@ -174,7 +174,7 @@ TEST(PartError, refusesLabelsThatAreNone) {
   SegmentedHull hull = perfectHull(standing(true));
   EXPECT_THROW(partErrors(truth, {}), std::invalid_argument);
   hull.labels[0] = 6;
-  EXPECT_EQ(sentenceOf([&] { partErrors(truth, {hull}); }),
+  EXPECT_EQ(errorTextOf([&] { partErrors(truth, {hull}); }),
             "a segmented hull needs one label below 6 for each voxel");
 }
 

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "markerless_mocap/body/body_model.h"
 #include "evaluation/joint_track.h"
+#include "markerless_mocap/body/body_model.h"
 
 namespace markerless_mocap {
 

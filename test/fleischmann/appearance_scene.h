@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "fleischmann/model/cone_body.h"
-#include "fleischmann/fleischmann_profile.h"
+#include "fleischmann/fleischmann_body_model.h"
+#include "fleischmann/model/fleischmann_body_shape.h"
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/camera/camera.h"
@@ -51,8 +51,8 @@ inline CameraRig ringOfFour(std::vector<double> D = {}) {
 /// Mid-step in the middle of the room, facing `yaw`.
 inline FleischmannVector stride(double yaw = 0.4) {
   FleischmannVector v = FleischmannVector::Zero();
-  v.segment<3>(kPelvisTurn) << 0.02, 0.05, yaw;
-  v.segment<3>(kPelvisPlace) << 0.1, -0.2, 0.93;
+  v.segment<3>(kPelvisOrientation) << 0.02, 0.05, yaw;
+  v.segment<3>(kPelvisPosition) << 0.1, -0.2, 0.93;
   v.segment<3>(kLeftHip) << 0.05, 0.5, 0.1;
   v[kLeftKnee] = 0.3;
   v.segment<3>(kRightHip) << 0.08, -0.3, -0.1;

@@ -5,14 +5,14 @@
 #include <sstream>
 #include <string>
 
+#include "hsiao/fit/hsiao_particle_swarm.h"
+#include "hsiao/fit/hsiao_skeleton_error.h"
+#include "hsiao/model/hsiao_body_model.h"
+#include "hsiao/model/hsiao_body_shape.h"
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "hsiao/model/hsiao_profile.h"
-#include "hsiao/fit/particle_swarm.h"
-#include "hsiao/model/profile_shape.h"
-#include "hsiao/fit/skeleton_error.h"
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/body_parts.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 
@@ -32,7 +32,7 @@ inline double degrees(double value) {
 }
 
 /// Upright at (1, 2), hips about 0.9 m high, facing `yaw`, arms hanging.
-inline HsiaoVector standing(const HsiaoProfile& profile, double yaw = 0.0) {
+inline HsiaoVector standing(const HsiaoBodyModel& profile, double yaw = 0.0) {
   HsiaoVector v = HsiaoVector::Zero();
   v.segment<3>(kHsiaoCenter) << 1.0, 2.0, 1.2;
   v.segment<3>(kHsiaoNeck) << 1.0, 2.0, 1.2 + profile.halfTorso();
@@ -43,7 +43,7 @@ inline HsiaoVector standing(const HsiaoProfile& profile, double yaw = 0.0) {
 }
 
 /// Mid-step: arms half raised and bent, one knee bent.
-inline HsiaoVector stepping(const HsiaoProfile& profile, double yaw) {
+inline HsiaoVector stepping(const HsiaoBodyModel& profile, double yaw) {
   HsiaoVector v = standing(profile, yaw);
   v[hsiaoTheta(3)] = degrees(-35);
   v[hsiaoTheta(4)] = degrees(50);
@@ -74,14 +74,14 @@ inline Eigen::Vector3d alongLine(const std::vector<Eigen::Vector3d>& line, doubl
 }
 
 /// Part curves of a person in the pose `v`: its bones, arms without fingers as a hull shows them.
-inline BodyParts curvesOf(const HsiaoProfile& profile, const HsiaoVector& v) {
+inline BodyParts curvesOf(const HsiaoBodyModel& profile, const HsiaoVector& v) {
   HsiaoFrames frames;
   profile.frames(v.data(), frames);
   BodyParts parts;
   parts.status = SegmentationStatus::kOk;
   for (int part = 0; part < kPartCount; ++part) {
     std::vector<Eigen::Vector3d> line;
-    for (const SegmentPoint& node : profile.bones(PartLabel(part)))
+    for (const HsiaoSegmentPoint& node : profile.bones(PartLabel(part)))
       line.push_back(node.inWorld(frames));
     const bool arm = part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
     PartCurve& curve = parts.parts[part];
@@ -95,11 +95,11 @@ inline BodyParts curvesOf(const HsiaoProfile& profile, const HsiaoVector& v) {
 }
 
 /// Voxels of 30 mm inside the body's shape in the pose `v`.
-inline VisualHull hullOf(const HsiaoProfile& profile, const ProfileShape& shape,
+inline VisualHull hullOf(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
                          const HsiaoVector& v) {
   HsiaoFrames frames;
   profile.frames(v.data(), frames);
-  std::vector<WorldCone> cones;
+  std::vector<HsiaoWorldCone> cones;
   shape.inWorld(frames, cones);
   VisualHull hull;
   hull.status = HullStatus::kOk;
@@ -107,7 +107,7 @@ inline VisualHull hullOf(const HsiaoProfile& profile, const ProfileShape& shape,
   hull.lattice.size = {100, 100, 80};
   for (uint32_t i = 0; i < hull.lattice.count(); ++i) {
     const Eigen::Vector3d center = hull.lattice.center(i);
-    for (const WorldCone& cone : cones) {
+    for (const HsiaoWorldCone& cone : cones) {
       if (cone.signedDistance(center) > 0.0) continue;
       HullVoxel voxel;
       voxel.index = i;

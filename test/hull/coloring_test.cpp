@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
+#include "hull/color/surface_visibility.h"
 #include "hull/hull_scene.h"
-#include "hull/color/surface_sight.h"
 
 namespace markerless_mocap {
 namespace {
@@ -56,11 +56,11 @@ TEST(HullColors, MeanIsRgbOfTheCamerasThatSeeTheVoxel) {
 }
 
 /// Two upright plates across the x axis on a common floor, one before the other.
-Piece plates(const VoxelLattice& lattice) {
-  std::vector<Cell> cells;
+VoxelComponent plates(const VoxelLattice& lattice) {
+  std::vector<BrickVoxels> cells;
   const auto add = [&](int i, int j, int k) {
-    const Eigen::Vector3i leaf = Eigen::Vector3i(i, j, k) / kLeaf, size = leavesOf(lattice);
-    cells.push_back({uint32_t((leaf.z() * size.y() + leaf.y()) * size.x() + leaf.x()),
+    const Eigen::Vector3i brick = Eigen::Vector3i(i, j, k) / kBrickSide, size = bricksOf(lattice);
+    cells.push_back({uint32_t((brick.z() * size.y() + brick.y()) * size.x() + brick.x()),
                      uint64_t(1) << (i % 4 + 4 * (j % 4) + 16 * (k % 4))});
   };
   for (int j = 0; j < 32; ++j) {
@@ -72,30 +72,30 @@ Piece plates(const VoxelLattice& lattice) {
   return unionOf(cells);
 }
 
-TEST(SurfaceSight, SeesAroundWhatStandsBeforeAndNotThrough) {
+TEST(SurfaceVisibility, SeesAroundWhatStandsBeforeAndNotThrough) {
   VoxelLattice lattice;
   lattice.origin = {-0.64, -0.64, -0.64};
   lattice.pitch = 0.04;
   lattice.size = {32, 32, 32};
   const CameraRig rig = {makeCamera("front", {3, 0, 0}, Eigen::Vector3d::Zero()),
                          makeCamera("back", {-3, 0, 0}, Eigen::Vector3d::Zero())};
-  const CarvingPlan plan(rig, lattice);
-  SurfaceSight sight(rig, plan);
-  const Piece piece = plates(lattice);
-  sight.set(piece);
+  const ProjectionTable table(rig, lattice);
+  SurfaceVisibility sight(rig, table);
+  const VoxelComponent component = plates(lattice);
+  sight.set(component);
   SurfaceView view;
-  sight.look(0, flat({0, 0, 0}), &view);
+  sight.findVisible(0, flat({0, 0, 0}), &view);
   std::vector<bool> seen(lattice.count());
   int seen_on_wall = 0;
-  for (const PieceVoxel& voxel : inLatticeOrder(piece, lattice))
+  for (const ComponentVoxel& voxel : inLatticeOrder(component, lattice))
     seen[voxel.index] = view.seen[voxel.slot / 64] >> voxel.slot % 64 & 1;
   for (int j = 2; j < 30; ++j)
     for (int k = 5; k < 29; ++k) {
       // Where the ray to the wall passes the plane of the plate before it, in voxels.
-      const double share = (3 - lattice.center(lattice.index(26, j, k)).x()) /
-                           (3 - lattice.center(lattice.index(6, j, k)).x());
+      const double fraction = (3 - lattice.center(lattice.index(26, j, k)).x()) /
+                              (3 - lattice.center(lattice.index(6, j, k)).x());
       const Eigen::Vector3d wall = lattice.center(lattice.index(6, j, k));
-      const double y = (share * wall.y() + 0.64) / 0.04, z = (share * wall.z() + 0.64) / 0.04;
+      const double y = (fraction * wall.y() + 0.64) / 0.04, z = (fraction * wall.z() + 0.64) / 0.04;
       const double outside = std::max({10 - y, y - 22, z - 16});
       if (outside < -1) {
         EXPECT_FALSE(seen[lattice.index(6, j, k)]) << j << " " << k;

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
+#include "error_text_of.h"
 #include "named_rig.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -291,7 +291,7 @@ TEST(BoneNames, whatIsNotNeededMayBeMissing) {
 }
 
 std::string faultOf(const std::string& lines) {
-  return sentenceOf([&] { mapBones(rig(lines), "rig.bvh"); });
+  return errorTextOf([&] { mapBones(rig(lines), "rig.bvh"); });
 }
 
 TEST(BoneNames, missingBonesAreListedWithTheNamesThereAre) {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -38,7 +38,7 @@ BvhMotion read(const std::string& text) {
 }
 
 std::string faultOf(const std::string& text) {
-  return sentenceOf([&] { read(text); });
+  return errorTextOf([&] { read(text); });
 }
 
 void expectAt(const Vector3d& place, double x, double y, double z) {
@@ -219,7 +219,8 @@ TEST(Bvh, aDeepHierarchyEndsInASentence) {
 
 TEST(Bvh, aFileThatCannotBeReadIsNamed) {
   for (const std::string path : {"/nowhere/walk.bvh", "/"}) {
-    EXPECT_EQ(sentenceOf([&] { readBvh(path); }), path + " cannot be read, expected is a BVH file");
+    EXPECT_EQ(errorTextOf([&] { readBvh(path); }),
+              path + " cannot be read, expected is a BVH file");
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "error_text_of.h"
+#include "motion/gait/foot_trajectory.h"
 #include "motion/gait/gait_clearance.h"
-#include "motion/gait/gait_foot.h"
 #include "motion/gait/gait_swing.h"
 #include "motion/motion_measures.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -79,7 +79,7 @@ TEST(GaitSteps, runnersAreInTheAirBetweenSteps) {
 TEST(GaitSteps, endsInTheStanceThatIsAskedFor) {
   const GaitPlan plan =
       planOf(scriptOf("6", "{go: 1, seconds: 2, steps: 4, width: 0.1, stagger: 0.2}"));
-  const GroundPlace &left = plan.steps[3].to, &right = plan.steps[2].to;
+  const GroundPose &left = plan.steps[3].to, &right = plan.steps[2].to;
   const Eigen::Vector2d apart = left.position - right.position;  // heading +y
   EXPECT_NEAR(apart.y(), 0.2 * 1.75, 1e-3);
   EXPECT_NEAR(apart.x(), -0.1 * 1.75, 1e-3);
@@ -87,7 +87,7 @@ TEST(GaitSteps, endsInTheStanceThatIsAskedFor) {
 
 TEST(FootClearance, measuresFromHeelToToes) {
   const FootClearance clearance(person());
-  const GroundPlace foot{{1.0, 2.0}, M_PI / 2};
+  const GroundPose foot{{1.0, 2.0}, M_PI / 2};
   EXPECT_NEAR(clearance.gap(foot, foot.shifted(0.0, 0.13)), 0.13, 1e-12);
   EXPECT_EQ(clearance.gap(foot, {foot.shifted(0.1, -0.02).position, 0.0}), 0.0) << "they cross";
   const double length = person().tailOf(Bone::kLeftToes).x() -
@@ -97,32 +97,32 @@ TEST(FootClearance, measuresFromHeelToToes) {
 
 TEST(FootClearance, putsAFootASideOfTheOtherOne) {
   const FootClearance clearance(person());
-  const GroundPlace other{{0.0, 0.0}, 0.0};
-  const GroundPlace free{{0.0, 0.15}, 0.0};
+  const GroundPose other{{0.0, 0.0}, 0.0};
+  const GroundPose free{{0.0, 0.15}, 0.0};
   EXPECT_EQ(clearance.beside(free, other).position, free.position);
-  const GroundPlace moved = clearance.beside({{0.0, 0.03}, 0.0}, other);
+  const GroundPose moved = clearance.beside({{0.0, 0.03}, 0.0}, other);
   EXPECT_NEAR(clearance.gap(moved, other), 0.056 * 1.75, 0.005);
   EXPECT_GT(moved.position.y(), 0.09);
 }
 
 TEST(FootClearance, goesRoundTheOtherFootOnItsOwnSide) {
   const FootClearance clearance(person());
-  const GroundPlace other{{0.0, 0.0}, 0.0};
+  const GroundPose other{{0.0, 0.0}, 0.0};
   for (const bool left : {true, false}) {
-    const GroundPlace from{{-0.6, 0.02}, 0.0}, to{{0.6, -0.02}, 0.0};
+    const GroundPose from{{-0.6, 0.02}, 0.0}, to{{0.6, -0.02}, 0.0};
     const Eigen::Vector2d detour = clearance.detour(left, from, to, other);
     EXPECT_EQ(detour.y() > 0.0, left);
     for (double u = 0.0; u <= 1.0; u += 0.05)
-      EXPECT_GT(clearance.gap(swungPlace(from, to, detour, u), other), 0.09) << u;
+      EXPECT_GT(clearance.gap(swingPose(from, to, detour, u), other), 0.09) << u;
   }
-  const GroundPlace from{{-0.6, 0.2}, 0.0}, to{{0.6, 0.2}, 0.0};
+  const GroundPose from{{-0.6, 0.2}, 0.0}, to{{0.6, 0.2}, 0.0};
   EXPECT_EQ(clearance.detour(true, from, to, other).norm(), 0.0) << "the way is free";
 }
 
-TEST(FootTrack, standsStillOnItsBallWhileTheHeelRises) {
+TEST(FootTrajectory, standsStillOnItsBallWhileTheHeelRises) {
   const MotionScript script = scriptOf("6", "{stand: 1}, {go: 3, seconds: 3}");
   const GaitPlan plan = planOf(script);
-  const FootTrack track(script, plan, person(), true);
+  const FootTrajectory track(script, plan, person(), true);
   const Eigen::Vector3d to_ball =
       person().headOf(Bone::kLeftToes) - person().headOf(Bone::kLeftFoot);
   const GaitStep& step = plan.steps[3];
@@ -137,19 +137,19 @@ TEST(FootTrack, standsStillOnItsBallWhileTheHeelRises) {
     EXPECT_NEAR((ball(t) - planted).norm(), 0.0, 1e-9);
 }
 
-TEST(FootTrack, movesWithoutJumps) {
+TEST(FootTrajectory, movesWithoutJumps) {
   const MotionScript script = scriptOf("6", "{stand: 1}, {go: 3, turn: 60, seconds: 3}");
-  const FootTrack track(script, planOf(script), person(), false);
+  const FootTrajectory track(script, planOf(script), person(), false);
   for (double t = 0.0; t < 6.0; t += 0.001)
     EXPECT_LT((track.at(t + 0.001).ankle - track.at(t).ankle).norm(), 0.006) << t;
 }
 
-TEST(FootTrack, gesturesMayNotMeetSteps) {
+TEST(FootTrajectory, gesturesMayNotMeetSteps) {
   const MotionScript script = parseMotionScript(
       "{seconds: 4, start: {}, path: [{go: 1, seconds: 3}], tracks: {}, feet: [{foot: left, keys: "
       "[[1, 0, 0, 0, 0], [1.5, 0.1, 0, 0.1, 0], [2, 0, 0, 0, 0]]}]}",
       "kick.yaml");
-  const std::string sentence = sentenceOf([&] { performMotion(script, person()); });
+  const std::string sentence = errorTextOf([&] { performMotion(script, person()); });
   EXPECT_EQ(sentence.find("kick.yaml/feet: the left foot's gesture"), 0u) << sentence;
 }
 

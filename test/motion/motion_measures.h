@@ -50,8 +50,8 @@ inline double segmentGap(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   double least = 1e9;
   for (int i = 0; i <= 10; ++i) {
     const Eigen::Vector3d point = a + 0.1 * i * (b - a);
-    const double share = std::clamp((point - c).dot(d - c) / (d - c).squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (point - c - share * (d - c)).norm());
+    const double fraction = std::clamp((point - c).dot(d - c) / (d - c).squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (point - c - fraction * (d - c)).norm());
   }
   return least;
 }
@@ -89,18 +89,18 @@ inline MotionMeasures measure(const MotionClip& clip, const HumanSkeleton& s) {
   for (size_t i = 0; i < clip.poses.size(); ++i) {
     const HumanPose& pose = clip.poses[i];
     const PerBone<Eigen::Vector3d> heads = jointPositions(s, pose);
-    double lowest = 1e9;
+    double minimum = 1e9;
     size_t k = 0;
     for (const bool left : {true, false})
       for (const Eigen::Vector3d& point : solePoints(s, pose, heads, left)) {
         m.sink = std::max(m.sink, -point.z());
-        lowest = std::min(lowest, point.z());
+        minimum = std::min(minimum, point.z());
         const bool now_down = point.z() < 0.0015;
         if (now_down && !down[k]) stood[k] = point;
         if (now_down) m.slide = std::max(m.slide, (point - stood[k]).head<2>().norm());
         down[k++] = now_down;
       }
-    m.lowest_rise = std::max(m.lowest_rise, lowest);
+    m.lowest_rise = std::max(m.lowest_rise, minimum);
     for (const Eigen::Vector3d& head : heads) {
       m.side = std::max(m.side, head.head<2>().cwiseAbs().maxCoeff());
       m.top = std::max(m.top, head.z());

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 std::string faultOf(const std::string& text) {
-  return sentenceOf([&] { parseMotionScript(text, "m.yaml"); });
+  return errorTextOf([&] { parseMotionScript(text, "m.yaml"); });
 }
 
 const std::string kHead = "seconds: 4\nstart: {x: 0.5, y: -0.5, heading: 180}\n";
@@ -86,7 +86,7 @@ TEST(MotionScript, saysWhatIsWrongWithFeet) {
 
 TEST(MotionScript, saysWhatIsWrongWithFiles) {
   EXPECT_EQ(faultOf("a: [1\nb: 2\n").substr(0, 21), "m.yaml is no YAML in ");
-  EXPECT_EQ(sentenceOf([] { readMotionScript("/nowhere/dance.yaml"); }),
+  EXPECT_EQ(errorTextOf([] { readMotionScript("/nowhere/dance.yaml"); }),
             "the motion /nowhere/dance.yaml cannot be read");
 }
 

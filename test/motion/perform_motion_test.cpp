@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "motion/motion_script.h"
 #include "motion/motion_measures.h"
+#include "motion/motion_script.h"
 
 namespace markerless_mocap {
 namespace {

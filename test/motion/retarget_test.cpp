@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bvh_rig.h"
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -245,7 +245,7 @@ TEST(Retarget, nobodyUprightIsRefused) {
   BvhMotion motion = rig.motion({standing(rig.skeleton)});
   for (BvhJoint& joint : motion.joints)
     if (joint.name == "LeftThigh" || joint.name == "RightThigh") joint.offset.y() += 200.0;
-  EXPECT_EQ(sentenceOf([&] { retarget(motion, rig.skeleton, "upside.bvh"); }),
+  EXPECT_EQ(errorTextOf([&] { retarget(motion, rig.skeleton, "upside.bvh"); }),
             "upside.bvh: neither the rest pose nor the first frame is a person standing upright, "
             "so up and forward cannot be told");
 }
@@ -253,8 +253,8 @@ TEST(Retarget, nobodyUprightIsRefused) {
 TEST(Retarget, missingBonesAreNamed) {
   BvhRig rig;
   rig.has = [](Bone bone) { return bone < Bone::kLeftShank || bone > Bone::kLeftToes; };
-  const std::string sentence =
-      sentenceOf([&] { retarget(rig.motion({standing(rig.skeleton)}), rig.skeleton, "half.bvh"); });
+  const std::string sentence = errorTextOf(
+      [&] { retarget(rig.motion({standing(rig.skeleton)}), rig.skeleton, "half.bvh"); });
   EXPECT_EQ(sentence.find("half.bvh: no joint is named like l_shank, l_foot;"), 0u) << sentence;
 }
 

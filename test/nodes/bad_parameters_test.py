@@ -41,8 +41,8 @@ class Refusals(unittest.TestCase):
                     'visual_hull', cameras=['a', 'b'], pich=0.02)
 
     def test_value_out_of_range(self):
-        self.expect('/body_segmentation/highest_cost is 100, allowed is', 'body_segmentation',
-                    highest_cost=100.0)
+        self.expect('/body_segmentation/max_cost is 100, allowed is', 'body_segmentation',
+                    max_cost=100.0)
 
     def test_pose_tree_out_of_range(self):
         self.expect('/pose_tree/prune_ratio is 0.9, allowed is', 'pose_tree', prune_ratio=0.9)

@@ -5,22 +5,22 @@
 
 #include <memory>
 
+#include "error_text_of.h"
 #include "search_fixture.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 // Two costs, 1.6 of two to survive: w^2 + (1 - w)^2 = 1 / 1.6 gives w = 3/4, so exp(-beta) = 1/3.
 TEST(AnnealedFilter, weightsLetTheWantedShareSurvive) {
-  const Eigen::VectorXd weights = weightsOfSurvival(Eigen::Vector2d(5.0, 6.0), 0.8);
+  const Eigen::VectorXd weights = survivalWeights(Eigen::Vector2d(5.0, 6.0), 0.8);
   EXPECT_NEAR(weights[0], 0.75, 1e-9);
   EXPECT_NEAR(weights[1], 0.25, 1e-9);
-  const Eigen::VectorXd same = weightsOfSurvival(Eigen::Vector3d(2.0, 2.0, 2.0), 0.5);
+  const Eigen::VectorXd same = survivalWeights(Eigen::Vector3d(2.0, 2.0, 2.0), 0.5);
   EXPECT_NEAR(same[1], 1.0 / 3, 1e-9);
-  const Eigen::VectorXd some = weightsOfSurvival(Eigen::Vector3d(NAN, 1.0, HUGE_VAL), 0.5);
+  const Eigen::VectorXd some = survivalWeights(Eigen::Vector3d(NAN, 1.0, HUGE_VAL), 0.5);
   EXPECT_EQ(some, Eigen::Vector3d(0, 1, 0));
-  const Eigen::VectorXd none = weightsOfSurvival(Eigen::Vector2d(NAN, NAN), 0.5);
+  const Eigen::VectorXd none = survivalWeights(Eigen::Vector2d(NAN, NAN), 0.5);
   EXPECT_EQ(none, Eigen::Vector2d(0.5, 0.5));
 }
 
@@ -34,7 +34,7 @@ class AnnealedFilters : public testing::TestWithParam<bool> {
 
 TEST_P(AnnealedFilters, comeNearTheBottomOfABowl) {
   AnnealingSettings settings;
-  settings.sharpness = 5.0;
+  settings.inverse_temperature = 5.0;
   settings.layers = 10;
   const auto filter = make(settings);
   const SearchOutcome found = filter->minimise(unbounded(5, bowl(5)), around(5, 1.0, 0.7), 1);
@@ -45,7 +45,7 @@ TEST_P(AnnealedFilters, comeNearTheBottomOfABowl) {
 
 TEST_P(AnnealedFilters, findTheDeepestOfManyHollows) {
   AnnealingSettings settings;
-  settings.sharpness = 1.0;
+  settings.inverse_temperature = 1.0;
   settings.layers = 12;
   const SearchOutcome found =
       make(settings)->minimise(unbounded(2, hollows), around(2, 1.7, 1.5), 3);
@@ -55,7 +55,7 @@ TEST_P(AnnealedFilters, findTheDeepestOfManyHollows) {
 TEST_P(AnnealedFilters, askOnlyAboutWhatIsAllowedAndHoldWhatHasNoSigma) {
   SearchProblem problem = unbounded(3, bowl(3));
   problem.lower[0] = 0.5;
-  problem.forbidden = [](const double* x) { return x[0] + x[1] > 3.0; };
+  problem.infeasible = [](const double* x) { return x[0] + x[1] > 3.0; };
   Witness witness;
   witness.attend(&problem);
   SearchStart start = around(3, 1.0, 1.0);
@@ -63,16 +63,16 @@ TEST_P(AnnealedFilters, askOnlyAboutWhatIsAllowedAndHoldWhatHasNoSigma) {
   make({})->minimise(problem, start, 1);
   EXPECT_EQ(witness.candidates.size(), 1000u);
   for (const Eigen::VectorXd& x : witness.candidates) {
-    EXPECT_TRUE(isAllowed(problem, x.data()));
+    EXPECT_TRUE(isFeasible(problem, x.data()));
     EXPECT_EQ(x[2], 1.0);
   }
 }
 
 TEST_P(AnnealedFilters, constraintsThatNothingMeetsLeaveThemWhereTheyAre) {
   SearchProblem problem = unbounded(2, bowl(2));
-  problem.forbidden = [](const double*) { return true; };
+  problem.infeasible = [](const double*) { return true; };
   const SearchOutcome found = make({})->minimise(problem, around(2, 1.0, 1.0), 1);
-  EXPECT_EQ(found.unmoved, 1000);
+  EXPECT_EQ(found.rejected_moves, 1000);
   EXPECT_LT((found.best - Eigen::Vector2d(1, 1)).norm(), 1e-9);
 }
 
@@ -97,11 +97,11 @@ TEST_P(AnnealedFilters, dependOnTheSeedAndNotOnThreads) {
 TEST_P(AnnealedFilters, sentencesSayWhatIsWrong) {
   AnnealingSettings settings;
   settings.particles = 1;
-  EXPECT_EQ(sentenceOf([&] { make(settings); }),
+  EXPECT_EQ(errorTextOf([&] { make(settings); }),
             "an annealed filter needs at least two particles and one layer");
   settings = {};
-  settings.survival = 0.0;
-  EXPECT_EQ(sentenceOf([&] { make(settings); }),
+  settings.survival_rate = 0.0;
+  EXPECT_EQ(errorTextOf([&] { make(settings); }),
             "the survival of an annealed filter must be above 0, at most 1");
 }
 

@@ -5,14 +5,14 @@
 
 #include <atomic>
 
+#include "error_text_of.h"
 #include "search_fixture.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
-SwarmStage stageOf(int dimensions, int particles, int iterations, double reach = 1.0) {
-  return {particles, iterations, Eigen::VectorXd::Constant(dimensions, reach)};
+SwarmStage stageOf(int dimensions, int particles, int iterations, double sigma_scale = 1.0) {
+  return {particles, iterations, Eigen::VectorXd::Constant(dimensions, sigma_scale)};
 }
 
 TEST(StagedSwarm, constrictionIsThatOfClercAndKennedy) {
@@ -40,8 +40,8 @@ TEST(StagedSwarm, pullsRiseLinearlyOverTheIterations) {
 TEST(StagedSwarm, findsTheBottomOfABowlInStages) {
   const int n = 31;
   SwarmStage first = stageOf(n, 10, 20, 0.0), second = stageOf(n, 20, 100);
-  first.reach.head(6).setOnes();
-  second.reach.head(3) *= 0.1;
+  first.sigma_scale.head(6).setOnes();
+  second.sigma_scale.head(3) *= 0.1;
   const StagedSwarm swarm({first, second});
   const SearchProblem problem = unbounded(n, bowl(n));
   const SearchStart start = around(n, 1.6, 1.0);
@@ -69,7 +69,7 @@ TEST(StagedSwarm, whatHasNoReachStaysAndStepsAreLimited) {
   witness.attend(&problem);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   SwarmStage stage = stageOf(3, 3, 30);  // as many as one task judges: they come in order
-  stage.reach << 1.0, 0.0, 0.1;
+  stage.sigma_scale << 1.0, 0.0, 0.1;
   StagedSwarm({stage}).minimise(problem, around(3, 5.0, 0.5), 3);
   ASSERT_EQ(witness.candidates.size(), 90u);
   double farthest = 0.0;
@@ -87,12 +87,12 @@ TEST(StagedSwarm, whatHasNoReachStaysAndStepsAreLimited) {
 TEST(StagedSwarm, asksOnlyAboutWhatIsAllowed) {
   SearchProblem problem = unbounded(2, bowl(2));
   problem.lower << 0.5, -HUGE_VAL;
-  problem.forbidden = [](const double* x) { return x[0] + x[1] > 3.0; };
+  problem.infeasible = [](const double* x) { return x[0] + x[1] > 3.0; };
   Witness witness;
   witness.attend(&problem);
   const SearchOutcome found =
       StagedSwarm({stageOf(2, 10, 60)}).minimise(problem, around(2, 1.4, 1.0), 1);
-  for (const Eigen::VectorXd& x : witness.candidates) EXPECT_TRUE(isAllowed(problem, x.data()));
+  for (const Eigen::VectorXd& x : witness.candidates) EXPECT_TRUE(isFeasible(problem, x.data()));
   EXPECT_NEAR(found.best[0], 0.5, 0.01);
   EXPECT_NEAR(found.best[1], 0.2, 0.01);
 }
@@ -100,13 +100,13 @@ TEST(StagedSwarm, asksOnlyAboutWhatIsAllowed) {
 TEST(StagedSwarm, constraintsThatNothingMeetsCostABoundedNumberOfDraws) {
   SearchProblem problem = unbounded(2, bowl(2));
   std::atomic<int> draws{0};
-  problem.forbidden = [&](const double*) {
+  problem.infeasible = [&](const double*) {
     ++draws;
     return true;
   };
   const SearchOutcome found =
       StagedSwarm({stageOf(2, 4, 5)}).minimise(problem, around(2, 1.0, 1.0), 1);
-  EXPECT_EQ(found.unmoved, 20);
+  EXPECT_EQ(found.rejected_moves, 20);
   EXPECT_EQ(draws, 20 * (kDrawAttempts + 1));
   EXPECT_EQ(found.best, Eigen::VectorXd::Ones(2));
 }
@@ -155,24 +155,24 @@ TEST(StagedSwarm, stagesAreToldToTheCost) {
 }
 
 TEST(StagedSwarm, sentencesSayWhatIsWrong) {
-  EXPECT_EQ(sentenceOf([] { StagedSwarm({}); }), "a staged swarm needs at least one stage");
-  EXPECT_EQ(sentenceOf([] { StagedSwarm({stageOf(2, 0, 5)}); }),
+  EXPECT_EQ(errorTextOf([] { StagedSwarm({}); }), "a staged swarm needs at least one stage");
+  EXPECT_EQ(errorTextOf([] { StagedSwarm({stageOf(2, 0, 5)}); }),
             "swarm stage 0 needs at least one particle and one iteration");
-  EXPECT_EQ(sentenceOf([] {
+  EXPECT_EQ(errorTextOf([] {
               StagedSwarm({stageOf(2, 5, 5), stageOf(2, 5, 5, -1.0)});
             }),
             "swarm stage 1 needs a reach of at least 0 for each parameter");
   const StagedSwarm swarm({stageOf(2, 5, 5)});
-  EXPECT_EQ(sentenceOf([&] { swarm.minimise(unbounded(3, bowl(3)), around(3, 0, 1), 1); }),
+  EXPECT_EQ(errorTextOf([&] { swarm.minimise(unbounded(3, bowl(3)), around(3, 0, 1), 1); }),
             "a staged swarm for 2 parameters cannot search 3");
   SearchProblem problem = unbounded(2, bowl(2));
   problem.lower[1] = 2.0;
   problem.upper[1] = 1.0;
-  EXPECT_EQ(sentenceOf([&] { swarm.minimise(problem, around(2, 0, 1), 1); }),
+  EXPECT_EQ(errorTextOf([&] { swarm.minimise(problem, around(2, 0, 1), 1); }),
             "parameter 1 of a search has a lower bound above its upper one");
-  EXPECT_EQ(sentenceOf([&] { swarm.minimise(unbounded(2, bowl(2)), around(2, NAN, 1), 1); }),
+  EXPECT_EQ(errorTextOf([&] { swarm.minimise(unbounded(2, bowl(2)), around(2, NAN, 1), 1); }),
             "parameter 0 of a search starts at a value that is not finite");
-  EXPECT_EQ(sentenceOf([&] { swarm.minimise(unbounded(2, bowl(2)), around(2, 0, -1), 1); }),
+  EXPECT_EQ(errorTextOf([&] { swarm.minimise(unbounded(2, bowl(2)), around(2, 0, -1), 1); }),
             "parameter 0 of a search needs a finite sigma of at least 0");
 }
 

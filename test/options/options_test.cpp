@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,7 +35,7 @@ SampleOptions load(const std::string& yaml) {
 
 /// The sentence a YAML text is refused with, or "" if it is taken.
 std::string refusal(const std::string& yaml) {
-  return sentenceOf([&] { load(yaml); });
+  return errorTextOf([&] { load(yaml); });
 }
 
 TEST(Options, EmptyMapKeepsDefaults) {
@@ -122,7 +122,7 @@ TEST(PrefixedVisitor, EveryTypeIsReadUnderThePrefix) {
 
 TEST(PrefixedVisitor, RefusalsNameTheWholeKey) {
   const auto refused = [](const std::string& yaml) {
-    return sentenceOf([&] { loadOptions<TwinOptions>(YAML::Load(yaml)); });
+    return errorTextOf([&] { loadOptions<TwinOptions>(YAML::Load(yaml)); });
   };
   EXPECT_EQ(refused("other_pitch: 0.5"), "twins/other_pitch is 0.5, allowed is 0.005 to 0.2");
   EXPECT_EQ(refused("other_corner: [1]"),
@@ -136,7 +136,7 @@ TEST(PrefixedVisitor, RefusalsNameTheWholeKey) {
 TEST(PrefixedVisitor, CheckerAndDescriberSeeTheWholeKeyToo) {
   TwinOptions options;
   options.other.method = "swim";
-  EXPECT_EQ(sentenceOf([&] { options.validate(); }),
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
             "twins/other_method is \"swim\", allowed is one of walk, tree");
   OptionDescriber describer;
   PrefixedVisitor outer("a_", describer), inner("b_", outer);

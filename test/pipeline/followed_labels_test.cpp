@@ -49,7 +49,7 @@ class FollowedLabels : public ::testing::Test {
     options_.hull.volume_max = {0.9, 0.9, 0.9};
     options_.hull.pitch = 0.025;
     options_.pose_tree.labelling = "ranking";
-    options_.pose_tree.least_rank = 0.0;
+    options_.pose_tree.min_rank = 0.0;
   }
 
   /// Labels of the second of two frames: somebody stands, then leaps.
@@ -57,7 +57,7 @@ class FollowedLabels : public ::testing::Test {
     PipelineOptions options = options_;
     options.pose_tree.follow_labels = follow;
     const CameraRig rig = makeRig(kCameras);
-    TrackerSources sources;
+    PersonResources sources;
     sources.urdf_template = humanTemplate();
     Pipeline pipeline(rig, sources, options);
     PoseTree tree;
@@ -76,7 +76,7 @@ class FollowedLabels : public ::testing::Test {
 };
 
 double height(const PoseTree& tree, Extremity extremity) {
-  return tree.tip(extremity).position.z();
+  return tree.extremity(extremity).position.z();
 }
 
 TEST_F(FollowedLabels, HandsThatReachFurtherThanTheFeetStayHands) {

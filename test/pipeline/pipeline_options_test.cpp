@@ -2,14 +2,14 @@
 
 #include <stdexcept>
 
+#include "error_text_of.h"
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
 
 std::string refusal(const std::string& yaml) {
-  return sentenceOf([&] { loadPipelineOptions(YAML::Load(yaml)); });
+  return errorTextOf([&] { loadPipelineOptions(YAML::Load(yaml)); });
 }
 
 TEST(PipelineOptions, EmptyConfigurationKeepsDefaults) {
@@ -26,7 +26,7 @@ TEST(PipelineOptions, EachSectionReachesItsStage) {
   EXPECT_EQ(options.hull.pitch, 0.05);
   EXPECT_EQ(options.segmentation.modes, 6);
   EXPECT_EQ(options.pose_tree.prune_ratio, 0.1);
-  EXPECT_EQ(options.fitting.skeleton.stature, 1.6);
+  EXPECT_EQ(options.fitting.person.stature, 1.6);
 }
 
 TEST(PipelineOptions, UnknownSectionNamesTheNearestOne) {

@@ -23,7 +23,7 @@ class PipelineTest : public ::testing::Test {
   }
 
   Pipeline pipeline() const {
-    TrackerSources sources;
+    PersonResources sources;
     sources.urdf_template = humanTemplate();
     return {rig_, sources, options_};
   }
@@ -128,13 +128,13 @@ TEST_F(PipelineTest, WrongSizeNamesCameraAndBothSizes) {
   Pipeline pipeline = this->pipeline();
   std::vector<CameraFrame> frames = masksOnly();
   frames[3].mask = cv::Mat::zeros(50, 40, CV_8UC1);
-  EXPECT_EQ(sentenceOf([&] { pipeline.process(0, frames); }),
+  EXPECT_EQ(errorTextOf([&] { pipeline.process(0, frames); }),
             "mask of camera cam3 is 40 x 50 pixels, its calibration says 160 x 120");
 }
 
 TEST_F(PipelineTest, WrongNumberOfFramesIsRefused) {
   Pipeline pipeline = this->pipeline();
-  EXPECT_EQ(sentenceOf([&] { pipeline.process(0, {}); }),
+  EXPECT_EQ(errorTextOf([&] { pipeline.process(0, {}); }),
             "pipeline got 0 frames, the rig has 4 cameras");
 }
 
@@ -155,8 +155,8 @@ class PipelineStream : public PipelineTest {
  protected:
   static constexpr int kInstants = kBackgroundFrames + 8;
 
-  CapturedInstant instantAt(int k) const {
-    CapturedInstant instant{k, empty(), {}};
+  FrameSet instantAt(int k) const {
+    FrameSet instant{k, empty(), {}};
     for (int i = 0; k >= kBackgroundFrames && i < kCameras; ++i) {
       Sphere sphere;
       sphere.center.x() += 0.01 * k;
@@ -167,7 +167,7 @@ class PipelineStream : public PipelineTest {
     return instant;
   }
   Pipeline::Source source(int instants) const {
-    return [this, instants, k = 0]() mutable -> std::optional<CapturedInstant> {
+    return [this, instants, k = 0]() mutable -> std::optional<FrameSet> {
       if (k == instants) return std::nullopt;
       return instantAt(k++);
     };
@@ -178,7 +178,7 @@ TEST_F(PipelineStream, GivesWhatInstantsGiveOneByOne) {
   Pipeline one_by_one = pipeline(), stream = pipeline();
   int k = 0;
   stream.processStream(source(kInstants),
-                       [&](const CapturedInstant& instant, const PipelineResult& result) {
+                       [&](const FrameSet& instant, const PipelineResult& result) {
                          ASSERT_EQ(instant.stamp_ns, k);
                          const PipelineResult expected = one_by_one.process(k, instantAt(k).frames);
                          ++k;
@@ -202,27 +202,27 @@ TEST_F(PipelineStream, NothingIsAskedForAfterTheEnd) {
         ++asked;
         return three();
       },
-      [](const CapturedInstant&, const PipelineResult&) {});
+      [](const FrameSet&, const PipelineResult&) {});
   EXPECT_EQ(asked, 4);
 }
 
 TEST_F(PipelineStream, ComplaintsOfStagesSourceAndSinkComeThrough) {
-  const Pipeline::Sink ignore = [](const CapturedInstant&, const PipelineResult&) {};
-  EXPECT_EQ(sentenceOf([&] { pipeline().processStream([] { return CapturedInstant(); }, ignore); }),
+  const Pipeline::Sink ignore = [](const FrameSet&, const PipelineResult&) {};
+  EXPECT_EQ(errorTextOf([&] { pipeline().processStream([] { return FrameSet(); }, ignore); }),
             "pipeline got 0 frames, the rig has 4 cameras");
   const auto complain = [] { throw std::invalid_argument("no"); };
-  EXPECT_EQ(sentenceOf([&] {
+  EXPECT_EQ(errorTextOf([&] {
               pipeline().processStream(
-                  [&]() -> std::optional<CapturedInstant> {
+                  [&]() -> std::optional<FrameSet> {
                     complain();
                     return std::nullopt;
                   },
                   ignore);
             }),
             "no");
-  EXPECT_EQ(sentenceOf([&] {
-              pipeline().processStream(
-                  source(1), [&](const CapturedInstant&, const PipelineResult&) { complain(); });
+  EXPECT_EQ(errorTextOf([&] {
+              pipeline().processStream(source(1),
+                                       [&](const FrameSet&, const PipelineResult&) { complain(); });
             }),
             "no");
 }

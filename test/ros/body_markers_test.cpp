@@ -99,7 +99,7 @@ TEST(BodyMarkers, UnseenPartsAndLostPosesAreDeleted) {
 
 TEST(BodyMarkers, ColourTellsTheExpectedError) {
   BodyPose pose = standing();
-  pose.part_deviation_m = {0.005, 0.2, NAN, NAN, NAN, NAN};
+  pose.part_sigma_m = {0.005, 0.2, NAN, NAN, NAN, NAN};
   const auto markers = markersOf(pose).markers;
   EXPECT_GT(markers[0].color.g, markers[0].color.r);
   EXPECT_GT(markers[1].color.r, markers[1].color.g);

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "error_text_of.h"
 #include "ros/camera_markers.h"
 #include "ros/sample_camera.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string refusal(const sensor_msgs::CameraInfo& info,
                     const geometry_msgs::Transform& pose = samplePose()) {
-  return sentenceOf([&] { calibrationFromMessage("cam3", info, pose); });
+  return errorTextOf([&] { calibrationFromMessage("cam3", info, pose); });
 }
 
 TEST(CameraConversions, CalibrationComesBackAsItWas) {

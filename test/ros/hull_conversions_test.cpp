@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -92,7 +92,7 @@ TEST(HullConversions, PointOffTheGridIsRefused) {
                         std::numeric_limits<float>::infinity()}) {
     auto cloud = messageFromHull(sampleHull(), worldHeader());
     std::memcpy(cloud.data.data(), &x, sizeof(x));
-    const std::string sentence = sentenceOf([&] { hullFromMessage(cloud, sampleGrid()); });
+    const std::string sentence = errorTextOf([&] { hullFromMessage(cloud, sampleGrid()); });
     EXPECT_NE(sentence.find("does not lie on the grid"), std::string::npos) << x;
   }
 }

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -55,7 +55,7 @@ TEST(ImageConversions, ResultOutlivesTheMessage) {
 TEST(ImageConversions, UnknownEncodingIsNamedWithTheCamera) {
   sensor_msgs::Image message = messageFromMat(colorPixels(), header());
   message.encoding = "32FC3";
-  const std::string sentence = sentenceOf([&] { matFromMessage(message); });
+  const std::string sentence = errorTextOf([&] { matFromMessage(message); });
   EXPECT_NE(sentence.find("cam3_optical"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("\"32FC3\", allowed are mono8, bgr8, rgb8"), std::string::npos)
       << sentence;
@@ -84,7 +84,7 @@ TEST(ImageConversions, BayerPatternsBecomeBlueGreenRed) {
 }
 
 TEST(ImageConversions, BayerOf16BitsIsRefused) {
-  const std::string sentence = sentenceOf([] { matFromMessage(mosaic("bayer_rggb16", "rggb")); });
+  const std::string sentence = errorTextOf([] { matFromMessage(mosaic("bayer_rggb16", "rggb")); });
   EXPECT_NE(sentence.find("\"bayer_rggb16\", allowed are"), std::string::npos) << sentence;
 }
 

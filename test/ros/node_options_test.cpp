@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -14,28 +14,28 @@ HullNodeOptions hullOf(size_t cameras) {
 }
 
 TEST(NodeOptions, TwoTo32CamerasMakeAHull) {
-  EXPECT_EQ(sentenceOf([] { hullOf(1).validate(); }),
+  EXPECT_EQ(errorTextOf([] { hullOf(1).validate(); }),
             "visual_hull/cameras lists 1 cameras, allowed is 2 to 32");
-  EXPECT_EQ(sentenceOf([] { hullOf(2).validate(); }), "");
-  EXPECT_EQ(sentenceOf([] { hullOf(32).validate(); }), "");
-  EXPECT_NE(sentenceOf([] { hullOf(33).validate(); }), "");
+  EXPECT_EQ(errorTextOf([] { hullOf(2).validate(); }), "");
+  EXPECT_EQ(errorTextOf([] { hullOf(32).validate(); }), "");
+  EXPECT_NE(errorTextOf([] { hullOf(33).validate(); }), "");
 }
 
 TEST(NodeOptions, ThreeQuartersOfTheCamerasAreEnough) {
-  EXPECT_EQ(hullOf(2).fewestCameras(), 2u);
-  EXPECT_EQ(hullOf(4).fewestCameras(), 3u);
-  EXPECT_EQ(hullOf(8).fewestCameras(), 6u);
+  EXPECT_EQ(hullOf(2).requiredCameras(), 2u);
+  EXPECT_EQ(hullOf(4).requiredCameras(), 3u);
+  EXPECT_EQ(hullOf(8).requiredCameras(), 6u);
   HullNodeOptions options = hullOf(8);
   options.min_cameras = 2;
-  EXPECT_EQ(options.fewestCameras(), 2u);
+  EXPECT_EQ(options.requiredCameras(), 2u);
   options.min_cameras = 9;
-  EXPECT_NE(sentenceOf([&] { options.validate(); }), "");
+  EXPECT_NE(errorTextOf([&] { options.validate(); }), "");
 }
 
 TEST(NodeOptions, DeadlineIsNotBelowTheTolerance) {
   HullNodeOptions options = hullOf(4);
   options.stamp_tolerance = 0.6;
-  EXPECT_NE(sentenceOf([&] { options.validate(); }).find("visual_hull/deadline"),
+  EXPECT_NE(errorTextOf([&] { options.validate(); }).find("visual_hull/deadline"),
             std::string::npos);
 }
 
@@ -43,26 +43,26 @@ TEST(NodeOptions, BodyIdIsLettersAndDigits) {
   for (const std::string id : {"", "1person", "person 1", "a/b"}) {
     FittingNodeOptions options;
     options.body_id = id;
-    EXPECT_NE(sentenceOf([&] { options.validate(); }), "") << id;
+    EXPECT_NE(errorTextOf([&] { options.validate(); }), "") << id;
   }
 }
 
 TEST(NodeOptions, OnlySkeletonsAreFittedWithoutCameras) {
   FittingNodeOptions options;
-  EXPECT_EQ(sentenceOf([&] { options.validate(); }), "");
-  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("skeleton"); }), "");
-  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("contour"); }),
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }), "");
+  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("hsiao"); }), "");
+  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("contour"); }),
             "pose_fitting/cameras lists 0 cameras, allowed is 2 to 32");
   options.cameras = {"a", "b"};
-  EXPECT_EQ(sentenceOf([&] { options.checkCamerasFor("contour"); }), "");
+  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("contour"); }), "");
   options.cameras = {"a", "a"};
-  EXPECT_NE(sentenceOf([&] { options.validate(); }), "");
+  EXPECT_NE(errorTextOf([&] { options.validate(); }), "");
 }
 
 TEST(NodeOptions, WorldFrameIsNamed) {
   FittingNodeOptions options;
   options.world_frame.clear();
-  EXPECT_EQ(sentenceOf([&] { options.validate(); }),
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
             "pose_fitting/world_frame is empty, allowed is a frame's name");
 }
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <thread>
 
-#include "nodes/common/arrival_store.h"
-#include "nodes/common/lag_queue.h"
+#include "nodes/common/catch_up_queue.h"
 #include "nodes/common/latency_meter.h"
+#include "nodes/common/stamp_cache.h"
 
 namespace markerless_mocap {
 namespace {
@@ -16,8 +16,8 @@ Item item(int value) {
   return std::make_shared<int>(value);
 }
 
-TEST(ArrivalStore, NearestStampWithinTheToleranceIsTaken) {
-  ArrivalStore<Item> store(2, 8);
+TEST(StampCache, NearestStampWithinTheToleranceIsTaken) {
+  StampCache<Item> store(2, 8);
   for (const int stamp : {100, 104, 110}) store.add(1, stamp, item(stamp));
   EXPECT_EQ(store.take(0, 104, 5), nullptr);
   EXPECT_EQ(store.take(1, 120, 5), nullptr);
@@ -26,8 +26,8 @@ TEST(ArrivalStore, NearestStampWithinTheToleranceIsTaken) {
   EXPECT_EQ(*found, 104);
 }
 
-TEST(ArrivalStore, WhatCameBeforeGoesToo) {
-  ArrivalStore<Item> store(1, 8);
+TEST(StampCache, WhatCameBeforeGoesToo) {
+  StampCache<Item> store(1, 8);
   for (const int stamp : {100, 110, 120}) store.add(0, stamp, item(stamp));
   EXPECT_TRUE(store.take(0, 110, 0));
   EXPECT_EQ(store.take(0, 100, 0), nullptr);
@@ -35,15 +35,15 @@ TEST(ArrivalStore, WhatCameBeforeGoesToo) {
   EXPECT_TRUE(store.take(0, 120, 0));
 }
 
-TEST(ArrivalStore, EarlierStampsAfterLaterOnesAreKept) {
-  ArrivalStore<Item> store(1, 8);  // a bag that begins again
+TEST(StampCache, EarlierStampsAfterLaterOnesAreKept) {
+  StampCache<Item> store(1, 8);  // a bag that begins again
   for (const int stamp : {500, 510, 100, 110}) store.add(0, stamp, item(stamp));
   EXPECT_TRUE(store.take(0, 510, 0));
   EXPECT_TRUE(store.take(0, 100, 0));
 }
 
-TEST(ArrivalStore, HoldsNoMoreThanItMay) {
-  ArrivalStore<Item> store(1, 3);
+TEST(StampCache, HoldsNoMoreThanItMay) {
+  StampCache<Item> store(1, 3);
   const Item first = item(0);
   store.add(0, 0, first);
   for (int stamp = 1; stamp < 4; ++stamp) store.add(0, stamp, item(stamp));
@@ -51,8 +51,8 @@ TEST(ArrivalStore, HoldsNoMoreThanItMay) {
   EXPECT_TRUE(store.take(0, 1, 0));
 }
 
-TEST(ArrivalStore, WhatIsALittleBehindMayStillCome) {
-  ArrivalStore<Item> store(2, 8);
+TEST(StampCache, WhatIsALittleBehindMayStillCome) {
+  StampCache<Item> store(2, 8);
   EXPECT_FALSE(store.mayStillCome(0, 100, 5, 50));  // nothing has ever come
   store.add(0, 100, item(0));
   EXPECT_FALSE(store.mayStillCome(0, 105, 5, 50));  // it is there
@@ -65,26 +65,26 @@ TEST(ArrivalStore, WhatIsALittleBehindMayStillCome) {
   EXPECT_FALSE(store.mayStillCome(1, 106, 5, 50));
 }
 
-TEST(LagQueue, ItemsBehindASlowOneWait) {
-  LagQueue<int> queue(3);
+TEST(CatchUpQueue, ItemsBehindASlowOneWait) {
+  CatchUpQueue<int> queue(3);
   for (int i = 0; i < 3; ++i) queue.push(i);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(queue.take(), i);
-  EXPECT_EQ(queue.passedOver(), 0u);
+  EXPECT_EQ(queue.droppedCount(), 0u);
 }
 
-TEST(LagQueue, WhoFallsBehindGetsTheNewestUntilNoneIsLeft) {
-  LagQueue<int> queue(3);
+TEST(CatchUpQueue, WhoFallsBehindGetsTheNewestUntilNoneIsLeft) {
+  CatchUpQueue<int> queue(3);
   for (int i = 0; i < 6; ++i) queue.push(i);
   EXPECT_EQ(queue.take(), 5);
-  EXPECT_EQ(queue.passedOver(), 5u);
+  EXPECT_EQ(queue.droppedCount(), 5u);
   queue.push(6);  // still behind: brought while 5 is worked on
   queue.push(7);
   EXPECT_EQ(queue.take(), 7);
-  EXPECT_EQ(queue.passedOver(), 6u);
+  EXPECT_EQ(queue.droppedCount(), 6u);
 }
 
-TEST(LagQueue, WhoHasHadToWaitHasCaughtUp) {
-  LagQueue<int> queue(3);
+TEST(CatchUpQueue, WhoHasHadToWaitHasCaughtUp) {
+  CatchUpQueue<int> queue(3);
   for (int i = 0; i < 6; ++i) queue.push(i);
   EXPECT_EQ(queue.take(), 5);
   int oldest = 0;
@@ -100,8 +100,8 @@ TEST(LagQueue, WhoHasHadToWaitHasCaughtUp) {
   EXPECT_EQ(oldest, 7);
 }
 
-TEST(LagQueue, ClosedItGivesNothing) {
-  LagQueue<int> queue(3);
+TEST(CatchUpQueue, ClosedItGivesNothing) {
+  CatchUpQueue<int> queue(3);
   std::thread closer([&] { queue.close(); });
   EXPECT_EQ(queue.take(), std::nullopt);
   closer.join();

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -57,7 +57,7 @@ TEST(Parameters, KeyThatNobodyAsksForIsNamed) {
   Stage stage;
   Node node;
   const std::string sentence =
-      sentenceOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "/stage", stage, node); });
+      errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "/stage", stage, node); });
   EXPECT_NE(sentence.find("/stage/pich is not an option"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("did you mean pitch"), std::string::npos) << sentence;
 }
@@ -68,7 +68,7 @@ TEST(Parameters, ValueOutOfRangeAndNaNAreRefused) {
     value["pitch"] = pitch;
     Stage stage;
     const std::string sentence =
-        sentenceOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "stage", stage); });
+        errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "stage", stage); });
     EXPECT_NE(sentence.find("stage/pitch"), std::string::npos) << sentence;
   }
 }

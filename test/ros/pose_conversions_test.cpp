@@ -43,7 +43,7 @@ BodyPose samplePose() {
   pose.part_seen.fill(true);
   pose.skeleton_error_m = 0.02;
   pose.silhouette_overlap = 0.9;
-  pose.part_deviation_m[size_t(PartLabel::kLeg2)] = 0.03;
+  pose.part_sigma_m[size_t(PartLabel::kLeg2)] = 0.03;
   return pose;
 }
 

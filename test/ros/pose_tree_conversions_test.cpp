@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -34,8 +34,8 @@ PoseTree sampleTree() {
   for (int i = 0; i < 5; ++i)
     tree.nodes.push_back({{0.1 * i, 0.2, 1.5}, i < 3 ? i - 1 : 1, parts[i]});
   tree.origin = 1;
-  tree.tips[size_t(Extremity::kHead)] = {0, {0.0, 0.2, 1.5}, {0.0, 0.2, 1.4}};
-  tree.tips[size_t(Extremity::kLeftHand)] = {3, {0.3, 0.2, 1.5}, {0.25, 0.2, 1.5}};
+  tree.extremities[size_t(Extremity::kHead)] = {0, {0.0, 0.2, 1.5}, {0.0, 0.2, 1.4}};
+  tree.extremities[size_t(Extremity::kLeftHand)] = {3, {0.3, 0.2, 1.5}, {0.25, 0.2, 1.5}};
   tree.joints[size_t(TreeJoint::kLeftElbow)] = Eigen::Vector3d(0.2, 0.2, 1.5);
   tree.forward = Eigen::Vector3d::UnitX();
   tree.left = Eigen::Vector3d::UnitY();
@@ -53,7 +53,7 @@ template <class ChangeT>
 std::string refusalAfter(ChangeT change) {
   PoseTreeMsg message = sampleMessage();
   change(&message);
-  return sentenceOf([&] { poseTreeFromMessage(message); });
+  return errorTextOf([&] { poseTreeFromMessage(message); });
 }
 
 const Marker& find(const visualization_msgs::MarkerArray& markers, const std::string& group,
@@ -78,10 +78,10 @@ TEST(PoseTreeConversions, TreeComesBackAsItWas) {
     EXPECT_EQ(back.nodes[i].part, there.nodes[i].part);
   }
   EXPECT_EQ(back.origin, there.origin);
-  for (size_t i = 0; i < there.tips.size(); ++i) {
-    EXPECT_EQ(back.tips[i].node, there.tips[i].node);
-    EXPECT_EQ(back.tips[i].skeleton_end, there.tips[i].skeleton_end);
-    EXPECT_EQ(back.tips[i].position, there.tips[i].position);
+  for (size_t i = 0; i < there.extremities.size(); ++i) {
+    EXPECT_EQ(back.extremities[i].node, there.extremities[i].node);
+    EXPECT_EQ(back.extremities[i].skeleton_end, there.extremities[i].skeleton_end);
+    EXPECT_EQ(back.extremities[i].position, there.extremities[i].position);
   }
   EXPECT_EQ(back.joints, there.joints);
   EXPECT_EQ(back.forward, there.forward);

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "error_text_of.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
 #include "ros/sample_camera.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -41,7 +41,7 @@ TEST(RigCollector, NamesTheFrameThatTfDoesNotConnect) {
   tf2::BufferCore tf;
   place(tf, "a_optical");
   EXPECT_EQ(collector.missing(tf), "tf does not connect b_optical of b to world");
-  EXPECT_EQ(sentenceOf([&] { collector.rig(tf); }), collector.missing(tf));
+  EXPECT_EQ(errorTextOf([&] { collector.rig(tf); }), collector.missing(tf));
 }
 
 TEST(RigCollector, NeverTakesAnEmptyFrameForTheWorld) {
@@ -93,14 +93,14 @@ TEST_F(RigFromFile, StandsForCameraInfoAndTfEvenIfThoseSayOtherwise) {
 }
 
 TEST_F(RigFromFile, CamerasThatAreLackingOrLeftOverAreNamed) {
-  EXPECT_EQ(sentenceOf([&] {
+  EXPECT_EQ(errorTextOf([&] {
               RigCollector({"a", "left", "d"}, "world", file_);
             }),
             file_ + ": the rig lacks left, d, its cameras are a, b, c");
   EXPECT_EQ(RigCollector({"b"}, "world", file_).remark(),
             file_ + " also has a, c, which nobody asks for");
   EXPECT_EQ(RigCollector({"c", "b", "a"}, "world", file_).remark(), "");
-  EXPECT_EQ(sentenceOf<std::runtime_error>([] { RigCollector({"a"}, "world", "/no/such/file"); }),
+  EXPECT_EQ(errorTextOf<std::runtime_error>([] { RigCollector({"a"}, "world", "/no/such/file"); }),
             "cannot read the rig /no/such/file");
 }
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "error_text_of.h"
 #include "markerless_mocap/body/body_urdf.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,7 +21,7 @@ TEST(TruthConversions, everyPointHasItsName) {
   EXPECT_EQ(message.positions[1].x, 4.0);
   EXPECT_EQ(message.positions[1].y, 5.0);
   EXPECT_EQ(message.positions[0].z, 3.0);
-  EXPECT_EQ(sentenceOf([&] { messageFromPoints({"a"}, {}, header); }), "1 names for 0 points");
+  EXPECT_EQ(errorTextOf([&] { messageFromPoints({"a"}, {}, header); }), "1 names for 0 points");
 }
 
 TEST(TruthConversions, everyAngleHasItsJoint) {
@@ -35,7 +35,7 @@ TEST(TruthConversions, everyAngleHasItsJoint) {
   ASSERT_EQ(state.name.size(), size_t(model.angleCount()));
   for (size_t i = 0; i < state.name.size(); ++i)
     EXPECT_EQ(state.position[i], state.name[i] == "l_elbow_truth" ? 0.7 : 0.0);
-  EXPECT_NE(sentenceOf([&] { messageFromAngles(model, Eigen::VectorXd(), std_msgs::Header()); }),
+  EXPECT_NE(errorTextOf([&] { messageFromAngles(model, Eigen::VectorXd(), std_msgs::Header()); }),
             "");
 }
 

@@ -242,13 +242,13 @@ TEST(BodySegmenter, RefusesVoxelsOutsideTheLattice) {
 
 TEST(BodySegmenter, HoldsToTheHighestCost) {
   SegmentationOptions options;
-  options.highest_cost = 0.1;
+  options.max_cost = 0.1;
   const BodyParts parts = BodySegmenter(options).segment(standingFigure(kHalfRaised).hull());
   EXPECT_EQ(parts.status, SegmentationStatus::kInvalid);
   EXPECT_NE(parts.reason.find("do not fit a body"), std::string::npos) << parts.reason;
 }
 
-std::string sentenceOf(const SegmentationOptions& options) {
+std::string errorTextOf(const SegmentationOptions& options) {
   try {
     BodySegmenter segmenter(options);
   } catch (const std::invalid_argument& error) {
@@ -259,15 +259,15 @@ std::string sentenceOf(const SegmentationOptions& options) {
 
 TEST(SegmentationOptions, RefuseWhatCannotWork) {
   SegmentationOptions options;
-  EXPECT_EQ(sentenceOf(options), "");
+  EXPECT_EQ(errorTextOf(options), "");
   options.branch_method = "guess";
-  EXPECT_NE(sentenceOf(options).find("branch_method"), std::string::npos);
+  EXPECT_NE(errorTextOf(options).find("branch_method"), std::string::npos);
   options = {};
   options.shrink_weight = -1.0;
-  EXPECT_NE(sentenceOf(options).find("shrink_weight"), std::string::npos);
+  EXPECT_NE(errorTextOf(options).find("shrink_weight"), std::string::npos);
   options = {};
-  options.least_litres = 200.0;
-  EXPECT_EQ(sentenceOf(options), "body_segmentation: least_litres must be less than most_litres");
+  options.min_litres = 200.0;
+  EXPECT_EQ(errorTextOf(options), "body_segmentation: min_litres must be less than max_litres");
 }
 
 TEST(PartLabel, HasNames) {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "segmentation/limbs/merge_tree.h"
-#include "segmentation/spline_walk.h"
-#include "segmentation/limbs/tip_naming.h"
+#include "segmentation/limbs/part_naming.h"
+#include "segmentation/spline_propagation.h"
 #include "segmentation/voxel_graph.h"
 #include "segmentation/weighted_graph.h"
 #include "voxel_figure.h"
@@ -47,10 +47,11 @@ TEST(SplineWalk, TakesTheArmsOfAStar) {
   for (int arm = 0; arm < 4; ++arm) {
     for (int i = 1; i <= 100; ++i) map.vectors.row(arm * 100 + i) = directions[arm] * i / 100.0;
   }
-  const std::vector<Branch> branches = splineWalkBranches(map, WalkStop::kOrigin, 4);
+  const std::vector<Branch> branches =
+      splinePropagationBranches(map, SplineTermination::kOrigin, 4);
   ASSERT_EQ(branches.size(), 4u);
   for (uint32_t arm = 0; arm < 4; ++arm) {
-    EXPECT_EQ(branches[arm].tip, arm * 100 + 100);
+    EXPECT_EQ(branches[arm].extremity, arm * 100 + 100);
     EXPECT_NEAR(double(branches[arm].nodes.size()), 85.0, 3.0);  // stops at 0.15 of its length
     for (const uint32_t node : branches[arm].nodes) EXPECT_EQ((node - 1) / 100, arm);
   }
@@ -67,19 +68,20 @@ Eigenmap paddle() {
 }
 
 TEST(SplineWalk, EndsWhereNodesSpreadAsideOfTheSpline) {
-  const Branch handle = splineWalkBranches(paddle(), WalkStop::kOutliers, 1).front();
-  EXPECT_EQ(handle.tip, 0u);
+  const Branch handle =
+      splinePropagationBranches(paddle(), SplineTermination::kOutliers, 1).front();
+  EXPECT_EQ(handle.extremity, 0u);
   const auto of_blade = std::count_if(handle.nodes.begin(), handle.nodes.end(),
                                       [](uint32_t node) { return node >= 100; });
   EXPECT_GE(handle.nodes.size() - size_t(of_blade), 95u);
   EXPECT_LT(of_blade, 150);  // the origin is far behind: the other stop takes the blade's middle
-  const Branch all = splineWalkBranches(paddle(), WalkStop::kOrigin, 1).front();
+  const Branch all = splinePropagationBranches(paddle(), SplineTermination::kOrigin, 1).front();
   EXPECT_GT(all.nodes.size(), handle.nodes.size() + 100);
 }
 
 struct Variant {
   const char* name;
-  WalkStop stop;
+  SplineTermination stop;
   double shrink_weight;
 };
 
@@ -91,10 +93,10 @@ TEST_P(SeedsVariants, FindTheFiveLimbsOfAFigure) {
   const VoxelGraph voxels = buildVoxelGraph(figure.hull(), false, GetParam().shrink_weight);
   const std::vector<PartLabel> parts = figure.parts();
   const std::vector<Branch> branches =
-      splineWalkBranches(laplacianEigenmap(voxels.graph, 6), GetParam().stop, 5);
+      splinePropagationBranches(laplacianEigenmap(voxels.graph, 6), GetParam().stop, 5);
   std::set<PartLabel> found;
   for (const Branch& branch : branches) {
-    const PartLabel part = parts[voxels.hull_voxel[branch.tip]];
+    const PartLabel part = parts[voxels.hull_voxel[branch.extremity]];
     found.insert(part);
     const auto of_part = double(std::count(parts.begin(), parts.end(), part));
     const auto right =
@@ -109,18 +111,19 @@ TEST_P(SeedsVariants, FindTheFiveLimbsOfAFigure) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SplineWalk, SeedsVariants,
-                         testing::Values(Variant{"sundaresan", WalkStop::kOutliers, 0.0},
-                                         Variant{"modified", WalkStop::kOrigin, 100.0}),
+                         testing::Values(Variant{"sundaresan", SplineTermination::kOutliers, 0.0},
+                                         Variant{"modified", SplineTermination::kOrigin, 100.0}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(SplineWalk, FindsNothingWithoutModes) {
-  EXPECT_TRUE(splineWalkBranches({Eigen::VectorXd(0), Eigen::MatrixXd(1, 0)}, WalkStop::kOrigin, 5)
+  EXPECT_TRUE(splinePropagationBranches({Eigen::VectorXd(0), Eigen::MatrixXd(1, 0)},
+                                        SplineTermination::kOrigin, 5)
                   .empty());
 }
 
 /// Measures of a body: head, two arms, two legs in this order.
-TipMeasures bodyMeasures() {
-  TipMeasures measures;
+ExtremityMeasures bodyMeasures() {
+  ExtremityMeasures measures;
   measures.fullness = {-2.78, -4.6, -4.6, -3.75, -3.75};
   measures.to_core = {-0.05, 0.4, 0.4, 0.72, 0.72};
   measures.height = {0.95, 0.55, 0.55, 0.03, 0.03};
@@ -133,8 +136,8 @@ TipMeasures bodyMeasures() {
   return measures;
 }
 
-TipMeasures reordered(const TipMeasures& from, const std::vector<int>& order) {
-  TipMeasures to;
+ExtremityMeasures reordered(const ExtremityMeasures& from, const std::vector<int>& order) {
+  ExtremityMeasures to;
   to.distance.resize(order.size(), order.size());
   for (size_t i = 0; i < order.size(); ++i) {
     to.fullness.push_back(from.fullness[order[i]]);
@@ -145,57 +148,57 @@ TipMeasures reordered(const TipMeasures& from, const std::vector<int>& order) {
   return to;
 }
 
-TEST(TipNaming, NamesAnAverageBodyAtNoCost) {
-  const TipNames names = nameTips(bodyMeasures());
-  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
+TEST(PartNaming, NamesAnAverageBodyAtNoCost) {
+  const PartNaming names = assignParts(bodyMeasures());
+  EXPECT_EQ(names.extremity, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
   EXPECT_NEAR(names.cost, 0.0, 1e-9);
 }
 
-TEST(TipNaming, DoesNotDependOnTheOrderOfTips) {
-  const TipNames names = nameTips(reordered(bodyMeasures(), {3, 1, 0, 4, 2}));
-  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 2, 1, 4, 0, 3}));
+TEST(PartNaming, DoesNotDependOnTheOrderOfTips) {
+  const PartNaming names = assignParts(reordered(bodyMeasures(), {3, 1, 0, 4, 2}));
+  EXPECT_EQ(names.extremity, (std::array<int, kPartCount>{-1, 2, 1, 4, 0, 3}));
 }
 
-TEST(TipNaming, LeavesOutWhatIsNotThere) {
-  const TipNames names = nameTips(reordered(bodyMeasures(), {0, 1, 3, 4}));
-  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, -1, 2, 3}));
+TEST(PartNaming, LeavesOutWhatIsNotThere) {
+  const PartNaming names = assignParts(reordered(bodyMeasures(), {0, 1, 3, 4}));
+  EXPECT_EQ(names.extremity, (std::array<int, kPartCount>{-1, 0, 1, -1, 2, 3}));
 }
 
-TEST(TipNaming, DoesNotCallASecondFootAnArm) {
-  TipMeasures measures = reordered(bodyMeasures(), {0, 1, 3, 4, 4});
+TEST(PartNaming, DoesNotCallASecondFootAnArm) {
+  ExtremityMeasures measures = reordered(bodyMeasures(), {0, 1, 3, 4, 4});
   measures.distance(3, 4) = measures.distance(4, 3) = -2.0;  // heel and toes
-  const TipNames names = nameTips(measures);
-  EXPECT_EQ(names.tip[size_t(PartLabel::kArm2)], -1);
-  EXPECT_EQ(names.tip[size_t(PartLabel::kArm1)], 1);
+  const PartNaming names = assignParts(measures);
+  EXPECT_EQ(names.extremity[size_t(PartLabel::kArm2)], -1);
+  EXPECT_EQ(names.extremity[size_t(PartLabel::kArm1)], 1);
 }
 
-TEST(TipNaming, DoesNotNameAnArmTwice) {
-  TipMeasures measures = bodyMeasures();  // hand and elbow of one arm
+TEST(PartNaming, DoesNotNameAnArmTwice) {
+  ExtremityMeasures measures = bodyMeasures();  // hand and elbow of one arm
   measures.to_core[2] = -0.1;
   measures.distance(1, 2) = measures.distance(2, 1) = 0.38;  // less than from the hand to the core
-  const TipNames names = nameTips(measures);
-  EXPECT_EQ(names.tip[size_t(PartLabel::kArm1)], 1);
-  EXPECT_EQ(names.tip[size_t(PartLabel::kArm2)], -1);
+  const PartNaming names = assignParts(measures);
+  EXPECT_EQ(names.extremity[size_t(PartLabel::kArm1)], 1);
+  EXPECT_EQ(names.extremity[size_t(PartLabel::kArm2)], -1);
   measures.distance(1, 2) = measures.distance(2, 1) = 0.42;
-  EXPECT_EQ(nameTips(measures).tip[size_t(PartLabel::kArm2)], 2);
+  EXPECT_EQ(assignParts(measures).extremity[size_t(PartLabel::kArm2)], 2);
 }
 
-TEST(TipNaming, AllowsForAStoutBody) {
-  TipMeasures measures = bodyMeasures();
+TEST(PartNaming, AllowsForAStoutBody) {
+  ExtremityMeasures measures = bodyMeasures();
   for (double& length : measures.to_core) length -= 0.15;
   measures.distance.array() -= 0.15;
-  const TipNames names = nameTips(measures);
-  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
+  const PartNaming names = assignParts(measures);
+  EXPECT_EQ(names.extremity, (std::array<int, kPartCount>{-1, 0, 1, 2, 3, 4}));
   EXPECT_NEAR(names.cost, 0.0, 1e-9);
 }
 
-TEST(TipNaming, NamesNothingOfNothing) {
-  const TipNames names = nameTips(reordered(bodyMeasures(), {}));
-  EXPECT_EQ(names.tip, (std::array<int, kPartCount>{-1, -1, -1, -1, -1, -1}));
+TEST(PartNaming, NamesNothingOfNothing) {
+  const PartNaming names = assignParts(reordered(bodyMeasures(), {}));
+  EXPECT_EQ(names.extremity, (std::array<int, kPartCount>{-1, -1, -1, -1, -1, -1}));
   EXPECT_TRUE(std::isinf(names.cost));
 }
 
-TEST(TipNaming, KnowsWhatSizeALimbCanHave) {
+TEST(PartNaming, KnowsWhatSizeALimbCanHave) {
   EXPECT_TRUE(isPlausible(PartLabel::kArm1, 0.05, 0.05));
   EXPECT_FALSE(isPlausible(PartLabel::kArm1, 0.0003, 0.05));  // a knuckle
   EXPECT_FALSE(isPlausible(PartLabel::kLeg2, 0.50, 0.09));    // both legs and a hip

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "segmentation/box_graph.h"
 #include "segmentation/eigenmap.h"
 #include "segmentation/eigenmap_alignment.h"
 #include "segmentation/graph_modes.h"
-#include "segmentation/voxel_graph.h"
-#include "segmentation/box_graph.h"
 #include "segmentation/voxel_figure.h"
+#include "segmentation/voxel_graph.h"
 
 namespace markerless_mocap {
 namespace {

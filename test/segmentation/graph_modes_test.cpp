@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "segmentation/eigenmap/graph_hierarchy.h"
-#include "segmentation/voxel_graph.h"
 #include "segmentation/box_graph.h"
+#include "segmentation/eigenmap/graph_hierarchy.h"
 #include "segmentation/voxel_figure.h"
+#include "segmentation/voxel_graph.h"
 
 namespace markerless_mocap {
 namespace {

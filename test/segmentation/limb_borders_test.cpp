@@ -10,12 +10,13 @@ using Borders = std::array<double, kPartCount>;
 
 /// Ways of 10000 nodes: `thin` of them in each tenth of a unit up to `length`, the rest behind it.
 std::vector<double> limbOnATrunk(int thin, double length) {
-  std::vector<double> way;
+  std::vector<double> geodesic;
   const int stretches = int(length / 0.1 + 0.5);
-  for (int i = 0; i < stretches; ++i) way.insert(way.end(), size_t(thin), 0.1 * i + 0.05);
-  for (int i = stretches; way.size() < 10000; ++i) way.insert(way.end(), 500, 0.1 * i + 0.05);
-  way.resize(10000);
-  return way;
+  for (int i = 0; i < stretches; ++i) geodesic.insert(geodesic.end(), size_t(thin), 0.1 * i + 0.05);
+  for (int i = stretches; geodesic.size() < 10000; ++i)
+    geodesic.insert(geodesic.end(), 500, 0.1 * i + 0.05);
+  geodesic.resize(10000);
+  return geodesic;
 }
 
 TEST(LimbBorders, LieWhereTheHullWidens) {
@@ -46,12 +47,12 @@ TEST(LimbBorders, TellAWholeLimbFromAStump) {
 }
 
 TEST(LimbBorders, GiveNodesToTheLimbTheyAreFartherInside) {
-  Ways way;
-  way[size_t(PartLabel::kLeg1)] = {0.0, 1.0, 1.5, 2.5, 1.9};
-  way[size_t(PartLabel::kLeg2)] = {3.0, 1.9, 1.2, 2.5, 0.0};
+  Ways geodesic;
+  geodesic[size_t(PartLabel::kLeg1)] = {0.0, 1.0, 1.5, 2.5, 1.9};
+  geodesic[size_t(PartLabel::kLeg2)] = {3.0, 1.9, 1.2, 2.5, 0.0};
   Borders border{};
   border[size_t(PartLabel::kLeg1)] = border[size_t(PartLabel::kLeg2)] = 2.0;
-  const auto nodes = nodesOfLimbs(way, border);
+  const auto nodes = nodesOfLimbs(geodesic, border);
   EXPECT_EQ(nodes[size_t(PartLabel::kLeg1)], (std::vector<uint32_t>{0, 1}));
   EXPECT_EQ(nodes[size_t(PartLabel::kLeg2)], (std::vector<uint32_t>{2, 4}));
   EXPECT_TRUE(nodes[size_t(PartLabel::kHead)].empty());

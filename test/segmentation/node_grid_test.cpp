@@ -51,11 +51,11 @@ TEST(NodeGrid, MeasuresWaysAroundCorners) {
   // An L: four to the right, then three up.
   const NodeGrid grid(
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 0, 1}, {3, 0, 2}, {9, 9, 9}});
-  const std::vector<double> way = grid.geodesics({0});
-  EXPECT_DOUBLE_EQ(way[3], 3.0);
-  EXPECT_DOUBLE_EQ(way[4], 2.0 + 4.0 / 3.0);  // cuts the corner by one diagonal step
-  EXPECT_DOUBLE_EQ(way[5], 3.0 + 4.0 / 3.0);
-  EXPECT_TRUE(std::isinf(way[6]));
+  const std::vector<double> geodesic = grid.geodesics({0});
+  EXPECT_DOUBLE_EQ(geodesic[3], 3.0);
+  EXPECT_DOUBLE_EQ(geodesic[4], 2.0 + 4.0 / 3.0);  // cuts the corner by one diagonal step
+  EXPECT_DOUBLE_EQ(geodesic[5], 3.0 + 4.0 / 3.0);
+  EXPECT_TRUE(std::isinf(geodesic[6]));
 }
 
 TEST(NodeGrid, MeasuresWaysFromEachSourceByItself) {

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/body_parts.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 

@@ -158,7 +158,7 @@ TEST(Stale, IsABackgroundThatNoLongerFits) {
     EXPECT_EQ(extractor.update(other).state, SilhouetteState::kReady) << i;
   const SilhouetteResult fifth = extractor.update(other);
   EXPECT_EQ(fifth.state, SilhouetteState::kStale);
-  EXPECT_GT(fifth.changed_share, 0.5);
+  EXPECT_GT(fifth.changed_fraction, 0.5);
   EXPECT_FALSE(fifth.mask.empty());
   EXPECT_EQ(extractor.update(scene).state, SilhouetteState::kReady) << "it fits again";
 }

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "silhouette/background/background.h"
-#include "silhouette/bits/bit_mask.h"
 #include "silhouette/background/row_kernels.h"
+#include "silhouette/bits/bit_mask.h"
 
 namespace markerless_mocap {
 namespace {

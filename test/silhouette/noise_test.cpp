@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "silhouette/background/background_learner.h"
+#include "silhouette/background/pixel_test.h"
 #include "silhouette/bits/bit_morphology.h"
 #include "silhouette/bits/mask_runs.h"
-#include "silhouette/background/pixel_test.h"
 #include "silhouette/scene.h"
 
 namespace markerless_mocap {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "skeleton/thin_figures.h"
 #include "skeleton/thinning/bit_volume_components.h"
 #include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thinning/cavity_filling.h"
-#include "skeleton/thin_figures.h"
 #include "skeleton/thinning/word_set.h"
 
 namespace markerless_mocap {

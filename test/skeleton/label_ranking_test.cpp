@@ -10,9 +10,10 @@ namespace {
 
 using namespace label_ratio;
 
-std::array<EndWays, kLimbEndCount> idealWays(double longest) {
-  const EndWays neck{kNeck * longest, kNeck * longest}, arm{kArm * longest, kArm * longest};
-  const EndWays leg{(kLeg + kTorso) * longest, kLeg * longest};
+std::array<ExtremityPathLengths, kUnsidedExtremityCount> idealWays(double longest) {
+  const ExtremityPathLengths neck{kNeck * longest, kNeck * longest},
+      arm{kArm * longest, kArm * longest};
+  const ExtremityPathLengths leg{(kLeg + kTorso) * longest, kLeg * longest};
   return {neck, arm, arm, leg, leg};
 }
 
@@ -39,16 +40,16 @@ TEST(LabelRanking, IdealTreeRanksOne) {
 }
 
 TEST(LabelRanking, EachFactorIsAsPublished) {
-  auto ways = idealWays(2.0);
-  EXPECT_NEAR(originRank(ways, 3, 2.0), std::exp(-1.0 / 3.0), 1e-9);
-  ways[size_t(LimbEnd::kHead)] = {0.5 * kNeck * 2.0, 0.5 * kNeck * 2.0};
-  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
-  ways = idealWays(2.0);
-  ways[size_t(LimbEnd::kFoot1)].to_origin = kLeg * 2.0 + 0.5 * kTorso * 2.0;
-  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
-  ways = idealWays(2.0);
-  ways[size_t(LimbEnd::kHand2)].to_branching -= 2.0 / 128.0;
-  EXPECT_NEAR(originRank(ways, 4, 2.0), 0.5, 1e-9);
+  auto path_lengths = idealWays(2.0);
+  EXPECT_NEAR(originRank(path_lengths, 3, 2.0), std::exp(-1.0 / 3.0), 1e-9);
+  path_lengths[size_t(UnsidedExtremity::kHead)] = {0.5 * kNeck * 2.0, 0.5 * kNeck * 2.0};
+  EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
+  path_lengths = idealWays(2.0);
+  path_lengths[size_t(UnsidedExtremity::kFoot1)].to_origin = kLeg * 2.0 + 0.5 * kTorso * 2.0;
+  EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
+  path_lengths = idealWays(2.0);
+  path_lengths[size_t(UnsidedExtremity::kHand2)].to_branching -= 2.0 / 128.0;
+  EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
 }
 
 TEST(LabelRanking, DrawnTreeIsNamedAndRanksAlikeAtTwoPitches) {
@@ -57,12 +58,14 @@ TEST(LabelRanking, DrawnTreeIsNamedAndRanksAlikeAtTwoPitches) {
     const TreeGraph graph = makeTreeGraph(idealSkeleton(1.6, pitch), 0.15, 0.12);
     const LabelChoice choice = labelByRank(graph, 0.08, {});
     ASSERT_EQ(choice.status, TreeStatus::kOk);
-    const auto at = [&](LimbEnd end) { return graph.positions[size_t(choice.ends[size_t(end)])]; };
-    EXPECT_GT(at(LimbEnd::kHead).z(), 1.2);
-    EXPECT_LT(at(LimbEnd::kFoot1).z(), 0.2);
-    EXPECT_LT(at(LimbEnd::kFoot2).z(), 0.2);
-    EXPECT_GT(std::abs(at(LimbEnd::kHand1).y()), 0.5);
-    EXPECT_LT(at(LimbEnd::kHand1).y() * at(LimbEnd::kHand2).y(), 0.0);
+    const auto at = [&](UnsidedExtremity end) {
+      return graph.positions[size_t(choice.extremities[size_t(end)])];
+    };
+    EXPECT_GT(at(UnsidedExtremity::kHead).z(), 1.2);
+    EXPECT_LT(at(UnsidedExtremity::kFoot1).z(), 0.2);
+    EXPECT_LT(at(UnsidedExtremity::kFoot2).z(), 0.2);
+    EXPECT_GT(std::abs(at(UnsidedExtremity::kHand1).y()), 0.5);
+    EXPECT_LT(at(UnsidedExtremity::kHand1).y() * at(UnsidedExtremity::kHand2).y(), 0.0);
     EXPECT_NEAR(choice.longest, 1.6, 0.06);
     ranks.push_back(choice.rank);
   }
@@ -73,13 +76,13 @@ TEST(LabelRanking, DrawnTreeIsNamedAndRanksAlikeAtTwoPitches) {
 TEST(LabelRanking, NearestOfTheLastFrameTakesTheName) {
   const TreeGraph graph = makeTreeGraph(idealSkeleton(1.6, 0.02), 0.15, 0.12);
   const LabelChoice alone = labelByRank(graph, 0.08, {});
-  std::array<Eigen::Vector3d, kLimbEndCount> last;
-  for (size_t i = 0; i < last.size(); ++i) last[i] = graph.positions[size_t(alone.ends[i])];
+  std::array<Eigen::Vector3d, kUnsidedExtremityCount> last;
+  for (size_t i = 0; i < last.size(); ++i) last[i] = graph.positions[size_t(alone.extremities[i])];
   std::swap(last[1], last[2]);
   std::swap(last[3], last[4]);
   const LabelChoice followed = labelByRank(graph, 0.08, last);
-  EXPECT_EQ(followed.ends[1], alone.ends[2]);
-  EXPECT_EQ(followed.ends[3], alone.ends[4]);
+  EXPECT_EQ(followed.extremities[1], alone.extremities[2]);
+  EXPECT_EQ(followed.extremities[3], alone.extremities[4]);
 }
 
 TEST(LabelRanking, LineHasTooFewBranches) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sentence_of.h"
+#include "error_text_of.h"
 #include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {
@@ -17,10 +17,10 @@ PoseTree treeOf(const VisualHull& hull, const PoseTreeOptions& options = {}) {
 }
 
 const Eigen::Vector3d& tipOf(const PoseTree& tree, Extremity extremity) {
-  return tree.tip(extremity).position;
+  return tree.extremity(extremity).position;
 }
 
-void expectTips(const PoseTree& tree, const FigurePose& pose, double tolerance) {
+void expectExtremities(const PoseTree& tree, const FigurePose& pose, double tolerance) {
   EXPECT_LT((tipOf(tree, Extremity::kLeftHand) - pose.left_hand).norm(), tolerance);
   EXPECT_LT((tipOf(tree, Extremity::kRightHand) - pose.right_hand).norm(), tolerance);
   const Eigen::Vector3d ball(0.12, 0.0, -0.06);
@@ -49,7 +49,7 @@ TEST(PoseTree, StandingPersonIsLabelledAtBothPitches) {
     const PoseTree tree = treeOf(personHull(pose, pitch));
     ASSERT_EQ(tree.status, TreeStatus::kOk) << tree.reason;
     EXPECT_TRUE(tree.reason.empty());
-    expectTips(tree, pose, pitch == kFine ? 0.08 : 0.12);
+    expectExtremities(tree, pose, pitch == kFine ? 0.08 : 0.12);
     EXPECT_GT(tree.forward.x(), 0.8);
     EXPECT_GT(tree.left.y(), 0.8);
     EXPECT_GT(tree.validity, 0.8);
@@ -66,8 +66,8 @@ TEST(PoseTree, NodesFormATreeFromTheHeadWithAllParts) {
   }
   for (size_t part = 1; part < counts.size(); ++part) EXPECT_GT(counts[part], 5) << part;
   EXPECT_EQ(tree.nodes[0].parent, -1);
-  EXPECT_EQ(tree.tip(Extremity::kHead).node, 0);
-  const auto partAt = [&](Extremity e) { return tree.nodes[size_t(tree.tip(e).node)].part; };
+  EXPECT_EQ(tree.extremity(Extremity::kHead).node, 0);
+  const auto partAt = [&](Extremity e) { return tree.nodes[size_t(tree.extremity(e).node)].part; };
   EXPECT_EQ(partAt(Extremity::kLeftHand), TreePart::kLeftArm);
   EXPECT_EQ(partAt(Extremity::kRightFoot), TreePart::kRightLeg);
   EXPECT_FALSE(tree.skeleton.voxels.empty());
@@ -78,8 +78,8 @@ TEST(PoseTree, MirroredPersonGetsMirroredLabels) {
   pose.left_hand = {0.3, 0.5, 1.6};
   pose.left_knee = {0.22, 0.15, 0.55};
   const FigurePose other = mirrored(pose);
-  expectTips(treeOf(personHull(pose, kFine)), pose, 0.09);
-  expectTips(treeOf(personHull(other, kFine)), other, 0.09);
+  expectExtremities(treeOf(personHull(pose, kFine)), pose, 0.09);
+  expectExtremities(treeOf(personHull(other, kFine)), other, 0.09);
 }
 
 TEST(PoseTree, JointsLieWhereTheFigureHasThem) {
@@ -108,7 +108,7 @@ TEST(PoseTree, WalkIsLabelledOrRefusedButNeverWrong) {
       continue;
     }
     ++valid;
-    expectTips(tree, pose, 0.15);
+    expectExtremities(tree, pose, 0.15);
   }
   EXPECT_GE(valid, 8);
 }
@@ -118,8 +118,8 @@ TEST(PoseTree, HandOnTheHipClosesALoopAndIsSurvived) {
   pose.left_elbow = {0.0, 0.45, 1.15};
   pose.left_hand = {0.05, 0.19, 0.97};
   const PoseTree tree = treeOf(personHull(pose, kFine));
-  if (tree.valid()) expectTips(tree, pose, 0.2);
-  EXPECT_GE(tree.tip(Extremity::kRightHand).node, 0);
+  if (tree.valid()) expectExtremities(tree, pose, 0.2);
+  EXPECT_GE(tree.extremity(Extremity::kRightHand).node, 0);
 }
 
 TEST(PoseTree, PublishedLabellingStaysSelectable) {
@@ -129,9 +129,9 @@ TEST(PoseTree, PublishedLabellingStaysSelectable) {
   const FigurePose pose;
   const PoseTree tree = treeOf(personHull(pose, kFine), options);
   ASSERT_EQ(tree.status, TreeStatus::kOk) << tree.reason;
-  expectTips(tree, pose, 0.09);
+  expectExtremities(tree, pose, 0.09);
   EXPECT_GT(tree.rank, 0.01);
-  options.least_rank = 1.0;
+  options.min_rank = 1.0;
   EXPECT_EQ(treeOf(personHull(pose, kFine), options).status, TreeStatus::kLowRank);
 }
 
@@ -143,7 +143,8 @@ TEST(PoseTree, FramesStandAloneUnlessLabelsAreFollowed) {
   builder.build(b);
   const PoseTree again = builder.build(a);
   EXPECT_EQ(first.validity, again.validity);
-  for (size_t i = 0; i < first.tips.size(); ++i) EXPECT_EQ(first.tips[i].node, again.tips[i].node);
+  for (size_t i = 0; i < first.extremities.size(); ++i)
+    EXPECT_EQ(first.extremities[i].node, again.extremities[i].node);
   options.labelling = "ranking";
   options.follow_labels = true;
   PoseTreeBuilder following(options);
@@ -154,23 +155,23 @@ TEST(PoseTree, FramesStandAloneUnlessLabelsAreFollowed) {
 }
 
 TEST(PoseTree, WhatIsNoPersonIsRefusedWithAReason) {
-  const auto refused = [](const VisualHull& hull, TreeStatus status, const std::string& part) {
+  const auto rejected = [](const VisualHull& hull, TreeStatus status, const std::string& part) {
     const PoseTree tree = treeOf(hull);
     EXPECT_EQ(tree.status, status) << tree.reason;
     EXPECT_NE(tree.reason.find(part), std::string::npos) << tree.reason;
     EXPECT_FALSE(tree.valid());
   };
-  refused(VisualHull(), TreeStatus::kNoSkeleton, "empty");
+  rejected(VisualHull(), TreeStatus::kNoSkeleton, "empty");
   TreeFigure voxel(kCoarse);
-  refused(voxel.line({0, 0, 1}, {0, 0, 1}).hull(), TreeStatus::kNoSkeleton, "litres");
+  rejected(voxel.line({0, 0, 1}, {0, 0, 1}).hull(), TreeStatus::kNoSkeleton, "litres");
   TreeFigure block(kCoarse);
   for (int i = 0; i < 30; ++i)
     for (int j = 0; j < 30; ++j)
       block.line({-0.5 + 0.03 * i, -0.5 + 0.03 * j, 0.1}, {-0.5 + 0.03 * i, -0.5 + 0.03 * j, 1.0});
-  refused(block.hull(), TreeStatus::kNotAPerson, "litres");
+  rejected(block.hull(), TreeStatus::kNotAPerson, "litres");
   VisualHull crowd;
   crowd.status = HullStatus::kSeveralBodies;
-  refused(crowd, TreeStatus::kNotAPerson, "several bodies");
+  rejected(crowd, TreeStatus::kNotAPerson, "several bodies");
 }
 
 TEST(PoseTree, BallAndPillarOfAPersonsSizeAreRefused) {
@@ -209,7 +210,7 @@ TEST(PoseTree, SkeletonOfSomebodyElseIsTaken) {
 TEST(PoseTree, OptionsOutOfRangeAreNamed) {
   PoseTreeOptions options;
   options.prune_ratio = 0.9;
-  EXPECT_NE(sentenceOf([&] { PoseTreeBuilder builder(options); }).find("prune_ratio"),
+  EXPECT_NE(errorTextOf([&] { PoseTreeBuilder builder(options); }).find("prune_ratio"),
             std::string::npos);
   options = {};
   options.labelling = "guess";

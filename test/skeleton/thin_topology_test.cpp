@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "markerless_mocap/skeleton/thinner.h"
-#include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thin_figures.h"
+#include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thinning/thinning_scheme.h"
 
 namespace markerless_mocap {
@@ -90,9 +90,9 @@ struct Peeled {
   explicit Peeled(const ThinVolume& before, int persistence) : volume(before) {
     BitVolumeWindow window;
     BitWords bits;
-    SymmetricPeeling peeling;
+    SymmetricThinning peeling;
     window.load(before.lattice, before.voxels(), &bits);
-    peeling.peel(window.box(), persistence, &bits);
+    peeling.thin(window.box(), persistence, &bits);
     volume = ThinVolume(before.lattice, window.unload(before.lattice, bits));
   }
 };

@@ -17,7 +17,7 @@ ThinVolume thinned(const ThinVolume& volume) {
   return {skeleton.lattice, skeleton.voxels};
 }
 
-std::string sentenceOf(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
+std::string errorTextOf(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels) {
   try {
     Thinner().thin(lattice, voxels);
   } catch (const std::invalid_argument& error) {
@@ -214,9 +214,9 @@ TEST(ThinnerTest, MillionVoxelsAreThinned) {
 TEST(ThinnerTest, BadInputIsNamed) {
   VoxelLattice lattice;
   lattice.size = {4, 4, 4};
-  EXPECT_EQ(sentenceOf(lattice, {3, 64}), "voxel 64 is beyond the lattice of 64");
-  EXPECT_EQ(sentenceOf(lattice, {3, 2}), "voxels must be in ascending order, each once");
-  EXPECT_EQ(sentenceOf(lattice, {3, 3}), "voxels must be in ascending order, each once");
+  EXPECT_EQ(errorTextOf(lattice, {3, 64}), "voxel 64 is beyond the lattice of 64");
+  EXPECT_EQ(errorTextOf(lattice, {3, 2}), "voxels must be in ascending order, each once");
+  EXPECT_EQ(errorTextOf(lattice, {3, 3}), "voxels must be in ascending order, each once");
   EXPECT_THROW(Thinner(-0.01), std::invalid_argument);
   EXPECT_THROW(Thinner(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW(Thinner(std::numeric_limits<double>::infinity()), std::invalid_argument);

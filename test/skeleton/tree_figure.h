@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/curve_skeleton.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 
@@ -36,11 +36,11 @@ class TreeFigure {
 
   /// One voxel wide.
   TreeFigure& line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const Eigen::Vector3i from = cell(a), way = cell(b) - from;
-    const int steps = std::max(1, way.cwiseAbs().maxCoeff());
+    const Eigen::Vector3i from = cell(a), path_length = cell(b) - from;
+    const int steps = std::max(1, path_length.cwiseAbs().maxCoeff());
     for (int s = 0; s <= steps; ++s) {
-      const Eigen::Vector3d share = way.cast<double>() * s / steps;
-      const Eigen::Vector3i at = from + share.array().round().matrix().cast<int>();
+      const Eigen::Vector3d fraction = path_length.cast<double>() * s / steps;
+      const Eigen::Vector3i at = from + fraction.array().round().matrix().cast<int>();
       voxels_.insert(lattice_.index(at.x(), at.y(), at.z()));
     }
     return *this;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "skeleton/graph/tree_chains.h"
-#include "skeleton/tree_figure.h"
 #include "skeleton/graph/tree_metric.h"
+#include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,14 +29,14 @@ TEST(TreeGraph, StartsAtTheTopAndGoesDown) {
 
 TEST(TreeGraph, LengthsAreMetresAtAnyPitch) {
   for (const double pitch : {0.01, 0.02, 0.03})
-    EXPECT_NEAR(longestWay(makeTreeGraph(cross(pitch), kGap, kLoop)), 1.5, 0.06) << pitch;
+    EXPECT_NEAR(longestPathLength(makeTreeGraph(cross(pitch), kGap, kLoop)), 1.5, 0.06) << pitch;
 }
 
 TEST(TreeGraph, SlantedLinesAreNotLongerThanTheyAre) {
   TreeFigure figure(0.015);
   figure.line({0, -0.6, 0.3}, {0.23, 0.6, 1.1});
   const double length = (Eigen::Vector3d(0.23, 1.2, 0.8)).norm();
-  EXPECT_NEAR(longestWay(makeTreeGraph(figure.skeleton(), kGap, kLoop)), length, 0.03);
+  EXPECT_NEAR(longestPathLength(makeTreeGraph(figure.skeleton(), kGap, kLoop)), length, 0.03);
 }
 
 TEST(TreeGraph, LongLoopIsClosedByOneEdgeAndBendsOfVoxelsByNone) {
@@ -56,7 +56,7 @@ TEST(TreeGraph, NearComponentsAreJoinedAndFarOnesLeftOut) {
       .line({0, 0, 1.1}, {0, 0, 1.4})
       .line({0.8, 0, 0.3}, {0.8, 0, 0.6});
   const TreeGraph graph = makeTreeGraph(figure.skeleton(), kGap, kLoop);
-  EXPECT_NEAR(longestWay(graph), 1.1, 0.05);
+  EXPECT_NEAR(longestPathLength(graph), 1.1, 0.05);
   for (const Eigen::Vector3d& p : graph.positions) EXPECT_LT(p.x(), 0.1);
 }
 

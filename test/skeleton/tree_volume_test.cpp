@@ -24,10 +24,10 @@ VisualHull hullOf(const std::set<uint32_t>& voxels, const Eigen::Vector3i& size)
 TEST(TreeVolume, HoldsTheVoxelsOfTheHullAndNoOthers) {
   std::mt19937 random(3);
   const Eigen::Vector3i size(71, 5, 4);  // rows longer than a word
-  for (const double share : {0.02, 0.5, 0.9, 1.0}) {
+  for (const double fraction : {0.02, 0.5, 0.9, 1.0}) {
     std::set<uint32_t> voxels;
     for (uint32_t i = 0; i < uint32_t(size.prod()); ++i)
-      if (std::generate_canonical<double, 32>(random) < share) voxels.insert(i);
+      if (std::generate_canonical<double, 32>(random) < fraction) voxels.insert(i);
     const VisualHull hull = hullOf(voxels, size);
     const TreeVolume volume(hull);
     for (int z = -1; z <= size.z(); ++z)
@@ -37,7 +37,7 @@ TEST(TreeVolume, HoldsTheVoxelsOfTheHullAndNoOthers) {
               x < 0 || y < 0 || z < 0 || x == size.x() || y == size.y() || z == size.z();
           EXPECT_EQ(volume.inside({x, y, z}),
                     !outside && voxels.count(hull.lattice.index(x, y, z)) > 0)
-              << x << ' ' << y << ' ' << z << " at " << share;
+              << x << ' ' << y << ' ' << z << " at " << fraction;
         }
   }
 }

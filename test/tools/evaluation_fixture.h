@@ -58,7 +58,7 @@ class EvaluationTest : public ToolTest {
 
   /// A capture with ground truth.
   void writeTruth(const std::string& world = "world", bool masks = true) const {
-    NewBag bag(request_.truth);
+    BagWriter bag(request_.truth);
     tf2_msgs::TFMessage statics;
     for (const Camera& camera : rig_) statics.transforms.push_back(cameraTransform(camera));
     bag.writeLatched("/tf_static", rosTime(kBegin), statics);
@@ -102,7 +102,7 @@ class EvaluationTest : public ToolTest {
     return out;
   }
 
-  void writeCameras(NewBag* bag, std_msgs::Header header, const std::vector<cv::Mat>& masks,
+  void writeCameras(BagWriter* bag, std_msgs::Header header, const std::vector<cv::Mat>& masks,
                     bool with_masks) const {
     for (size_t c = 0; c < rig_.size(); ++c) {
       header.frame_id = rig_[c].name() + "_optical";
@@ -125,7 +125,7 @@ class EvaluationTest : public ToolTest {
     HullOptions hull_options;
     hull_options.pitch = 0.1;
     HullCarver carver(rig_, hull_options);
-    NewBag bag(request_.results);
+    BagWriter bag(request_.results);
     ResultWriter writer(&bag, model_, world);
     writer.writeDescription(kBegin, humanUrdf());
     std::vector<RecordedCamera> cameras;

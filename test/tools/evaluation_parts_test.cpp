@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <sstream>
 
-#include "sentence_of.h"
-#include "tools/evaluation_fixture.h"
+#include "error_text_of.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
+#include "tools/evaluation_fixture.h"
 
 namespace markerless_mocap {
 namespace {
@@ -23,7 +23,7 @@ class EvaluationPartsTest : public EvaluationTest {
 
   EvaluationPartsTest() { request_.images = false; }
 
-  Eigen::Matrix3Xd truePoints(int frame) const {
+  Eigen::Matrix3Xd groundTruthPoints(int frame) const {
     const Eigen::Matrix3Xd all = bodyPoints(model_, linksOf(poseOf(frame)));
     const std::vector<std::string> names = bodyPointNames();
     Eigen::Matrix3Xd points(3, Eigen::Index(partTruthNames().size()));
@@ -35,7 +35,7 @@ class EvaluationPartsTest : public EvaluationTest {
 
   /// The voxels within 8 cm of the body's points, labelled as the truth says.
   void segment(int frame, PipelineResult* result) const {
-    const Eigen::Matrix3Xd points = truePoints(frame);
+    const Eigen::Matrix3Xd points = groundTruthPoints(frame);
     const PartTruth truth(points);
     const Eigen::Vector3d low = points.rowwise().minCoeff() - Eigen::Vector3d::Constant(0.2);
     VisualHull& hull = result->hull;
@@ -57,7 +57,7 @@ class EvaluationPartsTest : public EvaluationTest {
 
   void writeParts(const PartsChange& change, const std::string& world = "world") const {
     writeTruth("world", false);
-    NewBag bag(request_.results);
+    BagWriter bag(request_.results);
     ResultWriter writer(&bag, model_, world);
     writer.writeDescription(kBegin, humanUrdf());
     for (int f = 0; f < kFrames; ++f) {
@@ -77,10 +77,10 @@ TEST_F(EvaluationPartsTest, TruthAsPartsIsPerfectThroughTheBag) {
   ASSERT_TRUE(found.parts);
   const PartErrors& errors = found.parts->errors;
   EXPECT_EQ(errors.all.frames, size_t(kFrames));
-  EXPECT_EQ(errors.share_valid, 1.0);
+  EXPECT_EQ(errors.fraction_valid, 1.0);
   // Centres go through the bag as float32: one on a border may change sides.
-  EXPECT_GT(errors.all.share_right, 0.999);
-  EXPECT_EQ(errors.all.share_six, 1.0);
+  EXPECT_GT(errors.all.fraction_correct, 0.999);
+  EXPECT_EQ(errors.all.fraction_all_six, 1.0);
   EXPECT_LT(errors.arms_mm.max, 1e-3);
   EXPECT_EQ(found.parts->status_counts, (std::map<std::string, size_t>{{"ok", kFrames}}));
 }
@@ -96,9 +96,9 @@ TEST_F(EvaluationPartsTest, CountsWrongAndPartialHullsApart) {
   const Evaluation found = judged();
   ASSERT_TRUE(found.parts);
   const PartErrors& errors = found.parts->errors;
-  EXPECT_NEAR(errors.share_valid, 36.0 / 40.0, 1e-12);
-  EXPECT_NEAR(errors.all.share_six, 30.0 / 40.0, 1e-12);
-  EXPECT_NEAR(errors.valid.share_six, 30.0 / 36.0, 1e-12);
+  EXPECT_NEAR(errors.fraction_valid, 36.0 / 40.0, 1e-12);
+  EXPECT_NEAR(errors.all.fraction_all_six, 30.0 / 40.0, 1e-12);
+  EXPECT_NEAR(errors.valid.fraction_all_six, 30.0 / 36.0, 1e-12);
   EXPECT_EQ(found.parts->reasons[0], "arm 2 not seen");
   std::ostringstream table;
   printEvaluation(found, table);
@@ -113,7 +113,7 @@ TEST_F(EvaluationPartsTest, RefusesAnotherWorld) {
   ASSERT_EQ(record.hulls.size(), size_t(kFrames));
   EXPECT_EQ(record.hulls[0].pitch, kPitch);
   const std::string sentence =
-      sentenceOf<std::runtime_error>([&] { judgeParts(JointTrack(), "map", record, 1); });
+      errorTextOf<std::runtime_error>([&] { evaluateParts(JointTrack(), "map", record, 1); });
   EXPECT_EQ(
       sentence,
       "the segmented hulls are in the frame world, the truth in map: they cannot be compared");

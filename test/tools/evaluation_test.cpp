@@ -5,12 +5,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "error_text_of.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "sentence_of.h"
-#include "tools/evaluation_fixture.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
+#include "tools/evaluation_fixture.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,7 +29,7 @@ TEST_F(EvaluationTest, TruthAgainstItselfIsPerfectThroughBothBags) {
   EXPECT_NEAR(found.delay.seconds, 0.0, 1e-3);
   for (const ExtremityError& part : found.extremities) {
     EXPECT_LT(part.error_mm.max, kSameTransforms_mm) << part.name;
-    EXPECT_EQ(part.share_right, 1.0) << part.name;
+    EXPECT_EQ(part.fraction_correct, 1.0) << part.name;
   }
   ASSERT_EQ(found.angles.size(), size_t(model_.angleCount()));
   for (const AngleError& angle : found.angles) EXPECT_EQ(angle.error_deg.max, 0.0) << angle.joint;
@@ -40,8 +40,8 @@ TEST_F(EvaluationTest, TruthAgainstItselfIsPerfectThroughBothBags) {
 TEST_F(EvaluationTest, SilhouettesBodyAndHullOfTheTruthOverlapWholly) {
   writeTruth();
   writeResults(nothing);
-  const ImageMeasures images = judged().images;
-  EXPECT_EQ(images.instants.size(), size_t(kFrames));
+  const ImageMetrics images = judged().images;
+  EXPECT_EQ(images.frame_sets.size(), size_t(kFrames));
   ASSERT_EQ(images.cameras.size(), 4u);
   for (size_t c = 0; c < 4; ++c) {
     EXPECT_EQ(images.mask_iou[c].mean, 1.0) << c;
@@ -67,7 +67,7 @@ TEST_F(EvaluationTest, TheBodyIsDrawnWithTheRigOfTheRun) {
   writeRig(request_.rig, moved);
   EXPECT_EQ(meanOfMeans(judged().images.body_iou), 1.0);
   request_.rig = path("no_rig.yaml");
-  EXPECT_EQ(sentenceOf<std::runtime_error>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { judged(); }),
             "cannot read the rig " + request_.rig);
 }
 
@@ -109,12 +109,12 @@ TEST_F(EvaluationTest, PartsThatAreNotSeenAreMissingMarkers) {
   writeTruth();
   writeResults([](int, BodyPose* pose) { pose->part_seen[size_t(PartLabel::kArm1)] = false; });
   const Evaluation found = judged();
-  EXPECT_NEAR(found.joints.share_markers_missing, 3.0 / 15, 1e-12);
-  EXPECT_NEAR(found.extremities[0].share_right, 0.5, 1e-12);
+  EXPECT_NEAR(found.joints.fraction_markers_missing, 3.0 / 15, 1e-12);
+  EXPECT_NEAR(found.extremities[0].fraction_correct, 0.5, 1e-12);
   ASSERT_EQ(found.limbs.size(), 5u);
   EXPECT_EQ(found.limbs[1].limb, "left_arm");
   EXPECT_EQ(found.limbs[1].not_published, size_t(kFrames));
-  EXPECT_EQ(found.limbs[2].share_lost, 0.0);
+  EXPECT_EQ(found.limbs[2].fraction_lost, 0.0);
   EXPECT_NE(evaluationJson(found).find("\"frames_not_published\": 40"), std::string::npos);
 }
 
@@ -122,17 +122,17 @@ TEST_F(EvaluationTest, ExpectedErrorsAreHeldAgainstThoseMade) {
   writeTruth();
   writeResults([](int, BodyPose* pose) {
     pose->T_world_body.translation().z() += 0.03;
-    pose->part_deviation_m[size_t(PartLabel::kHead)] = 0.02;
-    pose->part_deviation_m[size_t(PartLabel::kLeg2)] = 0.01;
+    pose->part_sigma_m[size_t(PartLabel::kHead)] = 0.02;
+    pose->part_sigma_m[size_t(PartLabel::kLeg2)] = 0.01;
   });
   const Evaluation found = judged();
   ASSERT_EQ(found.deviations.size(), 2u);
   EXPECT_EQ(found.deviations[0].point, "head");
   EXPECT_NEAR(found.deviations[0].expected_mm, 20.0, 1e-9);
   EXPECT_NEAR(found.deviations[0].actual_mm, 30.0, kSameTransforms_mm);
-  EXPECT_EQ(found.deviations[0].share_within_two, 1.0);
+  EXPECT_EQ(found.deviations[0].fraction_within_two_sigma, 1.0);
   EXPECT_EQ(found.deviations[1].point, "r_ankle");
-  EXPECT_EQ(found.deviations[1].share_within_two, 0.0);
+  EXPECT_EQ(found.deviations[1].fraction_within_two_sigma, 0.0);
   EXPECT_NE(evaluationPage(found).find("Errors that were expected"), std::string::npos);
 }
 
@@ -144,12 +144,12 @@ TEST_F(EvaluationTest, FeetAreJudgedByTheFloorAndTheTruth) {
   ASSERT_LT(sole, -0.011);
   for (const FootEvaluation& foot : found.feet) {
     EXPECT_EQ(foot.sole.frames, size_t(kFrames));
-    EXPECT_EQ(foot.sole.share_below, 1.0);
+    EXPECT_EQ(foot.sole.fraction_below, 1.0);
     EXPECT_NEAR(foot.sole.deepest_mm, -1e3 * sole, 1e-6);
     EXPECT_EQ(foot.ball.truth, foot.ball.estimate);
     EXPECT_NEAR(foot.ball_mm[7], foot.true_ball_mm[7] - 50.0, kSameTransforms_mm);
   }
-  EXPECT_NE(evaluationJson(found).find("\"share_below_10_mm\": 1"), std::string::npos);
+  EXPECT_NE(evaluationJson(found).find("\"fraction_below_10_mm\": 1"), std::string::npos);
   EXPECT_NE(evaluationPage(found).find("Feet on the floor"), std::string::npos);
 }
 
@@ -177,7 +177,7 @@ TEST_F(EvaluationTest, SkippedSecondsAreLeftOut) {
   EXPECT_EQ(found.joints.frames, size_t(kFrames - 10));
   EXPECT_LT(found.joints.D_spread.max, kSameTransforms_mm);
   request_.skip = 60;
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
             "nothing is left to judge: the truth lasts less than the time to skip");
 }
 
@@ -185,7 +185,7 @@ TEST_F(EvaluationTest, AResultThatIsLostThroughoutIsAResult) {
   writeTruth();
   writeResults([](int, BodyPose* pose) { pose->status = PoseStatus::kLost; });
   const Evaluation found = judged();
-  EXPECT_EQ(found.joints.share_without_estimate, 1.0);
+  EXPECT_EQ(found.joints.fraction_without_estimate, 1.0);
   EXPECT_TRUE(std::isnan(found.joints.D_spread.mean));
   EXPECT_NE(evaluationJson(found).find("\"D_mean\": null"), std::string::npos);
   EXPECT_NE(evaluationPage(found).find("40 lost"), std::string::npos);
@@ -219,29 +219,29 @@ TEST_F(EvaluationTest, WithoutExactMasksJointsAreJudgedAndANoteSaysSo) {
 }
 
 TEST_F(EvaluationTest, FaultsAreOneSentenceEach) {
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }), "there is no bag " + request_.truth);
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }), "there is no bag " + request_.truth);
   writeResults(nothing);
   request_.truth = request_.results;
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
             request_.results + " has no ground truth: no topic /ground_truth/joints");
   request_.truth = path("truth.bag");
   writeTruth();
   request_.results = request_.truth;
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
             request_.truth + " has no results: neither a frame body_<id> in tf nor /pose");
   request_.results = path("results.bag");
   request_.body_id = "person2";
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
             request_.results + " has no body person2, it has person1");
 }
 
 TEST_F(EvaluationTest, OtherWorldsAndOtherTimesAreRefused) {
   writeTruth();
   writeResults(nothing, "map");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
             "the results are in the frame map, the truth in world: they cannot be compared");
   writeResults(nothing, "world", 3600 * int64_t(1000000000));
-  EXPECT_EQ(sentenceOf<std::exception>([&] { judged(); })
+  EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); })
                 .rfind("truth and results do not overlap in time: the "
                        "truth lasts from 1600000000.00 s to "
                        "1600000001.56 s, the results from 16000036",

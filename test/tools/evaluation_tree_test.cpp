@@ -7,10 +7,10 @@
 #include <map>
 #include <sstream>
 
-#include "tools/evaluation_fixture.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
+#include "tools/evaluation_fixture.h"
 
 namespace markerless_mocap {
 namespace {
@@ -36,7 +36,7 @@ class EvaluationTreeTest : public EvaluationTest {
     const char* ends[] = {"head", "l_hand", "r_hand", "l_foot", "r_foot"};
     for (int i = 0; i < kExtremityCount; ++i) {
       tree.nodes.push_back({point(ends[i]), i - 1, TreePart::kNone});
-      tree.tips[size_t(i)] = {i, point(ends[i]), point(ends[i])};
+      tree.extremities[size_t(i)] = {i, point(ends[i]), point(ends[i])};
     }
     for (int i = 0; i < kTreeJointCount; ++i) {
       const std::string name = toString(TreeJoint(i));
@@ -47,7 +47,7 @@ class EvaluationTreeTest : public EvaluationTest {
 
   void writeTrees(const TreeChange& change, const std::string& world = "world") const {
     writeTruth("world", false);
-    NewBag bag(request_.results);
+    BagWriter bag(request_.results);
     ResultWriter writer(&bag, model_, world);
     writer.writeDescription(kBegin, humanUrdf());
     for (int f = 0; f < kFrames; ++f) {
@@ -66,12 +66,12 @@ TEST_F(EvaluationTreeTest, TruthAsATreeIsPerfectThroughTheBag) {
   const Evaluation found = judged();
   ASSERT_TRUE(found.trees);
   EXPECT_EQ(found.trees->labels.frames, size_t(kFrames));
-  EXPECT_EQ(found.trees->labels.share_valid, 1.0);
-  EXPECT_EQ(found.trees->labels.share_right, 1.0);
+  EXPECT_EQ(found.trees->labels.fraction_valid, 1.0);
+  EXPECT_EQ(found.trees->labels.fraction_correct, 1.0);
   EXPECT_LT(found.trees->labels.hands_mm.max, kSameTree_mm);
   EXPECT_EQ(found.trees->status_counts, (std::map<std::string, size_t>{{"ok", kFrames}}));
   ASSERT_EQ(found.trees->joints.size(), size_t(kTreeJointCount));
-  for (const Spread& error : found.trees->joint_errors_mm) {
+  for (const SummaryStatistics& error : found.trees->joint_errors_mm) {
     EXPECT_EQ(error.count, size_t(kFrames));
     EXPECT_LT(error.max, kSameTree_mm);
   }
@@ -85,10 +85,10 @@ TEST_F(EvaluationTreeTest, WrongAndInvalidTreesAreCountedApart) {
     if (f >= 30) tree->status = TreeStatus::kUncertain, tree->reason = "who knows";
   });
   const TreeEvaluation trees = *judged().trees;
-  EXPECT_NEAR(trees.labels.share_valid, 0.75, 1e-12);
-  EXPECT_NEAR(trees.labels.share_right, 0.9, 1e-12);
-  EXPECT_NEAR(trees.labels.share_wrong_but_valid, 0.1, 1e-12);
-  EXPECT_NEAR(trees.labels.share_sides_right, 26.0 / 30, 1e-12);
+  EXPECT_NEAR(trees.labels.fraction_valid, 0.75, 1e-12);
+  EXPECT_NEAR(trees.labels.fraction_correct, 0.9, 1e-12);
+  EXPECT_NEAR(trees.labels.fraction_wrong_but_valid, 0.1, 1e-12);
+  EXPECT_NEAR(trees.labels.fraction_sides_correct, 26.0 / 30, 1e-12);
   EXPECT_EQ(trees.status_counts.at("uncertain"), 10u);
   EXPECT_EQ(trees.reasons[35], "who knows");
   EXPECT_EQ(trees.joint_errors_mm[size_t(TreeJoint::kLeftElbow)].count, 20u);
@@ -105,7 +105,7 @@ TEST_F(EvaluationTreeTest, TableJsonAndPageCarryTheFigures) {
   printEvaluation(found, table);
   EXPECT_NE(table.str().find("wrong but valid 10.0 %"), std::string::npos) << table.str();
   const std::string json = evaluationJson(found);
-  EXPECT_NE(json.find("\"share_wrong_but_valid\": 0.1"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"fraction_wrong_but_valid\": 0.1"), std::string::npos) << json;
   EXPECT_NE(json.find("\"precision_recall_area\": 0.9"), std::string::npos);
   const std::string page = evaluationPage(found);
   EXPECT_NE(page.find("10.0 % wrong but valid"), std::string::npos);
@@ -131,7 +131,7 @@ TEST_F(EvaluationTreeTest, InstantsWithoutATreeAreMissing) {
   }
   const TreeEvaluation trees = *judged().trees;
   EXPECT_EQ(trees.status_counts.at("missing"), size_t(kFrames));
-  EXPECT_EQ(trees.labels.share_valid, 0.5);
+  EXPECT_EQ(trees.labels.fraction_valid, 0.5);
 }
 
 TEST_F(EvaluationTreeTest, ResultsWithoutTreesHaveNoSection) {
@@ -152,8 +152,9 @@ TEST_F(EvaluationTreeTest, TreesInAnotherFrameAreRefused) {
   writeTrees([](int, PoseTree*) {});
   TreeRecord trees = readTrees(request_.results);
   trees.world_frame = "map";
-  EXPECT_EQ(sentenceOf<std::runtime_error>([&] { judgeTrees(trees.joints, "world", trees, 0); }),
-            "the pose trees are in the frame map, the truth in world: they cannot be compared");
+  EXPECT_EQ(
+      errorTextOf<std::runtime_error>([&] { evaluateTrees(trees.joints, "world", trees, 0); }),
+      "the pose trees are in the frame map, the truth in world: they cannot be compared");
 }
 
 }  // namespace

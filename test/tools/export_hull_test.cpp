@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "ros/hull_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -65,7 +65,7 @@ class ExportHull : public ToolTest {
   ExportHull() {
     what_.input = path("in.bag");
     what_.output = path("hull.ply");
-    NewBag bag(what_.input);
+    BagWriter bag(what_.input);
     std_msgs::Header header;
     header.frame_id = "world";
     header.stamp = ros::Time(10.0);
@@ -78,7 +78,7 @@ class ExportHull : public ToolTest {
     bag.commit();
   }
 
-  HullExport what_;
+  HullExportOptions what_;
 };
 
 TEST_F(ExportHull, FirstHullWithVoxels) {
@@ -96,19 +96,20 @@ TEST_F(ExportHull, AllHullsWithTheirStamps) {
 
 TEST_F(ExportHull, BadCallsAreRefused) {
   const auto refused = [&](auto change) {
-    HullExport what = what_;
+    HullExportOptions what = what_;
     change(what);
-    return sentenceOf<std::exception>([&] { exportHulls(what); });
+    return errorTextOf<std::exception>([&] { exportHulls(what); });
   };
-  EXPECT_EQ(refused([](HullExport& w) { w.output = "hull.obj"; }),
+  EXPECT_EQ(refused([](HullExportOptions& w) { w.output = "hull.obj"; }),
             "output is hull.obj, allowed are names that end in .pcd or .ply");
-  EXPECT_EQ(refused([](HullExport& w) { w.at = 3; }),
+  EXPECT_EQ(refused([](HullExportOptions& w) { w.at = 3; }),
             "the bag has no hull with voxels on /hull/points from that time on");
-  EXPECT_EQ(refused([](HullExport& w) { w.topic = "/other/points"; }),
+  EXPECT_EQ(refused([](HullExportOptions& w) { w.topic = "/other/points"; }),
             "the bag has no grid on /other/grid");
-  EXPECT_EQ(refused([&](HullExport& w) { w.output = path("no/such/folder.ply"); }),
+  EXPECT_EQ(refused([&](HullExportOptions& w) { w.output = path("no/such/folder.ply"); }),
             "cannot write " + path("no/such/folder.ply"));
-  EXPECT_EQ(refused([](HullExport& w) { w.input = "none.bag"; }), "there is no bag none.bag");
+  EXPECT_EQ(refused([](HullExportOptions& w) { w.input = "none.bag"; }),
+            "there is no bag none.bag");
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "tools/common/recording.h"
 #include "tools/import/camera_files.h"
 #include "tools/import/import_recording.h"
-#include "tools/common/recording.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -40,9 +40,9 @@ class ImportMatrices : public ToolTest {
       const std::string number = "0" + std::to_string(i);
       writeText("cam" + number + ".xml", matrix.str());
       for (int k = 0; k < 2; ++k) {
-        const std::string instant = "_000" + std::to_string(k);
-        cv::imwrite(path("cam" + number + instant + ".png"), smallImage(k == 1));
-        cv::imwrite(path("silh_cam" + number + instant + ".pbm"), smallMask());
+        const std::string frame_set = "_000" + std::to_string(k);
+        cv::imwrite(path("cam" + number + frame_set + ".png"), smallImage(k == 1));
+        cv::imwrite(path("silh_cam" + number + frame_set + ".pbm"), smallMask());
       }
     }
   }
@@ -55,7 +55,7 @@ class ImportMatrices : public ToolTest {
 
 TEST_F(ImportMatrices, RecordingComesBackAsItWas) {
   writeRecording();
-  EXPECT_EQ(import().instants, 2);
+  EXPECT_EQ(import().frame_sets, 2);
   RecordingOptions reading;
   reading.use_masks = true;
   Recording recording(options_.output, reading);
@@ -67,13 +67,13 @@ TEST_F(ImportMatrices, RecordingComesBackAsItWas) {
     EXPECT_TRUE(read.K.isApprox(ring[i].K, 1e-6)) << read.K;
     EXPECT_TRUE(read.T_world_camera.isApprox(ring[i].T_world_camera, 1e-6));
   }
-  std::vector<CapturedInstant> instants;
-  while (auto instant = recording.next()) instants.push_back(std::move(*instant));
-  ASSERT_EQ(instants.size(), 2u);
-  EXPECT_EQ(instants[0].stamp_ns, 1000000000);
-  EXPECT_EQ(instants[1].stamp_ns, 1100000000);
-  EXPECT_EQ(cv::norm(instants[1].frames[2].image, smallImage(true), cv::NORM_INF), 0.0);
-  EXPECT_EQ(cv::norm(instants[1].frames[2].mask, smallMask(), cv::NORM_INF), 0.0);
+  std::vector<FrameSet> frame_sets;
+  while (auto frame_set = recording.next()) frame_sets.push_back(std::move(*frame_set));
+  ASSERT_EQ(frame_sets.size(), 2u);
+  EXPECT_EQ(frame_sets[0].stamp_ns, 1000000000);
+  EXPECT_EQ(frame_sets[1].stamp_ns, 1100000000);
+  EXPECT_EQ(cv::norm(frame_sets[1].frames[2].image, smallImage(true), cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(frame_sets[1].frames[2].mask, smallMask(), cv::NORM_INF), 0.0);
 }
 
 TEST_F(ImportMatrices, TopicsAndFramesAreThePackagesOwn) {
@@ -108,7 +108,7 @@ TEST_F(ImportMatrices, MillimetresBecomeMetres) {
 TEST_F(ImportMatrices, MissingImageOfOneCameraIsToldAndLeavesNoBag) {
   writeRecording();
   std::filesystem::remove(path("cam02_0001.png"));
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "cam2 has 1 images or masks, cam0 has 2");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
@@ -116,7 +116,7 @@ TEST_F(ImportMatrices, MissingImageOfOneCameraIsToldAndLeavesNoBag) {
 TEST_F(ImportMatrices, ImageOfAnotherSizeLeavesNoBag) {
   writeRecording();
   cv::imwrite(path("cam03_0001.png"), cv::Mat::zeros(20, 20, CV_8UC3));
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "an image or mask of cam3 is 20 x 20 pixels, the first one was 80 x 60");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
@@ -124,9 +124,9 @@ TEST_F(ImportMatrices, ImageOfAnotherSizeLeavesNoBag) {
 
 TEST_F(ImportMatrices, PatternWithoutNumberOrFilesIsTold) {
   input_.matrices = path("cam.xml");
-  EXPECT_NE(sentenceOf<std::exception>([&] { import(); }).find("has no %d"), std::string::npos);
+  EXPECT_NE(errorTextOf<std::exception>([&] { import(); }).find("has no %d"), std::string::npos);
   input_.matrices = path("cam%d.xml");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }), "no file matches " + input_.matrices);
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }), "no file matches " + input_.matrices);
 }
 
 class ProjectionFile : public ToolTest {};
@@ -154,25 +154,25 @@ TEST_F(ProjectionFile, WrongContentIsToldWithTheFile) {
   writeText("other.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</a></opencv_storage>");
   writeText("broken.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</b>");
   for (const char* name : {"short.txt", "words.txt"})
-    EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path(name)); }),
+    EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path(name)); }),
               path(name) + " does not hold the twelve numbers of a 3x4 matrix");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path("other.xml")); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path("other.xml")); }),
             path("other.xml") + " has no 3x4 matrix");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { readProjection(path("broken.xml")); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path("broken.xml")); }),
             path("broken.xml") + " is not well-formed");
 }
 
-TEST(WorldChange, UpAxisGoesToZWithoutMirroring) {
+TEST(WorldTransform, UpAxisGoesToZWithoutMirroring) {
   for (const char* up : {"x", "-x", "y", "-y", "z", "-z"}) {
-    const WorldChange change{1.0, up};
+    const WorldTransform change{1.0, up};
     const Eigen::Matrix3d R = change.rotation();
     const Eigen::Vector3d axis =
         (up[0] == '-' ? -1.0 : 1.0) * Eigen::Vector3d::Unit(std::string(up).back() - 'x');
     EXPECT_TRUE((R * axis).isApprox(Eigen::Vector3d::UnitZ(), 1e-12)) << up;
     EXPECT_NEAR(R.determinant(), 1.0, 1e-12) << up;
   }
-  EXPECT_EQ(sentenceOf<std::exception>([] {
-              WorldChange{1.0, "up"}.validate();
+  EXPECT_EQ(errorTextOf<std::exception>([] {
+              WorldTransform{1.0, "up"}.validate();
             }),
             "up is \"up\", allowed is one of x, -x, y, -y, z, -z");
 }

@@ -7,9 +7,9 @@
 #include <opencv2/videoio.hpp>
 
 #include "markerless_mocap/camera/rig_file.h"
+#include "tools/common/recording.h"
 #include "tools/import/camera_files.h"
 #include "tools/import/import_recording.h"
-#include "tools/common/recording.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -28,7 +28,7 @@ class ImportVideos : public ToolTest {
   /// In millimetres with z pointing down, as the ring would be measured in such a world.
   static CameraCalibration measured(CameraCalibration camera) {
     camera.D = {-0.3, 0.1, 0.001, -0.001, 0.02};
-    const Eigen::Matrix3d flip = WorldChange{1.0, "-z"}.rotation().transpose();
+    const Eigen::Matrix3d flip = WorldTransform{1.0, "-z"}.rotation().transpose();
     camera.T_world_camera.linear() = flip * camera.T_world_camera.linear();
     camera.T_world_camera.translation() = 1000.0 * (flip * camera.T_world_camera.translation());
     return camera;
@@ -90,26 +90,26 @@ TEST_F(ImportVideos, RigFileStandsForTheCalibrations) {
   EXPECT_EQ(rigText(result.cameras), rigText(ring));
   ring[2].width = 90;
   writeRig(path("rig.yaml"), ring);
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "the video of cam2 is 80 x 60 pixels, the rig " + input_.rig + " has 90 x 60");
   ring.resize(2);
   writeRig(path("rig.yaml"), ring);
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "camera cam2 is not in the rig " + input_.rig);
 }
 
 TEST_F(ImportVideos, BackgroundComesFirstAtTheVideosPace) {
   writeRecording();
   const ImportResult result = import();
-  EXPECT_EQ(result.instants, 2 + 3);
+  EXPECT_EQ(result.frame_sets, 2 + 3);
   EXPECT_EQ(result.fps, 20.0);
   EXPECT_TRUE(result.remarks.empty());
   Recording recording(options_.output, {});
   std::vector<int64_t> stamps;
   std::vector<bool> somebody;
-  while (const auto instant = recording.next()) {
-    stamps.push_back(instant->stamp_ns);
-    somebody.push_back(instant->frames[0].image.at<cv::Vec3b>(30, 40)[2] > 160);
+  while (const auto frame_set = recording.next()) {
+    stamps.push_back(frame_set->stamp_ns);
+    somebody.push_back(frame_set->frames[0].image.at<cv::Vec3b>(30, 40)[2] > 160);
   }
   EXPECT_EQ(stamps,
             (std::vector<int64_t>{1000000000, 1050000000, 1100000000, 1150000000, 1200000000}));
@@ -123,7 +123,7 @@ TEST_F(ImportVideos, JpegIsReadBack) {
   Recording recording(options_.output, {});
   EXPECT_EQ(recording.cameras()[0].image_topic, "/cam0/image_raw/compressed");
   int images = 0;
-  while (const auto instant = recording.next()) images += instant->frames[3].image.cols == 80;
+  while (const auto frame_set = recording.next()) images += frame_set->frames[3].image.cols == 80;
   EXPECT_EQ(images, 5);
 }
 
@@ -131,31 +131,31 @@ TEST_F(ImportVideos, ShorterVideoIsRemarkedOn) {
   writeRecording();
   writeVideo(path("cam2/video.avi"), 2, true);
   const ImportResult result = import();
-  EXPECT_EQ(result.instants, 2 + 2);
+  EXPECT_EQ(result.frame_sets, 2 + 2);
   ASSERT_EQ(result.remarks.size(), 1u);
   EXPECT_EQ(result.remarks[0].substr(0, 34), "the video of cam2 has 2 frames, th");
 }
 
 TEST_F(ImportVideos, MissingPiecesAreToldAndLeaveNoBag) {
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "no folder in " + input_.folder + " has a video video.avi");
   writeRecording();
   input_.background_frames = 9;
   EXPECT_EQ(
-      sentenceOf<std::exception>([&] { import(); }),
+      errorTextOf<std::exception>([&] { import(); }),
       "the background video of cam0 ends 5 frames too early: ask for fewer background frames");
   std::filesystem::remove(path("cam1/config.xml"));
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "cannot read " + path("cam1/config.xml"));
   std::filesystem::remove(path("cam1/background.avi"));
-  EXPECT_EQ(sentenceOf<std::exception>([&] { import(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "there is no video " + path("cam1/background.avi"));
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
 TEST_F(ImportVideos, CalibrationWithoutAnEntryNamesIt) {
   writeText("half.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</a></opencv_storage>");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { readCalibration(path("half.xml")); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readCalibration(path("half.xml")); }),
             path("half.xml") + " has no matrix CameraMatrix");
 }
 

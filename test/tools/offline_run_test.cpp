@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "ros/messages.h"
-#include "tools/common/camera_bag.h"
+#include "tools/common/camera_bag_writer.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -28,10 +28,10 @@ class OfflineRun : public ToolTest {
   }
 
   /// Two empty instants, then a box stands in the middle for three.
-  void writeBag(int instants = 5, bool somebody = true) const {
-    CameraBag bag(options_.input, ringOfFour(), 0);
+  void writeBag(int frame_sets = 5, bool somebody = true) const {
+    CameraBagWriter bag(options_.input, ringOfFour(), 0);
     bag.writeTransforms(kSecond);
-    for (int k = 0; k < instants; ++k)
+    for (int k = 0; k < frame_sets; ++k)
       for (int i = 0; i < 4; ++i)
         bag.write(kSecond + k * kSecond / 10, i, smallImage(somebody && k >= 2), cv::Mat());
     bag.commit();
@@ -49,15 +49,15 @@ class OfflineRun : public ToolTest {
 
 TEST_F(OfflineRun, LeavesNothingBehindWhenInterrupted) {
   writeBag();
-  int instants = 0;
-  options_.interrupted = [&] { return ++instants == 4; };
+  int frame_sets = 0;
+  options_.interrupted = [&] { return ++frame_sets == 4; };
   try {
     runOffline(options_, nullptr, false);
     FAIL() << "the run went on";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), "interrupted, " + options_.output + " is not written");
   }
-  EXPECT_EQ(instants, 4);
+  EXPECT_EQ(frame_sets, 4);
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
 }
@@ -65,7 +65,7 @@ TEST_F(OfflineRun, LeavesNothingBehindWhenInterrupted) {
 TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
   writeBag();
   const RunSummary summary = runOffline(options_, nullptr, false);
-  EXPECT_EQ(summary.instants(), 5);
+  EXPECT_EQ(summary.frame_sets(), 5);
   EXPECT_EQ(summary.processed(), 3);
   auto counts = countsByTopic();
   EXPECT_EQ(counts["/tf_static"], 1);
@@ -124,18 +124,18 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
 
 TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
   writeBag(2);
-  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "the recording ends while the background is being learned, after 2 instants");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
 }
 
 TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
-  CameraBag bag(options_.input, ringOfFour(), 0);
+  CameraBagWriter bag(options_.input, ringOfFour(), 0);
   bag.writeTransforms(kSecond);
   for (int i = 0; i < 4; ++i) bag.write(kSecond, i, smallImage(true), smallMask());
   bag.commit();
-  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "the recording ends while the background is being learned, after 1 instants; its "
             "silhouettes need --use-masks");
   options_.recording.use_masks = true;
@@ -145,18 +145,18 @@ TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
 TEST_F(OfflineRun, InputIsNotOverwritten) {
   writeBag();
   options_.output = options_.input;
-  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "input and output are the same file " + options_.input);
 }
 
 TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
   writeBag();
   options_.urdf_template = path("none.urdf");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "cannot read " + options_.urdf_template);
   writeText("broken.urdf", "<robot>");
   options_.urdf_template = path("broken.urdf");
-  EXPECT_NE(sentenceOf<std::exception>([&] { runOffline(options_, nullptr, false); }), "");
+  EXPECT_NE(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }), "");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
 }
 
@@ -185,14 +185,14 @@ TEST_F(OfflineRun, ReportIsOnePageWithPicturesOfItsOwn) {
 TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
   writeText("typo.yaml", "visual_hull: {pich: 0.02}\n");
   EXPECT_EQ(
-      sentenceOf<std::exception>([&] { readConfiguration(path("typo.yaml")); }),
+      errorTextOf<std::exception>([&] { readConfiguration(path("typo.yaml")); }),
       path("typo.yaml") + ": visual_hull/pich is not an option (value 0.02), did you mean pitch?");
   writeText("broken.yaml", "visual_hull: {pitch: [\n");
-  EXPECT_EQ(sentenceOf<std::exception>([&] {
+  EXPECT_EQ(errorTextOf<std::exception>([&] {
               readConfiguration(path("broken.yaml"));
             }).find(path("broken.yaml") + " is no YAML: "),
             0u);
-  EXPECT_EQ(sentenceOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
             "cannot read the configuration " + path("none.yaml"));
 }
 

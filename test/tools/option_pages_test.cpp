@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "tools/common/body_file.h"
+#include "tools/common/person_urdf.h"
 
 namespace markerless_mocap {
 namespace {

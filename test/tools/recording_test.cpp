@@ -7,7 +7,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
-#include "tools/common/camera_bag.h"
+#include "tools/common/camera_bag_writer.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -19,7 +19,7 @@ class RecordingTest : public ToolTest {
  protected:
   /// One second at 10 Hz; the k-th instant lacks camera `missing` when k is 4.
   void writeBag(const std::string& name, int missing = -1, bool masks = false) const {
-    CameraBag bag(path(name), ringOfFour(), 0);
+    CameraBagWriter bag(path(name), ringOfFour(), 0);
     bag.writeTransforms(kSecond);
     for (int k = 0; k < 10; ++k)
       for (int i = 0; i < 4; ++i)
@@ -32,7 +32,7 @@ class RecordingTest : public ToolTest {
   /// One image of each camera; `change` may spoil what is known of a camera before it is written.
   template <class Change>
   void writeSpoilt(const std::string& name, const Change& change, bool with_tf = true) const {
-    NewBag bag(path(name));
+    BagWriter bag(path(name));
     const auto ring = ringOfFour();
     const ros::Time stamp(1.0);
     for (size_t i = 0; i < ring.size(); ++i) {
@@ -54,25 +54,25 @@ class RecordingTest : public ToolTest {
   }
 
   std::string refusal(const std::string& name, const RecordingOptions& options = {}) const {
-    return sentenceOf<std::exception>([&] { Recording recording(path(name), options); });
+    return errorTextOf<std::exception>([&] { Recording recording(path(name), options); });
   }
 
-  static std::vector<CapturedInstant> allOf(Recording& recording) {
-    std::vector<CapturedInstant> instants;
-    while (auto instant = recording.next()) instants.push_back(std::move(*instant));
-    return instants;
+  static std::vector<FrameSet> allOf(Recording& recording) {
+    std::vector<FrameSet> frame_sets;
+    while (auto frame_set = recording.next()) frame_sets.push_back(std::move(*frame_set));
+    return frame_sets;
   }
 };
 
 TEST_F(RecordingTest, EveryInstantComesInOrderAMissingCameraIsEmpty) {
   writeBag("in.bag", 2);
   Recording recording(path("in.bag"), {});
-  const auto instants = allOf(recording);
-  ASSERT_EQ(instants.size(), 10u);
+  const auto frame_sets = allOf(recording);
+  ASSERT_EQ(frame_sets.size(), 10u);
   for (int k = 0; k < 10; ++k) {
-    EXPECT_EQ(instants[k].stamp_ns, kSecond + k * kSecond / 10);
-    EXPECT_EQ(instants[k].frames[2].image.empty(), k == 4);
-    EXPECT_FALSE(instants[k].frames[1].image.empty());
+    EXPECT_EQ(frame_sets[k].stamp_ns, kSecond + k * kSecond / 10);
+    EXPECT_EQ(frame_sets[k].frames[2].image.empty(), k == 4);
+    EXPECT_FALSE(frame_sets[k].frames[1].image.empty());
   }
   EXPECT_EQ(recording.counts().incomplete, 1u);
 }
@@ -83,12 +83,12 @@ TEST_F(RecordingTest, StartAndDurationAreSecondsAfterTheFirstImage) {
   options.start = 0.25;
   options.duration = 0.4;
   Recording recording(path("in.bag"), options);
-  const auto instants = allOf(recording);
-  ASSERT_EQ(instants.size(), 4u);
-  EXPECT_EQ(instants.front().stamp_ns, kSecond + 3 * kSecond / 10);
+  const auto frame_sets = allOf(recording);
+  ASSERT_EQ(frame_sets.size(), 4u);
+  EXPECT_EQ(frame_sets.front().stamp_ns, kSecond + 3 * kSecond / 10);
   options.start = 5.0;
   Recording late(path("in.bag"), options);
-  EXPECT_EQ(sentenceOf<std::exception>([&] { allOf(late); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { allOf(late); }),
             "the start lies after the end of the recording");
 }
 
@@ -113,9 +113,9 @@ TEST_F(RecordingTest, MasksAreReadOnlyWhenAskedFor) {
   RecordingOptions options;
   options.use_masks = true;
   Recording masks(path("in.bag"), options);
-  const auto instants = allOf(masks);
-  EXPECT_FALSE(instants[0].frames[0].mask.empty());
-  EXPECT_FALSE(instants[0].frames[0].image.empty());
+  const auto frame_sets = allOf(masks);
+  EXPECT_FALSE(frame_sets[0].frames[0].mask.empty());
+  EXPECT_FALSE(frame_sets[0].frames[0].image.empty());
   writeBag("none.bag");
   EXPECT_EQ(refusal("none.bag", options), "camera cam0 has no silhouettes in the bag");
 }
@@ -132,7 +132,7 @@ TEST_F(RecordingTest, BagThatIsNoneMissingOrCutOffIsTold) {
 }
 
 TEST_F(RecordingTest, BagWithoutCamerasSaysWhichTopicsAreMissed) {
-  NewBag bag(path("in.bag"));
+  BagWriter bag(path("in.bag"));
   bag.write("/other", ros::Time(1.0), tf2_msgs::TFMessage());
   bag.commit();
   EXPECT_EQ(refusal("in.bag").substr(0, 26), "the bag has no cameras: no");
@@ -163,7 +163,7 @@ TEST_F(RecordingTest, MissingTransformIsTold) {
 }
 
 TEST_F(RecordingTest, UnreadableImageIsCountedAndItsCameraMissing) {
-  NewBag bag(path("in.bag"));
+  BagWriter bag(path("in.bag"));
   tf2_msgs::TFMessage tf;
   for (const CameraCalibration& camera : ringOfFour()) {
     sensor_msgs::CameraInfo info = messageFromCalibration(camera);
@@ -183,9 +183,9 @@ TEST_F(RecordingTest, UnreadableImageIsCountedAndItsCameraMissing) {
   bag.writeLatched("/tf_static", ros::Time(1.0), tf);
   bag.commit();
   Recording recording(path("in.bag"), {});
-  const auto instants = allOf(recording);
-  ASSERT_EQ(instants.size(), 1u);
-  EXPECT_TRUE(instants[0].frames[0].image.empty());
+  const auto frame_sets = allOf(recording);
+  ASSERT_EQ(frame_sets.size(), 1u);
+  EXPECT_TRUE(frame_sets[0].frames[0].image.empty());
   EXPECT_EQ(recording.unreadable(), 4);
 }
 

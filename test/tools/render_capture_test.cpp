@@ -11,10 +11,10 @@
 
 #include <map>
 
+#include "capture/ground_truth.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "capture/truth.h"
-#include "tools/common/bag_file.h"
-#include "tools/common/body_file.h"
+#include "tools/common/bag_io.h"
+#include "tools/common/person_urdf.h"
 #include "tools/common/recording.h"
 #include "tools/tool_fixture.h"
 
@@ -58,7 +58,7 @@ class RenderCaptureTest : public ToolTest {
 
 TEST_F(RenderCaptureTest, bagHoldsImagesCalibrationAndTruth) {
   const RenderSummary summary = render();
-  EXPECT_EQ(summary.instants, 7);
+  EXPECT_EQ(summary.frame_sets, 7);
   EXPECT_EQ(summary.cameras, 4);
   const auto counts = messagesByTopic();
   for (const char* camera : {"/cam0", "/cam1", "/cam2", "/cam3"}) {
@@ -83,10 +83,10 @@ TEST_F(RenderCaptureTest, truthIsTheStudiosAtTheImagesStamps) {
   for (size_t k = 0; k < 5; ++k) {
     EXPECT_EQ(joints[k]->header.stamp, images[k + 2]->header.stamp);
     EXPECT_EQ(joints[k]->header.frame_id, "world");
-    EXPECT_EQ(joints[k]->names, truthNames());
-    const StudioInstant instant = studio.render(int(k) + 2);
-    EXPECT_EQ(joints[k]->positions[4].x, instant.points[4].x());
-    EXPECT_EQ(joints[k]->positions[4].z, instant.points[4].z());
+    EXPECT_EQ(joints[k]->names, groundTruthNames());
+    const StudioFrameSet frame_set = studio.render(int(k) + 2);
+    EXPECT_EQ(joints[k]->positions[4].x, frame_set.points[4].x());
+    EXPECT_EQ(joints[k]->positions[4].z, frame_set.points[4].z());
   }
   const auto states = messagesOn<sensor_msgs::JointState>("/ground_truth/joint_states");
   EXPECT_EQ(states[0]->name.size(), states[0]->position.size());
@@ -102,7 +102,7 @@ TEST_F(RenderCaptureTest, aRecordingReadsItWithoutTheTruthAsACamera) {
 
 TEST_F(RenderCaptureTest, sameOptionsGiveTheSameBytes) {
   options_.images = "jpeg";
-  options_.studio.troubles.drop_rate = 0.2;
+  options_.studio.degradations.drop_rate = 0.2;
   render();
   const std::string first = bytesOf("out.bag");
   std::filesystem::remove(options_.output);
@@ -112,7 +112,7 @@ TEST_F(RenderCaptureTest, sameOptionsGiveTheSameBytes) {
 }
 
 TEST_F(RenderCaptureTest, droppedImagesAreCountedAndLeftOut) {
-  options_.studio.troubles.drop_rate = 0.5;
+  options_.studio.degradations.drop_rate = 0.5;
   options_.masks = true;
   const RenderSummary summary = render();
   const auto counts = messagesByTopic();
@@ -142,13 +142,13 @@ TEST_F(RenderCaptureTest, imagesMayBeJpegOrNone) {
 
 TEST_F(RenderCaptureTest, rigGoesOutAsToldAndComesInAgain) {
   options_.rig_out = path("rig.yaml");
-  options_.studio.troubles.calibration_error_px = 2.0;
+  options_.studio.degradations.calibration_error_px = 2.0;
   render();
   const VirtualStudio studio(options_.studio, options_.files, "truth");
   const auto rig = readRig(options_.rig_out);
   ASSERT_EQ(rig.size(), 4u);
   EXPECT_TRUE(rig[1].T_world_camera.isApprox(studio.rig()[1].calibration().T_world_camera, 1e-10));
-  options_.studio.troubles.calibration_error_px = 0.0;
+  options_.studio.degradations.calibration_error_px = 0.0;
   options_.studio.rig = options_.rig_out;
   options_.rig_out = path("again.yaml");
   render();
@@ -157,7 +157,7 @@ TEST_F(RenderCaptureTest, rigGoesOutAsToldAndComesInAgain) {
 
 TEST_F(RenderCaptureTest, nothingIsLeftOfAnInterruptedRun) {
   options_.interrupted = [] { return true; };
-  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { render(); }),
             "interrupted, " + options_.output + " is not written");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
@@ -167,25 +167,25 @@ TEST_F(RenderCaptureTest, optionsComeFromFileAndChanges) {
   const StudioOptions options =
       readStudioOptions(path("studio.yaml"), {{"noise_levels", "1.5"}, {"motion", "walk"}});
   EXPECT_EQ(options.rig, "ring8");
-  EXPECT_EQ(options.troubles.noise_levels, 1.5);
+  EXPECT_EQ(options.degradations.noise_levels, 1.5);
   EXPECT_EQ(options.motion, "walk");
   EXPECT_EQ(readStudioOptions("", {}).fps, StudioOptions().fps);
 }
 
 TEST_F(RenderCaptureTest, badInputIsNamed) {
-  EXPECT_EQ(sentenceOf<std::exception>([] {
+  EXPECT_EQ(errorTextOf<std::exception>([] {
               readStudioOptions("", {{"sead", "3"}});
             }),
             "virtual_studio/sead is not an option (value 3), did you mean seed?");
   writeText("other.yaml", "hull:\n  a: 3\n");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { readStudioOptions(path("other.yaml"), {}); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readStudioOptions(path("other.yaml"), {}); }),
             path("other.yaml") + " has no section virtual_studio");
   options_.images = "png";
-  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { render(); }),
             "images is \"png\", allowed are raw, jpeg and none");
   options_.images = "raw";
   options_.compression = "bz2";
-  EXPECT_EQ(sentenceOf<std::exception>([&] { render(); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { render(); }),
             "compression is \"bz2\", allowed are lz4 and none");
   EXPECT_TRUE(std::filesystem::exists(path("other.yaml")));
   EXPECT_FALSE(std::filesystem::exists(options_.output));

@@ -37,9 +37,9 @@ class ResultWriterTest : public ToolTest {
   }
 
   Written written(bool filter) const {
-    TrackerOptions options;
-    options.filter = filter;
-    NewBag bag(path("results.bag"));
+    FilterOptions options;
+    options.enabled = filter;
+    BagWriter bag(path("results.bag"));
     ResultWriter writer(&bag, *model_, "world", makePoseFilter(model_, options));
     for (int f = 0; f < kFrames; ++f) writer.write(kSecond + f * kSecond / 30, resultOf(f));
     bag.commit();

@@ -14,9 +14,9 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
 #include "ros/package_files.h"
-#include "tools/common/camera_bag.h"
-#include "tools/render/render_capture.h"
+#include "tools/common/camera_bag_writer.h"
 #include "tools/common/studio_settings.h"
+#include "tools/render/render_capture.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -88,13 +88,13 @@ TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
   film();
   tellTurned(4.0);
   ASSERT_GT(pixelsOff(rigOf("told.yaml")), 2.5);
-  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
-  EXPECT_EQ(found.status, PointingStatus::kCorrected);
+  const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kCorrected);
   EXPECT_LT(pixelsOff(rigOf("found.yaml")), 0.5);
   for (size_t c = 0; c < truth_.size(); ++c)
     EXPECT_LE(found.corrections[c].turn,
               found.corrections[kTurned].turn * (c == kTurned ? 1 : 0.5));
-  const std::vector<std::string> sentences = sentencesOf(found, path("found.yaml"));
+  const std::vector<std::string> sentences = calibrationMessages(found, path("found.yaml"));
   ASSERT_EQ(sentences.size(), 2 + truth_.size());
   EXPECT_EQ(sentences[0].rfind("self-calibration: the cameras' pointing is corrected: by ", 0), 0u)
       << sentences[0];
@@ -111,10 +111,10 @@ TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
 
 TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {
   film();
-  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
-  EXPECT_EQ(found.status, PointingStatus::kNoGain);
+  const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kNoGain);
   EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
-  const std::vector<std::string> sentences = sentencesOf(found, "found.yaml");
+  const std::vector<std::string> sentences = calibrationMessages(found, "found.yaml");
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0].rfind("self-calibration: the calibration is kept, as no other is", 0), 0u)
       << sentences[0];
@@ -122,12 +122,12 @@ TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {
 }
 
 TEST_F(SelfCalibrationRun, WithoutAPersonItSaysSo) {
-  CameraBag bag(run_.input, ringOfFour(), 0);
+  CameraBagWriter bag(run_.input, ringOfFour(), 0);
   bag.writeTransforms(1000000000);
   for (int i = 0; i < 4; ++i) bag.write(1000000000, i, smallImage(true), smallMask());
   bag.commit();
-  const PointingEstimate found = selfCalibrate(run_, path("found.yaml"));
-  EXPECT_EQ(sentencesOf(found, "found.yaml"),
+  const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(calibrationMessages(found, "found.yaml"),
             std::vector<std::string>{
                 "self-calibration: the cameras' pointing was not estimated: only 0 instants of "
                 "different postures could be fitted, needed are 4; found.yaml is not written"});

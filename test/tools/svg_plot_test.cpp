@@ -15,10 +15,10 @@ int countOf(const std::string& text, const std::string& what) {
 }
 
 TEST(RoundStep, IsOneTwoOrFiveTimesAPowerOfTen) {
-  EXPECT_DOUBLE_EQ(roundStep(100, 5), 20);
-  EXPECT_DOUBLE_EQ(roundStep(103, 5), 50);
-  EXPECT_DOUBLE_EQ(roundStep(0.3, 10), 0.05);
-  EXPECT_DOUBLE_EQ(roundStep(0, 5), 1);
+  EXPECT_DOUBLE_EQ(niceTickStep(100, 5), 20);
+  EXPECT_DOUBLE_EQ(niceTickStep(103, 5), 50);
+  EXPECT_DOUBLE_EQ(niceTickStep(0.3, 10), 0.05);
+  EXPECT_DOUBLE_EQ(niceTickStep(0, 5), 1);
 }
 
 TEST(LinePlot, BreaksWhereThereIsNoValue) {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "error_text_of.h"
 #include "markerless_mocap/camera/camera.h"
-#include "sentence_of.h"
 
 namespace markerless_mocap {
 

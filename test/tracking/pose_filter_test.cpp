@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "sentence_of.h"
-#include "synthetic_person.h"
+#include "error_text_of.h"
+#include "hsiao/synthetic_person.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,8 +21,8 @@ constexpr int64_t kFrame = kSecond / 30;
 class PoseFilterTest : public ::testing::Test {
  protected:
   PoseFilterTest() {
-    options_.filter_cutoff = 1.0;
-    options_.filter_beta = 2.0;
+    options_.cutoff = 1.0;
+    options_.beta = 2.0;
   }
 
   PoseFilter filter() const { return {testBody(), options_}; }
@@ -50,7 +50,7 @@ class PoseFilterTest : public ::testing::Test {
     return filter;
   }
 
-  TrackerOptions options_;
+  FilterOptions options_;
 };
 
 TEST_F(PoseFilterTest, FirstOutputIsTheInputAndConstantInputStays) {
@@ -69,12 +69,12 @@ TEST_F(PoseFilterTest, WhatIsNotFilteredIsHandedOn) {
   BodyPose pose = poseWith("l_elbow", 0.7);
   pose.reason = "an arm is not seen";
   pose.part_seen = {true, true, false, true, true, true};
-  pose.part_deviation_m[1] = 0.02;
+  pose.part_sigma_m[1] = 0.02;
   pose.silhouette_overlap = 0.9;
   const BodyPose out = movedTwice(filter()).filtered(2 * kFrame, pose);
   EXPECT_EQ(out.reason, pose.reason);
   EXPECT_EQ(out.part_seen, pose.part_seen);
-  EXPECT_EQ(out.part_deviation_m[1], 0.02);
+  EXPECT_EQ(out.part_sigma_m[1], 0.02);
   EXPECT_EQ(out.silhouette_overlap, 0.9);
 }
 
@@ -111,7 +111,7 @@ TEST_F(PoseFilterTest, SteadyMotionIsNotLateAndAStartHardly) {
     largest = std::max(largest, std::abs(last));
   }
   EXPECT_GT(largest, 1e-3);
-  EXPECT_LT(largest, 1.0 / (2.0 * M_PI * options_.filter_cutoff));
+  EXPECT_LT(largest, 1.0 / (2.0 * M_PI * options_.cutoff));
   EXPECT_NEAR(last, 0.0, 1e-6);
 }
 
@@ -208,7 +208,7 @@ TEST_F(PoseFilterTest, BeginsAnewWithAPoseThatDoesNotFollow) {
 
 TEST_F(PoseFilterTest, JitterIsReducedAtRestAndInMotionAndSoIsTheError) {
   for (const double speed : {0.0, 0.5}) {
-    PoseFilter filter(testBody(), TrackerOptions());
+    PoseFilter filter(testBody(), FilterOptions());
     std::mt19937 random(7);
     std::normal_distribution<double> noise(0.0, 0.01);
     std::vector<Vector3d> raw_way, way;
@@ -235,16 +235,16 @@ TEST_F(PoseFilterTest, JitterIsReducedAtRestAndInMotionAndSoIsTheError) {
 TEST_F(PoseFilterTest, RefusesAnglesOfAnotherBodyAndOptionsOutOfRange) {
   BodyPose pose = poseWith("l_elbow", 0.5);
   pose.angles.conservativeResize(3);
-  EXPECT_NE(sentenceOf([&] { filter().filtered(0, pose); }).find("joint angles, 3 were given"),
+  EXPECT_NE(errorTextOf([&] { filter().filtered(0, pose); }).find("joint angles, 3 were given"),
             std::string::npos);
-  options_.filter_cutoff = 0.0;
-  EXPECT_NE(sentenceOf([&] { filter(); }).find("pose_fitting/filter_cutoff is 0"),
+  options_.cutoff = 0.0;
+  EXPECT_NE(errorTextOf([&] { filter(); }).find("pose_fitting/filter_cutoff is 0"),
             std::string::npos);
 }
 
 TEST_F(PoseFilterTest, OptionSaysWhetherThereIsOne) {
   EXPECT_TRUE(makePoseFilter(testBody(), options_));
-  options_.filter = false;
+  options_.enabled = false;
   EXPECT_FALSE(makePoseFilter(testBody(), options_));
 }
 

@@ -10,12 +10,12 @@ struct ContourOptions {
   int rays = 1500;
   int iterations = 8;
   double sigma = 0.012;
-  double contour_weight = 450.0;
+  double effective_rays = 450.0;
   double containment_weight = 0.2;
-  double outlier_first = 0.08;
-  double outlier_last = 0.03;
-  double turn_rate = 6.0;
-  double move_rate = 1.5;
+  double robust_scale_initial = 0.08;
+  double robust_scale_final = 0.03;
+  double joint_velocity_sigma = 6.0;
+  double root_velocity_sigma = 1.5;
 
   void visit(OptionVisitor& v);
   void validate() const;

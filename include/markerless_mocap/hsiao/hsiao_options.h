@@ -12,32 +12,32 @@ constexpr int kHsiaoAngles = 16;
 struct HsiaoLimits {
   std::array<double, kHsiaoAngles> lower, upper;  ///< radians, by k - 1
   /// Hsiao 2008, Table 3-4.
-  static HsiaoLimits thesis();
+  static HsiaoLimits fromThesis();
 };
 
 /// Settings of the pose fitting stage.
-struct FittingOptions {
+struct HsiaoOptions {
   static constexpr const char* kStage = "pose_fitting";
   int seed = 1;
   int curve_samples = 16;
   double particles_per_parameter = 2.0;
   double iterations_per_parameter = 1.5;
-  int tune_particles = 16;
-  int tune_iterations = 16;
-  int spin_starts = 2;
-  int start_attempts = 3;
-  int refine_iterations = 10;
-  int surface_points = 600;
-  double highest_speed = 3.0;
-  double highest_turn_rate = 12.0;
+  int fine_tune_particles = 16;
+  int fine_tune_iterations = 16;
+  int initial_headings = 2;
+  int initialization_attempts = 3;
+  int refinement_iterations = 10;
+  int refinement_surface_points = 600;
+  double max_root_speed = 3.0;
+  double max_joint_velocity = 12.0;
   double reset_threshold = 0.015;
-  double highest_error = 0.085;
-  double highest_limb_error = 0.20;
-  double explained_margin = 0.04;
-  double least_hull_explained = 0.75;
-  double least_body_in_hull = 0.65;
-  double memory = 0.3;
-  HsiaoLimits limits = HsiaoLimits::thesis();
+  double max_skeleton_error = 0.085;
+  double max_limb_error = 0.20;
+  double hull_margin = 0.04;
+  double min_hull_explained = 0.75;
+  double min_body_in_hull = 0.65;
+  double max_pose_age = 0.3;
+  HsiaoLimits limits = HsiaoLimits::fromThesis();
 
   void visit(OptionVisitor& v);
   void validate() const;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/options/options.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 

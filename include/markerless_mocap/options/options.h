@@ -15,14 +15,15 @@ class OptionVisitor {
  public:
   virtual ~OptionVisitor() = default;
   virtual void field(const char* key, bool& value, const char* meaning) = 0;
-  virtual void field(const char* key, int& value, int lowest, int highest, const char* meaning) = 0;
-  virtual void field(const char* key, double& value, double lowest, double highest,
+  virtual void field(const char* key, int& value, int min_value, int max_value,
+                     const char* meaning) = 0;
+  virtual void field(const char* key, double& value, double min_value, double max_value,
                      const char* meaning) = 0;
   /// `allowed` empty: any text.
   virtual void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
                      const char* meaning) = 0;
   virtual void field(const char* key, std::vector<std::string>& value, const char* meaning) = 0;
-  virtual void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+  virtual void field(const char* key, Eigen::Vector3d& value, double min_value, double max_value,
                      const char* meaning) = 0;
 };
 
@@ -35,13 +36,14 @@ class OptionReader : public OptionVisitor {
   /// \param where name of the stage, used in error sentences
   OptionReader(const YAML::Node& node, std::string where);
   void field(const char* key, bool& value, const char* meaning) override;
-  void field(const char* key, int& value, int lowest, int highest, const char* meaning) override;
-  void field(const char* key, double& value, double lowest, double highest,
+  void field(const char* key, int& value, int min_value, int max_value,
+             const char* meaning) override;
+  void field(const char* key, double& value, double min_value, double max_value,
              const char* meaning) override;
   void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
              const char* meaning) override;
   void field(const char* key, std::vector<std::string>& value, const char* meaning) override;
-  void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+  void field(const char* key, Eigen::Vector3d& value, double min_value, double max_value,
              const char* meaning) override;
   /// Throws if the map holds a key that no field asked for, naming the nearest known key.
   void finish() const;
@@ -59,13 +61,14 @@ class OptionChecker : public OptionVisitor {
  public:
   explicit OptionChecker(std::string where) : where_(std::move(where)) {}
   void field(const char* key, bool& value, const char* meaning) override;
-  void field(const char* key, int& value, int lowest, int highest, const char* meaning) override;
-  void field(const char* key, double& value, double lowest, double highest,
+  void field(const char* key, int& value, int min_value, int max_value,
+             const char* meaning) override;
+  void field(const char* key, double& value, double min_value, double max_value,
              const char* meaning) override;
   void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
              const char* meaning) override;
   void field(const char* key, std::vector<std::string>& value, const char* meaning) override;
-  void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+  void field(const char* key, Eigen::Vector3d& value, double min_value, double max_value,
              const char* meaning) override;
 
  private:
@@ -76,13 +79,14 @@ class OptionChecker : public OptionVisitor {
 class OptionDescriber : public OptionVisitor {
  public:
   void field(const char* key, bool& value, const char* meaning) override;
-  void field(const char* key, int& value, int lowest, int highest, const char* meaning) override;
-  void field(const char* key, double& value, double lowest, double highest,
+  void field(const char* key, int& value, int min_value, int max_value,
+             const char* meaning) override;
+  void field(const char* key, double& value, double min_value, double max_value,
              const char* meaning) override;
   void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
              const char* meaning) override;
   void field(const char* key, std::vector<std::string>& value, const char* meaning) override;
-  void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+  void field(const char* key, Eigen::Vector3d& value, double min_value, double max_value,
              const char* meaning) override;
   const std::string& rows() const { return rows_; }
 
@@ -101,13 +105,14 @@ class PrefixedVisitor : public OptionVisitor {
   PrefixedVisitor(std::string prefix, OptionVisitor& inner)
       : prefix_(std::move(prefix)), inner_(inner) {}
   void field(const char* key, bool& value, const char* meaning) override;
-  void field(const char* key, int& value, int lowest, int highest, const char* meaning) override;
-  void field(const char* key, double& value, double lowest, double highest,
+  void field(const char* key, int& value, int min_value, int max_value,
+             const char* meaning) override;
+  void field(const char* key, double& value, double min_value, double max_value,
              const char* meaning) override;
   void field(const char* key, std::string& value, const std::vector<std::string>& allowed,
              const char* meaning) override;
   void field(const char* key, std::vector<std::string>& value, const char* meaning) override;
-  void field(const char* key, Eigen::Vector3d& value, double lowest, double highest,
+  void field(const char* key, Eigen::Vector3d& value, double min_value, double max_value,
              const char* meaning) override;
 
  private:

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "markerless_mocap/tracking/body_tracker.h"
-#include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/hull/hull_carver.h"
+#include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
-#include "markerless_mocap/segmentation/part_memory.h"
+#include "markerless_mocap/segmentation/part_tracker.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
+#include "markerless_mocap/tracking/body_tracker.h"
 
 namespace markerless_mocap {
 
@@ -49,7 +49,7 @@ struct CameraFrame {
 };
 
 /// What the cameras saw at one instant.
-struct CapturedInstant {
+struct FrameSet {
   int64_t stamp_ns = 0;             ///< capture time
   std::vector<CameraFrame> frames;  ///< in the order of the rig
   std::any owner;                   ///< keeps pixels alive that the frames' mats only point to
@@ -75,11 +75,11 @@ class Pipeline {
   /// a stream several threads call it.
   using StageWatch = std::function<void(const char* stage, const std::function<void()>& work)>;
   /// Nothing when there are no more instants.
-  using Source = std::function<std::optional<CapturedInstant>()>;
-  using Sink = std::function<void(const CapturedInstant&, const PipelineResult&)>;
+  using Source = std::function<std::optional<FrameSet>()>;
+  using Sink = std::function<void(const FrameSet&, const PipelineResult&)>;
 
   /// Throws std::invalid_argument on options or a rig that a stage refuses.
-  Pipeline(CameraRig rig, const PersonSources& sources, const PipelineOptions& options);
+  Pipeline(CameraRig rig, const PersonResources& sources, const PipelineOptions& options);
 
   /// \param stamp_ns capture time, nanoseconds
   /// \param frames one per camera of the rig, in its order; throws std::invalid_argument on a wrong
@@ -95,13 +95,13 @@ class Pipeline {
   /// The person's body now; it changes when it has been measured. Not while a stream is processed:
   /// there, results have it.
   const std::shared_ptr<const TrackedBody>& body() const { return tracker_->body(); }
-  /// As BodyTracker::measureNow().
-  void measureBodyNow() { tracker_->measureNow(); }
+  /// As BodyTracker::estimateShapeNow().
+  void estimateShapeNow() { tracker_->estimateShapeNow(); }
   void setStageWatch(StageWatch watch) { watch_ = std::move(watch); }
 
  private:
   struct Work {
-    CapturedInstant instant;
+    FrameSet instant;
     PipelineResult result;
   };
   struct Stage;
@@ -109,17 +109,17 @@ class Pipeline {
 
   void run(const Stage& stage, Work& work);
   void checkFrames(const std::vector<CameraFrame>& frames) const;
-  void extractSilhouettes(const CapturedInstant& instant, PipelineResult* result);
-  void carve(const CapturedInstant& instant, PipelineResult* result);
-  void segment(const CapturedInstant& instant, PipelineResult* result);
-  void buildTree(const CapturedInstant& instant, PipelineResult* result);
-  void track(const CapturedInstant& instant, PipelineResult* result);
+  void extractSilhouettes(const FrameSet& instant, PipelineResult* result);
+  void carve(const FrameSet& instant, PipelineResult* result);
+  void segment(const FrameSet& instant, PipelineResult* result);
+  void buildTree(const FrameSet& instant, PipelineResult* result);
+  void track(const FrameSet& instant, PipelineResult* result);
 
   int min_views_;
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;
-  PartMemory part_memory_;
+  PartTracker part_memory_;
   PoseTreeBuilder tree_builder_;
   std::unique_ptr<BodyTracker> tracker_;
   StageWatch watch_ = [](const char*, const std::function<void()>& work) { work(); };

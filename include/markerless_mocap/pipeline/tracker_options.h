@@ -3,7 +3,7 @@
 #include <string>
 
 #include "markerless_mocap/contour/contour_options.h"
-#include "markerless_mocap/fleischmann/sppso_options.h"
+#include "markerless_mocap/fleischmann/fleischmann_options.h"
 #include "markerless_mocap/hsiao/hsiao_options.h"
 #include "markerless_mocap/options/options.h"
 #include "markerless_mocap/tracking/filter_options.h"
@@ -18,8 +18,8 @@ struct TrackerOptions {
   PersonOptions person;
   FilterOptions filter;
   ContourOptions contour;
-  FittingOptions skeleton;
-  SppsoOptions sppso;
+  HsiaoOptions hsiao;
+  FleischmannOptions fleischmann;
 
   void visit(OptionVisitor& v);
   void validate() const;

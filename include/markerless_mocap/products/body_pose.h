@@ -15,7 +15,7 @@ const char* toString(PoseStatus status);
 
 /// Nothing but NaN.
 template <size_t kCount>
-constexpr std::array<double, kCount> allUntold() {
+constexpr std::array<double, kCount> allNaN() {
   std::array<double, kCount> values{};
   for (double& value : values) value = NAN;
   return values;
@@ -31,7 +31,7 @@ struct BodyPose {
   std::array<bool, kPartCount> part_seen{};  ///< by PartLabel; the model's left limb is 1, right 2
   /// Expected error of each part's end (neck, head, wrists, ankles), metres, one standard
   /// deviation; NaN when the method does not tell.
-  std::array<double, kPartCount> part_deviation_m = allUntold<kPartCount>();
+  std::array<double, kPartCount> part_sigma_m = allNaN<kPartCount>();
   // Fitness; what the method does not go by is NaN.
   double silhouette_overlap = NAN;  ///< half the share of the body in the masks plus half the share
                                     ///< of the masks in the body, mean over the views, 0..1

@@ -61,7 +61,7 @@ struct TreeNode {
 };
 
 /// Where a limb ends.
-struct TreeTip {
+struct TreeExtremity {
   int32_t node = -1;                                       ///< the leaf of the tree; -1: not found
   Eigen::Vector3d skeleton_end = Eigen::Vector3d::Zero();  ///< of the leaf, world metres
   /// Knuckles of a hand, ball of a foot, middle of the head, world metres: the leaf lies beyond
@@ -95,14 +95,16 @@ struct PoseTree {
   /// One per voxel that the root reaches, parents before children; the root is the head's end, or
   /// the top-most voxel while the head is not known.
   std::vector<TreeNode> nodes;
-  int32_t origin = -1;                        ///< node where neck, arms and torso meet; -1: none
-  std::array<TreeTip, kExtremityCount> tips;  ///< by Extremity
+  int32_t origin = -1;  ///< node where neck, arms and torso meet; -1: none
+  std::array<TreeExtremity, kExtremityCount> extremities;              ///< by Extremity
   std::array<std::optional<Eigen::Vector3d>, kTreeJointCount> joints;  ///< by TreeJoint, metres
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();  ///< unit vector; zero: not known
   Eigen::Vector3d left = Eigen::Vector3d::Zero();     ///< unit vector; zero: not known
 
   bool valid() const { return status == TreeStatus::kOk; }
-  const TreeTip& tip(Extremity extremity) const { return tips[size_t(extremity)]; }
+  const TreeExtremity& extremity(Extremity extremity) const {
+    return extremities[size_t(extremity)];
+  }
   const std::optional<Eigen::Vector3d>& joint(TreeJoint joint) const {
     return joints[size_t(joint)];
   }

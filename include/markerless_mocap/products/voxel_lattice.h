@@ -21,9 +21,7 @@ struct VoxelLattice {
   Eigen::Vector3d center(uint32_t index) const {
     return origin + pitch * (coordinates(index).cast<double>().array() + 0.5).matrix();
   }
-  bool operator==(const VoxelLattice& o) const {
-    return origin == o.origin && pitch == o.pitch && size == o.size;
-  }
+  bool operator==(const VoxelLattice& o) const;
 };
 
 }  // namespace markerless_mocap

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/options/options.h"
 #include "markerless_mocap/products/body_parts.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 
-class PartMemory;
+class PartTracker;
 
 /// Settings of the segmentation stage.
 struct SegmentationOptions {
@@ -16,9 +16,9 @@ struct SegmentationOptions {
   int modes = 0;
   bool use_color_votes = false;
   double shrink_weight = 0.0;
-  double highest_cost = 2.0;
-  double least_litres = 15.0;
-  double most_litres = 200.0;
+  double max_cost = 2.0;
+  double min_litres = 15.0;
+  double max_litres = 200.0;
 
   void visit(OptionVisitor& v);
   void validate() const;
@@ -39,7 +39,7 @@ class BodySegmenter {
   /// voxels of a limb that is not seen for a moment are labelled as its where it was. Status and
   /// curves are by the frame alone.
   /// \param memory of the frames before, which this frame is added to if a body's graph is found
-  BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartMemory* memory) const;
+  BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartTracker* memory) const;
 
  private:
   SegmentationOptions options_;

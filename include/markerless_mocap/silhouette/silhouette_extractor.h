@@ -15,9 +15,9 @@ enum class SilhouetteState { kLearning, kReady, kStale };
 /// Result of one frame.
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
-  cv::Mat mask;              ///< CV_8UC1, 0 | 255, empty while learning
-  double changed_share = 0;  ///< of the pixels, unlike the background, shadows included
-  double light_gain = 1;     ///< brightness relative to the background's
+  cv::Mat mask;                 ///< CV_8UC1, 0 | 255, empty while learning
+  double changed_fraction = 0;  ///< of the pixels, unlike the background, shadows included
+  double light_gain = 1;        ///< brightness relative to the background's
 };
 
 /// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up.

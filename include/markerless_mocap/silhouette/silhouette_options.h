@@ -16,13 +16,13 @@ struct SilhouetteOptions {
   double update_rate = 0.004;
   bool compensate_flicker = true;
   bool remove_shadows = true;
-  double shadow_darkest = 0.55;
+  double min_shadow_brightness = 0.55;
   double shadow_chroma_tolerance = 0.018;
   int open_radius_px = 1;
   int close_radius_px = 1;
   int max_hole_px = 10;
   int min_blob_px = 200;
-  double stale_share = 0.5;
+  double stale_fraction = 0.5;
   int stale_frames = 60;
 
   void visit(OptionVisitor& v);

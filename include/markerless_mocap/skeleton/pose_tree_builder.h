@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/curve_skeleton.h"
 #include "markerless_mocap/products/pose_tree.h"
+#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
 
 namespace markerless_mocap {

@@ -12,8 +12,8 @@ struct PoseTreeOptions {
   std::string labelling = "template";
   std::string side_rule = "offsets";
   double prune_ratio = 0.08;
-  double least_rank = 0.0;
-  double least_validity = 0.9;
+  double min_rank = 0.0;
+  double min_validity = 0.9;
   bool follow_labels = false;
 
   void visit(OptionVisitor& v);

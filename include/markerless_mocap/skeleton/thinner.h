@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "markerless_mocap/products/visual_hull.h"
 #include "markerless_mocap/products/curve_skeleton.h"
+#include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 

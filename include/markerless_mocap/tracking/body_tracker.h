@@ -3,20 +3,18 @@
 #include <cstdint>
 #include <memory>
 #include <opencv2/core/mat.hpp>
-#include <string>
 #include <vector>
 
-#include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/products/body_parts.h"
 #include "markerless_mocap/products/body_pose.h"
 #include "markerless_mocap/products/pose_tree.h"
 #include "markerless_mocap/products/visual_hull.h"
-#include "markerless_mocap/tracking/contour_sizes.h"
+#include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
 
 /// What the stages made of one instant. All must outlive the call it is given to.
-struct TrackingInstant {
+struct TrackerInput {
   int64_t stamp_ns;                    ///< capture time
   const std::vector<cv::Mat>& masks;   ///< by camera, CV_8UC1 0 | 255; empty where missing
   const std::vector<cv::Mat>& images;  ///< by camera, grey or BGR; empty where missing
@@ -25,25 +23,16 @@ struct TrackingInstant {
   const PoseTree& tree;
 };
 
-/// The person that is followed.
-struct TrackedBody {
-  std::string urdf;
-  std::shared_ptr<const BodyModel> model;
-  /// Of the body that contours are fitted with.
-  ContourSizes sizes;
-  bool measured = false;  ///< sizes are this person's, else those of people of the stature
-};
-
 /// Follows one person from frame set to frame set; every method is one. Not thread-safe.
 class BodyTracker {
  public:
-  virtual ~BodyTracker() = default;
+  virtual ~BodyTracker();
   /// \param now stamps that do not rise restart the track. Throws std::invalid_argument on masks or
   ///   images that do not fit the rig
-  virtual BodyPose update(const TrackingInstant& now) = 0;
+  virtual BodyPose update(const TrackerInput& now) = 0;
   virtual void reset() = 0;
   /// Measures the body from what has been seen so far, however little, instead of waiting for more.
-  virtual void measureNow() {}
+  virtual void estimateShapeNow() {}
   /// The person's body now; it changes when it has been measured, within update() only.
   virtual const std::shared_ptr<const TrackedBody>& body() const = 0;
 };

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/split_mix.h"
-#include "markerless_mocap/camera/rig_file.h"
+#include "capture/cameras/camera_rigs.h"
 #include "capture/degradations/mask_damage.h"
-#include "capture/cameras/rigs.h"
 #include "capture/degradations/sensor.h"
+#include "markerless_mocap/camera/rig_file.h"
+#include "numerics/split_mix.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// What random numbers are for; each purpose has its own.
 enum Purpose : uint64_t { kNoise = 1, kFlicker, kMask, kDrop, kOffset, kCalibration };
 
-uint64_t mixed(uint64_t seed, uint64_t purpose) {
+uint64_t combinedHash(uint64_t seed, uint64_t purpose) {
   return splitMix64(splitMix64(seed) ^ (purpose << 32));
 }
 
@@ -34,49 +34,49 @@ CameraRig plannedRig(const StudioOptions& options) {
 }
 
 /// Turns each camera so that its image shifts by `pixels` in a direction of its own.
-CameraRig misjudged(const CameraRig& rig, double pixels, uint64_t seed) {
-  CameraRig told;
+CameraRig perturbedRig(const CameraRig& rig, double pixels, uint64_t seed) {
+  CameraRig reported;
   for (size_t i = 0; i < rig.size(); ++i) {
     CameraCalibration camera = rig[i].calibration();
-    const double direction = 2.0 * kPi * splitMixUniform(mixed(seed, kCalibration) + i);
+    const double direction = 2.0 * kPi * splitMixUniform(combinedHash(seed, kCalibration) + i);
     const double angle = pixels / std::sqrt(camera.K(0, 0) * camera.K(1, 1));
     const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
     if (pixels > 0.0) camera.T_world_camera.rotate(Eigen::AngleAxisd(angle, axis));
-    told.emplace_back(camera);
+    reported.emplace_back(camera);
   }
-  return told;
+  return reported;
 }
 
 }  // namespace
 
 StudioCameras::StudioCameras(const StudioOptions& options)
-    : troubles_(options.troubles),
+    : degradations_(options.degradations),
       seed_(uint64_t(options.seed)),
       rig_(plannedRig(options)),
-      told_rig_(misjudged(rig_, troubles_.calibration_error_px, seed_)),
+      calibrated_rig_(perturbedRig(rig_, degradations_.calibration_error_px, seed_)),
       room_(TexturedRoom::around(seed_, rig_)),
       renderers_(makeRenderers(rig_, room_)) {
   for (size_t i = 0; i < rig_.size(); ++i)
-    offsets_.push_back(1e-3 * troubles_.time_offset_ms *
-                       (splitMixUniform(mixed(seed_, kOffset) + i) - 0.5));
+    offsets_.push_back(1e-3 * degradations_.time_offset_ms *
+                       (splitMixUniform(combinedHash(seed_, kOffset) + i) - 0.5));
 }
 
 uint64_t StudioCameras::streamOf(int index, size_t camera, uint64_t purpose) const {
-  return splitMix64(mixed(seed_, purpose) + uint64_t(index)) + camera;
+  return splitMix64(combinedHash(seed_, purpose) + uint64_t(index)) + camera;
 }
 
 bool StudioCameras::isDropped(int index, size_t camera) const {
-  return splitMixUniform(streamOf(index, camera, kDrop)) < troubles_.drop_rate;
+  return splitMixUniform(streamOf(index, camera, kDrop)) < degradations_.drop_rate;
 }
 
 void StudioCameras::expose(int index, size_t camera, double seconds, cv::Mat& image) const {
-  const double gain = flickerGain(troubles_.flicker, seconds, mixed(seed_, kFlicker));
-  applySensor(troubles_.noise_levels, gain, streamOf(index, camera, kNoise), image);
+  const double gain = flickerGain(degradations_.flicker, seconds, combinedHash(seed_, kFlicker));
+  applySensor(degradations_.noise_levels, gain, streamOf(index, camera, kNoise), image);
 }
 
 cv::Mat StudioCameras::silhouette(int index, size_t camera, const cv::Mat& mask) const {
-  if (troubles_.mask_damage == 0.0) return mask;
-  return damagedMask(mask, troubles_.mask_damage, streamOf(index, camera, kMask));
+  if (degradations_.mask_damage == 0.0) return mask;
+  return damagedMask(mask, degradations_.mask_damage, streamOf(index, camera, kMask));
 }
 
 }  // namespace markerless_mocap

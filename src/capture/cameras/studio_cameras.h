@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "capture/render/mesh_renderer.h"
-#include "capture/studio_options.h"
 #include "capture/scene/textured_room.h"
+#include "capture/studio_options.h"
 
 namespace markerless_mocap {
 
@@ -16,7 +16,7 @@ class StudioCameras {
   explicit StudioCameras(const StudioOptions& options);
 
   const CameraRig& rig() const { return rig_; }
-  const CameraRig& toldRig() const { return told_rig_; }
+  const CameraRig& calibratedRig() const { return calibrated_rig_; }
   const TexturedRoom& room() const { return room_; }
   const MeshRenderer& renderer(size_t camera) const { return renderers_[camera]; }
   /// Seconds by which the camera's pictures are later than their stamps.
@@ -30,9 +30,9 @@ class StudioCameras {
  private:
   uint64_t streamOf(int index, size_t camera, uint64_t purpose) const;
 
-  TroubleOptions troubles_;
+  DegradationOptions degradations_;
   uint64_t seed_;
-  CameraRig rig_, told_rig_;
+  CameraRig rig_, calibrated_rig_;
   TexturedRoom room_;
   std::vector<MeshRenderer> renderers_;
   std::vector<double> offsets_;

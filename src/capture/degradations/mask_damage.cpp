@@ -12,9 +12,9 @@ namespace markerless_mocap {
 namespace {
 
 /// Draws numbers one after another.
-class Dice {
+class RandomStream {
  public:
-  explicit Dice(uint64_t stream) : state_(splitMix64(stream)) {}
+  explicit RandomStream(uint64_t stream) : state_(splitMix64(stream)) {}
   double uniform(double low, double high) { return low + (high - low) * splitMixUniform(state_++); }
   int below(int count) { return int(uniform(0.0, count)); }
 
@@ -23,11 +23,11 @@ class Dice {
 };
 
 /// Shifts the outline by smooth noise of up to `reach` pixels inward or outward.
-cv::Mat ragged(const cv::Mat& mask, double reach, Dice& dice) {
+cv::Mat ragged(const cv::Mat& mask, double reach, RandomStream& rng) {
   constexpr int kCell = 6;  // pixels; a ragged edge has teeth of about this size
   cv::Mat noise(mask.rows / kCell + 2, mask.cols / kCell + 2, CV_32FC1);
   for (int y = 0; y < noise.rows; ++y)
-    for (int x = 0; x < noise.cols; ++x) noise.at<float>(y, x) = float(dice.uniform(-1.0, 1.0));
+    for (int x = 0; x < noise.cols; ++x) noise.at<float>(y, x) = float(rng.uniform(-1.0, 1.0));
   cv::Mat shift;
   cv::resize(noise, shift, mask.size(), 0, 0, cv::INTER_CUBIC);
   cv::Mat inside, outside;
@@ -37,14 +37,13 @@ cv::Mat ragged(const cv::Mat& mask, double reach, Dice& dice) {
 }
 
 /// A random blob: a few ellipses about one place.
-void stamp(cv::Mat& mask, cv::Point place, double radius, uint8_t value, Dice& dice) {
+void stamp(cv::Mat& mask, cv::Point place, double radius, uint8_t value, RandomStream& rng) {
   for (int i = 0; i < 3; ++i) {
-    const cv::Point at = place + cv::Point(int(std::lround(dice.uniform(-radius, radius))),
-                                           int(std::lround(dice.uniform(-radius, radius))));
-    const cv::Size axes(int(std::ceil(dice.uniform(0.3, 1.0) * radius)),
-                        int(std::ceil(dice.uniform(0.3, 1.0) * radius)));
-    cv::ellipse(mask, at, axes, dice.uniform(0.0, 180.0), 0.0, 360.0, cv::Scalar(value),
-                cv::FILLED);
+    const cv::Point at = place + cv::Point(int(std::lround(rng.uniform(-radius, radius))),
+                                           int(std::lround(rng.uniform(-radius, radius))));
+    const cv::Size axes(int(std::ceil(rng.uniform(0.3, 1.0) * radius)),
+                        int(std::ceil(rng.uniform(0.3, 1.0) * radius)));
+    cv::ellipse(mask, at, axes, rng.uniform(0.0, 180.0), 0.0, 360.0, cv::Scalar(value), cv::FILLED);
   }
 }
 
@@ -55,19 +54,19 @@ cv::Mat damagedMask(const cv::Mat& mask, double amount, uint64_t stream) {
     throw std::invalid_argument("the masks' damage is " + std::to_string(amount) +
                                 ", allowed is 0 to 1");
   if (amount == 0.0) return mask.clone();
-  Dice dice(stream);
+  RandomStream rng(stream);
   const double scale = mask.rows / 480.0;
-  cv::Mat damaged = ragged(mask, 4.0 * amount * scale, dice);
+  cv::Mat damaged = ragged(mask, 4.0 * amount * scale, rng);
   std::vector<cv::Point> person;
   cv::findNonZero(mask, person);
-  const int holes = person.empty() ? 0 : int(std::lround(amount * dice.uniform(4.0, 16.0)));
+  const int holes = person.empty() ? 0 : int(std::lround(amount * rng.uniform(4.0, 16.0)));
   for (int i = 0; i < holes; ++i)
-    stamp(damaged, person[size_t(dice.below(int(person.size())))],
-          scale * dice.uniform(1.5, 3.0 + 6.0 * amount), 0, dice);
-  const int specks = int(std::lround(amount * dice.uniform(20.0, 80.0)));
+    stamp(damaged, person[size_t(rng.below(int(person.size())))],
+          scale * rng.uniform(1.5, 3.0 + 6.0 * amount), 0, rng);
+  const int specks = int(std::lround(amount * rng.uniform(20.0, 80.0)));
   for (int i = 0; i < specks; ++i)
-    stamp(damaged, {dice.below(mask.cols), dice.below(mask.rows)}, scale * dice.uniform(0.5, 2.5),
-          255, dice);
+    stamp(damaged, {rng.below(mask.cols), rng.below(mask.rows)}, scale * rng.uniform(0.5, 2.5), 255,
+          rng);
   return damaged;
 }
 

@@ -41,8 +41,8 @@ void applyToChunk(float noise_levels, float gain, const float* noise, size_t cou
 double flickerGain(double amount, double seconds, uint64_t stream) {
   const double phase = splitMixUniform(splitMix64(stream));
   const double beat = std::sqrt(2.0) * std::sin(2.0 * kPi * (kBeatHz * seconds + phase));
-  const auto instant = uint64_t(std::llround(seconds * 1e6));
-  const double random = nearNormal(splitMix64(splitMix64(stream + 1) ^ instant));
+  const auto frame_set = uint64_t(std::llround(seconds * 1e6));
+  const double random = nearNormal(splitMix64(splitMix64(stream + 1) ^ frame_set));
   return std::max(0.0, 1.0 + amount * std::sqrt(0.5) * (beat + random));
 }
 

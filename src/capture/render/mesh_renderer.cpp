@@ -22,9 +22,9 @@ void blend(const SampleBuffer& buffer, int x, int y, cv::Vec3b& color) {
     const Sample* const samples = buffer.row(2 * y + 1 + v) + 2 * x + 1;
     for (int u = -1; u <= 1; ++u) {
       if (samples[u].kind == Sample::kNothing) continue;
-      const int share = kTent[std::abs(u) + std::abs(v)];
-      covered += share;
-      for (int i = 0; i < 3; ++i) sum[i] += share * samples[u].bgr[i];
+      const int fraction = kTent[std::abs(u) + std::abs(v)];
+      covered += fraction;
+      for (int i = 0; i < 3; ++i) sum[i] += fraction * samples[u].bgr[i];
     }
   }
   if (covered == 0) return;
@@ -32,7 +32,7 @@ void blend(const SampleBuffer& buffer, int x, int y, cv::Vec3b& color) {
     color[i] = uint8_t((sum[i] + (kTentSum - covered) * color[i] + kTentSum / 2) / kTentSum);
 }
 
-void drawObjects(const SampleGrid& grid, const SampleBuffer& buffer, MeshView& view) {
+void drawObjects(const SampleGrid& grid, const SampleBuffer& buffer, RenderedView& view) {
   for (int y = buffer.rect.y / 2; 2 * y + 2 < buffer.rect.br().y; ++y)
     for (int x = buffer.rect.x / 2; 2 * x + 2 < buffer.rect.br().x; ++x) {
       blend(buffer, x, y, view.image.at<cv::Vec3b>(y, x));
@@ -55,9 +55,9 @@ const cv::Mat& MeshRenderer::background() const {
   return room_view_->picture();
 }
 
-MeshView MeshRenderer::render(const LitScene& scene) const {
+RenderedView MeshRenderer::render(const LitScene& scene) const {
   const cv::Size size = background().size();
-  MeshView view;
+  RenderedView view;
   view.image = background().clone();
   view.mask = cv::Mat::zeros(size, CV_8UC1);
   view.depth = cv::Mat(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::infinity()));
@@ -75,16 +75,16 @@ std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom
   return renderers;
 }
 
-MeshView motionBlurred(const std::vector<MeshView>& shots) {
+RenderedView motionBlurred(const std::vector<RenderedView>& shots) {
   if (shots.empty()) throw std::invalid_argument("motion blur of no picture at all");
-  const MeshView& middle = shots[shots.size() / 2];
+  const RenderedView& middle = shots[shots.size() / 2];
   cv::Mat sum = cv::Mat::zeros(middle.image.size(), CV_32FC3);
-  for (const MeshView& shot : shots) {
+  for (const RenderedView& shot : shots) {
     if (shot.image.size() != middle.image.size())
       throw std::invalid_argument("motion blur of pictures of different sizes");
     cv::accumulate(shot.image, sum);
   }
-  MeshView blurred = middle;
+  RenderedView blurred = middle;
   blurred.image = cv::Mat();
   sum.convertTo(blurred.image, CV_8U, 1.0 / double(shots.size()));
   return blurred;

@@ -4,14 +4,14 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "markerless_mocap/camera/camera.h"
 #include "capture/scene/lit_scene.h"
 #include "capture/scene/textured_room.h"
+#include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
 /// What one camera sees.
-struct MeshView {
+struct RenderedView {
   cv::Mat image;  ///< CV_8UC3, BGR, edges anti-aliased
   cv::Mat mask;   ///< CV_8UC1, 255 where the ray of the pixel's centre meets a person first, else 0
   cv::Mat depth;  ///< CV_32FC1, metres along that ray to the nearest object, infinity at the room
@@ -32,7 +32,7 @@ class MeshRenderer {
   const Camera& camera() const { return camera_; }
   /// Noiseless picture of the empty room, CV_8UC3 BGR.
   const cv::Mat& background() const;
-  MeshView render(const LitScene& scene) const;
+  RenderedView render(const LitScene& scene) const;
 
  private:
   Camera camera_;
@@ -46,6 +46,6 @@ std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom
 /// What the camera sees while its shutter is open: the mean of the images at sub-instants, evenly
 /// spaced; mask and depth of the middle one. Throws std::invalid_argument if there is none or the
 /// sizes differ.
-MeshView motionBlurred(const std::vector<MeshView>& shots);
+RenderedView motionBlurred(const std::vector<RenderedView>& shots);
 
 }  // namespace markerless_mocap

@@ -10,8 +10,8 @@
 namespace markerless_mocap {
 namespace {
 
-uint8_t levelOf(float share) {
-  return uint8_t(std::clamp(255.0f * share + 0.5f, 0.0f, 255.0f));
+uint8_t levelOf(float fraction) {
+  return uint8_t(std::clamp(255.0f * fraction + 0.5f, 0.0f, 255.0f));
 }
 
 int blocksAlong(int pixels, int block) {
@@ -103,7 +103,8 @@ void RoomView::shadeBlock(const cv::Rect& rect, const LitScene& scene, uint32_t 
       float lost = 0.0f;
       for (size_t i = 0; i < lamps_.size(); ++i)
         if (lamps >> i & 1u)
-          lost += lamps_[i].share * scene.shadowMaps()[i].darkness(shadowTexel(lamps_[i], place));
+          lost +=
+              lamps_[i].fraction * scene.shadowMaps()[i].occlusion(shadowTexel(lamps_[i], place));
       if (lost == 0.0f) continue;
       const float left = 1.0f - float(scene.shadowStrength()) * lost;
       for (uint8_t& level : image.at<cv::Vec3b>(y, x).val) level = uint8_t(level * left + 0.5f);

@@ -179,7 +179,7 @@ SampleBuffer rasterize(const SampleGrid& grid, const LitScene& scene) {
     const Edges edges(points[a].point, points[b].point, points[c].point);
     if (edges.volume > 0.0)
       draw(grid, edges, candidate.box, {&colors[a], &colors[b], &colors[c]},
-           object.person ? Sample::kPerson : Sample::kThing, buffer);
+           object.person ? Sample::kPerson : Sample::kObject, buffer);
   }
   return buffer;
 }

@@ -13,7 +13,7 @@ namespace markerless_mocap {
 
 /// What a ray of the grid meets first.
 struct Sample {
-  enum Kind : uint8_t { kNothing, kThing, kPerson };
+  enum Kind : uint8_t { kNothing, kObject, kPerson };
   float depth;  ///< z in the camera's frame, infinity for nothing
   uint8_t bgr[3];
   Kind kind;

@@ -60,8 +60,8 @@ float lightAt(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
   for (size_t i = 0; i < lamps.size(); ++i) {
     const float facing = normal.dot((lamps[i].position - point).normalized());
     if (facing <= 0.0f) continue;
-    const float seen = 1.0f - shadow_strength * shadow_maps[i].hiddenShare(point);
-    light += kLamps * lamps[i].share * facing * seen;
+    const float seen = 1.0f - shadow_strength * shadow_maps[i].occludedFraction(point);
+    light += kLamps * lamps[i].fraction * facing * seen;
   }
   return light;
 }

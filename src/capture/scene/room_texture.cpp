@@ -11,9 +11,9 @@ namespace {
 constexpr float kSkirting = 0.12f;  // metres high
 constexpr float kGroove = 0.006f;   // metres on each side of the gap between boards
 
-uint64_t mixed(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
+uint64_t combinedHash(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
   return splitMix64(seed ^ splitMix64(uint64_t(a) * 0x9e3779b97f4a7c15u ^
-                                  splitMix64(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
+                                      splitMix64(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
 }
 
 /// Random numbers -1 to 1 on the corners of a grid that repeats.
@@ -60,16 +60,18 @@ float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
 }
 
 /// Draws numbers one after another.
-struct Dice {
+struct RandomStream {
   uint64_t state;
-  float uniform(float low, float high) { return low + (high - low) * float(splitMixUniform(state++)); }
+  float uniform(float low, float high) {
+    return low + (high - low) * float(splitMixUniform(state++));
+  }
   int below(int count) { return int(splitMix64(state++) % uint64_t(count)); }
 };
 
 /// \param strongest saturation
-Eigen::Vector3f paint(Dice& dice, float strongest) {
-  const float hue = dice.uniform(0.0f, 6.0f), strength = dice.uniform(0.1f, strongest);
-  const float bright = dice.uniform(0.25f, 0.9f);
+Eigen::Vector3f paint(RandomStream& rng, float strongest) {
+  const float hue = rng.uniform(0.0f, 6.0f), strength = rng.uniform(0.1f, strongest);
+  const float bright = rng.uniform(0.25f, 0.9f);
   const auto wave = [&](float at) {
     const float d = std::abs(std::remainder(hue - at, 6.0f));
     return bright * (1.0f - strength * std::clamp(d - 1.0f, 0.0f, 1.0f));
@@ -81,38 +83,38 @@ Eigen::Vector3f paint(Dice& dice, float strongest) {
 
 RoomTexture::RoomTexture(uint64_t seed, const Eigen::Vector3f& half_size)
     : seed_(splitMix64(seed)), half_size_(half_size) {
-  Dice dice{mixed(seed_, 1, 2)};
-  const float base = dice.uniform(0.56f, 0.70f);
+  RandomStream rng{combinedHash(seed_, 1, 2)};
+  const float base = rng.uniform(0.56f, 0.70f);
   for (Eigen::Vector3f& color : wall_colors_)
-    for (float& channel : color) channel = base + dice.uniform(-0.05f, 0.05f);
-  const float wood = dice.uniform(0.48f, 0.60f);
-  wood_ << wood, wood * dice.uniform(0.86f, 0.91f), wood * dice.uniform(0.70f, 0.84f);
-  boards_along_x_ = dice.below(2) == 0;
-  board_width_ = dice.uniform(0.18f, 0.32f);
+    for (float& channel : color) channel = base + rng.uniform(-0.05f, 0.05f);
+  const float wood = rng.uniform(0.48f, 0.60f);
+  wood_ << wood, wood * rng.uniform(0.86f, 0.91f), wood * rng.uniform(0.70f, 0.84f);
+  boards_along_x_ = rng.below(2) == 0;
+  board_width_ = rng.uniform(0.18f, 0.32f);
   for (int wall = 0; wall < 4; ++wall) panels_[wall] = hangPanels(wall, half_size_[1 - wall / 2]);
 }
 
 std::vector<RoomTexture::Panel> RoomTexture::hangPanels(int wall, float half_length) const {
-  Dice dice{mixed(seed_, 3, wall)};
+  RandomStream rng{combinedHash(seed_, 3, wall)};
   std::vector<Panel> panels;
   const float top = half_size_.z();
   const auto hang = [&](float strongest, float middle, float width, float low, float height) {
     Panel panel{
-        middle - width / 2,     middle + width / 2,     low,  std::min(low + height, top - 0.1f),
-        paint(dice, strongest), paint(dice, strongest), 0.0f, 0.0f};
-    if (dice.below(3) == 0) panel.stripe = dice.uniform(0.05f, 0.15f);
-    if (dice.below(2) == 0) panel.frame = dice.uniform(0.03f, 0.07f);
+        middle - width / 2,    middle + width / 2,    low,  std::min(low + height, top - 0.1f),
+        paint(rng, strongest), paint(rng, strongest), 0.0f, 0.0f};
+    if (rng.below(3) == 0) panel.stripe = rng.uniform(0.05f, 0.15f);
+    if (rng.below(2) == 0) panel.frame = rng.uniform(0.03f, 0.07f);
     panels.push_back(panel);
   };
-  hang(0.3f, dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.8f, 1.0f), 0.0f,
+  hang(0.3f, rng.uniform(-0.8f, 0.8f) * half_length, rng.uniform(0.8f, 1.0f), 0.0f,
        2.05f);  // door
   for (int i = 0; i < 2; ++i)
-    hang(0.4f, dice.uniform(-0.8f, 0.8f) * half_length, dice.uniform(0.9f, 1.8f),
-         dice.uniform(0.8f, 1.1f), dice.uniform(0.9f, 1.3f));  // windows
-  const int pictures = 4 + dice.below(5);
+    hang(0.4f, rng.uniform(-0.8f, 0.8f) * half_length, rng.uniform(0.9f, 1.8f),
+         rng.uniform(0.8f, 1.1f), rng.uniform(0.9f, 1.3f));  // windows
+  const int pictures = 4 + rng.below(5);
   for (int i = 0; i < pictures; ++i)
-    hang(0.85f, dice.uniform(-0.95f, 0.95f) * half_length, dice.uniform(0.25f, 1.2f),
-         dice.uniform(0.3f, 0.8f * top), dice.uniform(0.2f, 0.8f));
+    hang(0.85f, rng.uniform(-0.95f, 0.95f) * half_length, rng.uniform(0.25f, 1.2f),
+         rng.uniform(0.3f, 0.8f * top), rng.uniform(0.2f, 0.8f));
   return panels;
 }
 
@@ -120,9 +122,9 @@ Eigen::Vector3f RoomTexture::floorColor(const Eigen::Vector3f& point, float blur
   const float along = boards_along_x_ ? point.x() : point.y();
   const float across = boards_along_x_ ? point.y() : point.x();
   const int board = floorOf(across / board_width_);
-  const float length = 1.6f, shift = length * float(splitMixUniform(mixed(seed_, 5, board)));
+  const float length = 1.6f, shift = length * float(splitMixUniform(combinedHash(seed_, 5, board)));
   const int piece = floorOf((along + shift) / length);
-  const float tone = float(splitMixUniform(mixed(seed_, 6, board, piece))) - 0.5f;
+  const float tone = float(splitMixUniform(combinedHash(seed_, 6, board, piece))) - 0.5f;
   float light = 1.0f + 0.36f * tone;
   light += 0.10f * fractalNoise(seed_ + 11, along / 4.0f, across, 0.12f, 4);
   light += 0.08f * fractalNoise(seed_ + 12, point.x(), point.y(), 1.5f, 3);

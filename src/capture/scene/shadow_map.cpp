@@ -6,20 +6,20 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr float kTexel = 0.02f;       // metres on the floor
-constexpr float kFarthest = 12.0f;    // metres from the lamp's foot; no shadow is followed further
-constexpr float kLeastBelow = 0.3f;   // metres under the lamp; what is higher casts no shadow
-constexpr int kSearch = 12;           // texels about a place where its occluders are looked for
-constexpr int kBorder = 2 * kSearch;  // texels
-constexpr float kSlack = 1e-3f;       // of a triangle, so that neighbours leave no gap
-constexpr float kLeastDistance = 0.05f;  // metres; what is nearer does not shade a vertex
+constexpr float kTexel = 0.02f;        // metres on the floor
+constexpr float kMaxDistance = 12.0f;  // metres from the lamp's foot; no shadow is followed further
+constexpr float kMinBelow = 0.3f;      // metres under the lamp; what is higher casts no shadow
+constexpr int kSearch = 12;            // texels about a place where its occluders are looked for
+constexpr int kBorder = 2 * kSearch;   // texels
+constexpr float kSlack = 1e-3f;        // of a triangle, so that neighbours leave no gap
+constexpr float kMinDistance = 0.05f;  // metres; what is nearer does not shade a vertex
 
 }  // namespace
 
 /// Sums over squares of texels.
-class ShadowMap::SumTable {
+class ShadowMap::SummedAreaTable {
  public:
-  SumTable(const std::vector<float>& values, cv::Size size)
+  SummedAreaTable(const std::vector<float>& values, cv::Size size)
       : size_(size), sums_(size_t(size.width + 1) * (size.height + 1), 0.0) {
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x)
@@ -43,7 +43,7 @@ class ShadowMap::SumTable {
 };
 
 Eigen::Vector2f shadowTexel(const Lamp& lamp, const Eigen::Vector3f& place) {
-  const float below = std::max(lamp.position.z() - place.z(), kLeastBelow);
+  const float below = std::max(lamp.position.z() - place.z(), kMinBelow);
   const Eigen::Vector2f aside = place.head<2>() - lamp.position.head<2>();
   return aside * (lamp.position.z() / below / kTexel);
 }
@@ -51,23 +51,23 @@ Eigen::Vector2f shadowTexel(const Lamp& lamp, const Eigen::Vector3f& place) {
 ShadowMap::ShadowMap(const Lamp& lamp, const std::vector<SceneObject>& objects) : lamp_(lamp) {
   findRect(objects);
   if (empty()) return;
-  nearness_.assign(size_t(rect_.area()), 0.0f);
+  inverse_depth_.assign(size_t(rect_.area()), 0.0f);
   for (const SceneObject& object : objects) draw(object);
   soften();
 }
 
 void ShadowMap::findRect(const std::vector<SceneObject>& objects) {
-  constexpr float kMost = kFarthest / kTexel;
-  Eigen::Vector2f low(kMost, kMost), high(-kMost, -kMost);
+  constexpr float kMaxTexel = kMaxDistance / kTexel;
+  Eigen::Vector2f low(kMaxTexel, kMaxTexel), high(-kMaxTexel, -kMaxTexel);
   for (const SceneObject& object : objects)
     for (const Eigen::Vector3f& vertex : object.vertices) {
-      if (lamp_.position.z() - vertex.z() < kLeastBelow) continue;
+      if (lamp_.position.z() - vertex.z() < kMinBelow) continue;
       const Eigen::Vector2f texel = shadowTexel(lamp_, vertex);
       low = low.cwiseMin(texel);
       high = high.cwiseMax(texel);
     }
-  low = low.cwiseMax(-kMost);
-  high = high.cwiseMin(kMost);
+  low = low.cwiseMax(-kMaxTexel);
+  high = high.cwiseMin(kMaxTexel);
   if (low.x() > high.x() || low.y() > high.y()) return;
   const cv::Point from(int(std::floor(low.x())) - kBorder, int(std::floor(low.y())) - kBorder);
   const cv::Point to(int(std::ceil(high.x())) + kBorder + 1,
@@ -79,7 +79,7 @@ void ShadowMap::draw(const SceneObject& object) {
   std::vector<Eigen::Vector3f> shadows(object.vertices.size());  // texel and nearness
   for (size_t i = 0; i < shadows.size(); ++i) {
     const float below = lamp_.position.z() - object.vertices[i].z();
-    shadows[i] << shadowTexel(lamp_, object.vertices[i]), below < kLeastBelow ? 0.0f : 1.0f / below;
+    shadows[i] << shadowTexel(lamp_, object.vertices[i]), below < kMinBelow ? 0.0f : 1.0f / below;
   }
   for (const auto& [a, b, c] : object.mesh->triangles) {
     const Eigen::Vector3f corners[3] = {shadows[a], shadows[b], shadows[c]};
@@ -102,55 +102,56 @@ void ShadowMap::drawTriangle(const Eigen::Vector3f (&corners)[3]) {
       const float b = ((u - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (v - y[0])) / area;
       const float c = ((x[1] - x[0]) * (v - y[0]) - (u - x[0]) * (y[1] - y[0])) / area;
       if (b < -kSlack || c < -kSlack || b + c > 1.0f + kSlack) continue;
-      const float nearness = corners[0].z() + b * (corners[1].z() - corners[0].z()) +
-                             c * (corners[2].z() - corners[0].z());
-      float& texel = nearness_[size_t(v - rect_.y) * rect_.width + (u - rect_.x)];
-      texel = std::max(texel, nearness);
+      const float inverse_depth = corners[0].z() + b * (corners[1].z() - corners[0].z()) +
+                                  c * (corners[2].z() - corners[0].z());
+      float& texel = inverse_depth_[size_t(v - rect_.y) * rect_.width + (u - rect_.x)];
+      texel = std::max(texel, inverse_depth);
     }
 }
 
-int ShadowMap::penumbra(const SumTable& cover, const SumTable& near, int x, int y) const {
+int ShadowMap::penumbra(const SummedAreaTable& cover, const SummedAreaTable& near, int x,
+                        int y) const {
   int reach = kSearch;
   // Looking again no wider than found keeps the foot's shadow sharp under a knee's.
   for (int i = 0; i < 3; ++i) {
     const double occluders = cover.square(x, y, reach);
     if (occluders < 0.5) return i == 0 ? 0 : reach;
-    const double nearness = near.square(x, y, reach) / occluders;
+    const double inverse_depth = near.square(x, y, reach) / occluders;
     // Similar triangles at the occluder.
-    const double radius = lamp_.radius * (lamp_.position.z() * nearness - 1.0) / kTexel;
+    const double radius = lamp_.radius * (lamp_.position.z() * inverse_depth - 1.0) / kTexel;
     reach = std::clamp(int(std::lround(radius)), 1, reach);
   }
   return reach;
 }
 
 void ShadowMap::soften() {
-  std::vector<float> covered(nearness_.size());
-  for (size_t i = 0; i < covered.size(); ++i) covered[i] = nearness_[i] > 0.0f;
-  const SumTable cover(covered, rect_.size()), near(nearness_, rect_.size());
-  darkness_.assign(nearness_.size(), 0.0f);
+  std::vector<float> covered(inverse_depth_.size());
+  for (size_t i = 0; i < covered.size(); ++i) covered[i] = inverse_depth_[i] > 0.0f;
+  const SummedAreaTable cover(covered, rect_.size()), near(inverse_depth_, rect_.size());
+  occlusion_.assign(inverse_depth_.size(), 0.0f);
   for (int y = 0; y < rect_.height; ++y)
     for (int x = 0; x < rect_.width; ++x) {
       const int reach = penumbra(cover, near, x, y);
       if (reach == 0) continue;
-      darkness_[size_t(y) * rect_.width + x] =
+      occlusion_[size_t(y) * rect_.width + x] =
           float(cover.square(x, y, reach) / ((2 * reach + 1) * (2 * reach + 1)));
     }
 }
 
-float ShadowMap::darkness(const Eigen::Vector2f& texel) const {
+float ShadowMap::occlusion(const Eigen::Vector2f& texel) const {
   const float x = texel.x() - rect_.x, y = texel.y() - rect_.y;
   if (!(x >= 0.0f && y >= 0.0f && x < rect_.width - 1 && y < rect_.height - 1)) return 0.0f;
   const int column = int(x), row = int(y);
   const float u = x - column, v = y - row;
-  const float* const upper = &darkness_[size_t(row) * rect_.width + column];
+  const float* const upper = &occlusion_[size_t(row) * rect_.width + column];
   const float* const lower = upper + rect_.width;
   return (1 - v) * ((1 - u) * upper[0] + u * upper[1]) + v * ((1 - u) * lower[0] + u * lower[1]);
 }
 
-float ShadowMap::hiddenShare(const Eigen::Vector3f& vertex) const {
+float ShadowMap::occludedFraction(const Eigen::Vector3f& vertex) const {
   const float below = lamp_.position.z() - vertex.z();
-  if (empty() || below < kLeastBelow) return 0.0f;
-  const float least_nearness = 1.0f / std::max(below - kLeastDistance, 0.1f);
+  if (empty() || below < kMinBelow) return 0.0f;
+  const float min_inverse_depth = 1.0f / std::max(below - kMinDistance, 0.1f);
   const Eigen::Vector2f texel = shadowTexel(lamp_, vertex) - Eigen::Vector2f(rect_.x, rect_.y);
   if (!(texel.x() >= 1.0f && texel.y() >= 1.0f && texel.x() < float(rect_.width - 2) &&
         texel.y() < float(rect_.height - 2)))
@@ -159,7 +160,7 @@ float ShadowMap::hiddenShare(const Eigen::Vector3f& vertex) const {
   int hidden = 0;
   for (int v = y - 1; v <= y + 1; ++v)
     for (int u = x - 1; u <= x + 1; ++u)
-      hidden += nearness_[size_t(v) * rect_.width + u] > least_nearness;
+      hidden += inverse_depth_[size_t(v) * rect_.width + u] > min_inverse_depth;
   return float(hidden) / 9.0f;
 }
 

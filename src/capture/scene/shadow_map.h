@@ -23,23 +23,24 @@ class ShadowMap {
   const cv::Rect& rect() const { return rect_; }
   /// Share (0 to 1) of the lamp that a place of the floor or a wall does not see. Soft: the wider,
   /// the higher that is what casts it (percentage-closer soft shadows: Fernando, 2005).
-  float darkness(const Eigen::Vector2f& texel) const;
+  float occlusion(const Eigen::Vector2f& texel) const;
   /// Share of the lamp that objects nearer to it hide from a vertex of an object.
-  float hiddenShare(const Eigen::Vector3f& vertex) const;
+  float occludedFraction(const Eigen::Vector3f& vertex) const;
 
  private:
-  class SumTable;
+  class SummedAreaTable;
   void findRect(const std::vector<SceneObject>& objects);
   void draw(const SceneObject& object);
   void drawTriangle(const Eigen::Vector3f (&corners)[3]);
   void soften();
   /// Half the width of the shadow's edge at a texel, texels; 0 where nothing is near.
-  int penumbra(const SumTable& cover, const SumTable& near, int x, int y) const;
+  int penumbra(const SummedAreaTable& cover, const SummedAreaTable& near, int x, int y) const;
 
   Lamp lamp_;
   cv::Rect rect_;
-  std::vector<float> nearness_;  ///< 1 / (how far below the lamp the nearest object is), 0 for none
-  std::vector<float> darkness_;
+  std::vector<float>
+      inverse_depth_;  ///< 1 / (how far below the lamp the nearest object is), 0 for none
+  std::vector<float> occlusion_;
 };
 
 }  // namespace markerless_mocap

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "motion/bvh.h"
+#include "motion/clip_editing.h"
 #include "motion/motion_script.h"
-#include "motion/placement.h"
 #include "motion/retarget.h"
 
 namespace markerless_mocap {
@@ -69,23 +69,23 @@ MotionClip loadMotion(const StudioOptions& options, const std::string& folder,
   const double side = options.stage;
   const Eigen::AlignedBox3d volume(Eigen::Vector3d(-side, -side, -kBelow),
                                    Eigen::Vector3d(side, side, kAbove));
-  const std::string excess = leavesVolume(clip, skeleton, volume);
+  const std::string excess = volumeViolation(clip, skeleton, volume);
   if (!excess.empty()) throw std::invalid_argument("motion " + options.motion + ": " + excess);
   return clip;
 }
 
-EndlessMotion::EndlessMotion(MotionClip clip) : clip_(std::move(clip)) {
+LoopedMotion::LoopedMotion(MotionClip clip) : clip_(std::move(clip)) {
   if (clip_.poses.empty()) throw std::invalid_argument("the motion has no poses");
   constexpr double kSame = 0.05;  // metres and radians
   return_seconds_ =
       apart(clip_.poses.front(), clip_.poses.back()) < kSame ? 1.0 / clip_.fps : kReturnSeconds;
 }
 
-HumanPose EndlessMotion::at(double seconds) const {
+HumanPose LoopedMotion::at(double seconds) const {
   const double since = seconds - period() * std::floor(seconds / period());
   if (since <= clip_.duration()) return clip_.at(since);
-  const double share = (since - clip_.duration()) / return_seconds_;
-  const double smooth = share * share * (3.0 - 2.0 * share);
+  const double fraction = (since - clip_.duration()) / return_seconds_;
+  const double smooth = fraction * fraction * (3.0 - 2.0 * fraction);
   return interpolate(clip_.poses.back(), clip_.poses.front(), smooth);
 }
 

@@ -18,9 +18,9 @@ MotionClip loadMotion(const StudioOptions& options, const std::string& folder,
 
 /// A motion that goes on for ever: after its end the person glides back to where it began, unless
 /// that is where it ends, and starts over.
-class EndlessMotion {
+class LoopedMotion {
  public:
-  explicit EndlessMotion(MotionClip clip);
+  explicit LoopedMotion(MotionClip clip);
   /// \param seconds any
   HumanPose at(double seconds) const;
   double duration() const { return clip_.duration(); }

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kBlur = 1.5e-3;  // of the distance: what a camera can tell apart
-constexpr double kLeastHalf = 1.0, kMostHalf = 50.0, kLeastHeight = 2.0, kMostHeight = 20.0;
+constexpr double kMinHalf = 1.0, kMaxHalf = 50.0, kMinHeight = 2.0, kMaxHeight = 20.0;
 
 void checkSize(const std::string& what, double value, double least, double most) {
   if (!(value >= least && value <= most))
@@ -26,12 +26,12 @@ void checkSize(const std::string& what, double value, double least, double most)
 TexturedRoom::TexturedRoom(uint64_t seed, double half_x, double half_y, double height)
     : half_size_(float(half_x), float(half_y), float(height)),
       texture_(std::make_shared<RoomTexture>(seed, half_size_)) {
-  checkSize("half size in x", half_x, kLeastHalf, kMostHalf);
-  checkSize("half size in y", half_y, kLeastHalf, kMostHalf);
-  checkSize("height", height, kLeastHeight, kMostHeight);
+  checkSize("half size in x", half_x, kMinHalf, kMaxHalf);
+  checkSize("half size in y", half_y, kMinHalf, kMaxHalf);
+  checkSize("height", height, kMinHeight, kMaxHeight);
   const float z = half_size_.z() - 0.05f;
-  const auto hang = [&](float x, float y, float share, float radius) {
-    lamps_.push_back({{x * half_size_.x(), y * half_size_.y(), z}, share, radius});
+  const auto hang = [&](float x, float y, float fraction, float radius) {
+    lamps_.push_back({{x * half_size_.x(), y * half_size_.y(), z}, fraction, radius});
   };
   hang(0.35f, 0.25f, 0.45f, 0.12f);
   hang(-0.45f, 0.30f, 0.25f, 0.15f);

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 /// A round lamp under the ceiling.
 struct Lamp {
   Eigen::Vector3f position;  ///< world, metres
-  float share;               ///< of the light of all lamps; the shares sum to 1
+  float fraction;            ///< of the light of all lamps; the shares sum to 1
   float radius;              ///< metres; wide lamps cast soft shadows
 };
 

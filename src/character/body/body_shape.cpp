@@ -1,6 +1,6 @@
 #include "character/body/body_shape.h"
 
-#include "character/body/smooth_shape.h"
+#include "character/body/signed_distance.h"
 
 namespace markerless_mocap {
 namespace {
@@ -85,11 +85,11 @@ double BodyShape::hand(const Vector3d& q) const {
   return smoothUnion(d, ellipsoid(q, ball, at(.016, .026, .014)), scaled(.012));
 }
 
-BodyParts BodyShape::parts(const Vector3d& p) const {
+PartDistances BodyShape::parts(const Vector3d& p) const {
   const Vector3d wrist = skeleton_.headOf(Bone::kLeftHand);
   const Vector3d shoulder = skeleton_.headOf(Bone::kLeftUpperArm);
   const Vector3d ankle = skeleton_.headOf(Bone::kLeftFoot);
-  BodyParts parts;
+  PartDistances parts;
   parts.torso = torso(p);
   parts.arm = arm_.distance(p - shoulder);
   parts.hand = hand(p - wrist);
@@ -100,15 +100,15 @@ BodyParts BodyShape::parts(const Vector3d& p) const {
   return parts;
 }
 
-double BodyShape::torsoAndArm(const BodyParts& parts) const {
+double BodyShape::torsoAndArm(const PartDistances& parts) const {
   return smoothUnion(parts.torso, parts.arm, scaled(0.05));
 }
 
-double BodyShape::torsoAndLeg(const BodyParts& parts) const {
+double BodyShape::torsoAndLeg(const PartDistances& parts) const {
   return smoothUnion(smoothUnion(parts.torso, parts.leg, scaled(0.035)), parts.foot, scaled(0.02));
 }
 
-double BodyShape::whole(const BodyParts& parts) const {
+double BodyShape::whole(const PartDistances& parts) const {
   const double upper = smoothUnion(torsoAndArm(parts), parts.head, scaled(0.03));
   return std::min(smoothUnion(upper, parts.hand, scaled(0.012)), torsoAndLeg(parts));
 }

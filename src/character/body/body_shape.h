@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 
 /// Signed distances to the parts of the left half of a body, metres.
-struct BodyParts {
+struct PartDistances {
   double torso;  ///< with shoulders, breasts and buttocks
   double arm;    ///< shoulder to wrist
   double hand;
@@ -23,11 +23,11 @@ class BodyShape {
  public:
   BodyShape(const HumanSkeleton& skeleton, const BodyBuild& build);
 
-  BodyParts parts(const Eigen::Vector3d& p) const;
+  PartDistances parts(const Eigen::Vector3d& p) const;
   // Parts together, their seams filled.
-  double torsoAndArm(const BodyParts& parts) const;
-  double torsoAndLeg(const BodyParts& parts) const;
-  double whole(const BodyParts& parts) const;
+  double torsoAndArm(const PartDistances& parts) const;
+  double torsoAndLeg(const PartDistances& parts) const;
+  double whole(const PartDistances& parts) const;
 
   const HumanSkeleton& skeleton() const { return skeleton_; }
   const BodyBuild& build() const { return build_; }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "character/body/smooth_shape.h"
+#include "character/body/signed_distance.h"
 
 namespace markerless_mocap {
 namespace {

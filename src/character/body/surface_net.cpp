@@ -165,7 +165,7 @@ class Net {
 };
 
 /// Moves each vertex half way to the mean of its neighbours.
-void evenOut(Surface& surface) {
+void smoothWeights(Surface& surface) {
   std::vector<Vector3d> sums(surface.vertices.size(), Vector3d::Zero());
   std::vector<int> counts(surface.vertices.size(), 0);
   for (const std::array<int, 4>& quad : surface.quads)
@@ -200,7 +200,7 @@ Vector3d ontoSurface(const Field& field, Vector3d p, double reach) {
 Surface surfaceOf(const Field& field, const Eigen::AlignedBox3d& box, double pitch) {
   Surface surface = Net(HalfLattice(field, box, pitch)).build();
   for (int round = 0; round < 2; ++round) {
-    evenOut(surface);
+    smoothWeights(surface);
     tbb::parallel_for(size_t(0), surface.vertices.size(), [&](size_t v) {
       surface.vertices[v] = ontoSurface(field, surface.vertices[v], pitch);
     });

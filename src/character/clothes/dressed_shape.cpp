@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "character/body/smooth_shape.h"
+#include "character/body/signed_distance.h"
 
 namespace markerless_mocap {
 namespace {
@@ -16,13 +16,13 @@ constexpr double kNone = 1e3;  ///< distance to what is not worn, m
 
 /// Sections of cloth that hangs from the widest body above it. \param from first section of the
 /// body that carries it, counted from the top \param share of that width that remains below
-Sections hanging(Sections body, size_t from, double share) {
+Sections hanging(Sections body, size_t from, double fraction) {
   LoftSection widest;
   for (size_t i = body.size() - from; i-- > 0;) {
     for (double LoftSection::*field :
          {&LoftSection::side, &LoftSection::front, &LoftSection::back}) {
       widest.*field = std::max(widest.*field, body[i].*field);
-      body[i].*field = std::max(body[i].*field, share * widest.*field);
+      body[i].*field = std::max(body[i].*field, fraction * widest.*field);
     }
   }
   return body;
@@ -115,7 +115,7 @@ DressedShape::DressedShape(const BodyShape& body, const CharacterOptions& option
   if (long_hair_) fall_.emplace(kUpwards, hairFall(build), 0.2, 0.015);
 }
 
-double DressedShape::shirt(const Vector3d& p, const BodyParts& parts) const {
+double DressedShape::shirt(const Vector3d& p, const PartDistances& parts) const {
   const HumanSkeleton& s = body_.skeleton();
   const Vector3d neck = s.headOf(Bone::kNeck), elbow = s.headOf(Bone::kLeftForearm);
   const double round = 0.008, womanly = 1.0 - body_.build().male;
@@ -138,7 +138,7 @@ double DressedShape::shirt(const Vector3d& p, const BodyParts& parts) const {
   return smoothIntersection(d, hem - p.z(), round);
 }
 
-double DressedShape::trousers(const Vector3d& p, const BodyParts& parts) const {
+double DressedShape::trousers(const Vector3d& p, const PartDistances& parts) const {
   const double waist = length(1.03, 0.985);
   double d = body_.torsoAndLeg(parts) - 0.004;
   if (loose_) {
@@ -159,7 +159,7 @@ double DressedShape::skirt(const Vector3d& p) const {
   return smoothIntersection(d, p.z() - waist, 0.008);
 }
 
-double DressedShape::hair(const Vector3d& p, const BodyParts& parts) const {
+double DressedShape::hair(const Vector3d& p, const PartDistances& parts) const {
   const auto f = [this](double man) { return length(man, man * 1.65 / 1.75); };
   const double hairline = p.x() - f(.018) - 0.68 * (p.z() - f(1.60));
   const double nape = f(1.565) + 0.45 * std::max(p.x(), -0.07) - p.z();
@@ -170,7 +170,7 @@ double DressedShape::hair(const Vector3d& p, const BodyParts& parts) const {
 
 std::array<double, kLayerCount> DressedShape::layers(const Vector3d& p) const {
   const Vector3d half(p.x(), std::abs(p.y()), p.z());
-  const BodyParts parts = body_.parts(half);
+  const PartDistances parts = body_.parts(half);
   const double cuff = length(.085, .08);
   std::array<double, kLayerCount> d;
   d[size_t(Layer::kSkin)] = body_.whole(parts);

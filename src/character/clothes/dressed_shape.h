@@ -24,10 +24,10 @@ class DressedShape {
 
  private:
   std::array<double, kLayerCount> layers(const Eigen::Vector3d& p) const;
-  double shirt(const Eigen::Vector3d& p, const BodyParts& parts) const;
-  double trousers(const Eigen::Vector3d& p, const BodyParts& parts) const;
+  double shirt(const Eigen::Vector3d& p, const PartDistances& parts) const;
+  double trousers(const Eigen::Vector3d& p, const PartDistances& parts) const;
   double skirt(const Eigen::Vector3d& p) const;
-  double hair(const Eigen::Vector3d& p, const BodyParts& parts) const;
+  double hair(const Eigen::Vector3d& p, const PartDistances& parts) const;
   double length(double man, double woman) const { return body_.build().length(man, woman); }
 
   BodyShape body_;

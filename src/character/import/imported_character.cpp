@@ -31,12 +31,12 @@ UprightRig uprightRig(const std::string& path) {
     upright.rig = scene.in(pose);
     RiggedMesh& rig = upright.rig;
     upright.bones = mapBones(rig.joints, path);
-    if (!measureStance(rig.joints, upright.bones, rig.places, upright.stance)) continue;
+    if (!measureStance(rig.joints, upright.bones, rig.joint_positions, upright.stance)) continue;
     const Eigen::Matrix3d& R = upright.stance.R_world_rig;
-    for (Vector3d& place : rig.places) place = R * place;
+    for (Vector3d& place : rig.joint_positions) place = R * place;
     for (Eigen::Vector3f& vertex : rig.mesh.vertices)
       vertex = (R * vertex.cast<double>()).cast<float>();
-    upright.bones = withTrunkByHeight(upright.bones, rig.places);
+    upright.bones = withTrunkByHeight(upright.bones, rig.joint_positions);
     return upright;
   }
   throw std::invalid_argument(path +
@@ -92,8 +92,8 @@ Bone nearestBone(const HumanSkeleton& skeleton, const Vector3d& point) {
 
 /// A bone that the rig does not have takes over from the one above it beyond their joint, going
 /// over by and by. A collar bone takes nothing: its skin stays with the chest.
-void shareWithMissing(const BoneMap& bones, const HumanSkeleton& skeleton, const Vector3d& point,
-                      BoneWeights& weights) {
+void distributeToMissing(const BoneMap& bones, const HumanSkeleton& skeleton, const Vector3d& point,
+                         BoneWeights& weights) {
   constexpr double kReach = 0.3;  // to either side of the joint, of the shorter bone's length
   for (int b = 1; b < kBoneCount; ++b) {
     const Bone bone = Bone(b), parent = parentOf(bone);
@@ -103,9 +103,9 @@ void shareWithMissing(const BoneMap& bones, const HumanSkeleton& skeleton, const
     const Vector3d along = (skeleton.tailOf(bone) - skeleton.headOf(parent)).normalized();
     const double reach = kReach * std::min(skeleton.lengthOf(bone), skeleton.lengthOf(parent));
     const double beyond = (point - skeleton.headOf(bone)).dot(along);
-    const float share = float(std::clamp(0.5 + 0.5 * beyond / std::max(reach, 1e-9), 0.0, 1.0));
-    weights[size_t(b)] = share * weights[size_t(parent)];
-    weights[size_t(parent)] *= 1.0f - share;
+    const float fraction = float(std::clamp(0.5 + 0.5 * beyond / std::max(reach, 1e-9), 0.0, 1.0));
+    weights[size_t(b)] = fraction * weights[size_t(parent)];
+    weights[size_t(parent)] *= 1.0f - fraction;
   }
 }
 
@@ -127,7 +127,7 @@ VertexWeights fourLargest(const BoneWeights& weights) {
 /// The person as it stands in the file.
 Character standing(UprightRig& upright) {
   std::vector<BoneWeights> weights = boneWeights(upright);
-  RigMeasures measures{upright.rig.places, upright.rig.mesh.vertices, {}};
+  RigMeasures measures{upright.rig.joint_positions, upright.rig.mesh.vertices, {}};
   for (const BoneWeights& vertex : weights) measures.bone_of_vertex.push_back(heaviest(vertex));
 
   Character person;
@@ -136,7 +136,7 @@ Character standing(UprightRig& upright) {
     const Vector3d point = measures.vertices[v].cast<double>();
     if (measures.bone_of_vertex[v] < 0)
       weights[v][size_t(nearestBone(person.skeleton, point))] = 1.0f;
-    shareWithMissing(upright.bones, person.skeleton, point, weights[v]);
+    distributeToMissing(upright.bones, person.skeleton, point, weights[v]);
     person.weights.push_back(fourLargest(weights[v]));
   }
   person.mesh = std::move(upright.rig.mesh);
@@ -162,11 +162,11 @@ HumanPose tPose(const HumanSkeleton& bind, const RigStance& stance) {
 }
 
 /// Left and right joints become each other's mirror, those of the middle go to y = 0.
-void mirrorMeans(PerBone<Vector3d>& places) {
-  const PerBone<Vector3d> given = places;
+void mirrorMeans(PerBone<Vector3d>& joint_positions) {
+  const PerBone<Vector3d> given = joint_positions;
   for (size_t b = 0; b < size_t(kBoneCount); ++b) {
     const Vector3d& other = given[size_t(mirrorOf(Bone(b)))];
-    places[b] = 0.5 * (given[b] + Vector3d(other.x(), -other.y(), other.z()));
+    joint_positions[b] = 0.5 * (given[b] + Vector3d(other.x(), -other.y(), other.z()));
   }
 }
 
@@ -192,9 +192,9 @@ void scaleAndPlace(Character& person, double stature) {
   const Vector3d origin(hips.x(), hips.y(), double(bottom));
   HumanSkeleton& skeleton = person.skeleton;
   skeleton.stature = stature;
-  for (PerBone<Vector3d>* places : {&skeleton.head, &skeleton.tail}) {
-    for (Vector3d& place : *places) place = scale * (place - origin);
-    mirrorMeans(*places);
+  for (PerBone<Vector3d>* joint_positions : {&skeleton.head, &skeleton.tail}) {
+    for (Vector3d& place : *joint_positions) place = scale * (place - origin);
+    mirrorMeans(*joint_positions);
   }
   for (Eigen::Vector3f& vertex : person.mesh.vertices)
     vertex = (scale * (vertex.cast<double>() - origin)).cast<float>();

@@ -32,8 +32,8 @@ Vector3f plainColor(const aiMaterial& material, bool textured) {
 /// \param u \param v from the image's lower left corner; repeats beyond the image
 Vector3f sampled(const cv::Mat& image, float u, float v) {
   if (!std::isfinite(u) || !std::isfinite(v)) return Vector3f::Ones();
-  const auto pixel = [](float share, int size) {
-    return std::min(int((share - std::floor(share)) * float(size)), size - 1);
+  const auto pixel = [](float fraction, int size) {
+    return std::min(int((fraction - std::floor(fraction)) * float(size)), size - 1);
   };
   const cv::Vec3b& bgr = image.at<cv::Vec3b>(pixel(1.0f - v, image.rows), pixel(u, image.cols));
   return Vector3f(bgr[2], bgr[1], bgr[0]) / 255.0f;

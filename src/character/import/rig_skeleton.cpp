@@ -34,7 +34,7 @@ class Placer {
 
   HumanSkeleton placed() {
     for (int b = 0; b < kBoneCount; ++b)
-      if (bones_.has(Bone(b))) head(Bone(b)) = measures_.places[size_t(bones_[Bone(b)])];
+      if (bones_.has(Bone(b))) head(Bone(b)) = measures_.joint_positions[size_t(bones_[Bone(b)])];
     head(Bone::kHips) = 0.5 * (head(Bone::kLeftThigh) + head(Bone::kRightThigh));
     placeTrunk();
     for (const auto& [clavicle, toes] : {std::pair(Bone::kLeftClavicle, Bone::kLeftToes),
@@ -54,10 +54,10 @@ class Placer {
   /// rise above the one below count as not told of.
   void placeTrunk() {
     const Vector3d shoulders = 0.5 * (head(Bone::kLeftUpperArm) + head(Bone::kRightUpperArm));
-    constexpr double kLeast = 0.01;  // of the legs
+    constexpr double kMinAbove = 0.01;  // of the legs
     for (Bone bone : {Bone::kSpine, Bone::kChest, Bone::kNeck, Bone::kHead}) {
       const Bone below = Bone(int(bone) - 1);
-      if (bones_.has(bone) && head(bone).z() > head(below).z() + kLeast * stance_.leg_length)
+      if (bones_.has(bone) && head(bone).z() > head(below).z() + kMinAbove * stance_.leg_length)
         continue;
       double z_below = adult_.headOf(below).z(), z_above = adult_.headOf(Bone::kLeftUpperArm).z();
       Vector3d from = head(below), to = shoulders;
@@ -147,15 +147,16 @@ HumanSkeleton rigSkeleton(const BoneMap& bones, const RigStance& stance,
   return Placer(bones, stance, measures).placed();
 }
 
-BoneMap withTrunkByHeight(BoneMap bones, const std::vector<Vector3d>& places) {
-  // Shares of the way from hips to shoulders, see HumanSkeleton::adult().
+BoneMap withTrunkByHeight(BoneMap bones, const std::vector<Vector3d>& joint_positions) {
+  // WeightVector of the way from hips to shoulders, see HumanSkeleton::adult().
   constexpr double kSpineHeight = 0.2, kChestHeight = 0.56;
   const auto middle = [&](Bone left) {
-    return 0.5 * (places[size_t(bones[left])].z() + places[size_t(bones[mirrorOf(left)])].z());
+    return 0.5 * (joint_positions[size_t(bones[left])].z() +
+                  joint_positions[size_t(bones[mirrorOf(left)])].z());
   };
   const double hips = middle(Bone::kLeftThigh), trunk = middle(Bone::kLeftUpperArm) - hips;
   const auto missing = [&](int joint, double height) {
-    return std::abs((places[size_t(joint)].z() - hips) / trunk - height);
+    return std::abs((joint_positions[size_t(joint)].z() - hips) / trunk - height);
   };
   int& spine = bones.joint[size_t(Bone::kSpine)];
   int& chest = bones.joint[size_t(Bone::kChest)];

@@ -35,7 +35,7 @@ class Merger {
     addHanging(*scene_.mRootNode);
     result_.joints = nodes_.joints();
     for (const Matrix4d& transform : T_joint_)
-      result_.places.push_back(transform.topRightCorner<3, 1>());
+      result_.joint_positions.push_back(transform.topRightCorner<3, 1>());
     turnOutward();
     requireFinite();
     return std::move(result_);
@@ -122,8 +122,8 @@ class Merger {
     for (const Eigen::Vector3f& vertex : result_.mesh.vertices)
       if (!vertex.allFinite())
         throw std::invalid_argument(path_ + ": a vertex's place is not a finite number");
-    for (size_t j = 0; j < result_.places.size(); ++j)
-      if (!result_.places[j].allFinite())
+    for (size_t j = 0; j < result_.joint_positions.size(); ++j)
+      if (!result_.joint_positions[j].allFinite())
         throw std::invalid_argument(path_ + ": the place of the joint " + result_.joints[j].name +
                                     " is not a finite number");
   }

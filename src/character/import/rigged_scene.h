@@ -23,7 +23,7 @@ struct JointWeight {
 /// A rig and the meshes that hang on it, in one pose, in the file's axes and unit.
 struct RiggedMesh {
   std::vector<NamedJoint> joints;  ///< parents before children
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> joint_positions;
   ColoredMesh mesh;
   std::vector<std::vector<JointWeight>> weights;  ///< of each vertex, may be empty
 };

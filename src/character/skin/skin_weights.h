@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "character/clothes/dressed_shape.h"
 #include "character/body/surface_net.h"
 #include "character/character.h"
+#include "character/clothes/dressed_shape.h"
 
 namespace markerless_mocap {
 

@@ -30,8 +30,8 @@ ContourObservation seenBy(size_t camera, const ContourObservation& seen) {
 /// How a cone's ends move, seen by a camera, with the pose and the camera's shift to the right and
 /// down. That the camera turns is as if the body turned about it the other way.
 ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, size_t cone,
-                          const PlacedCone& placed) {
-  const int segment = contourTree().cones[cone].ends[0].segment;
+                          const ContourWorldCone& placed) {
+  const int segment = contourKinematicTree().cones[cone].ends[0].segment;
   const Eigen::Matrix3d& R = camera.calibration().T_world_camera.linear();
   ConeJacobian J = ConeJacobian::Zero();
   for (int end = 0; end < 2; ++end) {
@@ -46,7 +46,7 @@ ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, siz
 
 /// Adds what one camera sees.
 void addCamera(size_t index, const Camera& camera, const PoseProblem& problem,
-               PointingEquations& out) {
+               OrientationNormalEquations& out) {
   const auto at = Eigen::Index(2 * index);
   for (size_t c = 0; c < kContourCones; ++c) {
     const ConeJacobian J = coneJacobian(camera, problem.frames(), c, problem.cones()[c]);
@@ -66,20 +66,20 @@ void addCamera(size_t index, const Camera& camera, const PoseProblem& problem,
 
 }  // namespace
 
-CameraRig turnedRig(const CameraRig& rig, const PointingPixels& pixels) {
+CameraRig rotatedRig(const CameraRig& rig, const ImageShifts& pixels) {
   CameraRig turned;
   for (size_t i = 0; i < rig.size(); ++i) {
     CameraCalibration camera = rig[i].calibration();
     const auto at = Eigen::Index(2 * i);
     const Vector3d turn = turnOfShift(rig[i], pixels[at], pixels[at + 1]);
-    camera.T_world_camera.linear() = camera.T_world_camera.linear() * rotationOf(turn);
+    camera.T_world_camera.linear() = camera.T_world_camera.linear() * expSO3(turn);
     turned.emplace_back(camera);
   }
   return turned;
 }
 
-ContourObservation turnedObservation(const ContourObservation& seen, const CameraRig& rig,
-                                     const CameraRig& turned) {
+ContourObservation rotatedObservation(const ContourObservation& seen, const CameraRig& rig,
+                                      const CameraRig& turned) {
   std::vector<Eigen::Matrix3f> R;
   for (size_t i = 0; i < rig.size(); ++i)
     R.push_back((turned[i].calibration().T_world_camera.linear() *
@@ -96,21 +96,23 @@ ContourObservation turnedObservation(const ContourObservation& seen, const Camer
   return out;
 }
 
-PointingEquations pointingEquations(const CameraRig& rig, const ContourOptions& contour,
-                                    const ContourBody& body, const ContourObservation& seen,
-                                    const ContourPose& pose, double outlier) {
+OrientationNormalEquations orientationNormalEquations(const CameraRig& rig,
+                                                      const ContourOptions& contour,
+                                                      const ContourBody& body,
+                                                      const ContourObservation& seen,
+                                                      const ContourPose& pose, double outlier) {
   const auto count = Eigen::Index(2 * rig.size());
-  PointingEquations out{{},
-                        Eigen::MatrixXd::Zero(kContourDof, count),
-                        Eigen::MatrixXd::Zero(count, count),
-                        Eigen::VectorXd::Zero(count),
-                        std::vector<size_t>(rig.size())};
+  OrientationNormalEquations out{{},
+                                 Eigen::MatrixXd::Zero(kContourDof, count),
+                                 Eigen::MatrixXd::Zero(count, count),
+                                 Eigen::VectorXd::Zero(count),
+                                 std::vector<size_t>(rig.size())};
   out.pose.clear();
   addPosturePriors(pose, out.pose);
   for (size_t i = 0; i < rig.size(); ++i) {
     const ContourObservation part = seenBy(i, seen);
     ContourOptions options = contour;  // each ray weighs what it does among all
-    options.contour_weight *= double(part.rays.size()) / std::max(1.0, double(seen.rays.size()));
+    options.effective_rays *= double(part.rays.size()) / std::max(1.0, double(seen.rays.size()));
     PoseProblem problem(part, rig, options);
     problem.evaluate(body, pose, outlier);
     addCamera(i, rig[i], problem, out);

@@ -52,10 +52,10 @@ void draw(const Disk& a, const Disk& b, cv::Mat& canvas) {
 
 }  // namespace
 
-double viewOverlap(const ContourView& view, const Camera& camera, const PlacedCones& cones) {
+double viewOverlap(const ContourView& view, const Camera& camera, const ContourWorldCones& cones) {
   cv::Mat canvas = cv::Mat::zeros((camera.height() - 1) / view.step + 1,
                                   (camera.width() - 1) / view.step + 1, CV_8UC1);
-  for (const PlacedCone& cone : cones) {
+  for (const ContourWorldCone& cone : cones) {
     const auto a = diskOf(camera, view.step, cone.a, cone.radius_a);
     const auto b = diskOf(camera, view.step, cone.b, cone.radius_b);
     if (a && b) draw(*a, *b, canvas);
@@ -67,7 +67,8 @@ double viewOverlap(const ContourView& view, const Camera& camera, const PlacedCo
   return 0.5 * both / body + 0.5 * both / person;
 }
 
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones) {
+double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
+                   const ContourWorldCones& cones) {
   double sum = 0.0;
   for (size_t v = 0; v < rig.size(); ++v)
     if (seen.views[v].status == ViewStatus::kUsable)

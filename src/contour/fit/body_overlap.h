@@ -1,15 +1,16 @@
 #pragma once
 
-#include "contour/model/contour_body.h"
 #include "contour/fit/contour_observation.h"
+#include "contour/model/contour_body.h"
 
 namespace markerless_mocap {
 
 /// How well the body's outline and a view's mask cover each other, 0 to 1: half the share of the
 /// body in the mask plus half the share of the mask in the body (Fleischmann 2012, 5.2.1).
-double viewOverlap(const ContourView& view, const Camera& camera, const PlacedCones& cones);
+double viewOverlap(const ContourView& view, const Camera& camera, const ContourWorldCones& cones);
 
 /// Mean of viewOverlap() over the usable views; 0 if there is none.
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones);
+double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
+                   const ContourWorldCones& cones);
 
 }  // namespace markerless_mocap

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contour/fit/robust.h"
+#include "contour/fit/geman_mcclure.h"
 
 namespace markerless_mocap {
 namespace {
@@ -71,14 +71,14 @@ std::optional<BallInView> look(const Camera& camera, const ContourView& view,
 /// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask, of the
 /// cones with wanted(cone).
 template <typename Wanted, typename Stick>
-void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
-                   const Wanted& wanted, const Stick& stick) {
+void forEachExcess(const ContourObservation& seen, const CameraRig& rig,
+                   const ContourWorldCones& cones, const Wanted& wanted, const Stick& stick) {
   for (size_t v = 0; v < rig.size(); ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
     for (size_t c = 0; c < kContourCones; ++c)
-      for (size_t i = 0; wanted(c) && i < kBallsPerCone; ++i) {
-        const double s = double(i) / (kBallsPerCone - 1);
-        const PlacedCone& cone = cones[c];
+      for (size_t i = 0; wanted(c) && i < kSpheresPerCone; ++i) {
+        const double s = double(i) / (kSpheresPerCone - 1);
+        const ContourWorldCone& cone = cones[c];
         const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
         const auto ball = look(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
         if (ball && ball->excess > 0) stick(c, i, s, *ball);
@@ -88,24 +88,25 @@ void forEachExcess(const ContourObservation& seen, const CameraRig& rig, const P
 
 }  // namespace
 
-BallExcess addContainment(const ContourObservation& seen, const CameraRig& rig,
-                          const PlacedCones& cones, double weight, AllConeSums& sums) {
-  BallExcess most{};
+SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
+                               const ContourWorldCones& cones, double weight,
+                               AllConeNormalEquations& sums) {
+  SphereViolation most{};
   const auto all = [](size_t) { return true; };
   forEachExcess(seen, rig, cones, all, [&](size_t c, size_t i, double s, const BallInView& ball) {
     most[c][i] = std::max(most[c][i], ball.excess);
     const double u[4] = {ball.slope.x(), ball.slope.y(), ball.slope.z(), 1.0};
-    sums[c].add(s, u, ball.excess, weight * robustWeight(ball.excess, kOutlier));
+    sums[c].add(s, u, ball.excess, weight * gemanMcClureWeight(ball.excess, kOutlier));
   });
   return most;
 }
 
-double excessEnergy(const ContourObservation& seen, const CameraRig& rig, const PlacedCones& cones,
-                    ContourLimb::Id limb) {
+double containmentEnergy(const ContourObservation& seen, const CameraRig& rig,
+                         const ContourWorldCones& cones, ContourLimb::Id limb) {
   double sum = 0.0;
   const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
   forEachExcess(seen, rig, cones, of_limb, [&](size_t, size_t, double, const BallInView& ball) {
-    sum += robustSquare(ball.excess, kOutlier);
+    sum += gemanMcClureLoss(ball.excess, kOutlier);
   });
   return sum;
 }

@@ -22,21 +22,21 @@ constexpr double kLongestStep = 0.35;  // rad or metres
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
 void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
-               const ContourOptions& options, PoseEquations& equations) {
+               const ContourOptions& options, PoseNormalEquations& equations) {
   addPosturePriors(pose, equations);
-  addArmsAtRest(pose, equations);
+  addArmRestPrior(pose, equations);
   if (prediction)
-    addPrediction(pose, prediction->pose, options.turn_rate * prediction->seconds,
-                  options.move_rate * prediction->seconds, equations);
+    addMotionPrior(pose, prediction->pose, options.joint_velocity_sigma * prediction->seconds,
+                   options.root_velocity_sigma * prediction->seconds, equations);
 }
 
-ContourPose stepped(const ContourPose& pose, const PoseEquations& equations) {
+ContourPose stepped(const ContourPose& pose, const PoseNormalEquations& equations) {
   auto H = equations.H;
   H.diagonal() *= 1.0 + kShareDamping;
   H.diagonal().head<3>().array() += kMoveDamping;
   H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
-  const PoseStep step = -Cholesky(H).solve(equations.g);
-  return moved(pose, step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep));
+  const PoseIncrement step = -Cholesky(H).solve(equations.g);
+  return boxPlus(pose, step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
@@ -52,8 +52,9 @@ void check(const ContourObservation& seen, const CameraRig& rig, const ContourPo
 
 }  // namespace
 
-ContourPose goneOn(const ContourPose& before, const ContourPose& last, double share) {
-  return moved(last, share * stepBetween(before, last));
+ContourPose predictConstantVelocity(const ContourPose& before, const ContourPose& last,
+                                    double share) {
+  return boxPlus(last, share * boxMinus(last, before));
 }
 
 double qualityOf(const ContourFit& fit) {
@@ -70,25 +71,25 @@ ContourFitter::ContourFitter(const CameraRig& rig, const ContourOptions& options
   options.validate();
 }
 
-FitSchedule ContourFitter::schedule() const {
-  return {options_.iterations, options_.outlier_first, options_.outlier_last};
+RobustSchedule ContourFitter::schedule() const {
+  return {options_.iterations, options_.robust_scale_initial, options_.robust_scale_final};
 }
 
 ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody& body,
                               const ContourPose& start,
                               const std::optional<ContourPrediction>& prediction,
-                              const FitSchedule& schedule) const {
+                              const RobustSchedule& schedule) const {
   check(seen, rig_, start, prediction);
   ContourFit fit;
   fit.pose = start;
   if (seen.usableViews() < 2) return fit;
   PoseProblem problem(seen, rig_, options_);
-  PoseEquations equations;
+  PoseNormalEquations equations;
   // One evaluation more than steps: the last one is of the pose that is handed out.
   for (int i = 0; i <= schedule.iterations; ++i) {
-    problem.evaluate(body, fit.pose, outlierAt(schedule, std::min(i, schedule.iterations - 1)));
+    problem.evaluate(body, fit.pose, robustScaleAt(schedule, std::min(i, schedule.iterations - 1)));
     equations.clear();
-    addToPose(problem.sums(), problem.frames(), problem.cones(), equations);
+    accumulatePoseEquations(problem.sums(), problem.frames(), problem.cones(), equations);
     addPriors(fit.pose, prediction, options_, equations);
     if (i < schedule.iterations) fit.pose = stepped(fit.pose, equations);
     if (!fit.pose.isFinite()) break;

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "contour/model/contour_body.h"
 #include "contour/fit/contour_observation.h"
+#include "contour/model/contour_body.h"
 
 namespace markerless_mocap {
 
@@ -16,15 +16,16 @@ struct ContourPrediction {
 
 /// The pose that goes on from the last one as fast as before. \param share of the last velocity
 /// that is kept, 0 to 1
-ContourPose goneOn(const ContourPose& before, const ContourPose& last, double share);
+ContourPose predictConstantVelocity(const ContourPose& before, const ContourPose& last,
+                                    double share);
 
 /// How many steps and from which distance on a ray is mostly ignored: less in every step.
-struct FitSchedule {
+struct RobustSchedule {
   int iterations;
-  double outlier_first, outlier_last;  ///< metres
+  double robust_scale_initial, robust_scale_final;  ///< metres
 
   /// For a start that may be off by tenths of a radian and decimetres.
-  static FitSchedule wide() { return {24, 0.3, 0.03}; }
+  static RobustSchedule wide() { return {24, 0.3, 0.03}; }
 };
 
 /// What speaks for a limb where it is.
@@ -72,14 +73,14 @@ class ContourFitter {
   ContourFitter(const CameraRig& rig, const ContourOptions& options);
   const ContourOptions& options() const { return options_; }
   /// For a start that follows the last pose.
-  FitSchedule schedule() const;
+  RobustSchedule schedule() const;
 
   /// \param prediction empty when nothing is known from before
   /// Throws std::invalid_argument if the observation is of another rig, or start or prediction are
   /// not finite.
   ContourFit fit(const ContourObservation& seen, const ContourBody& body, const ContourPose& start,
                  const std::optional<ContourPrediction>& prediction,
-                 const FitSchedule& schedule) const;
+                 const RobustSchedule& schedule) const;
 
  private:
   CameraRig rig_;

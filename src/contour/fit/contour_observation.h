@@ -40,7 +40,7 @@ struct ContourObservation {
   int usableViews() const;
 };
 
-class PixelRays;
+class RayTable;
 
 /// Turns masks into what a body is fitted to. Immutable; safe to share between threads.
 class ContourObserver {
@@ -58,7 +58,7 @@ class ContourObserver {
  private:
   CameraRig rig_;
   int rays_;
-  std::vector<PixelRays> pixel_rays_;  ///< by camera
+  std::vector<RayTable> pixel_rays_;  ///< by camera
 };
 
 }  // namespace markerless_mocap

@@ -4,9 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "contour/fit/outline.h"
-#include "contour/fit/pixel_rays.h"
 #include "contour/fit/contour_observation.h"
+#include "contour/fit/outline.h"
+#include "contour/fit/ray_table.h"
 
 namespace markerless_mocap {
 namespace {
@@ -81,7 +81,7 @@ ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
 }
 
 /// False where the border has no direction.
-bool castRay(const cv::Mat& mask, const Camera& camera, const PixelRays& rays, const Crack& crack,
+bool castRay(const cv::Mat& mask, const Camera& camera, const RayTable& rays, const Crack& crack,
              ContourRay& ray) {
   const int radius = std::clamp(mask.cols / kWidthPerNormalRadius, 2, 6);
   const Vector2d out = outwardNormal(mask, crack, radius);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
-#include "contour/fit/robust.h"
 
 namespace markerless_mocap {
 namespace {
@@ -38,7 +38,7 @@ ByLimb tally(const ContourOptions& options, const PoseProblem& problem, ContourF
     LimbEvidence& limb = fit.limbs[l];
     const double distance = std::abs(double(match.residual));
     ++rays[l];
-    distances[l] += robustSquare(distance, options.outlier_last);
+    distances[l] += gemanMcClureLoss(distance, options.robust_scale_final);
     if (!(distance < kRayExplained)) continue;
     ++explained;
     ++limb.rays;
@@ -62,7 +62,7 @@ ByLimb tally(const ContourOptions& options, const PoseProblem& problem, ContourF
 }
 
 /// The body's cones but for those of one limb.
-PlacedCones without(ContourLimb::Id limb, PlacedCones cones) {
+ContourWorldCones without(ContourLimb::Id limb, ContourWorldCones cones) {
   for (int c = 0; c < kContourCones; ++c)
     if (limbOfCone(c) == limb) cones[size_t(c)].a = cones[size_t(c)].b.setConstant(kNowhere);
   return cones;
@@ -74,7 +74,7 @@ PlacedCones without(ContourLimb::Id limb, PlacedCones cones) {
 std::vector<double> shares(const ContourObservation& seen, const ContourOptions& options,
                            const PoseProblem& problem) {
   std::vector<double> out(seen.rays.size(), 1.0);
-  const double largest = square(options.outlier_last);
+  const double largest = square(options.robust_scale_final);
   for (const auto arm : {ContourLimb::kLeftArm, ContourLimb::kRightArm}) {
     std::vector<size_t> touching;
     std::vector<ContourRay> rays;
@@ -84,11 +84,11 @@ std::vector<double> shares(const ContourObservation& seen, const ContourOptions&
         rays.push_back(seen.rays[i]);
       }
     std::vector<RayMatch> others;
-    matchRays(ConeLanes(without(arm, problem.cones())), rays, others);
+    matchRays(PackedContourCones(without(arm, problem.cones())), rays, others);
     for (size_t i = 0; i < rays.size(); ++i) {
       const double rise =
-          robustSquare(others[i].residual, options.outlier_last) -
-          robustSquare(problem.matches()[touching[i]].residual, options.outlier_last);
+          gemanMcClureLoss(others[i].residual, options.robust_scale_final) -
+          gemanMcClureLoss(problem.matches()[touching[i]].residual, options.robust_scale_final);
       out[touching[i]] = std::max(0.0, rise / largest);
     }
   }
@@ -110,19 +110,20 @@ ByLimb varianceOf(const ContourOptions& options, ByLimb disagreement) {
 /// not leave, hold a limb but do not show where it is.
 Square knowledge(const ContourObservation& seen, const ContourOptions& options,
                  const PoseProblem& problem, const ContourPose& pose, const ByLimb& variance) {
-  AllConeSums sums;
+  AllConeNormalEquations sums;
   const std::vector<double> share = shares(seen, options, problem);
-  const double one = options.contour_weight / std::max(1.0, double(seen.rays.size()));
+  const double one = options.effective_rays / std::max(1.0, double(seen.rays.size()));
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const RayMatch& match = problem.matches()[i];
     const double weight = share[i] * one / variance[limbOfCone(match.cone)];
-    addRay(seen.rays[i], match, weight * robustWeight(match.residual, options.outlier_last), sums);
+    addRay(seen.rays[i], match,
+           weight * gemanMcClureWeight(match.residual, options.robust_scale_final), sums);
   }
-  PoseEquations equations;
+  PoseNormalEquations equations;
   equations.clear();
-  addToPose(sums, problem.frames(), problem.cones(), equations);
+  accumulatePoseEquations(sums, problem.frames(), problem.cones(), equations);
   addPosturePriors(pose, equations);
-  addArmsAtRest(pose, equations);
+  addArmRestPrior(pose, equations);
   equations.H.diagonal().array() += 1.0 / square(kAnything);
   return equations.H;
 }
@@ -132,7 +133,7 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
                     const Eigen::LLT<Square>& inverse, int limb) {
   // By ContourLimb: neck's base, head, wrists, ankles among contourPointNames().
   constexpr int kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
-  const RiddenPoint& end = contourTree().points[size_t(kEnds[limb])];
+  const AttachedPoint& end = contourKinematicTree().points[size_t(kEnds[limb])];
   Eigen::Matrix<double, 3, kContourDof> J;
   poseJacobian(frames, end.segment,
                frames.t[end.segment] + frames.R[end.segment] * end.local.at(body.sizes()), J);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contour/fit/pose_problem.h"
 #include "contour/fit/contour_fitter.h"
+#include "contour/fit/pose_problem.h"
 
 namespace markerless_mocap {
 

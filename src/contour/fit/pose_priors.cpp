@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using A = ContourAngle;
-using B = ContourBall;
+using A = RevoluteJoint;
+using B = SphericalJoint;
 
 constexpr double kLimitDeviation = 0.05;  // rad beyond a limit
 
@@ -112,7 +112,7 @@ Vector3d hangingOf(size_t side) {
   return {kHanging.x(), side ? -kHanging.y() : kHanging.y(), kHanging.z()};
 }
 ArmAtRest armAtRest(const ContourPose& pose, size_t side) {
-  return {pose.balls[B::kLeftShoulder + side].col(2) - hangingOf(side),
+  return {pose.rotations[B::kLeftShoulder + side].col(2) - hangingOf(side),
           pose.angles[A::kLeftElbow + side] - kBend};
 }
 
@@ -124,19 +124,19 @@ void forEachResidual(const ContourPose& pose, const Add& add) {
   for (int a = 0; a < A::kCount; ++a) {
     const AngleRule& rule = kAngleRules[a];
     const double angle = pose.angles[size_t(a)], over = excess(angle, rule.lower, rule.upper);
-    if (over != 0) add(dofOfAngle(a), one, over, hard);
-    if (rule.deviation > 0) add(dofOfAngle(a), one, angle, inverseSquare(rule.deviation));
+    if (over != 0) add(revoluteDof(a), one, over, hard);
+    if (rule.deviation > 0) add(revoluteDof(a), one, angle, inverseSquare(rule.deviation));
   }
   for (const TwistRule& rule : kTwistRules) {
-    const BallResidual twist = twistOf(rule, pose.balls[size_t(rule.ball)]);
+    const BallResidual twist = twistOf(rule, pose.rotations[size_t(rule.ball)]);
     const double over = excess(twist.value, -rule.limit, rule.limit);
-    add(dofOfBall(rule.ball), twist.slope, twist.value, inverseSquare(rule.deviation));
-    if (over != 0) add(dofOfBall(rule.ball), twist.slope, over, hard);
+    add(sphericalDof(rule.ball), twist.slope, twist.value, inverseSquare(rule.deviation));
+    if (over != 0) add(sphericalDof(rule.ball), twist.slope, over, hard);
   }
   for (const DirectionRule& rule : kDirectionRules) {
-    const BallResidual direction = directionOf(rule, pose.balls[size_t(rule.ball)]);
+    const BallResidual direction = directionOf(rule, pose.rotations[size_t(rule.ball)]);
     const double over = direction.value - rule.most;
-    if (over > 0) add(dofOfBall(rule.ball), direction.slope, over, hard);
+    if (over > 0) add(sphericalDof(rule.ball), direction.slope, over, hard);
   }
 }
 
@@ -152,13 +152,13 @@ Matrix3d inverseRightJacobian(const Vector3d& turn) {
 
 }  // namespace
 
-void addPosturePriors(const ContourPose& pose, PoseEquations& equations) {
+void addPosturePriors(const ContourPose& pose, PoseNormalEquations& equations) {
   forEachResidual(pose, [&](int dof, const auto& slope, double residual, double weight) {
     equations.add(dof, slope, residual, weight);
   });
 }
 
-void addArmsAtRest(const ContourPose& pose, PoseEquations& equations) {
+void addArmRestPrior(const ContourPose& pose, PoseNormalEquations& equations) {
   const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
   for (const size_t side : {0, 1}) {
     const ArmAtRest arm = armAtRest(pose, side);
@@ -167,10 +167,11 @@ void addArmsAtRest(const ContourPose& pose, PoseEquations& equations) {
         inverseSquare(kHangingDeviation) / softened(arm.away.norm(), kHangingDeviation);
     for (int i = 0; i < 3; ++i) {
       const DirectionRule along{shoulder, Vector3d::Unit(i), 0};
-      equations.add(dofOfBall(shoulder), directionOf(along, pose.balls[size_t(shoulder)]).slope,
-                    arm.away[i], weight);
+      equations.add(sphericalDof(shoulder),
+                    directionOf(along, pose.rotations[size_t(shoulder)]).slope, arm.away[i],
+                    weight);
     }
-    equations.add(dofOfAngle(elbow), one, arm.bend,
+    equations.add(revoluteDof(elbow), one, arm.bend,
                   inverseSquare(kBendDeviation) / softened(arm.bend, kBendDeviation));
   }
 }
@@ -185,14 +186,14 @@ double postureEnergy(const ContourPose& pose) {
 
 ContourPose withArmsAtRest(ContourPose pose) {
   for (const size_t side : {0, 1}) {
-    pose.balls[B::kLeftShoulder + side] =
+    pose.rotations[B::kLeftShoulder + side] =
         Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), hangingOf(side)).toRotationMatrix();
     pose.angles[A::kLeftElbow + side] = kBend;
   }
   return pose;
 }
 
-double restEnergy(const ContourPose& pose) {
+double armRestEnergy(const ContourPose& pose) {
   double energy = 0.0;
   for (const size_t side : {0, 1}) {
     const ArmAtRest arm = armAtRest(pose, side);
@@ -202,39 +203,39 @@ double restEnergy(const ContourPose& pose) {
   return energy;
 }
 
-void addPrediction(const ContourPose& pose, const ContourPose& expected, double turn_deviation,
-                   double move_deviation, PoseEquations& equations) {
-  const PoseStep away = stepBetween(expected, pose);
+void addMotionPrior(const ContourPose& pose, const ContourPose& expected, double turn_deviation,
+                    double move_deviation, PoseNormalEquations& equations) {
+  const PoseIncrement away = boxMinus(pose, expected);
   const double move = inverseSquare(move_deviation), turn = inverseSquare(turn_deviation);
   equations.H.diagonal().head<3>().array() += move;
   equations.g.head<3>() += move * away.head<3>();
   for (int b = 0; b < B::kCount; ++b) {
-    const Vector3d off = away.segment<3>(dofOfBall(b));
+    const Vector3d off = away.segment<3>(sphericalDof(b));
     const Matrix3d J = inverseRightJacobian(off);
-    equations.H.block<3, 3>(dofOfBall(b), dofOfBall(b)) += turn * J.transpose() * J;
-    equations.g.segment<3>(dofOfBall(b)) += turn * J.transpose() * off;
+    equations.H.block<3, 3>(sphericalDof(b), sphericalDof(b)) += turn * J.transpose() * J;
+    equations.g.segment<3>(sphericalDof(b)) += turn * J.transpose() * off;
   }
   equations.H.diagonal().tail<A::kCount>().array() += turn;
   equations.g.tail<A::kCount>() += turn * away.tail<A::kCount>();
 }
 
-double predictionEnergy(const ContourPose& pose, const ContourPose& expected, double turn_deviation,
-                        double move_deviation) {
-  const PoseStep away = stepBetween(expected, pose);
+double motionPriorEnergy(const ContourPose& pose, const ContourPose& expected,
+                         double turn_deviation, double move_deviation) {
+  const PoseIncrement away = boxMinus(pose, expected);
   return 0.5 * inverseSquare(move_deviation) * away.head<3>().squaredNorm() +
          0.5 * inverseSquare(turn_deviation) * away.tail<kContourDof - 3>().squaredNorm();
 }
 
-double worstLimitExcess(const ContourPose& pose) {
+double maxLimitViolation(const ContourPose& pose) {
   double worst = 0.0;
   for (size_t a = 0; a < A::kCount; ++a)
     worst = std::max(worst,
                      std::abs(excess(pose.angles[a], kAngleRules[a].lower, kAngleRules[a].upper)));
   for (const TwistRule& rule : kTwistRules)
-    worst = std::max(worst, std::abs(excess(twistOf(rule, pose.balls[size_t(rule.ball)]).value,
+    worst = std::max(worst, std::abs(excess(twistOf(rule, pose.rotations[size_t(rule.ball)]).value,
                                             -rule.limit, rule.limit)));
   for (const DirectionRule& rule : kDirectionRules)
-    worst = std::max(worst, directionOf(rule, pose.balls[size_t(rule.ball)]).value - rule.most);
+    worst = std::max(worst, directionOf(rule, pose.rotations[size_t(rule.ball)]).value - rule.most);
   return worst;
 }
 

@@ -3,36 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contour/fit/robust.h"
+#include "contour/fit/geman_mcclure.h"
 
 namespace markerless_mocap {
 
 void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, double outlier) {
   body.place(pose, frames_);
   body.place(frames_, cones_);
-  for (ConeSums& sum : sums_) sum.clear();
+  for (ConeNormalEquations& sum : sums_) sum.clear();
   addRays(outlier);
   const double weight = options_.containment_weight / (options_.sigma * options_.sigma);
   excess_ = addContainment(seen_, rig_, cones_, weight, sums_);
 }
 
 void PoseProblem::addRays(double outlier) {
-  matchRays(ConeLanes(cones_), seen_.rays, matches_);
-  const double one = options_.contour_weight / (options_.sigma * options_.sigma) /
+  matchRays(PackedContourCones(cones_), seen_.rays, matches_);
+  const double one = options_.effective_rays / (options_.sigma * options_.sigma) /
                      std::max(1.0, double(seen_.rays.size()));
   for (size_t i = 0; i < matches_.size(); ++i)
-    addRay(seen_.rays[i], matches_[i], one * robustWeight(matches_[i].residual, outlier), sums_);
+    addRay(seen_.rays[i], matches_[i], one * gemanMcClureWeight(matches_[i].residual, outlier),
+           sums_);
 }
 
-void addRay(const ContourRay& ray, const RayMatch& match, double weight, AllConeSums& sums) {
+void addRay(const ContourRay& ray, const RayMatch& match, double weight,
+            AllConeNormalEquations& sums) {
   const Eigen::Vector3f slope = match.along_normal * ray.normal + match.along_side * ray.side;
   const double u[4] = {slope.x(), slope.y(), slope.z(), -1.0};
   sums[size_t(match.cone)].add(match.s, u, match.residual, weight);
 }
 
-double outlierAt(const FitSchedule& schedule, int iteration) {
+double robustScaleAt(const RobustSchedule& schedule, int iteration) {
   const double share = schedule.iterations > 1 ? double(iteration) / (schedule.iterations - 1) : 1;
-  return schedule.outlier_first * std::pow(schedule.outlier_last / schedule.outlier_first, share);
+  return schedule.robust_scale_initial *
+         std::pow(schedule.robust_scale_final / schedule.robust_scale_initial, share);
 }
 
 }  // namespace markerless_mocap

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "contour/model/cone_sums.h"
 #include "contour/fit/containment.h"
-#include "contour/fit/ray_match.h"
 #include "contour/fit/contour_fitter.h"
+#include "contour/fit/ray_match.h"
+#include "contour/model/normal_equations.h"
 
 namespace markerless_mocap {
 
@@ -21,10 +21,10 @@ class PoseProblem {
   void evaluate(const ContourBody& body, const ContourPose& pose, double outlier);
 
   const ContourFrames& frames() const { return frames_; }
-  const PlacedCones& cones() const { return cones_; }
-  const AllConeSums& sums() const { return sums_; }
+  const ContourWorldCones& cones() const { return cones_; }
+  const AllConeNormalEquations& sums() const { return sums_; }
   const std::vector<RayMatch>& matches() const { return matches_; }
-  const BallExcess& excess() const { return excess_; }
+  const SphereViolation& excess() const { return excess_; }
 
  private:
   void addRays(double outlier);
@@ -33,16 +33,17 @@ class PoseProblem {
   const CameraRig& rig_;
   const ContourOptions& options_;
   ContourFrames frames_;
-  PlacedCones cones_;
-  AllConeSums sums_;
+  ContourWorldCones cones_;
+  AllConeNormalEquations sums_;
   std::vector<RayMatch> matches_;
-  BallExcess excess_{};
+  SphereViolation excess_{};
 };
 
 /// Adds what a ray tells of the cone it is matched to.
-void addRay(const ContourRay& ray, const RayMatch& match, double weight, AllConeSums& sums);
+void addRay(const ContourRay& ray, const RayMatch& match, double weight,
+            AllConeNormalEquations& sums);
 
 /// Robustness of a step, from the first value to the last by equal factors.
-double outlierAt(const FitSchedule& schedule, int iteration);
+double robustScaleAt(const RobustSchedule& schedule, int iteration);
 
 }  // namespace markerless_mocap

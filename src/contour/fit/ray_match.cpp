@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kLanes = ConeLanes::kLanes;
+constexpr int kLanes = PackedContourCones::kLanes;
 
 constexpr float kTurnPenalty = 0.06f;  // metres per 1 - cos
 constexpr float kWrongSide = 0.3f;     // cosine below which a cone is on the wrong side
@@ -24,7 +24,7 @@ struct PlainRay {
   float normal[3], side[3], normal_of_ray, side_of_ray;
 };
 
-MOCAP_WIDEST void measure(const ConeLanes& cones, const PlainRay& ray, Lanes& out) {
+MOCAP_WIDEST void measure(const PackedContourCones& cones, const PlainRay& ray, Lanes& out) {
   const float nx = ray.normal[0], ny = ray.normal[1], nz = ray.normal[2], n0 = ray.normal_of_ray;
   const float sx = ray.side[0], sy = ray.side[1], sz = ray.side[2], s0 = ray.side_of_ray;
   for (int i = 0; i < kLanes; ++i) {
@@ -54,11 +54,11 @@ MOCAP_WIDEST void measure(const ConeLanes& cones, const PlainRay& ray, Lanes& ou
 
 }  // namespace
 
-ConeLanes::ConeLanes(const PlacedCones& cones) {
+PackedContourCones::PackedContourCones(const ContourWorldCones& cones) {
   constexpr float kFar = 1e4f;  // metres
   for (int i = 0; i < kLanes; ++i) {
     const bool real = i < kContourCones;
-    const PlacedCone& cone = cones[size_t(real ? i : 0)];
+    const ContourWorldCone& cone = cones[size_t(real ? i : 0)];
     const Eigen::Vector3f a =
         real ? Eigen::Vector3f(cone.a.cast<float>()) : Eigen::Vector3f::Constant(kFar);
     const Eigen::Vector3f b = real ? Eigen::Vector3f(cone.b.cast<float>()) : a;
@@ -67,7 +67,7 @@ ConeLanes::ConeLanes(const PlacedCones& cones) {
   }
 }
 
-void matchRays(const ConeLanes& cones, const std::vector<ContourRay>& rays,
+void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches) {
   matches.resize(rays.size());
   Lanes lanes;

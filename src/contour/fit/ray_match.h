@@ -3,18 +3,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "contour/model/contour_body.h"
 #include "contour/fit/contour_observation.h"
+#include "contour/model/contour_body.h"
 
 namespace markerless_mocap {
 
 /// Cones side by side, padded to whole vectors with cones that no ray is near to.
-struct ConeLanes {
+struct PackedContourCones {
   static constexpr int kLanes = 24;
   float ax[kLanes], ay[kLanes], az[kLanes], ra[kLanes];
   float bx[kLanes], by[kLanes], bz[kLanes], rb[kLanes];
 
-  explicit ConeLanes(const PlacedCones& cones);
+  explicit PackedContourCones(const ContourWorldCones& cones);
 };
 
 /// The cone that a ray is taken to touch.
@@ -28,7 +28,7 @@ struct RayMatch {
 /// For each ray the cone to which |distance| + kTurnPenalty (1 - cos) is least; the angle is
 /// between the border's normal and the way from the cone's axis to the ray. A cone on the wrong
 /// side of its border is measured along the normal, which pulls it back through.
-void matchRays(const ConeLanes& cones, const std::vector<ContourRay>& rays,
+void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches);
 
 }  // namespace markerless_mocap

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-#include "contour/model/contour_tree.h"
+#include "contour/model/contour_kinematics.h"
 #include "markerless_mocap/body/body_model.h"
 
 namespace markerless_mocap {
@@ -11,38 +11,38 @@ namespace markerless_mocap {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-ContourBody::ContourBody(const ContourSizes& sizes) : sizes_(sizes) {
-  for (int i = 0; i < kContourSizes; ++i)
+ContourBody::ContourBody(const ShapeParameters& sizes) : sizes_(sizes) {
+  for (int i = 0; i < kShapeParameterCount; ++i)
     if (!std::isfinite(sizes[i]) || (!isOffset(i) && !(sizes[i] > 0)))
-      throw std::invalid_argument("size " + sizeName(i) + " of a body is " +
+      throw std::invalid_argument("size " + shapeParameterName(i) + " of a body is " +
                                   std::to_string(sizes[i]) + ", it must be finite" +
                                   (isOffset(i) ? "" : " and positive"));
-  const ContourTree& tree = contourTree();
+  const ContourKinematicTree& tree = contourKinematicTree();
   for (size_t s = 0; s < ContourSegment::kCount; ++s) joints_[s] = tree.segments[s].joint.at(sizes);
   for (size_t c = 0; c < kContourCones; ++c)
     for (size_t end = 0; end < 2; ++end) ends_[c][end] = tree.cones[c].ends[end].local.at(sizes);
 }
 
 void ContourBody::place(const ContourPose& pose, ContourFrames& frames) const {
-  const ContourTree& tree = contourTree();
+  const ContourKinematicTree& tree = contourKinematicTree();
   frames.axis.leftCols<3>().setIdentity();
   frames.pivot.leftCols<3>().setZero();
   for (size_t s = 0; s < ContourSegment::kCount; ++s) {
-    const TreeSegment& segment = tree.segments[s];
+    const KinematicSegment& segment = tree.segments[s];
     const bool root = segment.parent < 0;
     const size_t parent = root ? 0 : size_t(segment.parent);
     Matrix3d R = root ? Matrix3d(Matrix3d::Identity()) : frames.R[parent];
     const Vector3d t = root ? pose.position : Vector3d(frames.t[parent] + R * joints_[s]);
     if (segment.ball >= 0) {
-      R = R * pose.balls[size_t(segment.ball)];
-      const int dof = dofOfBall(segment.ball);
+      R = R * pose.rotations[size_t(segment.ball)];
+      const int dof = sphericalDof(segment.ball);
       frames.axis.middleCols<3>(dof) = R;
       frames.pivot.middleCols<3>(dof).colwise() = t;
     } else {
       for (size_t i = 0; i < segment.axes.size(); ++i) {
         const int angle = segment.first_angle + int(i);
-        frames.axis.col(dofOfAngle(angle)) = R * segment.axes[i];
-        frames.pivot.col(dofOfAngle(angle)) = t;
+        frames.axis.col(revoluteDof(angle)) = R * segment.axes[i];
+        frames.pivot.col(revoluteDof(angle)) = t;
         R = R * Eigen::AngleAxisd(pose.angles[size_t(angle)], segment.axes[i]);
       }
     }
@@ -51,8 +51,8 @@ void ContourBody::place(const ContourPose& pose, ContourFrames& frames) const {
   }
 }
 
-void ContourBody::place(const ContourFrames& frames, PlacedCones& cones) const {
-  const ContourTree& tree = contourTree();
+void ContourBody::place(const ContourFrames& frames, ContourWorldCones& cones) const {
+  const ContourKinematicTree& tree = contourKinematicTree();
   for (size_t c = 0; c < kContourCones; ++c) {
     const size_t s = tree.cones[c].ends[0].segment;
     cones[c].a = frames.t[s] + frames.R[s] * ends_[c][0];
@@ -65,7 +65,7 @@ void ContourBody::place(const ContourFrames& frames, PlacedCones& cones) const {
 Eigen::Matrix3Xd ContourBody::points(const ContourPose& pose) const {
   ContourFrames frames;
   place(pose, frames);
-  const std::vector<RiddenPoint>& ridden = contourTree().points;
+  const std::vector<AttachedPoint>& ridden = contourKinematicTree().points;
   Eigen::Matrix3Xd points(3, Eigen::Index(ridden.size()));
   for (size_t i = 0; i < ridden.size(); ++i)
     points.col(Eigen::Index(i)) =
@@ -74,11 +74,11 @@ Eigen::Matrix3Xd ContourBody::points(const ContourPose& pose) const {
 }
 
 ContourLimb::Id limbOfCone(int cone) {
-  return contourTree().cones[size_t(cone)].limb;
+  return contourKinematicTree().cones[size_t(cone)].limb;
 }
 
 ContourCone::Kind kindOfCone(int cone) {
-  return contourTree().cones[size_t(cone)].kind;
+  return contourKinematicTree().cones[size_t(cone)].kind;
 }
 
 const std::vector<std::string>& contourPointNames() {
@@ -93,24 +93,25 @@ const std::vector<std::string>& contourPointNames() {
 
 void poseJacobian(const ContourFrames& frames, int segment, const Vector3d& at,
                   Eigen::Ref<Eigen::Matrix<double, 3, kContourDof>, 0, Eigen::OuterStride<>> J) {
-  const uint64_t moved_by = contourTree().segments[size_t(segment)].moved_by;
+  const uint64_t dof_mask = contourKinematicTree().segments[size_t(segment)].dof_mask;
   J.leftCols<3>().setIdentity();
   for (int dof = 3; dof < kContourDof; ++dof) {
-    if (moved_by >> dof & 1)
+    if (dof_mask >> dof & 1)
       J.col(dof) = frames.axis.col(dof).cross(at - frames.pivot.col(dof));
     else
       J.col(dof).setZero();
   }
 }
 
-void sizeJacobian(const ContourFrames& frames, const RiddenPoint& point,
-                  Eigen::Ref<Eigen::Matrix<double, 3, kContourSizes>, 0, Eigen::OuterStride<>> J) {
+void shapeJacobian(
+    const ContourFrames& frames, const AttachedPoint& point,
+    Eigen::Ref<Eigen::Matrix<double, 3, kShapeParameterCount>, 0, Eigen::OuterStride<>> J) {
   J.setZero();
-  const auto add = [&](const SizedPoint& local, const Matrix3d& R) {
-    for (const SizedPoint::Term& term : local.terms) J.col(term.size) += R * term.along;
+  const auto add = [&](const ShapeDependentPoint& local, const Matrix3d& R) {
+    for (const ShapeDependentPoint::Term& term : local.terms) J.col(term.size) += R * term.along;
   };
   add(point.local, frames.R[point.segment]);
-  const ContourTree& tree = contourTree();
+  const ContourKinematicTree& tree = contourKinematicTree();
   for (int s = point.segment; tree.segments[size_t(s)].parent >= 0;) {
     const int parent = tree.segments[size_t(s)].parent;
     add(tree.segments[size_t(s)].joint, frames.R[size_t(parent)]);

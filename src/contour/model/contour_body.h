@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contour/model/contour_pose.h"
-#include "markerless_mocap/tracking/contour_sizes.h"
+#include "markerless_mocap/tracking/shape_parameters.h"
 
 namespace markerless_mocap {
 
@@ -49,28 +49,28 @@ struct ContourFrames {
 };
 
 /// A round cone in the world.
-struct PlacedCone {
+struct ContourWorldCone {
   Eigen::Vector3d a, b;       ///< ends, metres
   double radius_a, radius_b;  ///< metres
 };
-using PlacedCones = std::array<PlacedCone, kContourCones>;
+using ContourWorldCones = std::array<ContourWorldCone, kContourCones>;
 
 /// The body of 22 round cones on 15 segments that silhouettes are fitted with. Its joints are those
 /// of the URDF body, with a twist of the spine more. Immutable.
 class ContourBody {
  public:
   /// Throws std::invalid_argument unless all sizes are finite and lengths and radii positive.
-  explicit ContourBody(const ContourSizes& sizes);
-  const ContourSizes& sizes() const { return sizes_; }
+  explicit ContourBody(const ShapeParameters& sizes);
+  const ShapeParameters& sizes() const { return sizes_; }
 
   void place(const ContourPose& pose, ContourFrames& frames) const;
-  void place(const ContourFrames& frames, PlacedCones& cones) const;
+  void place(const ContourFrames& frames, ContourWorldCones& cones) const;
 
   /// World positions of contourPointNames(), metres, as columns.
   Eigen::Matrix3Xd points(const ContourPose& pose) const;
 
  private:
-  ContourSizes sizes_;
+  ShapeParameters sizes_;
   std::array<Eigen::Vector3d, ContourSegment::kCount> joints_;      ///< in the parent's frame
   std::array<std::array<Eigen::Vector3d, 2>, kContourCones> ends_;  ///< in the segment's frame
 };

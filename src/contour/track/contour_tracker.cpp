@@ -1,215 +1,241 @@
-#include "contour/track/contour_tracker.h"
-
-#include <tbb/parallel_for.h>
+#include "contour/contour_tracker.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <utility>
 
-#include "contour/track/limb_search.h"
-#include "contour/fit/pose_priors.h"
+#include "contour/track/default_postures.h"
+#include "contour/track/pose_from_pose_tree.h"
+#include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr double kVelocityKept = 0.7;  // of the last frame's, in the prediction
-constexpr int64_t kLongestGap_ns = 500000000;
+// A limb is seen when contours hold its end to this, while posture alone leaves an arm's 0.1 open,
+// and it is not mostly outside the masks.
+constexpr double kSeenDeviation = 0.08, kSeenOutside = 0.10;  // metres
 
-// Below this overlap there is no person there.
-constexpr double kLostOverlap = 0.65;
+constexpr int64_t kUnsure_ns = 2000000000;  // after a start
+constexpr int64_t kBetweenQuestions_ns = 200000000;
 
-// Quality, see below: a drop by the first below what is usual is suspicious; another pose must be
-// better by the second to be taken; the usual value follows by the share.
-constexpr double kDrop = 0.015, kGain = 0.004;
-constexpr double kMoreThanUsual = 1.5;  // damaged masks let the quality vary
-constexpr double kUsualShare = 0.1;
+// A start that explains the masks less is believed when one from a later instant alone leads to the
+// same body. Sizes that are not this person's explain less.
+constexpr double kPlain = 0.90, kPlainUnmeasured = 0.86;
+// A person in a long dress covers 0.78 of the silhouettes with sizes told by one instant, a man and
+// the chair he sits on 0.68: starts that cover no more than this are never believed.
+constexpr double kLeastCovered = 0.72;
+constexpr double kPoor = 0.80;  // other postures are tried when proposals explain less
+constexpr int64_t kBetweenStarts_ns = 50000000;
 
-constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found nothing
-
-// A limb that sticks out of masks by so much more than usual, mean over its balls, is suspicious:
-// damaged masks and clothes let limbs that fit stick out, too.
-constexpr double kLimbOutside = 0.025;  // metres
-
-// An arm that has been lost from the start on is usual. While rays are left over, the limb that is
-// least certain is looked for now and then.
-constexpr double kAllExplained = 0.985;
-constexpr double kUncertain = 0.025;  // metres, of its end
-constexpr int64_t kBetweenLooks_ns = 500000000;
-
-constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
-
-// Contours hardly tell how far a trunk with hanging arms is turned against the pelvis, and it may
-// slide on and on. Beyond the first, radians, it is also fitted from where it is not turned, and
-// that pose is taken if it is better by the second.
-constexpr double kTwisted = 0.3, kUntwistedGain = 0.001;
-constexpr int64_t kBetweenUntwists_ns = 60000000;
-
-constexpr FitSchedule kRetry{10, 0.12, 0.03};
-
-bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
-  return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
+ShapePrior priorOf(const PersonResources& sources, const PersonOptions& person) {
+  return {sources.people, person.stature, person.stature_deviation};
 }
 
-/// By how much the line through the shoulders is turned against the hips, radians to the left.
-double shoulderTurn(const ContourPose& pose) {
-  using A = ContourAngle;
-  return pose.angles[A::kSpineTwist] +
-         0.5 * (pose.angles[A::kRightClavicleYaw] - pose.angles[A::kLeftClavicleYaw]);
+/// Whose limb a part is.
+ContourLimb::Id limbOf(int part) {
+  constexpr ContourLimb::Id kLimbs[kPartCount] = {ContourLimb::kTrunk,   ContourLimb::kHead,
+                                                  ContourLimb::kLeftArm, ContourLimb::kRightArm,
+                                                  ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
+  return kLimbs[part];
 }
 
-/// The pose with shoulders above the hips: arms as they were against the trunk, and hanging.
-std::vector<ContourPose> untwisted(const ContourPose& pose) {
-  ContourPose straight = pose;
-  for (const int angle :
-       {ContourAngle::kSpineTwist, ContourAngle::kLeftClavicleYaw, ContourAngle::kRightClavicleYaw})
-    straight.angles[size_t(angle)] = 0.0;
-  return {straight, withArmsAtRest(straight)};
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string uncovered(const ContourFit& fit) {
+  return "no pose covers the silhouettes, the best one's overlap is " + number("%.2f", fit.overlap);
 }
 
 }  // namespace
 
-const char* toString(ContourTrackStatus status) {
-  constexpr const char* kNames[] = {"lost", "tracked", "recovered", "doubtful"};
-  return kNames[size_t(status)];
+ContourMethod::ContourMethod(const CameraRig& rig, PersonResources sources,
+                             const PersonOptions& person, const ContourOptions& options,
+                             InitializerFactory make_initializer)
+    : sources_(std::move(sources)),
+      person_(person),
+      make_initializer_(std::move(make_initializer)),
+      observer_(rig, options),
+      hypotheses_(rig, options) {
+  takeOver(initialBody(sources_, person_.stature));
+  if (person_.measure && !body_->measured)
+    measurer_.emplace(rig, options, priorOf(sources_, person_), person_.measuring_poses,
+                      sources_.in_background);
 }
 
-ContourTracker::ContourTracker(const CameraRig& rig, const ContourOptions& options)
-    : rig_(rig), fitter_(rig, options) {}
+void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
+  body_ = std::move(body);
+  shape_.emplace(body_->sizes);
+  conversion_.emplace(body_->model);
+  initializer_ = make_initializer_(body_->model);
+}
 
-ContourTrack ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
-                                  ContourTrackStatus status) {
-  if (fit.status != ContourFitStatus::kFitted || fit.overlap < kLostOverlap) {
-    last_.reset();
-    return {ContourTrackStatus::kLost, fit};
+void ContourMethod::reset() {
+  hypotheses_.lose();
+  sure_after_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
+  initializer_->reset();
+  conversion_->reset();
+  stamp_.reset();
+}
+
+std::vector<ContourPose> ContourMethod::proposals(const TrackerInput& now,
+                                                  const ContourObservation& seen) {
+  std::vector<ContourPose> poses;
+  const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
+  initializer_error_ = pose.reason;
+  if (pose.status != PoseStatus::kLost)
+    poses.push_back(conversion_->poseOf(pose.T_world_body, pose.angles));
+  if (const auto of_tree = poseFromPoseTree(now.tree)) poses.push_back(*of_tree);
+  if (qualityOf(hypotheses_.bestFit(seen, *shape_, poses)) < kPoor)
+    for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
+  return poses;
+}
+
+// Measuring goes a short way only, so it begins with the stature that explains the masks best.
+void ContourMethod::guessStature(const ContourObservation& seen,
+                                 const std::vector<ContourPose>& poses) {
+  double best_stature = person_.stature, best_quality = 0.0;
+  for (const double stature : {1.5, 1.6, 1.7, 1.8, 1.9, person_.stature}) {
+    const ContourBody body(sources_.people.sizes(stature));
+    const double quality = qualityOf(hypotheses_.bestFit(seen, body, poses));
+    if (quality <= best_quality) continue;
+    best_quality = quality;
+    best_stature = stature;
   }
-  Past past{stamp_ns, fit.pose, std::nullopt, qualityOf(fit), 0.0, {}};
-  for (size_t i = 0; i < past.outside.size(); ++i) past.outside[i] = fit.limbs[i].outside;
-  if (last_) {
-    past.before = last_->pose;
-    // Gets better at once and worse slowly, so that a loss does not become what is usual.
-    const double below = std::max(0.0, last_->quality - past.quality);
-    past.quality = std::max(past.quality, last_->quality - kUsualShare * below);
-    past.below = last_->below + kUsualShare * (below - last_->below);
-    for (size_t i = 0; i < past.outside.size(); ++i)
-      past.outside[i] = std::min(
-          past.outside[i], last_->outside[i] + kUsualShare * (past.outside[i] - last_->outside[i]));
+  takeOver(initialBody(sources_, best_stature));
+  measurer_->setStature(best_stature);
+}
+
+ActiveTrack ContourMethod::start(const TrackerInput& now, const ContourObservation& seen) {
+  if (seen.usableViews() < 2) return {};
+  const std::vector<ContourPose> poses = proposals(now, seen);
+  if (measurer_ && !poses.empty()) guessStature(seen, poses);
+  return hypotheses_.start(now.stamp_ns, seen, *shape_, poses);
+}
+
+ActiveTrack ContourMethod::reinitialize(const TrackerInput& now, const ContourObservation& seen,
+                                        const ActiveTrack& held) {
+  if (now.stamp_ns < next_start_ns_) return held;
+  next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
+  initializer_->reset();  // this instant alone shall tell
+  return hypotheses_.reinitialize(now.stamp_ns, seen, *shape_, proposals(now, seen), held);
+}
+
+bool ContourMethod::isDecided(const ContourFit& fit) const {
+  const bool plain = qualityOf(fit) > (measurer_ ? kPlainUnmeasured : kPlain);
+  return fit.overlap > kLeastCovered && hypotheses_.isUnambiguous() &&
+         (plain || hypotheses_.isConfirmed());
+}
+
+// A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is
+// not sure, other trees and other sides are, too.
+void ContourMethod::reconsider(const TrackerInput& now, const ContourObservation& seen,
+                               const ContourTrackingResult& track) {
+  const bool started = now.stamp_ns < sure_after_ns_;
+  const bool unsure = started || track.status == ContourTrackingStatus::kLimbLost;
+  if (now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
+  std::vector<ContourPose> others;
+  const auto of_tree = poseFromPoseTree(now.tree);
+  if (of_tree && (now.tree.valid() || unsure) && limbsDiffer(*shape_, track.fit.pose, *of_tree))
+    others.push_back(*of_tree);
+  if (started) {
+    others.push_back(mirrored(*shape_, track.fit.pose));
+    others.push_back(withLegsSwapped(*shape_, track.fit.pose));
   }
-  last_ = past;
-  return {status, fit};
+  if (others.empty()) return;
+  next_reconsideration_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+  hypotheses_.proposeAlternative(now.stamp_ns, seen, *shape_, others);
 }
 
-ContourTrack ContourTracker::start(int64_t stamp_ns, const ContourObservation& seen,
-                                   const ContourBody& body, const ContourPose& pose) {
-  ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, FitSchedule::wide());
-  // Proposals often lack arms, and an arm at rest may hide one that is elsewhere.
-  for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
-    if (fit.status == ContourFitStatus::kFitted)
-      tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(limb), fit, fit.pose), std::nullopt,
-               kGain, fit);
-  return startFrom(stamp_ns, fit);
-}
-
-ContourTrack ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
-  last_.reset();
-  next_search_ns_ = stamp_ns;
-  next_look_ns_ = stamp_ns + kBetweenLooks_ns;
-  next_untwist_ns_ = stamp_ns;
-  return keep(stamp_ns, fit, ContourTrackStatus::kTracked);
-}
-
-std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFit& fit) const {
-  std::array<bool, ContourLimb::kCount> limbs{};
-  const bool dropped = qualityOf(fit) < last_->quality - kDrop - kMoreThanUsual * last_->below;
-  for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i)
-    limbs[i] = dropped || fit.limbs[i].outside > last_->outside[i] + kLimbOutside;
-  return limbs;
-}
-
-std::vector<ContourPose> ContourTracker::placesOf(const ContourObservation& seen,
-                                                  const ContourBody& body, ContourLimb::Id limb,
-                                                  const ContourFit& fit,
-                                                  const ContourPose& expected) const {
-  return otherPlaces(seen, rig_, fitter_.options(), body, fit.pose, expected, limb);
-}
-
-bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody& body,
-                              const std::vector<ContourPose>& starts,
-                              const std::optional<ContourPrediction>& prediction, double gain,
-                              ContourFit& fit) const {
-  std::vector<ContourFit> others(starts.size());
-  tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
-    others[i] = fitter_.fit(seen, body, starts[i], prediction, kRetry);
-  });
-  bool better = false;
-  for (const ContourFit& other : others) {
-    if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + gain))
-      continue;
-    fit = other;
-    better = true;
+std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
+                                               const ContourFit& fit) {
+  if (!measurer_) return std::nullopt;
+  BodyPose pose;
+  if (decided_ && hypotheses_.isUnambiguous()) measurer_->add(stamp_ns, seen, *shape_, fit);
+  if (takeOverMeasured()) {
+    pose.reason = "the body has just been measured";  // the pose is another body's
+    return pose;
   }
-  return better;
+  pose.reason = "the body is being measured, " + std::to_string(measurer_->poses()) + " of " +
+                std::to_string(person_.measuring_poses) + " different poses have been seen";
+  return pose;
 }
 
-bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& body,
-                           const ContourPrediction& prediction, ContourFit& fit) const {
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  bool better = tryPoses(seen, body, {last_->pose}, loose, kGain, fit);
-  for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
-    if (better && !any(suspicious(fit))) break;
-    if (suspicious(fit)[i])
-      better |= tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(i), fit, prediction.pose),
-                         loose, kGain, fit);
-  }
-  return better;
+void ContourMethod::estimateShapeNow() {
+  if (!measurer_) return;
+  measurer_->estimateNow();
+  takeOverMeasured();
 }
 
-bool ContourTracker::lookForWeakest(const ContourObservation& seen, const ContourBody& body,
-                                    const ContourPrediction& prediction, ContourFit& fit) const {
-  int weakest = ContourLimb::kLeftArm;
-  for (int i = weakest; i < ContourLimb::kCount; ++i)
-    if (fit.limbs[size_t(i)].deviation > fit.limbs[size_t(weakest)].deviation) weakest = i;
-  if (fit.rays_explained > kAllExplained && fit.limbs[size_t(weakest)].deviation < kUncertain)
-    return false;
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  return tryPoses(seen, body, placesOf(seen, body, ContourLimb::Id(weakest), fit, prediction.pose),
-                  loose, kGain, fit);
+bool ContourMethod::takeOverMeasured() {
+  const std::optional<ShapeParameters> sizes = measurer_->sizes();
+  if (!sizes) return false;
+  takeOver(bodyFromShape(sources_, *sizes));
+  measurer_.reset();
+  return true;
 }
 
-bool ContourTracker::untwist(const ContourObservation& seen, const ContourBody& body,
-                             const ContourPrediction& prediction, ContourFit& fit) const {
-  if (std::abs(shoulderTurn(fit.pose)) < kTwisted) return false;
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  return tryPoses(seen, body, untwisted(fit.pose), loose, kUntwistedGain, fit);
+BodyPose ContourMethod::lost(const ContourObservation& seen,
+                             const ContourTrackingResult& track) const {
+  BodyPose pose;
+  if (seen.usableViews() < 2)
+    pose.reason =
+        "the person shows in " + std::to_string(seen.usableViews()) + " silhouettes, needed are 2";
+  else if (track.fit.status != ContourFitStatus::kFitted)
+    pose.reason =
+        initializer_error_.empty() ? "no pose covers the silhouettes" : initializer_error_;
+  else
+    pose.reason = uncovered(track.fit);
+  return pose;
 }
 
-ContourTrack ContourTracker::update(int64_t stamp_ns, const ContourObservation& seen,
-                                    const ContourBody& body) {
-  const int64_t gap = last_ ? stamp_ns - last_->stamp_ns : 0;
-  if (!last_ || gap <= 0 || gap > kLongestGap_ns) {
-    last_.reset();
-    return {};
+BodyPose ContourMethod::undecided(const ContourFit& fit) const {
+  BodyPose pose;
+  if (fit.overlap <= kLeastCovered)
+    pose.reason = uncovered(fit);
+  else if (hypotheses_.isUnambiguous())
+    pose.reason = "the person is found, but in one instant only";
+  else
+    pose.reason = "the person is found, front and back are not told apart yet";
+  return pose;
+}
+
+BodyPose ContourMethod::reported(const ActiveTrack& held) {
+  BodyPose pose;
+  pose.status = held.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
+  reported_ = true;
+  conversion_->convert(held.track.fit.pose, pose.T_world_body, pose.angles);
+  pose.silhouette_overlap = held.track.fit.overlap;
+  for (int part = 0; part < kPartCount; ++part) {
+    const LimbEvidence& limb = held.track.fit.limbs[limbOf(part)];
+    pose.part_sigma_m[size_t(part)] = limb.deviation;
+    pose.part_seen[size_t(part)] = limb.deviation < kSeenDeviation && limb.outside < kSeenOutside;
   }
-  const ContourPrediction prediction{
-      last_->before ? goneOn(*last_->before, last_->pose, kVelocityKept) : last_->pose,
-      1e-9 * double(gap)};
-  ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
-  ContourTrackStatus status = ContourTrackStatus::kTracked;
-  if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
-    const bool search = stamp_ns > next_search_ns_;
-    const bool better = search && retry(seen, body, prediction, fit);
-    if (search && !better) next_search_ns_ = stamp_ns + kBetweenSearches_ns;
-    status = any(suspicious(fit)) ? ContourTrackStatus::kDoubtful
-             : better             ? ContourTrackStatus::kRecovered
-                                  : ContourTrackStatus::kTracked;
+  return pose;
+}
+
+BodyPose ContourMethod::update(const TrackerInput& now) {
+  if (stamp_ && now.stamp_ns <= *stamp_) reset();
+  stamp_ = now.stamp_ns;
+  const ContourObservation seen = observer_.observe(now.masks);
+  ActiveTrack held = hypotheses_.update(now.stamp_ns, seen, *shape_);
+  if (held.track.status == ContourTrackingStatus::kLost) {
+    held = start(now, seen);
+    decided_ = isDecided(held.track.fit);
+    next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
+    reported_ = false;
+  } else {
+    if (!decided_) held = reinitialize(now, seen, held);
+    decided_ = decided_ || isDecided(held.track.fit);
+    reconsider(now, seen, held.track);
   }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_look_ns_) {
-    next_look_ns_ = stamp_ns + kBetweenLooks_ns;
-    if (lookForWeakest(seen, body, prediction, fit)) status = ContourTrackStatus::kRecovered;
-  }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_untwist_ns_) {
-    next_untwist_ns_ = stamp_ns + kBetweenUntwists_ns;
-    if (untwist(seen, body, prediction, fit)) status = ContourTrackStatus::kRecovered;
-  }
-  return keep(stamp_ns, fit, status);
+  if (held.switched) sure_after_ns_ = now.stamp_ns + kUnsure_ns;
+  if (held.track.status == ContourTrackingStatus::kLost) return lost(seen, held.track);
+  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track.fit))
+    return *measuring;
+  return decided_ ? reported(held) : undecided(held.track.fit);
 }
 
 }  // namespace markerless_mocap

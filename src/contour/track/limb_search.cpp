@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
+#include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
 #include "contour/fit/pose_problem.h"
-#include "contour/fit/robust.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,24 +35,24 @@ struct LimbJoints {
 };
 LimbJoints jointsOf(ContourLimb::Id limb) {
   constexpr LimbJoints kJoints[] = {
-      {ContourBall::kLeftShoulder, ContourAngle::kLeftElbow, 5, 0.0, 2.6},
-      {ContourBall::kRightShoulder, ContourAngle::kRightElbow, 8, 0.0, 2.6},
-      {ContourBall::kLeftHip, ContourAngle::kLeftKnee, 11, -2.6, 0.0},
-      {ContourBall::kRightHip, ContourAngle::kRightKnee, 14, -2.6, 0.0}};
+      {SphericalJoint::kLeftShoulder, RevoluteJoint::kLeftElbow, 5, 0.0, 2.6},
+      {SphericalJoint::kRightShoulder, RevoluteJoint::kRightElbow, 8, 0.0, 2.6},
+      {SphericalJoint::kLeftHip, RevoluteJoint::kLeftKnee, 11, -2.6, 0.0},
+      {SphericalJoint::kRightHip, RevoluteJoint::kRightKnee, 14, -2.6, 0.0}};
   return kJoints[limb - ContourLimb::kLeftArm];
 }
 
-struct Place {
+struct LimbPoseSample {
   ContourPose pose;
   std::array<double, kJudges> energy;  ///< by each of kOutliers
   Eigen::Vector3d end;
 };
 
 /// Half the weighted robust squares of the rays given and of what sticks out of masks.
-class PlaceJudge {
+class LimbPoseCost {
  public:
-  PlaceJudge(const ContourObservation& seen, const CameraRig& rig, const ContourOptions& options,
-             ContourLimb::Id limb)
+  LimbPoseCost(const ContourObservation& seen, const CameraRig& rig, const ContourOptions& options,
+               ContourLimb::Id limb)
       : seen_(seen), rig_(rig), options_(options), limb_(limb) {}
 
   /// Takes the rays that touch the limb at this pose or that nothing explains.
@@ -71,20 +71,22 @@ class PlaceJudge {
 
   std::array<double, kJudges> energy(const ContourBody& body, const ContourPose& pose) const {
     ContourFrames frames;
-    PlacedCones cones;
+    ContourWorldCones cones;
     body.place(pose, frames);
     body.place(frames, cones);
     std::vector<RayMatch> matches;
-    matchRays(ConeLanes(cones), rays_, matches);
+    matchRays(PackedContourCones(cones), rays_, matches);
     const double variance = options_.sigma * options_.sigma;
     const double one =
-        rays_per_ray_ * options_.contour_weight / double(std::max<size_t>(1, seen_.rays.size()));
-    const double outside = options_.containment_weight * excessEnergy(seen_, rig_, cones, limb_);
+        rays_per_ray_ * options_.effective_rays / double(std::max<size_t>(1, seen_.rays.size()));
+    const double outside =
+        options_.containment_weight * containmentEnergy(seen_, rig_, cones, limb_);
     std::array<double, kJudges> energies;
-    energies.fill(0.5 * outside / variance + postureEnergy(pose) + restEnergy(pose));
+    energies.fill(0.5 * outside / variance + postureEnergy(pose) + armRestEnergy(pose));
     for (size_t judge = 0; judge < kJudges; ++judge)
       for (const RayMatch& match : matches)
-        energies[judge] += 0.5 * one / variance * robustSquare(match.residual, kOutliers[judge]);
+        energies[judge] +=
+            0.5 * one / variance * gemanMcClureLoss(match.residual, kOutliers[judge]);
     return energies;
   }
 
@@ -111,10 +113,10 @@ Eigen::Matrix3d turnTo(const Eigen::Vector3d& z, const Eigen::Matrix3d& R) {
 }
 
 /// Adds the first few whose ends are not near to one another.
-void choose(const std::vector<Place>& places, std::vector<Place>& chosen) {
+void choose(const std::vector<LimbPoseSample>& places, std::vector<LimbPoseSample>& chosen) {
   const size_t enough = chosen.size() + kPlaces;
-  for (const Place& place : places) {
-    const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const Place& other) {
+  for (const LimbPoseSample& place : places) {
+    const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const LimbPoseSample& other) {
       return (place.end - other.end).norm() < kFarApart;
     });
     if (!near) chosen.push_back(place);
@@ -123,10 +125,10 @@ void choose(const std::vector<Place>& places, std::vector<Place>& chosen) {
 }
 
 /// Tries in batches: drawn one after another, judged at once.
-class LimbTries {
+class LimbPoseSampler {
  public:
-  LimbTries(const ContourBody& body, const PlaceJudge& judge, const ContourPose& fitted,
-            const LimbJoints& joints)
+  LimbPoseSampler(const ContourBody& body, const LimbPoseCost& judge, const ContourPose& fitted,
+                  const LimbJoints& joints)
       : body_(body), judge_(judge), fitted_(fitted), joints_(joints) {}
 
   /// Draws a pose whose limb is near to that of `middle` but for the hinge, which is near to
@@ -135,43 +137,45 @@ class LimbTries {
     const double spread = share * kBallSpread[places_.size() % std::size(kBallSpread)];
     const double x = normal_(random_), y = normal_(random_), twist = normal_(random_);
     const Eigen::Vector3d turn(spread * x, spread * y, share * kTwistSpread * twist);
-    Place place{fitted_, {}, {}};
-    place.pose.balls[size_t(joints_.ball)] = middle.balls[size_t(joints_.ball)] * rotationOf(turn);
+    LimbPoseSample place{fitted_, {}, {}};
+    place.pose.rotations[size_t(joints_.ball)] =
+        middle.rotations[size_t(joints_.ball)] * expSO3(turn);
     place.pose.angles[size_t(joints_.hinge)] = std::clamp(
         bend + share * kHingeSpread * normal_(random_), joints_.hinge_lower, joints_.hinge_upper);
     places_.push_back(place);
   }
 
   /// All places so far, the one that judge likes best first.
-  const std::vector<Place>& judged(size_t judge) {
+  const std::vector<LimbPoseSample>& judged(size_t judge) {
     tbb::parallel_for(tbb::blocked_range<size_t>(judged_, places_.size(), 16),
                       [&](const auto& some) {
                         for (size_t i = some.begin(); i < some.end(); ++i) {
-                          Place& place = places_[i];
+                          LimbPoseSample& place = places_[i];
                           place.energy = judge_.energy(body_, place.pose);
                           place.end = body_.points(place.pose).col(joints_.end);
                         }
                       });
-    std::stable_sort(places_.begin(), places_.end(), [&](const Place& a, const Place& b) {
-      return a.energy[judge] < b.energy[judge];
-    });
+    std::stable_sort(places_.begin(), places_.end(),
+                     [&](const LimbPoseSample& a, const LimbPoseSample& b) {
+                       return a.energy[judge] < b.energy[judge];
+                     });
     judged_ = places_.size();
     return places_;
   }
 
  private:
   const ContourBody& body_;
-  const PlaceJudge& judge_;
+  const LimbPoseCost& judge_;
   const ContourPose& fitted_;
   const LimbJoints joints_;
   std::mt19937 random_{1};
   std::normal_distribution<double> normal_;
-  std::vector<Place> places_;
+  std::vector<LimbPoseSample> places_;
   size_t judged_ = 0;
 };
 
 /// Half of them bend as expected, half anyhow.
-void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbTries& tries) {
+void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbPoseSampler& tries) {
   const auto bendOf = [&](size_t i, size_t count) {
     const double range = joints.hinge_upper - joints.hinge_lower;
     return i % 2 ? joints.hinge_lower + range * double(i) / double(count)
@@ -180,7 +184,7 @@ void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbTries&
   for (size_t i = 0; i < kTriesNear; ++i) tries.draw(expected, bendOf(i, kTriesNear), 1.0);
   for (size_t i = 0; i < kTriesAnywhere; ++i) {
     ContourPose turned = expected;
-    Eigen::Matrix3d& R = turned.balls[size_t(joints.ball)];
+    Eigen::Matrix3d& R = turned.rotations[size_t(joints.ball)];
     R = turnTo(direction(i, kTriesAnywhere), R);
     tries.draw(turned, bendOf(i, kTriesAnywhere), kCloser);
   }
@@ -188,26 +192,26 @@ void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbTries&
 
 }  // namespace
 
-std::vector<ContourPose> otherPlaces(const ContourObservation& seen, const CameraRig& rig,
-                                     const ContourOptions& options, const ContourBody& body,
-                                     const ContourPose& fitted, const ContourPose& expected,
-                                     ContourLimb::Id limb) {
+std::vector<ContourPose> alternativeLimbPoses(const ContourObservation& seen, const CameraRig& rig,
+                                              const ContourOptions& options,
+                                              const ContourBody& body, const ContourPose& fitted,
+                                              const ContourPose& expected, ContourLimb::Id limb) {
   const LimbJoints joints = jointsOf(limb);
-  PlaceJudge judge(seen, rig, options, limb);
+  LimbPoseCost judge(seen, rig, options, limb);
   judge.lookFor(body, fitted);
-  LimbTries tries(body, judge, fitted, joints);
+  LimbPoseSampler tries(body, judge, fitted, joints);
   drawFirst(expected, joints, tries);
-  std::vector<Place> chosen;
+  std::vector<LimbPoseSample> chosen;
   for (size_t j = 0; j < kJudges; ++j) {
-    const std::vector<Place>& first = tries.judged(j);
-    const std::vector<Place> best(first.begin(), first.begin() + kBest);
-    for (const Place& place : best)
+    const std::vector<LimbPoseSample>& first = tries.judged(j);
+    const std::vector<LimbPoseSample> best(first.begin(), first.begin() + kBest);
+    for (const LimbPoseSample& place : best)
       for (size_t i = 0; i < kTriesAround; ++i)
         tries.draw(place.pose, place.pose.angles[size_t(joints.hinge)], kCloser);
     choose(tries.judged(j), chosen);
   }
   std::vector<ContourPose> poses;
-  for (const Place& place : chosen) poses.push_back(place.pose);
+  for (const LimbPoseSample& place : chosen) poses.push_back(place.pose);
   return poses;
 }
 

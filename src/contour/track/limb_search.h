@@ -10,9 +10,9 @@ namespace markerless_mocap {
 /// expected the few, far apart, that stay inside the masks best and explain most of the rays that
 /// nothing explains yet. Always the same ones for the same arguments.
 /// \param limb one of kLeftArm to kRightLeg
-std::vector<ContourPose> otherPlaces(const ContourObservation& seen, const CameraRig& rig,
-                                     const ContourOptions& options, const ContourBody& body,
-                                     const ContourPose& fitted, const ContourPose& expected,
-                                     ContourLimb::Id limb);
+std::vector<ContourPose> alternativeLimbPoses(const ContourObservation& seen, const CameraRig& rig,
+                                              const ContourOptions& options,
+                                              const ContourBody& body, const ContourPose& fitted,
+                                              const ContourPose& expected, ContourLimb::Id limb);
 
 }  // namespace markerless_mocap

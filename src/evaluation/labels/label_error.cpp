@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "evaluation/labels/label_judge.h"
+#include "evaluation/labels/label_evaluation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -20,7 +20,7 @@ double ratio(size_t part, size_t whole) {
 
 /// A frame that is judged, with the labeller's estimate of it.
 struct JudgedFrame {
-  const LabelVerdict* verdict;
+  const LabelEvaluation* verdict;
   double validity;
 };
 using JudgedFrames = std::vector<JudgedFrame>;
@@ -38,38 +38,38 @@ bool isValidAndRight(const JudgedFrame& frame) {
   return frame.verdict->valid && frame.verdict->right;
 }
 
-Spread errorsOf(const JudgedFrames& frames, const std::vector<size_t>& ends,
-                const FrameTest& test) {
+SummaryStatistics errorsOf(const JudgedFrames& frames, const std::vector<size_t>& ends,
+                           const FrameTest& test) {
   std::vector<double> errors;
   for (const JudgedFrame& frame : frames)
     if (test(frame))
       for (const size_t end : ends) errors.push_back(frame.verdict->error_mm[end]);
-  return spreadOf(errors);
+  return summaryStatistics(errors);
 }
 
 void fillShares(const JudgedFrames& frames, LabelErrors* out) {
   const size_t right = count(frames, [](const JudgedFrame& f) { return f.verdict->right; });
   const size_t valid_right = count(frames, isValidAndRight);
-  const size_t sides_right = count(
-      frames, [](const JudgedFrame& f) { return f.verdict->valid && f.verdict->sides_right; });
+  const size_t sides_correct = count(
+      frames, [](const JudgedFrame& f) { return f.verdict->valid && f.verdict->sides_correct; });
   out->frames = frames.size();
   out->valid = count(frames, isValid);
-  out->share_valid = ratio(out->valid, out->frames);
-  out->share_right = ratio(right, out->frames);
-  out->share_right_and_valid = ratio(valid_right, out->frames);
-  out->share_wrong_but_valid = ratio(out->valid - valid_right, out->frames);
-  out->share_kinds_right = ratio(
-      count(frames, [](const JudgedFrame& f) { return f.verdict->kinds_right; }), out->frames);
-  out->share_sides_right = ratio(sides_right, out->valid);
+  out->fraction_valid = ratio(out->valid, out->frames);
+  out->fraction_correct = ratio(right, out->frames);
+  out->fraction_correct_and_valid = ratio(valid_right, out->frames);
+  out->fraction_wrong_but_valid = ratio(out->valid - valid_right, out->frames);
+  out->fraction_kinds_correct = ratio(
+      count(frames, [](const JudgedFrame& f) { return f.verdict->kinds_correct; }), out->frames);
+  out->fraction_sides_correct = ratio(sides_correct, out->valid);
 }
 
 void fillEnds(const JudgedFrames& frames, LabelErrors* out) {
-  for (size_t end = 0; end < kEndCount; ++end) {
+  for (size_t end = 0; end < kLabelledExtremityCount; ++end) {
     const size_t right = count(frames, [end](const JudgedFrame& f) {
-      return f.verdict->valid && f.verdict->end_right[end];
+      return f.verdict->valid && f.verdict->extremity_correct[end];
     });
     out->ends.push_back(
-        {endNames()[end], ratio(right, out->valid), errorsOf(frames, {end}, isValid)});
+        {extremityNames()[end], ratio(right, out->valid), errorsOf(frames, {end}, isValid)});
   }
   out->hands_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValid);
   out->feet_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValid);
@@ -131,14 +131,14 @@ void fillReliability(const JudgedFrames& frames, LabelErrors* out) {
 
 }  // namespace
 
-LabelErrors labelErrors(const JointTrack& truth, const std::vector<LabelledEnds>& labels) {
+LabelErrors labelErrors(const JointTrack& truth, const std::vector<LabelledExtremities>& labels) {
   if (labels.size() != truth.frames())
     throw std::invalid_argument("there are labels for " + std::to_string(labels.size()) +
                                 " frames, the truth has " + std::to_string(truth.frames()));
   const JointTrack points = truth.select(labelTruthNames());
   LabelErrors out;
   for (size_t f = 0; f < labels.size(); ++f)
-    out.verdicts.push_back(judgeLabels(labels[f], points.positions[f]));
+    out.verdicts.push_back(evaluateLabels(labels[f], points.positions[f]));
   JudgedFrames frames;
   for (size_t f = 0; f < labels.size(); ++f)
     if (out.verdicts[f].judged) frames.push_back({&out.verdicts[f], labels[f].validity});

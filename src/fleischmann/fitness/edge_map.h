@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// How edges are found; see AppearanceOptions.
+/// How edges are found; see FleischmannImageOptions.
 struct EdgeSettings {
   double threshold = 30.0;
   int reach = 3;

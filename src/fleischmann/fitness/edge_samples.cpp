@@ -32,10 +32,10 @@ void sampleLine(const cv::Mat& map, const Pixel& from, const Pixel& to, int samp
 
 }  // namespace
 
-EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeChoice& choice,
+EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeSelection& choice,
                     int samples) {
   EdgeSum out;
-  for (int cone = 0; cone < kBodyCones; ++cone) {
+  for (int cone = 0; cone < kFleischmannConeCount; ++cone) {
     if (!(choice.cones >> cone & 1u) || !corners.seen[cone]) continue;
     const auto corner = [&](int at) { return Pixel{corners.x[at][cone], corners.y[at][cone]}; };
     sampleLine(map, corner(0), corner(1), samples, out);

@@ -2,8 +2,8 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "fleischmann/fitness/cone_outlines.h"
-#include "fleischmann/appearance_fitness.h"
+#include "fleischmann/fitness/fleischmann_cone_outlines.h"
+#include "fleischmann/fleischmann_fitness.h"
 
 namespace markerless_mocap {
 
@@ -14,7 +14,7 @@ struct EdgeSum {
 };
 
 /// \param samples points on each edge, in the middles of as many equal pieces
-EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeChoice& choice,
+EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeSelection& choice,
                     int samples);
 
 }  // namespace markerless_mocap

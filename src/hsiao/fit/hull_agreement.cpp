@@ -8,12 +8,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-bool isExplained(const std::vector<WorldCone>& cones, const Vector3d& point, double margin) {
-  return std::any_of(cones.begin(), cones.end(),
-                     [&](const WorldCone& cone) { return cone.signedDistance(point) <= margin; });
+bool isExplained(const std::vector<HsiaoWorldCone>& cones, const Vector3d& point, double margin) {
+  return std::any_of(cones.begin(), cones.end(), [&](const HsiaoWorldCone& cone) {
+    return cone.signedDistance(point) <= margin;
+  });
 }
 
-double explainedShare(const std::vector<WorldCone>& cones, const VisualHull& hull, double margin) {
+double explainedShare(const std::vector<HsiaoWorldCone>& cones, const VisualHull& hull,
+                      double margin) {
   size_t explained = 0;
   for (const HullVoxel& voxel : hull.voxels)
     explained += isExplained(cones, hull.lattice.center(voxel.index), margin);
@@ -22,14 +24,15 @@ double explainedShare(const std::vector<WorldCone>& cones, const VisualHull& hul
 
 // Each ball is probed at its centre and at the corners of its inner cube, and counts as much as
 // its volume.
-double insideShare(const ProfileShape& shape, const HsiaoFrames& frames, const HullField& field) {
+double insideShare(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
+                   const HullDistanceField& field) {
   static const std::array<Vector3d, 9> kProbes = {
       Vector3d(0, 0, 0),   Vector3d(1, 1, 1),   Vector3d(1, 1, -1),
       Vector3d(1, -1, 1),  Vector3d(1, -1, -1), Vector3d(-1, 1, 1),
       Vector3d(-1, 1, -1), Vector3d(-1, -1, 1), Vector3d(-1, -1, -1)};
   const double corner = 0.5;  // 0.87 of the radius from the centre
   double inside = 0.0, all = 0.0;
-  for (const BodyBall& ball : shape.balls()) {
+  for (const HsiaoInteriorSphere& ball : shape.balls()) {
     const Vector3d center = ball.center.inWorld(frames);
     const double weight = ball.radius * ball.radius * ball.radius;
     for (const Vector3d& probe : kProbes) {
@@ -42,9 +45,10 @@ double insideShare(const ProfileShape& shape, const HsiaoFrames& frames, const H
 
 }  // namespace
 
-HullAgreement measureHullAgreement(const ProfileShape& shape, const HsiaoFrames& frames,
-                                   const VisualHull& hull, const HullField& field, double margin) {
-  std::vector<WorldCone> cones;
+HullAgreement measureHullAgreement(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
+                                   const VisualHull& hull, const HullDistanceField& field,
+                                   double margin) {
+  std::vector<HsiaoWorldCone> cones;
   shape.inWorld(frames, cones);
   return {explainedShare(cones, hull, margin), insideShare(shape, frames, field)};
 }

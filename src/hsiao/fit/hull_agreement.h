@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hsiao/fit/hull_field.h"
-#include "hsiao/model/profile_shape.h"
+#include "hsiao/fit/hull_distance_field.h"
+#include "hsiao/model/hsiao_body_shape.h"
 
 namespace markerless_mocap {
 
@@ -12,7 +12,8 @@ struct HullAgreement {
 };
 
 /// \param margin metres by which a voxel centre may lie outside the body
-HullAgreement measureHullAgreement(const ProfileShape& shape, const HsiaoFrames& frames,
-                                   const VisualHull& hull, const HullField& field, double margin);
+HullAgreement measureHullAgreement(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
+                                   const VisualHull& hull, const HullDistanceField& field,
+                                   double margin);
 
 }  // namespace markerless_mocap

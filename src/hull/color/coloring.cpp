@@ -31,18 +31,19 @@ void forEachSlot(uint64_t voxels, size_t cell, Visit visit) {
 
 }  // namespace
 
-HullPainter::HullPainter(const CameraRig& rig, const CarvingPlan& plan, double color_vote_distance)
+VoxelColoring::VoxelColoring(const CameraRig& rig, const ProjectionTable& table,
+                             double color_vote_distance)
     // An integer below a square that may have a fraction is below its ceiling.
     : limit_(int(std::ceil(color_vote_distance * color_vote_distance))),
-      sight_(rig, plan),
+      visibility_(rig, table),
       views_(rig.size()) {}
 
-void HullPainter::ColorSum::add(const Rgb& color) {
+void VoxelColoring::ColorSum::add(const Rgb& color) {
   for (int c = 0; c < 3; ++c) rgb[c] = uint16_t(rgb[c] + color[c]);
   ++count;
 }
 
-Rgb HullPainter::ColorSum::mean() const {
+Rgb VoxelColoring::ColorSum::mean() const {
   // Rounded division by multiplication: sums stay below 2^13 and counts below 2^6.
   const uint32_t inverse = kInverse[count];
   Rgb color;
@@ -50,15 +51,15 @@ Rgb HullPainter::ColorSum::mean() const {
   return color;
 }
 
-void HullPainter::sumColors(size_t cells) {
+void VoxelColoring::sumColors(size_t cells) {
   sums_.assign(cells * 64, ColorSum());
   for (const SurfaceView& view : views_)
     for (size_t cell = 0; cell < view.seen.size(); ++cell)
       forEachSlot(view.seen[cell], cell, [&](size_t slot) { sums_[slot].add(view.rgb[slot]); });
 }
 
-void HullPainter::setColors(const std::vector<PieceVoxel>& order,
-                            std::vector<HullVoxel>* voxels) const {
+void VoxelColoring::setColors(const std::vector<ComponentVoxel>& order,
+                              std::vector<HullVoxel>* voxels) const {
   const auto passOn = [&](size_t from, size_t to) {
     const uint32_t a = order[from].index, b = order[to].index;
     return sums_[order[to].slot].count == 0 && (a > b ? a - b : b - a) == 1;
@@ -77,9 +78,9 @@ void HullPainter::setColors(const std::vector<PieceVoxel>& order,
     }
 }
 
-void HullPainter::addVotes(const SurfaceView& view, int axis) {
+void VoxelColoring::addVotes(const SurfaceView& view, int axis) {
   using namespace leaf_words;
-  const int step = kStep[axis], far = (kLeaf - 1) * step;
+  const int step = kStep[axis], far = (kBrickSide - 1) * step;
   for (size_t cell = 0; cell < view.seen.size(); ++cell) {
     const uint64_t seen = view.seen[cell];
     if (seen == 0) continue;
@@ -90,7 +91,7 @@ void HullPainter::addVotes(const SurfaceView& view, int axis) {
     };
     forEachSlot(seen & down(seen, axis), cell,
                 [&](size_t slot) { compare(slot, slot + size_t(step)); });
-    const int after = sight_.cellAfter(cell, axis);
+    const int after = visibility_.cellAfter(cell, axis);
     if (after < 0) continue;
     const uint64_t across = seen & (view.seen[size_t(after)] & kLowest[axis]) << far;
     forEachSlot(across, cell,
@@ -98,18 +99,18 @@ void HullPainter::addVotes(const SurfaceView& view, int axis) {
   }
 }
 
-void HullPainter::paint(const Piece& piece, const std::vector<PieceVoxel>& order,
-                        const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels) {
-  sight_.set(piece);
+void VoxelColoring::paint(const VoxelComponent& component, const std::vector<ComponentVoxel>& order,
+                          const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels) {
+  visibility_.set(component);
   tbb::parallel_for(size_t(0), images.size(), [&](size_t c) {
     if (images[c].empty())
       views_[c].seen.clear();
     else
-      sight_.look(c, images[c], &views_[c]);
+      visibility_.findVisible(c, images[c], &views_[c]);
   });
-  sumColors(piece.cells.size());
+  sumColors(component.cells.size());
   setColors(order, voxels);
-  votes_.assign(piece.cells.size() * 64, ColorVotes());
+  votes_.assign(component.cells.size() * 64, ColorVotes());
   for (const SurfaceView& view : views_)
     for (int axis = 0; axis < 3; ++axis) addVotes(view, axis);
   for (size_t i = 0; i < order.size(); ++i) (*voxels)[i].color_votes = votes_[order[i].slot];

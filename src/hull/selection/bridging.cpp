@@ -27,8 +27,8 @@ class BoxGrid {
 
   /// Calls visit(place in the grid, bit) for the cell's voxels in the box.
   template <class Visit>
-  void forEach(const Cell& cell, Visit visit) const {
-    const Eigen::Vector3i corner = cornerOf(lattice_, cell.leaf);
+  void forEach(const BrickVoxels& cell, Visit visit) const {
+    const Eigen::Vector3i corner = cornerOf(lattice_, cell.brick);
     for (uint64_t left = cell.voxels & leaf_words::inside(box_, corner); left != 0;
          left &= left - 1) {
       const int bit = __builtin_ctzll(left);
@@ -46,13 +46,13 @@ class BoxGrid {
 };
 
 /// Steps over 26-neighbours on the ground from the nearest voxel of `from`, at most `most`.
-std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<Cell>& ground,
-                               const Piece& from, int most) {
+std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<BrickVoxels>& ground,
+                               const VoxelComponent& from, int most) {
   std::vector<int16_t> steps(grid.count(), kOutside);
   std::vector<size_t> front, next;
-  for (const Cell& cell : ground)
+  for (const BrickVoxels& cell : ground)
     grid.forEach(cell, [&](size_t at, int) { steps[at] = kUnreached; });
-  for (const Cell& cell : from.cells)
+  for (const BrickVoxels& cell : from.cells)
     grid.forEach(cell, [&](size_t at, int) {
       steps[at] = 0;
       front.push_back(at);
@@ -70,50 +70,52 @@ std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<Cell>& gro
 
 }  // namespace
 
-Piece PieceBridging::joined(const std::vector<Piece>& pieces, const Piece& body,
-                            const Piece& piece) const {
+VoxelComponent ComponentBridging::joined(const std::vector<VoxelComponent>& components,
+                                         const VoxelComponent& body,
+                                         const VoxelComponent& component) const {
   const int most = int(std::lround((kLongestBridge + kDetour) / lattice_.pitch));
   // No way of a bridge leads further from the piece than its length.
-  VoxelBox box = boxOf(piece, lattice_);
+  VoxelBox box = boxOf(component, lattice_);
   box.low = (box.low.array() - most).max(0);
   box.high = (box.high.array() + most).min(lattice_.size.array());
-  std::vector<Cell> ground = body.cells;
-  for (const Piece& other : pieces)
+  std::vector<BrickVoxels> ground = body.cells;
+  for (const VoxelComponent& other : components)
     ground.insert(ground.end(), other.cells.begin(), other.cells.end());
-  const LeafVolume& loose = loose_vote_(box);
-  loose.forEachLeaf([&](int, int, int, size_t leaf) {
-    ground.push_back({uint32_t(leaf), loose.word(leaf)});
+  const BrickVolume& relaxed = relaxed_vote_(box);
+  relaxed.forEachBrick([&](int, int, int, size_t brick) {
+    ground.push_back({uint32_t(brick), relaxed.word(brick)});
   });
 
   const BoxGrid grid(box, lattice_);
   const std::vector<int16_t> from_body = stepsFrom(grid, ground, body, most);
-  const std::vector<int16_t> from_piece = stepsFrom(grid, ground, piece, most);
+  const std::vector<int16_t> from_component = stepsFrom(grid, ground, component, most);
   int shortest = most + 1;
-  for (const Cell& cell : piece.cells)
+  for (const BrickVoxels& cell : component.cells)
     grid.forEach(cell, [&](size_t at, int) {
       if (from_body[at] >= 0) shortest = std::min<int>(shortest, from_body[at]);
     });
   if (shortest * lattice_.pitch > kLongestBridge) return {};
   const int longest = shortest + int(std::lround(kDetour / lattice_.pitch));
-  std::vector<Cell> both = body.cells;
-  both.insert(both.end(), piece.cells.begin(), piece.cells.end());
-  for (const Cell& cell : ground)
+  std::vector<BrickVoxels> both = body.cells;
+  both.insert(both.end(), component.cells.begin(), component.cells.end());
+  for (const BrickVoxels& cell : ground)
     grid.forEach(cell, [&](size_t at, int bit) {
-      const int a = from_body[at], b = from_piece[at];
-      if (a > 0 && b > 0 && a + b <= longest) both.push_back({cell.leaf, uint64_t(1) << bit});
+      const int a = from_body[at], b = from_component[at];
+      if (a > 0 && b > 0 && a + b <= longest) both.push_back({cell.brick, uint64_t(1) << bit});
     });
   return unionOf(std::move(both));
 }
 
-std::vector<Piece> PieceBridging::bridge(std::vector<Piece> pieces, size_t least_voxels) const {
-  const std::vector<Piece> ground = pieces;
-  std::vector<Piece> result;
-  for (Piece& piece : pieces) {
-    Piece both;
-    const bool may_belong = !piece.suspect_ghost && piece.voxels >= least_voxels;
-    if (!result.empty() && may_belong) both = joined(ground, result[0], piece);
+std::vector<VoxelComponent> ComponentBridging::bridge(std::vector<VoxelComponent> components,
+                                                      size_t min_voxels) const {
+  const std::vector<VoxelComponent> ground = components;
+  std::vector<VoxelComponent> result;
+  for (VoxelComponent& component : components) {
+    VoxelComponent both;
+    const bool may_belong = !component.suspect_ghost && component.voxels >= min_voxels;
+    if (!result.empty() && may_belong) both = joined(ground, result[0], component);
     if (both.voxels == 0)
-      result.push_back(std::move(piece));
+      result.push_back(std::move(component));
     else
       result[0] = std::move(both);
   }

@@ -28,25 +28,25 @@ void forEachTile(const TileBox& box, int columns, Visit visit) {
     for (int x = box.x0; x < box.x1; ++x) visit(size_t(y) * size_t(columns) + size_t(x));
 }
 
-double shareSeen(const Piece& piece, const CarvingPlan& plan, size_t camera) {
+double fractionSeen(const VoxelComponent& component, const ProjectionTable& table, size_t camera) {
   size_t seen = 0;
-  for (const Cell& cell : piece.cells)
-    seen += size_t(__builtin_popcountll(cell.voxels & plan.seen(cell.leaf, camera)));
-  return double(seen) / double(piece.voxels);
+  for (const BrickVoxels& cell : component.cells)
+    seen += size_t(__builtin_popcountll(cell.voxels & table.seen(cell.brick, camera)));
+  return double(seen) / double(component.voxels);
 }
 
 }  // namespace
 
-FaultFinder::FaultFinder(const CameraRig& rig, int min_views, VotingBooth* booth)
-    : rig_(rig), min_views_(min_views), booth_(booth) {
-  const CarvingPlan& plan = booth->plan();
-  const BlockLevel& leaves = plan.level(0);
+FaultFinder::FaultFinder(const CameraRig& rig, int min_views, VoxelVoting* voting)
+    : rig_(rig), min_views_(min_views), voting_(voting) {
+  const ProjectionTable& table = voting->table();
+  const BlockLevel& bricks = table.level(0);
   for (size_t c = 0; c < rig.size(); ++c) {
     const int columns = columnsOf(rig[c]);
     looks_in_.emplace_back(size_t(columns) * size_t((rig[c].height() + 7) / 8), uint8_t(0));
-    for (size_t leaf = 0; leaf < leaves.sees_some.size(); ++leaf)
-      if (__builtin_popcount(leaves.sees_some[leaf]) >= min_views)
-        forEachTile(leaves.tiles[leaf * rig.size() + c], columns,
+    for (size_t brick = 0; brick < bricks.sees_some.size(); ++brick)
+      if (__builtin_popcount(bricks.sees_some[brick]) >= min_views)
+        forEachTile(bricks.tiles[brick * rig.size() + c], columns,
                     [&](size_t tile) { looks_in_[c][tile] = 1; });
   }
 }
@@ -62,81 +62,84 @@ void FaultFinder::leaveOut(CameraSet cameras, const std::string& reason, Result*
     if (cameras >> c & 1) result->faults.push_back({c, reason});
 }
 
-FaultFinder::Result FaultFinder::carve(const MaskSurvey& masks, const VoxelBox& window) {
+FaultFinder::Result FaultFinder::carve(const MaskSummary& masks, const VoxelBox& window) {
   Result result;
   result.voters = masks.present;
   if (masks.full != 0 && mayLeaveOut(masks.full, masks.present))
     leaveOut(masks.full, "its mask is full", &result);
-  result.pieces = booth_->carve(result.voters & ~masks.empty, window);
+  result.components = voting_->carve(result.voters & ~masks.empty, window);
   if (masks.empty != 0) leaveOutEmpty(masks, window, &result);
   leaveOutContradicted(masks, window, &result);
   return result;
 }
 
-void FaultFinder::leaveOutEmpty(const MaskSurvey& masks, const VoxelBox& window, Result* result) {
+void FaultFinder::leaveOutEmpty(const MaskSummary& masks, const VoxelBox& window, Result* result) {
   const CameraSet gone = masks.present & ~result->voters;
   CameraSet wrong = 0;
-  if (!result->pieces.empty())
+  if (!result->components.empty())
     for (size_t c = 0; c < rig_.size(); ++c)
-      if (masks.empty >> c & 1 && shareSeen(result->pieces[0], booth_->plan(), c) >= kSeesPerson)
+      if (masks.empty >> c & 1 &&
+          fractionSeen(result->components[0], voting_->table(), c) >= kSeesPerson)
         wrong |= 1u << c;
   if (mayLeaveOut(wrong | gone, masks.present))
     leaveOut(wrong, "its mask is empty, the others see somebody before it", result);
-  if ((result->voters & masks.empty) != 0) result->pieces = booth_->carve(result->voters, window);
+  if ((result->voters & masks.empty) != 0)
+    result->components = voting_->carve(result->voters, window);
 }
 
-void FaultFinder::leaveOutContradicted(const MaskSurvey& masks, const VoxelBox& window,
+void FaultFinder::leaveOutContradicted(const MaskSummary& masks, const VoxelBox& window,
                                        Result* result) {
   // What reaches too few tiles finds too much unexplained: where that is little, all is well.
   for (const Reach how : {Reach::kRoughly, Reach::kExactly})
-    if (unexplained(result->pieces, result->voters, kCamerasAtAGlance, how) < kDoubt) return;
+    if (unexplained(result->components, result->voters, kCamerasAtAGlance, how) < kDoubt) return;
   const int all = int(rig_.size());
-  const double with_all = unexplained(result->pieces, result->voters, all, Reach::kExactly);
+  const double with_all = unexplained(result->components, result->voters, all, Reach::kExactly);
   const CameraSet gone = masks.present & ~result->voters;
   double least = 1, second = 1;
   CameraSet suspect = 0;
-  std::vector<Piece> without_suspect;
+  std::vector<VoxelComponent> without_suspect;
   for (size_t c = 0; c < rig_.size(); ++c) {
     const CameraSet one = 1u << c;
     if ((result->voters & one) == 0 || !mayLeaveOut(gone | one, masks.present)) continue;
-    std::vector<Piece> pieces = booth_->carve(result->voters & ~one, window);
-    const double share = unexplained(pieces, result->voters & ~one, all, Reach::kExactly);
-    second = std::min(second, std::max(share, least));
-    if (share >= least) continue;
-    least = share;
+    std::vector<VoxelComponent> components = voting_->carve(result->voters & ~one, window);
+    const double fraction = unexplained(components, result->voters & ~one, all, Reach::kExactly);
+    second = std::min(second, std::max(fraction, least));
+    if (fraction >= least) continue;
+    least = fraction;
     suspect = one;
-    without_suspect = std::move(pieces);
+    without_suspect = std::move(components);
   }
   if (least > kCured * with_all || second - least < kLead) return;
   leaveOut(suspect, "its mask lacks what the others agree on", result);
-  result->pieces = std::move(without_suspect);
+  result->components = std::move(without_suspect);
 }
 
-double FaultFinder::unexplained(const std::vector<Piece>& pieces, CameraSet voters, int most,
-                                Reach how) {
+double FaultFinder::unexplained(const std::vector<VoxelComponent>& components, CameraSet voters,
+                                int most, Reach how) {
   std::vector<size_t> cameras;
   for (size_t c = 0; c < rig_.size(); ++c)
     if (voters >> c & 1) cameras.push_back(c);
   if (cameras.empty()) return 0;
   // The order of cameras in the rig must not matter: those with the largest silhouettes tell.
   std::stable_sort(cameras.begin(), cameras.end(), [&](size_t a, size_t b) {
-    return booth_->mask(a).setPixels() > booth_->mask(b).setPixels();
+    return voting_->mask(a).setPixels() > voting_->mask(b).setPixels();
   });
   cameras.resize(std::min(cameras.size(), size_t(most)));
   std::vector<double> shares;
-  for (const size_t c : cameras) shares.push_back(unexplainedIn(c, pieces, how));
+  for (const size_t c : cameras) shares.push_back(unexplainedIn(c, components, how));
   const auto middle = shares.begin() + int(shares.size() / 2);
   std::nth_element(shares.begin(), middle, shares.end());
   return *middle;
 }
 
-double FaultFinder::unexplainedIn(size_t camera, const std::vector<Piece>& pieces, Reach how) {
+double FaultFinder::unexplainedIn(size_t camera, const std::vector<VoxelComponent>& components,
+                                  Reach how) {
   const int columns = columnsOf(rig_[camera]), rows = int(looks_in_[camera].size()) / columns;
   reached_.assign(looks_in_[camera].size(), 0);
-  for (const Piece& piece : pieces)
-    for (const Cell& cell : piece.cells)
+  for (const VoxelComponent& component : components)
+    for (const BrickVoxels& cell : component.cells)
       how == Reach::kRoughly ? reachRoughly(camera, cell) : reach(camera, cell);
-  const TileMask& mask = booth_->mask(camera);
+  const TileMask& mask = voting_->mask(camera);
   size_t set = 0, left = 0;
   for (int x = 0; x < columns; ++x)
     for (int y = 0; y < rows; ++y) {
@@ -148,25 +151,26 @@ double FaultFinder::unexplainedIn(size_t camera, const std::vector<Piece>& piece
   return set == 0 ? 0 : double(left) / double(set);
 }
 
-void FaultFinder::reachRoughly(size_t camera, const Cell& cell) {
-  const TileBox& leaf = booth_->plan().level(0).tiles[cell.leaf * rig_.size() + camera];
-  if (__builtin_popcountll(cell.voxels) < kReachesAll && leaf.count() != 1) return;
-  forEachTile(leaf, columnsOf(rig_[camera]), [&](size_t tile) { reached_[tile] = 1; });
+void FaultFinder::reachRoughly(size_t camera, const BrickVoxels& cell) {
+  const TileBox& brick = voting_->table().level(0).tiles[cell.brick * rig_.size() + camera];
+  if (__builtin_popcountll(cell.voxels) < kReachesAll && brick.count() != 1) return;
+  forEachTile(brick, columnsOf(rig_[camera]), [&](size_t tile) { reached_[tile] = 1; });
 }
 
-void FaultFinder::reach(size_t camera, const Cell& cell) {
-  const CarvingPlan& plan = booth_->plan();
+void FaultFinder::reach(size_t camera, const BrickVoxels& cell) {
+  const ProjectionTable& table = voting_->table();
   const int columns = columnsOf(rig_[camera]), rows = int(reached_.size()) / columns;
-  const TileBox& leaf = plan.level(0).tiles[cell.leaf * rig_.size() + camera];
+  const TileBox& brick = table.level(0).tiles[cell.brick * rig_.size() + camera];
   if (__builtin_popcountll(cell.voxels) >= kReachesAll) {
-    forEachTile(leaf, columns, [&](size_t tile) { reached_[tile] = 1; });
+    forEachTile(brick, columns, [&](size_t tile) { reached_[tile] = 1; });
     return;
   }
   // Half the way to the next voxel, where that is more than a tile.
-  const int half = leaf.x1 == 0 ? 0 : std::max(leaf.x1 - leaf.x0, leaf.y1 - leaf.y0) / kLeaf / 2;
-  const uint8_t* codes = plan.codes(cell.leaf, camera);
-  const PixelWindow* end = plan.windowsEnd(cell.leaf, camera);
-  for (const PixelWindow* w = plan.windowsBegin(cell.leaf, camera); w != end; ++w)
+  const int half =
+      brick.x1 == 0 ? 0 : std::max(brick.x1 - brick.x0, brick.y1 - brick.y0) / kBrickSide / 2;
+  const uint8_t* codes = table.codes(cell.brick, camera);
+  const PixelWindow* end = table.windowsEnd(cell.brick, camera);
+  for (const PixelWindow* w = table.windowsBegin(cell.brick, camera); w != end; ++w)
     for (uint64_t bits = w->voxels & cell.voxels; bits != 0; bits &= bits - 1) {
       const uint8_t code = codes[__builtin_ctzll(bits)];
       const int x = (w->x + (code & 15)) / 8, y = (w->y + (code >> 4)) / 8;

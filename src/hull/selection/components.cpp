@@ -7,12 +7,12 @@
 namespace markerless_mocap {
 namespace {
 
-uint32_t lowestVoxel(const Piece& piece, const VoxelLattice& lattice) {
+uint32_t lowestVoxel(const VoxelComponent& component, const VoxelLattice& lattice) {
   uint32_t lowest = std::numeric_limits<uint32_t>::max();
-  for (const Cell& cell : piece.cells) {
+  for (const BrickVoxels& cell : component.cells) {
     const int bit = __builtin_ctzll(cell.voxels);
     const Eigen::Vector3i at =
-        cornerOf(lattice, cell.leaf) + Eigen::Vector3i(bit & 3, bit >> 2 & 3, bit >> 4);
+        cornerOf(lattice, cell.brick) + Eigen::Vector3i(bit & 3, bit >> 2 & 3, bit >> 4);
     lowest = std::min(lowest, lattice.index(at.x(), at.y(), at.z()));
   }
   return lowest;
@@ -25,29 +25,29 @@ uint32_t ComponentFinder::root(uint32_t part) {
   return part;
 }
 
-void ComponentFinder::listParts(const LeafVolume& volume) {
+void ComponentFinder::listParts(const BrickVolume& volume) {
   parts_.clear();
   first_part_.resize(volume.count());
-  volume.forEachLeaf([&](int, int, int, size_t leaf) {
-    first_part_[leaf] = uint32_t(parts_.size());
-    for (uint64_t left = volume.word(leaf); left != 0; left &= ~parts_.back().voxels)
-      parts_.push_back({uint32_t(leaf), leaf_words::firstPiece(left)});
+  volume.forEachBrick([&](int, int, int, size_t brick) {
+    first_part_[brick] = uint32_t(parts_.size());
+    for (uint64_t left = volume.word(brick); left != 0; left &= ~parts_.back().voxels)
+      parts_.push_back({uint32_t(brick), leaf_words::firstComponent(left)});
   });
   parent_.resize(parts_.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
 }
 
-void ComponentFinder::joinTouching(uint32_t leaf, uint32_t other, const int (&step)[3]) {
-  for (uint32_t a = first_part_[leaf]; a < parts_.size() && parts_[a].leaf == leaf; ++a)
-    for (uint32_t b = first_part_[other]; parts_[b].leaf == other; ++b) {
+void ComponentFinder::joinTouching(uint32_t brick, uint32_t other, const int (&step)[3]) {
+  for (uint32_t a = first_part_[brick]; a < parts_.size() && parts_[a].brick == brick; ++a)
+    for (uint32_t b = first_part_[other]; parts_[b].brick == other; ++b) {
       const uint32_t of_a = root(a), of_b = root(b);
       if (of_a != of_b && (leaf_words::touched(parts_[a].voxels, step) & parts_[b].voxels) != 0)
         parent_[std::max(of_a, of_b)] = std::min(of_a, of_b);
     }
 }
 
-void ComponentFinder::joinBackwards(const LeafVolume& volume, const Eigen::Vector3i& at,
-                                    size_t leaf) {
+void ComponentFinder::joinBackwards(const BrickVolume& volume, const Eigen::Vector3i& at,
+                                    size_t brick) {
   // Neighbours across faces come first: what they join needs no look across edges and corners.
   static constexpr int kSteps[13][3] = {
       {-1, 0, 0},  {0, -1, 0}, {0, 0, -1},   {-1, -1, 0}, {1, -1, 0},  {-1, 0, -1}, {1, 0, -1},
@@ -56,37 +56,38 @@ void ComponentFinder::joinBackwards(const LeafVolume& volume, const Eigen::Vecto
   for (const int(&step)[3] : kSteps) {
     const Eigen::Vector3i there = at + Eigen::Vector3i(step[0], step[1], step[2]);
     if ((there.array() < 0).any() || (there.array() >= size.array()).any()) continue;
-    const size_t other = volume.leafAt(there.x(), there.y(), there.z());
-    if (volume.word(other) != 0) joinTouching(uint32_t(leaf), uint32_t(other), step);
+    const size_t other = volume.brickAt(there.x(), there.y(), there.z());
+    if (volume.word(other) != 0) joinTouching(uint32_t(brick), uint32_t(other), step);
   }
 }
 
-std::vector<Piece> ComponentFinder::find(const LeafVolume& volume, const VoxelLattice& lattice) {
+std::vector<VoxelComponent> ComponentFinder::find(const BrickVolume& volume,
+                                                  const VoxelLattice& lattice) {
   listParts(volume);
-  volume.forEachLeaf([&](int x, int y, int z, size_t leaf) {
-    joinBackwards(volume, Eigen::Vector3i(x, y, z), leaf);
+  volume.forEachBrick([&](int x, int y, int z, size_t brick) {
+    joinBackwards(volume, Eigen::Vector3i(x, y, z), brick);
   });
-  std::vector<Piece> pieces;
-  piece_of_.resize(parts_.size());
+  std::vector<VoxelComponent> components;
+  component_of_.resize(parts_.size());
   for (uint32_t part = 0; part < parts_.size(); ++part) {
     const uint32_t first = root(part);
     if (first == part) {
-      piece_of_[part] = uint32_t(pieces.size());
-      pieces.emplace_back();
+      component_of_[part] = uint32_t(components.size());
+      components.emplace_back();
     }
-    std::vector<Cell>& cells = pieces[piece_of_[first]].cells;
-    pieces[piece_of_[first]].voxels += size_t(__builtin_popcountll(parts_[part].voxels));
-    if (!cells.empty() && cells.back().leaf == parts_[part].leaf)
+    std::vector<BrickVoxels>& cells = components[component_of_[first]].cells;
+    components[component_of_[first]].voxels += size_t(__builtin_popcountll(parts_[part].voxels));
+    if (!cells.empty() && cells.back().brick == parts_[part].brick)
       cells.back().voxels |= parts_[part].voxels;
     else
       cells.push_back(parts_[part]);
   }
   std::vector<std::pair<std::pair<size_t, uint32_t>, size_t>> order;  // most voxels, lowest voxel
-  for (size_t i = 0; i < pieces.size(); ++i)
-    order.push_back({{~pieces[i].voxels, lowestVoxel(pieces[i], lattice)}, i});
+  for (size_t i = 0; i < components.size(); ++i)
+    order.push_back({{~components[i].voxels, lowestVoxel(components[i], lattice)}, i});
   std::sort(order.begin(), order.end());
-  std::vector<Piece> sorted;
-  for (const auto& entry : order) sorted.push_back(std::move(pieces[entry.second]));
+  std::vector<VoxelComponent> sorted;
+  for (const auto& entry : order) sorted.push_back(std::move(components[entry.second]));
   return sorted;
 }
 

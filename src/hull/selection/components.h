@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hull/selection/piece.h"
+#include "hull/selection/voxel_component.h"
 
 namespace markerless_mocap {
 
@@ -11,19 +11,19 @@ class ComponentFinder {
  public:
   /// Largest first; of equals the one with the lowest voxel in the lattice's linear order. Memory
   /// of the last call is used again.
-  std::vector<Piece> find(const LeafVolume& volume, const VoxelLattice& lattice);
+  std::vector<VoxelComponent> find(const BrickVolume& volume, const VoxelLattice& lattice);
 
  private:
-  void listParts(const LeafVolume& volume);
+  void listParts(const BrickVolume& volume);
   /// Joins the parts of a leaf with those of the neighbours that come before it.
-  void joinBackwards(const LeafVolume& volume, const Eigen::Vector3i& at, size_t leaf);
-  void joinTouching(uint32_t leaf, uint32_t other, const int (&step)[3]);
+  void joinBackwards(const BrickVolume& volume, const Eigen::Vector3i& at, size_t brick);
+  void joinTouching(uint32_t brick, uint32_t other, const int (&step)[3]);
   uint32_t root(uint32_t part);
 
-  std::vector<Cell> parts_;           ///< connected within their leaf, in the order of leaves
-  std::vector<uint32_t> parent_;      ///< per part
-  std::vector<uint32_t> first_part_;  ///< per leaf that holds voxels; others are not read
-  std::vector<uint32_t> piece_of_;    ///< per part that is a root
+  std::vector<BrickVoxels> parts_;      ///< connected within their leaf, in the order of leaves
+  std::vector<uint32_t> parent_;        ///< per part
+  std::vector<uint32_t> first_part_;    ///< per leaf that holds voxels; others are not read
+  std::vector<uint32_t> component_of_;  ///< per part that is a root
 };
 
 }  // namespace markerless_mocap

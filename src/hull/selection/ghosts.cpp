@@ -25,27 +25,27 @@ struct PixelBox {
 /// What pieces cover of a part of one camera's image.
 class Coverage {
  public:
-  Coverage(const Camera& camera, size_t index, const CarvingPlan& plan)
-      : camera_(camera), index_(index), plan_(plan) {}
+  Coverage(const Camera& camera, size_t index, const ProjectionTable& table)
+      : camera_(camera), index_(index), table_(table) {}
 
   /// Calls visit(rectangle) with the pixels of a part that each voxel of the piece covers; some may
   /// be empty.
   template <class Visit>
-  void forEachVoxel(const Piece& piece, const PixelBox& part, Visit visit) const {
-    const VoxelLattice& lattice = plan_.lattice();
+  void forEachVoxel(const VoxelComponent& component, const PixelBox& part, Visit visit) const {
+    const VoxelLattice& lattice = table_.lattice();
     const Eigen::Isometry3d& pose = camera_.calibration().T_world_camera;
-    for (const Cell& cell : piece.cells) {
+    for (const BrickVoxels& cell : component.cells) {
       const Eigen::Vector3d middle =
           lattice.origin +
           lattice.pitch *
-              (cornerOf(lattice, cell.leaf).cast<double>().array() + kLeaf / 2.0).matrix();
+              (cornerOf(lattice, cell.brick).cast<double>().array() + kBrickSide / 2.0).matrix();
       const double depth = pose.linear().col(2).dot(middle - camera_.position());
       const double focal = camera_.calibration().K(0, 0);
       const int reach =
           int(std::ceil(0.5 * focal * lattice.pitch / std::max(depth, lattice.pitch)));
-      const uint8_t* codes = plan_.codes(cell.leaf, index_);
-      const PixelWindow* end = plan_.windowsEnd(cell.leaf, index_);
-      for (const PixelWindow* w = plan_.windowsBegin(cell.leaf, index_); w != end; ++w) {
+      const uint8_t* codes = table_.codes(cell.brick, index_);
+      const PixelWindow* end = table_.windowsEnd(cell.brick, index_);
+      for (const PixelWindow* w = table_.windowsBegin(cell.brick, index_); w != end; ++w) {
         const PixelBox window{w->x - reach, w->y - reach, w->x + kWindowSide + reach,
                               w->y + kWindowSide + reach};
         if (window.clippedTo(part).isEmpty()) continue;
@@ -59,10 +59,10 @@ class Coverage {
     }
   }
 
-  PixelBox around(const Piece& piece) const {
+  PixelBox around(const VoxelComponent& component) const {
     PixelBox box{camera_.width(), camera_.height(), 0, 0};
     const PixelBox image{0, 0, camera_.width(), camera_.height()};
-    forEachVoxel(piece, image, [&](const PixelBox& p) {
+    forEachVoxel(component, image, [&](const PixelBox& p) {
       box = {std::min(box.x0, p.x0), std::min(box.y0, p.y0), std::max(box.x1, p.x1),
              std::max(box.y1, p.y1)};
     });
@@ -74,8 +74,8 @@ class Coverage {
     pixels_.assign(size_t(part.x1 - part.x0) * size_t(part.y1 - part.y0), 0);
   }
   /// Sets `bit` in what the piece covers of the part.
-  void add(const Piece& piece, uint8_t bit) {
-    forEachVoxel(piece, part_, [&](const PixelBox& p) {
+  void add(const VoxelComponent& component, uint8_t bit) {
+    forEachVoxel(component, part_, [&](const PixelBox& p) {
       for (int y = p.y0; y < p.y1; ++y)
         for (int x = p.x0; x < p.x1; ++x) at(x, y) |= bit;
     });
@@ -87,21 +87,21 @@ class Coverage {
  private:
   const Camera& camera_;
   size_t index_;
-  const CarvingPlan& plan_;
+  const ProjectionTable& table_;
   PixelBox part_{};
   std::vector<uint8_t> pixels_;
 };
 
 /// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers.
-bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& camera, size_t index,
-              const CarvingPlan& plan, const TileMask& mask) {
+bool isNeeded(const std::vector<VoxelComponent>& components, size_t suspect, const Camera& camera,
+              size_t index, const ProjectionTable& table, const TileMask& mask) {
   constexpr uint8_t kItself = 1, kOthers = 2;
-  Coverage coverage(camera, index, plan);
-  const PixelBox part = coverage.around(pieces[suspect]);
+  Coverage coverage(camera, index, table);
+  const PixelBox part = coverage.around(components[suspect]);
   if (part.isEmpty()) return false;
   coverage.begin(part);
-  for (size_t i = 0; i < pieces.size(); ++i)
-    coverage.add(pieces[i], i == suspect ? kItself : kOthers);
+  for (size_t i = 0; i < components.size(); ++i)
+    coverage.add(components[i], i == suspect ? kItself : kOthers);
   size_t own = 0, alone = 0;
   for (int y = part.y0; y < part.y1; ++y)
     for (int x = part.x0; x < part.x1; ++x) {
@@ -115,14 +115,15 @@ bool isNeeded(const std::vector<Piece>& pieces, size_t suspect, const Camera& ca
 
 }  // namespace
 
-void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<TileMask>& masks,
-                CameraSet voters, std::vector<Piece>* pieces) {
-  if (pieces->size() < 2) return;
-  for (size_t i = 0; i < std::min(pieces->size(), kJudged); ++i) {
+void markGhosts(const CameraRig& rig, const ProjectionTable& table,
+                const std::vector<TileMask>& masks, CameraSet voters,
+                std::vector<VoxelComponent>* components) {
+  if (components->size() < 2) return;
+  for (size_t i = 0; i < std::min(components->size(), kJudged); ++i) {
     bool needed = false;
     for (size_t c = 0; c < rig.size() && !needed; ++c)
-      needed = voters >> c & 1 && isNeeded(*pieces, i, rig[c], c, plan, masks[c]);
-    (*pieces)[i].suspect_ghost = !needed;
+      needed = voters >> c & 1 && isNeeded(*components, i, rig[c], c, table, masks[c]);
+    (*components)[i].suspect_ghost = !needed;
   }
 }
 

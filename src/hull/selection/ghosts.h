@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "hull/voting/carving_plan.h"
-#include "hull/selection/piece.h"
+#include "hull/selection/voxel_component.h"
+#include "hull/voting/projection_table.h"
 
 namespace markerless_mocap {
 
@@ -12,7 +12,8 @@ namespace markerless_mocap {
 /// around that of their centre as far as half a voxel reaches. The first eight pieces are judged,
 /// the others are not suspect; nor is a piece that is alone. \param masks one per camera, valid for
 /// voters
-void markGhosts(const CameraRig& rig, const CarvingPlan& plan, const std::vector<TileMask>& masks,
-                CameraSet voters, std::vector<Piece>* pieces);
+void markGhosts(const CameraRig& rig, const ProjectionTable& table,
+                const std::vector<TileMask>& masks, CameraSet voters,
+                std::vector<VoxelComponent>* components);
 
 }  // namespace markerless_mocap

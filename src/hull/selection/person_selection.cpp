@@ -8,30 +8,30 @@ namespace markerless_mocap {
 namespace {
 
 /// A silhouette that covers more of its image shows no outline to carve with.
-constexpr double kFullMaskShare = 0.95;
+constexpr double kFullMaskFraction = 0.95;
 /// A second component is a second body when it is at least this large.
-constexpr double kSecondBodyShare = 0.4;
+constexpr double kSecondBodyFraction = 0.4;
 constexpr double kSecondBodyLitres = 15.0;
 /// A component that is seen by no more than this share of the cameras that see another one is not
 /// carved well enough to be compared with it.
-constexpr double kPoorlySeenShare = 0.5;
+constexpr double kPoorlySeenFraction = 0.5;
 
 std::string oneDecimal(double value) {
   const long tenths = std::lround(value * 10);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-double meanViews(const Piece& piece, const CarvingPlan& plan, CameraSet voters) {
+double meanViews(const VoxelComponent& component, const ProjectionTable& table, CameraSet voters) {
   size_t views = 0;
-  for (const Cell& cell : piece.cells) {
-    const CameraSet all = plan.level(0).sees_all[cell.leaf] & voters;
+  for (const BrickVoxels& cell : component.cells) {
+    const CameraSet all = table.level(0).sees_all[cell.brick] & voters;
     views += size_t(__builtin_popcount(all)) * size_t(__builtin_popcountll(cell.voxels));
-    for (CameraSet part = plan.level(0).sees_some[cell.leaf] & voters & ~all; part != 0;
+    for (CameraSet part = table.level(0).sees_some[cell.brick] & voters & ~all; part != 0;
          part &= part - 1)
       views += size_t(
-          __builtin_popcountll(cell.voxels & plan.seen(cell.leaf, size_t(__builtin_ctz(part)))));
+          __builtin_popcountll(cell.voxels & table.seen(cell.brick, size_t(__builtin_ctz(part)))));
   }
-  return double(views) / double(piece.voxels);
+  return double(views) / double(component.voxels);
 }
 
 /// Whether nothing speaks against taking the component for a body.
@@ -41,14 +41,14 @@ bool isTrusted(const HullComponent& component) {
 
 }  // namespace
 
-MaskSurvey surveyMasks(const CameraRig& rig, const VotingBooth& booth) {
-  MaskSurvey result;
-  result.present = booth.present();
+MaskSummary summariseMasks(const CameraRig& rig, const VoxelVoting& voting) {
+  MaskSummary result;
+  result.present = voting.present();
   for (size_t c = 0; c < rig.size(); ++c) {
     if ((result.present >> c & 1) == 0) continue;
-    const double set = double(booth.mask(c).setPixels());
+    const double set = double(voting.mask(c).setPixels());
     if (set == 0) result.empty |= 1u << c;
-    if (set >= kFullMaskShare * rig[c].width() * rig[c].height()) result.full |= 1u << c;
+    if (set >= kFullMaskFraction * rig[c].width() * rig[c].height()) result.full |= 1u << c;
   }
   return result;
 }
@@ -60,7 +60,7 @@ std::string namesOf(CameraSet cameras, const CameraRig& rig) {
   return names;
 }
 
-bool refuseMasks(const MaskSurvey& masks, CameraSet usable, const CameraRig& rig, int min_views,
+bool rejectMasks(const MaskSummary& masks, CameraSet usable, const CameraRig& rig, int min_views,
                  VisualHull* hull) {
   if (masks.count() < min_views) {
     hull->status = HullStatus::kNoCameras;
@@ -79,58 +79,59 @@ bool refuseMasks(const MaskSurvey& masks, CameraSet usable, const CameraRig& rig
   return true;
 }
 
-std::vector<Piece> rankPieces(std::vector<Piece> pieces, const CarvingPlan& plan, CameraSet voters,
-                              double min_component_litres, VisualHull* hull) {
-  const double voxel_litres = std::pow(plan.lattice().pitch * 10, 3);
-  std::vector<HullComponent> components;
-  double most_views = 0;
-  for (const Piece& piece : pieces) {
-    HullComponent component;
-    component.litres = double(piece.voxels) * voxel_litres;
-    component.mean_views = meanViews(piece, plan, voters);
-    component.suspect_ghost = piece.suspect_ghost;
-    if (component.litres >= min_component_litres)
-      most_views = std::max(most_views, component.mean_views);
-    components.push_back(component);
+std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> components,
+                                           const ProjectionTable& table, CameraSet voters,
+                                           double min_component_litres, VisualHull* hull) {
+  const double voxel_litres = std::pow(table.lattice().pitch * 10, 3);
+  std::vector<HullComponent> summaries;
+  double max_views = 0;
+  for (const VoxelComponent& component : components) {
+    HullComponent summary;
+    summary.litres = double(component.voxels) * voxel_litres;
+    summary.mean_views = meanViews(component, table, voters);
+    summary.suspect_ghost = component.suspect_ghost;
+    if (summary.litres >= min_component_litres) max_views = std::max(max_views, summary.mean_views);
+    summaries.push_back(summary);
   }
-  for (HullComponent& component : components)
-    component.poorly_seen = component.mean_views <= kPoorlySeenShare * most_views;
-  std::vector<size_t> order(pieces.size());
+  for (HullComponent& summary : summaries)
+    summary.poorly_seen = summary.mean_views <= kPoorlySeenFraction * max_views;
+  std::vector<size_t> order(components.size());
   std::iota(order.begin(), order.end(), size_t(0));
   std::stable_partition(order.begin(), order.end(),
-                        [&](size_t i) { return isTrusted(components[i]); });
-  std::vector<Piece> ranked;
+                        [&](size_t i) { return isTrusted(summaries[i]); });
+  std::vector<VoxelComponent> ranked;
   for (const size_t i : order) {
-    ranked.push_back(std::move(pieces[i]));
-    hull->components.push_back(components[i]);
+    ranked.push_back(std::move(components[i]));
+    hull->components.push_back(summaries[i]);
   }
   return ranked;
 }
 
-const Piece* selectPerson(const std::vector<Piece>& pieces, double min_component_litres,
-                          const MaskSurvey& masks, const CameraRig& rig, VisualHull* hull) {
-  const std::vector<HullComponent>& components = hull->components;
-  if (components.empty() || components[0].litres < min_component_litres) {
+const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components,
+                                   double min_component_litres, const MaskSummary& masks,
+                                   const CameraRig& rig, VisualHull* hull) {
+  const std::vector<HullComponent>& summaries = hull->components;
+  if (summaries.empty() || summaries[0].litres < min_component_litres) {
     hull->status = HullStatus::kNobody;
-    hull->reason = components.empty()
+    hull->reason = summaries.empty()
                        ? "the silhouettes meet nowhere in the volume"
-                       : "the largest component has " + oneDecimal(components[0].litres) +
+                       : "the largest component has " + oneDecimal(summaries[0].litres) +
                              " litres, a body has at least " + oneDecimal(min_component_litres);
     if (masks.empty != 0)
       hull->reason += "; the mask of " + namesOf(masks.empty, rig) + " is empty";
     return nullptr;
   }
-  if (components.size() > 1 && isTrusted(components[1]) &&
-      components[1].litres >= kSecondBodyShare * components[0].litres &&
-      components[1].litres >= kSecondBodyLitres) {
+  if (summaries.size() > 1 && isTrusted(summaries[1]) &&
+      summaries[1].litres >= kSecondBodyFraction * summaries[0].litres &&
+      summaries[1].litres >= kSecondBodyLitres) {
     hull->status = HullStatus::kSeveralBodies;
-    hull->reason = "there are several bodies: components of " + oneDecimal(components[0].litres) +
-                   " and " + oneDecimal(components[1].litres) + " litres";
+    hull->reason = "there are several bodies: components of " + oneDecimal(summaries[0].litres) +
+                   " and " + oneDecimal(summaries[1].litres) + " litres";
     return nullptr;
   }
   hull->status = HullStatus::kOk;
   hull->reason.clear();
-  return &pieces[0];
+  return &components[0];
 }
 
 }  // namespace markerless_mocap

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "hull/voting/leaf_words.h"
+#include "hull/voting/brick_words.h"
 
 namespace markerless_mocap {
 

@@ -11,7 +11,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostJoints = 2000;
+constexpr size_t kMaxJoints = 2000;
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 BvhChannel channelOf(const BvhText& text, const std::string& word) {
@@ -42,8 +42,8 @@ void readOffset(BvhText& text, BvhJoint& joint) {
 void readBlock(BvhText& text, std::vector<BvhJoint>& joints, size_t self);
 
 void readChild(BvhText& text, std::vector<BvhJoint>& joints, size_t parent, bool is_end) {
-  if (joints.size() >= kMostJoints)
-    text.fail("the file has more than the " + std::to_string(kMostJoints) + " joints allowed");
+  if (joints.size() >= kMaxJoints)
+    text.fail("the file has more than the " + std::to_string(kMaxJoints) + " joints allowed");
   BvhJoint child;
   if (is_end) {
     // Some writers name the site, some leave "Site" out.

@@ -10,7 +10,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kMostFrames = 100000000;
+constexpr int kMaxFrames = 100000000;
 
 bool sameWord(const std::string& a, const std::string& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -19,11 +19,11 @@ bool sameWord(const std::string& a, const std::string& b) {
 
 // The sentence stays one line, whatever the file holds.
 std::string quoted(const std::string& text) {
-  constexpr size_t kLongest = 30;
-  std::string shown = text.substr(0, kLongest);
+  constexpr size_t kMaxSeconds = 30;
+  std::string shown = text.substr(0, kMaxSeconds);
   for (char& c : shown)
     if (!isprint(static_cast<unsigned char>(c))) c = '?';
-  return '"' + shown + (text.size() > kLongest ? "..." : "") + '"';
+  return '"' + shown + (text.size() > kMaxSeconds ? "..." : "") + '"';
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ double BvhText::takeNumber(const std::string& what) {
 
 int BvhText::takeCount(const std::string& what) {
   const double value = takeNumber(what);
-  if (value != std::floor(value) || value < 0 || value > kMostFrames)
+  if (value != std::floor(value) || value < 0 || value > kMaxFrames)
     fail(what + " is " + words_[next_ - 1].text + ", allowed is a whole number from 0 on");
   return int(value);
 }
@@ -137,12 +137,12 @@ size_t BvhText::linesLeft() const {
   return lines;
 }
 
-void BvhText::fail(const std::string& fault) const {
-  failAt(next_ > 0 ? words_[next_ - 1].line : last_line_, fault);
+void BvhText::fail(const std::string& error) const {
+  failAt(next_ > 0 ? words_[next_ - 1].line : last_line_, error);
 }
 
-void BvhText::failAt(size_t line, const std::string& fault) const {
-  throw std::invalid_argument(name_ + ", line " + std::to_string(line) + ": " + fault);
+void BvhText::failAt(size_t line, const std::string& error) const {
+  throw std::invalid_argument(name_ + ", line " + std::to_string(line) + ": " + error);
 }
 
 }  // namespace markerless_mocap

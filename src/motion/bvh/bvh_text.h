@@ -31,8 +31,8 @@ class BvhText {
   size_t linesLeft() const;
 
   /// Throws the sentence with file and line of the word last taken.
-  [[noreturn]] void fail(const std::string& fault) const;
-  [[noreturn]] void failAt(size_t line, const std::string& fault) const;
+  [[noreturn]] void fail(const std::string& error) const;
+  [[noreturn]] void failAt(size_t line, const std::string& error) const;
 
  private:
   struct Word {

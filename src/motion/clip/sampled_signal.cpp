@@ -42,19 +42,19 @@ std::vector<double> smoothed(const std::vector<double>& signal, double sigma) {
   return averaged(signal, weights, mirrored);
 }
 
-std::vector<double> lowestAround(const std::vector<double>& signal, int reach) {
-  std::vector<double> lowest;
+std::vector<double> slidingMinimum(const std::vector<double>& signal, int reach) {
+  std::vector<double> minimum;
   for (int i = 0; i < int(signal.size()); ++i) {
     const int first = std::max(0, i - reach), last = std::min(int(signal.size()) - 1, i + reach);
-    lowest.push_back(*std::min_element(signal.begin() + first, signal.begin() + last + 1));
+    minimum.push_back(*std::min_element(signal.begin() + first, signal.begin() + last + 1));
   }
-  return lowest;
+  return minimum;
 }
 
-std::vector<double> smoothFloor(const std::vector<double>& signal, int reach) {
+std::vector<double> smoothLowerEnvelope(const std::vector<double>& signal, int reach) {
   std::vector<double> hann;
   for (int k = -reach; k <= reach; ++k) hann.push_back(1.0 + std::cos(M_PI * k / (reach + 1.0)));
-  return averaged(lowestAround(signal, reach), hann, prolonged);
+  return averaged(slidingMinimum(signal, reach), hann, prolonged);
 }
 
 }  // namespace markerless_mocap

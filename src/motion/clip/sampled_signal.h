@@ -9,10 +9,10 @@ namespace markerless_mocap {
 std::vector<double> smoothed(const std::vector<double>& signal, double sigma);
 
 /// Least value within `reach` samples before and after each.
-std::vector<double> lowestAround(const std::vector<double>& signal, int reach);
+std::vector<double> slidingMinimum(const std::vector<double>& signal, int reach);
 
 /// A smooth curve that nowhere lies above the signal: the lowest value within `reach` samples,
 /// averaged over as many.
-std::vector<double> smoothFloor(const std::vector<double>& signal, int reach);
+std::vector<double> smoothLowerEnvelope(const std::vector<double>& signal, int reach);
 
 }  // namespace markerless_mocap

@@ -8,7 +8,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kStep = 0.005;       // metres that places are moved by
-constexpr double kFarthest = 0.4;     // metres
+constexpr double kMaxDistance = 0.4;  // metres
 constexpr double kShoeWidth = 0.056;  // of the stature
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -17,8 +17,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 double toSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d along = b - a;
-  const double share = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - share * along).norm();
+  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - a - fraction * along).norm();
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ FootClearance::FootClearance(const HumanSkeleton& skeleton)
       toe_x_(skeleton.tailOf(Bone::kLeftToes).x() - skeleton.headOf(Bone::kLeftFoot).x()),
       shoe_width_(kShoeWidth * skeleton.stature) {}
 
-double FootClearance::gap(const GroundPlace& foot, const GroundPlace& other) const {
+double FootClearance::gap(const GroundPose& foot, const GroundPose& other) const {
   const Eigen::Vector2d a = foot.shifted(heel_x_, 0.0).position;
   const Eigen::Vector2d b = foot.shifted(toe_x_, 0.0).position;
   const Eigen::Vector2d c = other.shifted(heel_x_, 0.0).position;
@@ -40,26 +40,26 @@ double FootClearance::gap(const GroundPlace& foot, const GroundPlace& other) con
                   std::min(toSegment(c, a, b), toSegment(d, a, b)));
 }
 
-GroundPlace FootClearance::beside(const GroundPlace& place, const GroundPlace& other) const {
+GroundPose FootClearance::beside(const GroundPose& place, const GroundPose& other) const {
   const double middle = 0.5 * (heel_x_ + toe_x_);
   const Eigen::Vector2d apart =
       place.shifted(middle, 0.0).position - other.shifted(middle, 0.0).position;
-  GroundPlace moved = place;
-  for (double way = 0.0; gap(moved, other) < shoe_width_ && way < kFarthest; way += kStep)
+  GroundPose moved = place;
+  for (double way = 0.0; gap(moved, other) < shoe_width_ && way < kMaxDistance; way += kStep)
     moved.position += kStep * apart.normalized();
   return moved;
 }
 
-double FootClearance::closest(const GroundPlace& from, const GroundPlace& to,
-                              const GroundPlace& other, const Eigen::Vector2d& detour) const {
+double FootClearance::closest(const GroundPose& from, const GroundPose& to, const GroundPose& other,
+                              const Eigen::Vector2d& detour) const {
   double least = 1e9;
   for (int i = 0; i <= 20; ++i)
-    least = std::min(least, gap(swungPlace(from, to, detour, i / 20.0), other));
+    least = std::min(least, gap(swingPose(from, to, detour, i / 20.0), other));
   return least;
 }
 
-Eigen::Vector2d FootClearance::detour(bool left, const GroundPlace& from, const GroundPlace& to,
-                                      const GroundPlace& other) const {
+Eigen::Vector2d FootClearance::detour(bool left, const GroundPose& from, const GroundPose& to,
+                                      const GroundPose& other) const {
   // A foot that begins or ends nearer than a shoe's width cannot be farther in between.
   const double wanted = std::min({shoe_width_, gap(from, other), gap(to, other)}) - 1e-3;
   if (closest(from, to, other, Eigen::Vector2d::Zero()) >= wanted) return Eigen::Vector2d::Zero();
@@ -68,7 +68,7 @@ Eigen::Vector2d FootClearance::detour(bool left, const GroundPlace& from, const 
   Eigen::Vector2d aside =
       way.norm() > 0.05 ? Eigen::Vector2d(-way.y(), way.x()).normalized() : outward;
   if (aside.dot(outward) < 0.0) aside = -aside;  // legs do not cross
-  for (double size = kStep; size < kFarthest; size += kStep)
+  for (double size = kStep; size < kMaxDistance; size += kStep)
     if (closest(from, to, other, size * aside) >= wanted) return size * aside;
   return Eigen::Vector2d::Zero();
 }

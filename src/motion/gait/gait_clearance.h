@@ -1,7 +1,7 @@
 #pragma once
 
-#include "motion/human_skeleton.h"
 #include "motion/gait/gait_path.h"
+#include "motion/human_skeleton.h"
 
 namespace markerless_mocap {
 
@@ -12,18 +12,18 @@ class FootClearance {
   explicit FootClearance(const HumanSkeleton& skeleton);
 
   /// Metres between the lines of two feet, 0 if they cross.
-  double gap(const GroundPlace& foot, const GroundPlace& other) const;
+  double gap(const GroundPose& foot, const GroundPose& other) const;
 
   /// The place, moved away from the other foot as far as it must.
-  GroundPlace beside(const GroundPlace& place, const GroundPlace& other) const;
+  GroundPose beside(const GroundPose& place, const GroundPose& other) const;
 
-  /// The shortest detour (see swungPlace) by which the left or right foot gets past the other one
+  /// The shortest detour (see swingPose) by which the left or right foot gets past the other one
   /// that stands, on its own side of it; none if none up to 0.4 m does.
-  Eigen::Vector2d detour(bool left, const GroundPlace& from, const GroundPlace& to,
-                         const GroundPlace& other) const;
+  Eigen::Vector2d detour(bool left, const GroundPose& from, const GroundPose& to,
+                         const GroundPose& other) const;
 
  private:
-  double closest(const GroundPlace& from, const GroundPlace& to, const GroundPlace& other,
+  double closest(const GroundPose& from, const GroundPose& to, const GroundPose& other,
                  const Eigen::Vector2d& detour) const;
 
   double heel_x_, toe_x_;  ///< metres from the ankle

@@ -13,14 +13,14 @@ constexpr double kSoftness =
     0.2;  ///< seconds, standard deviation: a start or a stop takes twice it
 
 /// \param share 0 at the move's beginning, 1 at its end
-GroundPlace along(const Move& move, const GroundPlace& from, double share) {
-  GroundPlace place = from;
-  const double turn = share * move.turn;
+GroundPose along(const Move& move, const GroundPose& from, double fraction) {
+  GroundPose place = from;
+  const double turn = fraction * move.turn;
   if (move.kind == Move::Kind::kGo && std::abs(move.turn) > 1e-6) {
     const double radius = move.forward / move.turn;
     place = from.shifted(radius * std::sin(turn), radius * (1.0 - std::cos(turn)));
   } else {
-    place = from.shifted(share * move.forward, share * move.left);
+    place = from.shifted(fraction * move.forward, fraction * move.left);
   }
   place.heading = from.heading + turn;
   return place;
@@ -28,21 +28,21 @@ GroundPlace along(const Move& move, const GroundPlace& from, double share) {
 
 }  // namespace
 
-Eigen::Vector2d GroundPlace::forward() const {
+Eigen::Vector2d GroundPose::forward() const {
   return {std::cos(heading), std::sin(heading)};
 }
 
-Eigen::Vector2d GroundPlace::left() const {
+Eigen::Vector2d GroundPose::left() const {
   return {-std::sin(heading), std::cos(heading)};
 }
 
-GroundPlace GroundPlace::shifted(double forward_metres, double left_metres) const {
+GroundPose GroundPose::shifted(double forward_metres, double left_metres) const {
   return {position + forward_metres * forward() + left_metres * left(), heading};
 }
 
 GaitPath::GaitPath(const MotionScript& script, double fps) : fps_(fps) {
-  GroundPlace place{{script.start_x, script.start_y}, script.start_heading};
-  std::vector<GroundPlace> starts;
+  GroundPose place{{script.start_x, script.start_y}, script.start_heading};
+  std::vector<GroundPose> starts;
   move_times_.push_back(0.0);
   for (const Move& move : script.path) {
     starts.push_back(place);
@@ -52,7 +52,7 @@ GaitPath::GaitPath(const MotionScript& script, double fps) : fps_(fps) {
   const int samples = int(std::ceil((script.seconds + 2.0 * kLead) * fps)) + 1;
   for (int i = 0; i < samples; ++i) {
     const double time = i / fps - kLead;
-    GroundPlace here = starts.empty() || time >= move_times_.back() ? place : starts.front();
+    GroundPose here = starts.empty() || time >= move_times_.back() ? place : starts.front();
     for (size_t m = 0; m < starts.size(); ++m) {
       const Move& move = script.path[m];
       if (time >= move_times_[m] && time < move_times_[m + 1])
@@ -66,12 +66,12 @@ GaitPath::GaitPath(const MotionScript& script, double fps) : fps_(fps) {
     *signal = smoothed(*signal, kSoftness * fps);
 }
 
-GroundPlace GaitPath::at(double seconds) const {
+GroundPose GaitPath::at(double seconds) const {
   const double place = std::clamp((seconds + kLead) * fps_, 0.0, double(x_.size() - 1));
   const size_t i = std::min(size_t(place), x_.size() - 2);
-  const double share = place - double(i);
+  const double fraction = place - double(i);
   const auto mix = [&](const std::vector<double>& signal) {
-    return (1.0 - share) * signal[i] + share * signal[i + 1];
+    return (1.0 - fraction) * signal[i] + fraction * signal[i + 1];
   };
   return {{mix(x_), mix(y_)}, mix(heading_)};
 }

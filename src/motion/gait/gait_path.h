@@ -8,13 +8,13 @@
 namespace markerless_mocap {
 
 /// Somewhere on the floor, facing somewhere.
-struct GroundPlace {
+struct GroundPose {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< metres
   double heading = 0.0;                                ///< radians, turns are counted on
 
   Eigen::Vector2d forward() const;
   Eigen::Vector2d left() const;
-  GroundPlace shifted(double forward_metres, double left_metres) const;
+  GroundPose shifted(double forward_metres, double left_metres) const;
 };
 
 /// The way of a person's middle over the floor: the script's moves one after another, joined
@@ -23,7 +23,7 @@ class GaitPath {
  public:
   GaitPath(const MotionScript& script, double fps);
 
-  GroundPlace at(double seconds) const;
+  GroundPose at(double seconds) const;
   /// When each move begins; one more for the end of the last.
   const std::vector<double>& moveTimes() const { return move_times_; }
 

@@ -34,9 +34,9 @@ int naturalSteps(const Move& move, double leg) {
   return std::max(2, int(std::lround(rhythm * move.seconds)));
 }
 
-GroundPlace footPlace(const GroundPlace& middle, bool left, double half_width, double stagger) {
+GroundPose footPlace(const GroundPose& middle, bool left, double half_width, double stagger) {
   const double side = left ? 1.0 : -1.0;
-  GroundPlace place = middle.shifted(side * 0.5 * stagger, side * half_width);
+  GroundPose place = middle.shifted(side * 0.5 * stagger, side * half_width);
   place.heading += side * kSplay;
   return place;
 }
@@ -63,7 +63,7 @@ class Planner {
   }
 
  private:
-  GroundPlace standing(double seconds, bool left, const Stance& stance) const {
+  GroundPose standing(double seconds, bool left, const Stance& stance) const {
     return footPlace(path_.at(seconds), left, 0.5 * stance.width * skeleton_.stature,
                      stance.stagger * skeleton_.stature);
   }
@@ -72,8 +72,8 @@ class Planner {
   double halfWidth(const Move& move) const {
     const double leaning =
         std::min(1.0, speedOf(move) / 0.8) * std::exp(-std::abs(move.turn) / move.seconds / 1.5);
-    const double share = move.run ? 0.016 : 0.042 - 0.014 * leaning;
-    return skeleton_.stature * share;
+    const double fraction = move.run ? 0.016 : 0.042 - 0.014 * leaning;
+    return skeleton_.stature * fraction;
   }
 
   void addJump(size_t m) {
@@ -81,7 +81,7 @@ class Planner {
     const double lift = path_.moveTimes()[m], land = path_.moveTimes()[m + 1];
     for (const bool left : {true, false}) {
       // What the path's softness still holds back at the landing is made up by the body alone.
-      const GroundPlace to = standing(land + 0.5, left, move.stance);
+      const GroundPose to = standing(land + 0.5, left, move.stance);
       addStep({left, lift, land, now_[size_t(left)], to, Eigen::Vector2d::Zero(), false, true,
                move.tuck});
     }
@@ -134,7 +134,7 @@ class Planner {
       } else {
         step.to = standing(path_.moveTimes()[last + 1] + 0.5, left, script_.path[last].stance);
       }
-      const GroundPlace& other = now_[size_t(!left)];
+      const GroundPose& other = now_[size_t(!left)];
       step.to = clearance_.beside(step.to, other);
       step.detour = clearance_.detour(left, step.from, step.to, other);
       addStep(step);
@@ -147,7 +147,7 @@ class Planner {
   const HumanSkeleton& skeleton_;
   const FootClearance clearance_;
   GaitPlan plan_;
-  GroundPlace now_[2];  ///< of the right and of the left foot
+  GroundPose now_[2];  ///< of the right and of the left foot
 };
 
 /// Piecewise linear, prolonged with the outer slopes.

@@ -11,8 +11,8 @@ namespace markerless_mocap {
 struct GaitStep {
   bool left = false;
   double lift = 0.0, land = 0.0;  ///< seconds
-  GroundPlace from, to;
-  Eigen::Vector2d detour = Eigen::Vector2d::Zero();  ///< round the other foot, see swungPlace
+  GroundPose from, to;
+  Eigen::Vector2d detour = Eigen::Vector2d::Zero();  ///< round the other foot, see swingPose
   bool run = false;
   bool jump = false;
   double tuck = 0.0;  ///< of a jump, share of the stature
@@ -33,7 +33,7 @@ struct GaitBlock {
 
 /// Where and when the feet of a script step.
 struct GaitPlan {
-  GroundPlace left_start, right_start;
+  GroundPose left_start, right_start;
   std::vector<GaitStep> steps;  ///< in the order of their lift
   std::vector<GaitBlock> blocks;
 };

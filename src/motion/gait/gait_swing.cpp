@@ -12,11 +12,11 @@ double swingBump(double u) {
   return 16.0 * u * u * (1.0 - u) * (1.0 - u);
 }
 
-GroundPlace swungPlace(const GroundPlace& from, const GroundPlace& to,
-                       const Eigen::Vector2d& detour, double u) {
+GroundPose swingPose(const GroundPose& from, const GroundPose& to, const Eigen::Vector2d& detour,
+                     double u) {
   const double progress = minimumJerk(u);
   const double round = 64.0 * std::pow(u * (1.0 - u), 3);  // begins when the foot is off the floor
-  GroundPlace place;
+  GroundPose place;
   place.position = (1.0 - progress) * from.position + progress * to.position + round * detour;
   place.heading = (1.0 - progress) * from.heading + progress * to.heading;
   return place;

@@ -12,7 +12,7 @@ double swingBump(double u);
 
 /// A foot's place on its way through the air, u from 0 to 1.
 /// \param detour metres on the floor, off the straight way in its middle
-GroundPlace swungPlace(const GroundPlace& from, const GroundPlace& to,
-                       const Eigen::Vector2d& detour, double u);
+GroundPose swingPose(const GroundPose& from, const GroundPose& to, const Eigen::Vector2d& detour,
+                     double u);
 
 }  // namespace markerless_mocap

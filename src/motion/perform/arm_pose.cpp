@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/skeleton/limb_ik.h"
 #include "motion/perform/trunk_pose.h"
+#include "motion/skeleton/two_bone_ik.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kLargestBend = 2.6;  // radians, elbow
-constexpr double kSwing = 34.0;       // degrees of an arm per leg length of stride
+constexpr double kMaxBend = 2.6;  // radians, elbow
+constexpr double kSwing = 34.0;   // degrees of an arm per leg length of stride
 
 Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));
@@ -27,7 +27,7 @@ struct ArmBones {
 /// One arm of one instant.
 class ArmPoser {
  public:
-  ArmPoser(const MotionScript& script, const BodyInstant& now, const HumanSkeleton& skeleton,
+  ArmPoser(const MotionScript& script, const GaitState& now, const HumanSkeleton& skeleton,
            bool left, HumanPose& pose)
       : script_(script),
         now_(now),
@@ -82,9 +82,9 @@ class ArmPoser {
     const double hanging = std::max(0.0, -(upperArmIn(angles) * outward(1.0)).z());
     const double factor = script_.track(Track::kArmSwing).at(now_.seconds)[0];
     const double swing = -side_ * kSwing * now_.stride * now_.moving * factor * hanging * hanging;
-    angles[0] += swing + 1.6 * unrest(now_.seconds, left_ ? 11 : 15);
-    angles[1] += 1.2 * unrest(now_.seconds, left_ ? 12 : 16);
-    angles[3] += 0.55 * std::max(-8.0, swing) + 2.0 * unrest(now_.seconds, left_ ? 13 : 17);
+    angles[0] += swing + 1.6 * idleNoise(now_.seconds, left_ ? 11 : 15);
+    angles[1] += 1.2 * idleNoise(now_.seconds, left_ ? 12 : 16);
+    angles[3] += 0.55 * std::max(-8.0, swing) + 2.0 * idleNoise(now_.seconds, left_ ? 13 : 17);
     angles[3] = std::clamp(angles[3], 4.0, 148.0);
     return angles;
   }
@@ -93,8 +93,8 @@ class ArmPoser {
   Eigen::Vector3d poseClavicle(const Eigen::Vector3d& arm) {
     const Eigen::Vector3d in_chest = (chest_.conjugate() * arm).normalized();
     const double raised = std::acos(std::clamp(-in_chest.z(), -1.0, 1.0)) / M_PI;  // 0 hangs
-    const double share = std::clamp((raised - 0.2) / 0.7, 0.0, 1.0);
-    const double lift = 24.0 * share * share * (3.0 - 2.0 * share);
+    const double fraction = std::clamp((raised - 0.2) / 0.7, 0.0, 1.0);
+    const double lift = 24.0 * fraction * fraction * (3.0 - 2.0 * fraction);
     const double breath = 0.8 * std::sin(2.0 * M_PI * 0.27 * now_.seconds);
     pose_[bones_.clavicle] =
         chest_ * about(kZ, -side_ * 11.0 * in_chest.x()) * about(kX, side_ * (lift + breath));
@@ -109,8 +109,8 @@ class ArmPoser {
     const Eigen::Vector3d reached =
         shoulder + chest_ * (skeleton_.armLength() *
                              Eigen::Vector3d(from_chest[1], side_ * from_chest[2], from_chest[3]));
-    const GroundPlace place = now_.place.shifted(from_floor[1] * skeleton_.stature,
-                                                 side_ * from_floor[2] * skeleton_.stature);
+    const GroundPose place = now_.place.shifted(from_floor[1] * skeleton_.stature,
+                                                side_ * from_floor[2] * skeleton_.stature);
     const Eigen::Vector3d grasped(place.position.x(), place.position.y(),
                                   from_floor[3] * skeleton_.stature);
     const Eigen::Vector3d near = wrist + from_chest[0] * (reached - wrist);
@@ -123,8 +123,8 @@ class ArmPoser {
     const Eigen::Vector3d down_and_out = chest_ * Eigen::Vector3d(-0.35, side_ * 0.5, -0.8);
     const Eigen::Vector3d pole = (1.0 - share_) * bent + share_ * down_and_out;
     const double upper = length(bones_.upper), fore = length(bones_.fore);
-    const LimbBend bend = bendLimb(shoulder, easedTarget(shoulder, target, upper + fore), upper,
-                                   fore, pole, kLargestBend);
+    const TwoBoneIkResult bend = solveTwoBoneIk(
+        shoulder, softIkTarget(shoulder, target, upper + fore), upper, fore, pole, kMaxBend);
     const Eigen::Vector3d hinge = pole.cross(bend.end - shoulder);
     const Eigen::Vector3d hinge_at_rest(0.0, 0.0, -side_);
     pose_[bones_.upper] = turnWithHinge(outward(1.0), hinge_at_rest, bend.middle - shoulder, hinge);
@@ -137,11 +137,11 @@ class ArmPoser {
     pose_[bones_.fore] = pose_[bones_.fore] * about(kY, 0.5 * wrist[0]);
     pose_[bones_.hand] =
         pose_[bones_.fore] * about(kY, 0.5 * wrist[0]) *
-        about(kX, -side_ * (wrist[1] + 3.0 * unrest(now_.seconds, left_ ? 20 : 23)));
+        about(kX, -side_ * (wrist[1] + 3.0 * idleNoise(now_.seconds, left_ ? 20 : 23)));
   }
 
   const MotionScript& script_;
-  const BodyInstant& now_;
+  const GaitState& now_;
   const HumanSkeleton& skeleton_;
   bool left_;
   double side_;  ///< 1 on the left, -1 on the right
@@ -153,7 +153,7 @@ class ArmPoser {
 
 }  // namespace
 
-void poseArms(const MotionScript& script, const BodyInstant& now, const HumanSkeleton& skeleton,
+void poseArms(const MotionScript& script, const GaitState& now, const HumanSkeleton& skeleton,
               HumanPose& pose) {
   for (const bool left : {true, false}) ArmPoser(script, now, skeleton, left, pose).run();
 }

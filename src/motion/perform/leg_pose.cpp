@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/skeleton/limb_ik.h"
+#include "motion/skeleton/two_bone_ik.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStretch = 0.995;    // of a leg's length that a standing leg uses
-constexpr double kLargestBend = 2.6;  // radians
-constexpr double kKneesOut = 0.1;     // how much the knees point outward
+constexpr double kStretch = 0.995;  // of a leg's length that a standing leg uses
+constexpr double kMaxBend = 2.6;    // radians
+constexpr double kKneesOut = 0.1;   // how much the knees point outward
 
 Eigen::Vector3d hipJoint(const HumanSkeleton& skeleton, const HumanPose& pose, Bone thigh) {
   return pose.hips + pose[Bone::kHips] * (skeleton.headOf(thigh) - skeleton.headOf(Bone::kHips));
@@ -32,13 +32,13 @@ void poseLeg(bool left, const FootPose& foot, const HumanSkeleton& skeleton, Hum
   const Bone foot_bone = left ? Bone::kLeftFoot : Bone::kRightFoot;
   const Bone toes = left ? Bone::kLeftToes : Bone::kRightToes;
   const Eigen::Vector3d hip = hipJoint(skeleton, pose, thigh);
-  const Eigen::Vector3d ankle = easedTarget(hip, foot.ankle, skeleton.legLength());
+  const Eigen::Vector3d ankle = softIkTarget(hip, foot.ankle, skeleton.legLength());
   // Carried along when the leg rises, so that a raised leg's knee points up.
   const Eigen::Vector3d pole =
       Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), ankle - hip) *
       kneesAhead(pose, foot, left);
-  const LimbBend bend =
-      bendLimb(hip, ankle, skeleton.lengthOf(thigh), skeleton.lengthOf(shank), pole, kLargestBend);
+  const TwoBoneIkResult bend = solveTwoBoneIk(hip, ankle, skeleton.lengthOf(thigh),
+                                              skeleton.lengthOf(shank), pole, kMaxBend);
   const Eigen::Vector3d hinge = pole.cross(bend.end - hip);  // to the left at rest
   const auto turned = [&](Bone bone, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     pose[bone] = turnWithHinge(skeleton.tailOf(bone) - skeleton.headOf(bone),
@@ -52,15 +52,15 @@ void poseLeg(bool left, const FootPose& foot, const HumanSkeleton& skeleton, Hum
 
 }  // namespace
 
-void poseLegs(const BodyInstant& now, const HumanSkeleton& skeleton, HumanPose& pose) {
+void poseLegs(const GaitState& now, const HumanSkeleton& skeleton, HumanPose& pose) {
   poseLeg(true, now.left, skeleton, pose);
   poseLeg(false, now.right, skeleton, pose);
 }
 
-double highestHips(const BodyInstant& now, const HumanSkeleton& skeleton, const HumanPose& pose,
-                   double otherwise) {
+double maxHipHeight(const GaitState& now, const HumanSkeleton& skeleton, const HumanPose& pose,
+                    double otherwise) {
   const double reach = kStretch * skeleton.legLength();
-  double highest = otherwise;
+  double maximum = otherwise;
   for (const bool left : {true, false}) {
     const FootPose& foot = left ? now.left : now.right;
     if (!foot.within_reach) continue;
@@ -68,9 +68,9 @@ double highestHips(const BodyInstant& now, const HumanSkeleton& skeleton, const 
         hipJoint(skeleton, pose, left ? Bone::kLeftThigh : Bone::kRightThigh);
     const double away = (hip - foot.ankle).head<2>().norm();
     const double above = std::sqrt(std::max(0.0, reach * reach - away * away));
-    highest = std::min(highest, foot.ankle.z() + above - (hip.z() - pose.hips.z()));
+    maximum = std::min(maximum, foot.ankle.z() + above - (hip.z() - pose.hips.z()));
   }
-  return highest;
+  return maximum;
 }
 
 }  // namespace markerless_mocap

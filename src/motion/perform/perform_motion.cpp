@@ -2,11 +2,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "motion/clip/sampled_signal.h"
+#include "motion/gait/gait_states.h"
 #include "motion/motion_script.h"
 #include "motion/perform/arm_pose.h"
-#include "motion/gait/body_course.h"
 #include "motion/perform/leg_pose.h"
-#include "motion/clip/sampled_signal.h"
 #include "motion/perform/trunk_pose.h"
 
 namespace markerless_mocap {
@@ -23,35 +23,35 @@ double softMinimum(double a, double b, double softness) {
 }
 
 /// Where the hips go over the floor; their height is found later.
-void placeHips(const MotionScript& script, const BodyInstant& now, double stature,
-               HumanPose& pose) {
+void placeHips(const MotionScript& script, const GaitState& now, double stature, HumanPose& pose) {
   const CurveValues shift = script.track(Track::kShift).at(now.seconds);
-  const GroundPlace place = now.place.shifted(shift[0] * stature, shift[1] * stature);
-  const Eigen::Vector2d sway(0.003 * unrest(now.seconds, 30), 0.004 * unrest(now.seconds, 31));
+  const GroundPose place = now.place.shifted(shift[0] * stature, shift[1] * stature);
+  const Eigen::Vector2d sway(0.003 * idleNoise(now.seconds, 30),
+                             0.004 * idleNoise(now.seconds, 31));
   pose.hips.head<2>() = place.position + now.aside + sway;
   pose.hips.z() = 0.0;
 }
 
 /// Heights above which the legs would have to stretch: not known in the air.
-std::vector<double> legLimits(const std::vector<BodyInstant>& course, const MotionClip& clip,
+std::vector<double> legLimits(const std::vector<GaitState>& course, const MotionClip& clip,
                               const HumanSkeleton& skeleton, double standing) {
   std::vector<double> limits;
   for (size_t i = 0; i < course.size(); ++i) {
     const double leap = course[i].leap;
-    limits.push_back(highestHips(course[i], skeleton, clip.poses[i], standing + 0.05 + leap) -
+    limits.push_back(maxHipHeight(course[i], skeleton, clip.poses[i], standing + 0.05 + leap) -
                      leap);
   }
   return limits;
 }
 
-void setHeights(const MotionScript& script, const std::vector<BodyInstant>& course,
+void setHeights(const MotionScript& script, const std::vector<GaitState>& course,
                 const HumanSkeleton& skeleton, MotionClip& clip) {
   const double stature = skeleton.stature;
   const double standing = skeleton.headOf(Bone::kHips).z();
-  const std::vector<double> limits = smoothFloor(legLimits(course, clip, skeleton, standing),
-                                                 int(std::lround(kFloorReach * clip.fps)));
+  const std::vector<double> limits = smoothLowerEnvelope(
+      legLimits(course, clip, skeleton, standing), int(std::lround(kFloorReach * clip.fps)));
   for (size_t i = 0; i < course.size(); ++i) {
-    const BodyInstant& now = course[i];
+    const GaitState& now = course[i];
     const double drop = script.track(Track::kDrop).at(now.seconds)[0];
     const double run = now.running * (-kRunDrop + kRunBounce * now.bounce);
     const double wanted = standing + (run - drop) * stature;
@@ -75,7 +75,7 @@ MotionClip performMotion(const MotionScript& script, const HumanSkeleton& skelet
   if (!(fps >= 10.0 && fps <= 1000.0))
     throw std::invalid_argument("the motion's fps is " + std::to_string(fps) +
                                 ", allowed is 10 to 1000");
-  const std::vector<BodyInstant> course = followPath(script, skeleton, fps);
+  const std::vector<GaitState> course = sampleGait(script, skeleton, fps);
   MotionClip clip;
   clip.fps = fps;
   clip.poses.resize(course.size());

@@ -12,7 +12,9 @@ constexpr double kDegree = M_PI / 180.0;
 struct Lean {
   double forward = 0.0, left = 0.0, turn = 0.0;
 
-  Lean operator*(double share) const { return {share * forward, share * left, share * turn}; }
+  Lean operator*(double fraction) const {
+    return {fraction * forward, fraction * left, fraction * turn};
+  }
   Lean operator+(const Lean& o) const {
     return {forward + o.forward, left + o.left, turn + o.turn};
   }
@@ -30,18 +32,18 @@ Lean keyedLean(const MotionScript& script, Track track, double seconds) {
 }
 
 Lean restless(double seconds, int stream, double degrees) {
-  return {kDegree * degrees * unrest(seconds, stream),
-          kDegree * degrees * unrest(seconds, stream + 1),
-          kDegree * degrees * unrest(seconds, stream + 2)};
+  return {kDegree * degrees * idleNoise(seconds, stream),
+          kDegree * degrees * idleNoise(seconds, stream + 1),
+          kDegree * degrees * idleNoise(seconds, stream + 2)};
 }
 
 /// The hip of the foot in front comes along, the hip of the swinging leg sinks.
-Lean pelvisInGait(const BodyInstant& now) {
+Lean pelvisInGait(const GaitState& now) {
   return {0.0, -3.5 * kDegree * now.support * now.moving,
           -11.0 * kDegree * now.stride * now.moving};
 }
 
-Lean trunkInGait(const BodyInstant& now) {
+Lean trunkInGait(const GaitState& now) {
   const double speeding = std::clamp(now.speeding, -2.0, 2.0);
   return {(2.2 * now.speed + 1.6 * speeding + 5.0 * now.running) * kDegree,
           0.5 * std::atan(now.centripetal / 9.81), 0.0};
@@ -49,14 +51,14 @@ Lean trunkInGait(const BodyInstant& now) {
 
 }  // namespace
 
-double unrest(double seconds, int stream) {
+double idleNoise(double seconds, int stream) {
   const double phase = 2.4 * stream;  // about the golden angle
   return 0.5 * std::sin(2.0 * M_PI * 0.173 * seconds + phase) +
          0.3 * std::sin(2.0 * M_PI * 0.411 * seconds + 2.7 * phase + 1.0) +
          0.2 * std::sin(2.0 * M_PI * 0.937 * seconds + 5.3 * phase + 2.0);
 }
 
-void poseTrunk(const MotionScript& script, const BodyInstant& now, HumanPose& pose) {
+void poseTrunk(const MotionScript& script, const GaitState& now, HumanPose& pose) {
   const double t = now.seconds;
   const Lean gait_pelvis = pelvisInGait(now);
   const Lean gait_trunk = trunkInGait(now);

@@ -90,10 +90,10 @@ class Mapper {
       for (Bone bone : {left, mirrorOf(left)})
         if (!map_.has(bone)) missing += (missing.empty() ? "" : ", ") + boneName(bone);
     if (missing.empty()) return;
-    constexpr size_t kMostNames = 60;
-    for (size_t j = 0; j < std::min(joints_.size(), kMostNames); ++j)
+    constexpr size_t kMaxNames = 60;
+    for (size_t j = 0; j < std::min(joints_.size(), kMaxNames); ++j)
       names += (j ? ", " : "") + joints_[j].name;
-    if (joints_.size() > kMostNames) names += ", ...";
+    if (joints_.size() > kMaxNames) names += ", ...";
     throw std::invalid_argument(file_ + ": no joint is named like " + missing +
                                 "; the joints are " + (names.empty() ? "none" : names));
   }

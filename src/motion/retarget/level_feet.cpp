@@ -9,12 +9,12 @@ namespace {
 using Eigen::Vector3d;
 
 // More would bend an ankle as none bends: then the file's foot is no foot.
-constexpr double kMostTurn = 0.7;
+constexpr double kMaxTurn = 0.7;
 // Of the stature: balls lower than this above the lowest may stand.
 constexpr double kLow = 0.03;
 
-double quantile(std::vector<double> values, double share) {
-  const auto nth = values.begin() + long(share * double(values.size() - 1));
+double quantile(std::vector<double> values, double fraction) {
+  const auto nth = values.begin() + long(fraction * double(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
@@ -73,8 +73,8 @@ void levelBone(MotionClip& clip, const std::vector<size_t>& frames, Bone bone) {
     pitch.push_back(std::asin(std::clamp(R(2, 0), -1.0, 1.0)));
     roll.push_back(std::asin(std::clamp(R(2, 1), -1.0, 1.0)));
   }
-  const double down = std::clamp(quantile(pitch, 0.5), -kMostTurn, kMostTurn);
-  const double side = std::clamp(quantile(roll, 0.5), -kMostTurn, kMostTurn);
+  const double down = std::clamp(quantile(pitch, 0.5), -kMaxTurn, kMaxTurn);
+  const double side = std::clamp(quantile(roll, 0.5), -kMaxTurn, kMaxTurn);
   const Eigen::Quaterniond fix = Eigen::Quaterniond(Eigen::AngleAxisd(down, Vector3d::UnitY())) *
                                  Eigen::Quaterniond(Eigen::AngleAxisd(-side, Vector3d::UnitX()));
   for (HumanPose& pose : clip.poses) pose[bone] = pose[bone] * fix;

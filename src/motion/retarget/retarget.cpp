@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "motion/bone_names.h"
-#include "motion/skeleton/limb_ik.h"
 #include "motion/rig_stance.h"
+#include "motion/skeleton/two_bone_ik.h"
 
 namespace markerless_mocap {
 namespace {
@@ -114,7 +114,8 @@ class Retargeter {
     const Vector3d ankle = scale_ * (place(source, foot) - place(source, thigh));
     const Vector3d pole =
         upper + kForwardIfStraight * upper.norm() * (pose[thigh] * Vector3d::UnitX());
-    const LimbBend leg = bendLimb(Vector3d::Zero(), ankle, upper.norm(), lower.norm(), pole, M_PI);
+    const TwoBoneIkResult leg =
+        solveTwoBoneIk(Vector3d::Zero(), ankle, upper.norm(), lower.norm(), pole, M_PI);
     pose[thigh] = Quaterniond::FromTwoVectors(upper, leg.middle) * pose[thigh];
     pose[shank] = Quaterniond::FromTwoVectors(lower, leg.end - leg.middle) * pose[shank];
   }

@@ -33,7 +33,7 @@ std::string joinedWords(const std::vector<std::string>& words) {
   return out;
 }
 
-std::string shownNumber(double number) {
+std::string formatNumber(double number) {
   std::ostringstream out;
   out << number;
   return out.str();
@@ -42,7 +42,7 @@ std::string shownNumber(double number) {
 ScriptNode::ScriptNode(YAML::Node node, std::string address)
     : node_(std::move(node)), address_(std::move(address)) {}
 
-void ScriptNode::refuse(const std::string& allowed) const {
+void ScriptNode::fail(const std::string& allowed) const {
   throw std::invalid_argument(address_ + " is " + shown(node_) + ", allowed is " + allowed);
 }
 
@@ -58,13 +58,13 @@ bool ScriptNode::has(const std::string& key) const {
 }
 
 ScriptNode ScriptNode::need(const std::string& key) const {
-  if (!node_.IsMap()) refuse("a map with " + key);
+  if (!node_.IsMap()) fail("a map with " + key);
   if (!has(key)) throw std::invalid_argument(address_ + " misses the key " + key);
   return {node_[key], address_ + "/" + key};
 }
 
 std::vector<ScriptNode> ScriptNode::items() const {
-  if (!node_.IsSequence()) refuse("a list");
+  if (!node_.IsSequence()) fail("a list");
   std::vector<ScriptNode> found;
   for (size_t i = 0; i < node_.size(); ++i)
     found.emplace_back(node_[i], address_ + "[" + std::to_string(i) + "]");
@@ -72,7 +72,7 @@ std::vector<ScriptNode> ScriptNode::items() const {
 }
 
 std::vector<std::string> ScriptNode::keys() const {
-  if (!node_.IsMap()) refuse("a map");
+  if (!node_.IsMap()) fail("a map");
   std::vector<std::string> found;
   for (const auto& entry : node_) {
     found.push_back(entry.first.IsScalar() ? entry.first.Scalar() : shown(entry.first));
@@ -83,24 +83,24 @@ std::vector<std::string> ScriptNode::keys() const {
   return found;
 }
 
-double ScriptNode::number(double lowest, double highest) const {
+double ScriptNode::number(double minimum, double maximum) const {
   const double value = numberOrNan(node_);
-  if (!(value >= lowest && value <= highest))
-    refuse("a number from " + shownNumber(lowest) + " to " + shownNumber(highest));
+  if (!(value >= minimum && value <= maximum))
+    fail("a number from " + formatNumber(minimum) + " to " + formatNumber(maximum));
   return value;
 }
 
-double ScriptNode::number(const std::string& key, double otherwise, double lowest,
-                          double highest) const {
-  return has(key) ? need(key).number(lowest, highest) : otherwise;
+double ScriptNode::number(const std::string& key, double otherwise, double minimum,
+                          double maximum) const {
+  return has(key) ? need(key).number(minimum, maximum) : otherwise;
 }
 
-int ScriptNode::whole(const std::string& key, int otherwise, int lowest, int highest) const {
+int ScriptNode::whole(const std::string& key, int otherwise, int minimum, int maximum) const {
   if (!has(key)) return otherwise;
   const ScriptNode node = need(key);
   const double value = numberOrNan(node.node_);
-  if (!(value >= lowest && value <= highest && value == std::floor(value)))
-    node.refuse("a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  if (!(value >= minimum && value <= maximum && value == std::floor(value)))
+    node.fail("a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum));
   return int(value);
 }
 
@@ -109,24 +109,24 @@ bool ScriptNode::truth(const std::string& key, bool otherwise) const {
   const ScriptNode node = need(key);
   bool value = false;
   if (!node.node_.IsScalar() || !YAML::convert<bool>::decode(node.node_, value))
-    node.refuse("true or false");
+    node.fail("true or false");
   return value;
 }
 
 std::string ScriptNode::word(const std::vector<std::string>& allowed) const {
   if (!node_.IsScalar() ||
       std::find(allowed.begin(), allowed.end(), node_.Scalar()) == allowed.end())
-    refuse("one of " + joinedWords(allowed));
+    fail("one of " + joinedWords(allowed));
   return node_.Scalar();
 }
 
 std::vector<double> ScriptNode::numbers(size_t count, const std::string& meaning) const {
   const std::string allowed = std::to_string(count) + " numbers: " + meaning;
-  if (!node_.IsSequence() || node_.size() != count) refuse(allowed);
+  if (!node_.IsSequence() || node_.size() != count) fail(allowed);
   std::vector<double> found;
   for (const YAML::Node& item : node_) {
     found.push_back(numberOrNan(item));
-    if (!std::isfinite(found.back())) refuse(allowed);
+    if (!std::isfinite(found.back())) fail(allowed);
   }
   return found;
 }

@@ -23,16 +23,16 @@ class ScriptNode {
   /// Keys of a map in the order of the file.
   std::vector<std::string> keys() const;
 
-  double number(double lowest, double highest) const;
-  double number(const std::string& key, double otherwise, double lowest, double highest) const;
-  int whole(const std::string& key, int otherwise, int lowest, int highest) const;
+  double number(double minimum, double maximum) const;
+  double number(const std::string& key, double otherwise, double minimum, double maximum) const;
+  int whole(const std::string& key, int otherwise, int minimum, int maximum) const;
   bool truth(const std::string& key, bool otherwise) const;
   std::string word(const std::vector<std::string>& allowed) const;
   /// A list of `count` finite numbers.
   std::vector<double> numbers(size_t count, const std::string& meaning) const;
 
   const std::string& address() const { return address_; }
-  [[noreturn]] void refuse(const std::string& allowed) const;
+  [[noreturn]] void fail(const std::string& allowed) const;
 
  private:
   YAML::Node node_;
@@ -42,6 +42,6 @@ class ScriptNode {
 /// "a, b, c"
 std::string joinedWords(const std::vector<std::string>& words);
 /// A number as one writes it.
-std::string shownNumber(double number);
+std::string formatNumber(double number);
 
 }  // namespace markerless_mocap

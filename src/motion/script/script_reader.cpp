@@ -12,8 +12,8 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kLongest = 600.0;  // seconds
-constexpr double kFarthest = 10.0;  // metres
+constexpr double kMaxSeconds = 600.0;  // seconds
+constexpr double kMaxDistance = 10.0;  // metres
 
 Stance readStance(const ScriptNode& node, Stance otherwise) {
   return {node.number("width", otherwise.width, 0.02, 0.4),
@@ -22,14 +22,14 @@ Stance readStance(const ScriptNode& node, Stance otherwise) {
 
 void readStart(const ScriptNode& node, MotionScript& script) {
   node.allowKeys({"x", "y", "heading", "width", "stagger"});
-  script.start_x = node.number("x", 0.0, -kFarthest, kFarthest);
-  script.start_y = node.number("y", 0.0, -kFarthest, kFarthest);
+  script.start_x = node.number("x", 0.0, -kMaxDistance, kMaxDistance);
+  script.start_y = node.number("y", 0.0, -kMaxDistance, kMaxDistance);
   script.start_heading = kDegree * node.number("heading", 0.0, -360.0, 360.0);
   script.start_stance = readStance(node, Stance());
 }
 
 double readSeconds(const ScriptNode& node) {
-  return node.number(0.01, kLongest);
+  return node.number(0.01, kMaxSeconds);
 }
 
 /// What a move's first key says, and which other keys it takes.
@@ -61,7 +61,7 @@ void readWay(const ScriptNode& node, Move& move) {
   if (move.kind == Move::Kind::kStand) {
     move.seconds = readSeconds(node);
   } else if (move.kind == Move::Kind::kGo) {
-    move.forward = node.number(-kFarthest, kFarthest);
+    move.forward = node.number(-kMaxDistance, kMaxDistance);
   } else {
     const std::vector<double> way = node.numbers(2, "metres forward and to the left");
     move.forward = way[0];
@@ -99,31 +99,31 @@ void readPath(const ScriptNode& node, MotionScript& script) {
     seconds += script.path.back().seconds;
   }
   if (seconds > script.seconds + 1e-9)
-    throw std::invalid_argument(node.address() + " takes " + shownNumber(seconds) +
-                                " s, allowed is up to the motion's " + shownNumber(script.seconds) +
-                                " s");
+    throw std::invalid_argument(node.address() + " takes " + formatNumber(seconds) +
+                                " s, allowed is up to the motion's " +
+                                formatNumber(script.seconds) + " s");
 }
 
 /// Keys [seconds, value, ...] whose values stay within their bounds.
-ScriptCurve readCurve(const ScriptNode& node, const CurveValues& lowest, const CurveValues& highest,
-                      double longest, const std::string& meaning) {
+ScriptCurve readCurve(const ScriptNode& node, const CurveValues& minimum,
+                      const CurveValues& maximum, double longest, const std::string& meaning) {
   std::vector<CurveKey> keys;
   for (const ScriptNode& item : node.items()) {
-    const std::vector<double> numbers = item.numbers(size_t(lowest.size()) + 1, meaning);
+    const std::vector<double> numbers = item.numbers(size_t(minimum.size()) + 1, meaning);
     if (numbers[0] < 0.0 || numbers[0] > longest)
-      item.refuse("a time from 0 to the motion's " + shownNumber(longest) + " s");
+      item.fail("a time from 0 to the motion's " + formatNumber(longest) + " s");
     if (!keys.empty() && numbers[0] <= keys.back().seconds)
-      item.refuse("a time after the key before, " + shownNumber(keys.back().seconds) + " s");
-    CurveKey key{numbers[0], CurveValues::Zero(lowest.size())};
-    for (Eigen::Index i = 0; i < lowest.size(); ++i) {
+      item.fail("a time after the key before, " + formatNumber(keys.back().seconds) + " s");
+    CurveKey key{numbers[0], CurveValues::Zero(minimum.size())};
+    for (Eigen::Index i = 0; i < minimum.size(); ++i) {
       key.values[i] = numbers[size_t(i) + 1];
-      if (key.values[i] < lowest[i] || key.values[i] > highest[i])
-        item.refuse("as number " + std::to_string(i + 2) + " one from " + shownNumber(lowest[i]) +
-                    " to " + shownNumber(highest[i]));
+      if (key.values[i] < minimum[i] || key.values[i] > maximum[i])
+        item.fail("as number " + std::to_string(i + 2) + " one from " + formatNumber(minimum[i]) +
+                  " to " + formatNumber(maximum[i]));
     }
     keys.push_back(key);
   }
-  if (keys.empty()) node.refuse("at least one key of " + meaning);
+  if (keys.empty()) node.fail("at least one key of " + meaning);
   return ScriptCurve(keys);
 }
 
@@ -133,7 +133,7 @@ void readTracks(const ScriptNode& node, MotionScript& script) {
     const TrackRow& row = trackRow(Track(t));
     if (!node.has(row.name)) continue;
     script.tracks[size_t(t)] =
-        readCurve(node.need(row.name), row.lowest, row.highest, script.seconds,
+        readCurve(node.need(row.name), row.minimum, row.maximum, script.seconds,
                   "seconds and the " + std::to_string(row.neutral.size()) + " of " + row.name);
   }
 }
@@ -148,7 +148,7 @@ FootGesture readGesture(const ScriptNode& node, double longest) {
   gesture.keys = readCurve(keys, -bounds, bounds, longest,
                            "seconds, forward, outward, up, degrees of toes up");
   if (!gesture.keys.keys().front().values.isZero() || !gesture.keys.keys().back().values.isZero())
-    keys.refuse("a first and a last key with zeros: the foot comes back to where it stood");
+    keys.fail("a first and a last key with zeros: the foot comes back to where it stood");
   return gesture;
 }
 
@@ -174,9 +174,9 @@ MotionScript parseMotionScript(const std::string& text, const std::string& name)
   YAML::Node node;
   try {
     node = YAML::Load(text);
-  } catch (const YAML::Exception& fault) {
+  } catch (const YAML::Exception& error) {
     throw std::invalid_argument(name + " is no YAML in line " +
-                                std::to_string(fault.mark.line + 1) + ": " + fault.msg);
+                                std::to_string(error.mark.line + 1) + ": " + error.msg);
   }
   return readRoot(ScriptNode(node, name));
 }

@@ -16,9 +16,9 @@ CurveValues values(std::initializer_list<double> list) {
 std::array<TrackRow, kTrackCount> makeTable() {
   std::array<TrackRow, kTrackCount> table;
   const auto row = [&](Track track, const char* name, std::initializer_list<double> neutral,
-                       std::initializer_list<double> lowest,
-                       std::initializer_list<double> highest) {
-    table[size_t(track)] = {name, values(neutral), values(lowest), values(highest)};
+                       std::initializer_list<double> minimum,
+                       std::initializer_list<double> maximum) {
+    table[size_t(track)] = {name, values(neutral), values(minimum), values(maximum)};
   };
   row(Track::kDrop, "drop", {0}, {-0.05}, {0.4});
   row(Track::kShift, "shift", {0, 0}, {-0.3, -0.2}, {0.3, 0.2});

@@ -30,8 +30,8 @@ constexpr int kTrackCount = 14;
 struct TrackRow {
   std::string name;
   CurveValues neutral;
-  CurveValues lowest;
-  CurveValues highest;
+  CurveValues minimum;
+  CurveValues maximum;
 };
 
 const TrackRow& trackRow(Track track);

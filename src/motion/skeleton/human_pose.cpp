@@ -61,11 +61,11 @@ PerBone<Eigen::Quaterniond> HumanPose::atRest() {
   return identity;
 }
 
-HumanPose interpolate(const HumanPose& a, const HumanPose& b, double share) {
+HumanPose interpolate(const HumanPose& a, const HumanPose& b, double fraction) {
   HumanPose pose;
-  pose.hips = (1.0 - share) * a.hips + share * b.hips;
+  pose.hips = (1.0 - fraction) * a.hips + fraction * b.hips;
   for (size_t i = 0; i < size_t(kBoneCount); ++i)
-    pose.R_world_bone[i] = a.R_world_bone[i].slerp(share, b.R_world_bone[i]);
+    pose.R_world_bone[i] = a.R_world_bone[i].slerp(fraction, b.R_world_bone[i]);
   return pose;
 }
 

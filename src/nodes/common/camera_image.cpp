@@ -2,8 +2,8 @@
 
 #include <ros/master.h>
 
+#include "nodes/common/low_latency_transport.h"
 #include "ros/image_conversions.h"
-#include "nodes/common/quick_transport.h"
 
 namespace markerless_mocap {
 
@@ -25,13 +25,13 @@ ros::Subscriber subscribeImages(ros::NodeHandle& handle, const std::string& came
         [callback](const sensor_msgs::CompressedImageConstPtr& message) {
           callback({nullptr, message});
         },
-        {}, quickTransport());
+        {}, lowLatencyTransport());
   return handle.subscribe<sensor_msgs::Image>(
       topic, queue,
       [callback](const sensor_msgs::ImageConstPtr& message) {
         callback({message, nullptr});
       },
-      {}, quickTransport());
+      {}, lowLatencyTransport());
 }
 
 std::string silentTopic(const std::string& topic, const std::string& type) {

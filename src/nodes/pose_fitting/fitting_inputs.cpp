@@ -4,8 +4,8 @@
 #include <cmath>
 #include <exception>
 
+#include "nodes/common/low_latency_transport.h"
 #include "ros/camera_conversions.h"
-#include "nodes/common/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -32,7 +32,7 @@ AssemblerOptions joinOptions(FittingNeeds needs) {
 
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
                              FittingNeeds needs, StageStatus* status,
-                             std::function<void(FittingInput)> sink)
+                             std::function<void(FittingMessages)> sink)
     : handle_(handle),
       options_(options),
       needs_(needs),
@@ -61,7 +61,7 @@ void FittingInputs::listen(const std::string& topic, uint32_t queue, CallbackT c
         silent_.erase(name);
         callback(message);
       }),
-      {}, quickTransport()));
+      {}, lowLatencyTransport()));
 }
 
 void FittingInputs::listenToStages() {
@@ -93,7 +93,7 @@ void FittingInputs::listenToCamera(size_t camera) {
   listen<sensor_msgs::Image>(name + "/silhouette", kQueue,
                              [this, camera](const sensor_msgs::ImageConstPtr& mask) {
                                masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
-                               giveOut();
+                               dispatchReady();
                              });
   if (!needs_.images) return;
   subscribers_.push_back(subscribeImages(handle_, name, options_.image_transport, kQueue,
@@ -106,16 +106,16 @@ void FittingInputs::listenToCamera(size_t camera) {
 void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
   for (auto& instant : assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item)))
     join(std::move(instant));
-  giveOut();
+  dispatchReady();
   reportCounts();
 }
 
-void FittingInputs::join(Assembler::Instant instant) {
+void FittingInputs::join(Assembler::FrameSet instant) {
   if (!instant.present[kHull]) {
     status_->count("instants without a hull");
     return;
   }
-  FittingInput input;
+  FittingMessages input;
   input.hull = instant.items[kHull].cloud;
   input.header = input.hull->header;
   input.grid = grid_;
@@ -123,22 +123,22 @@ void FittingInputs::join(Assembler::Instant instant) {
   input.labels = instant.items[kLabels].cloud;
   input.complete = std::count(instant.present.begin(), instant.present.end(), false) == 0;
   if (needs_.masks) input.tree = instant.items[kTree].tree;
-  held_.push_back(std::move(input));
+  pending_.push_back(std::move(input));
 }
 
-void FittingInputs::giveOut() {
-  while (!held_.empty()) {
-    FittingInput& input = held_.front();
-    if (held_.size() <= kMostHeld && waitsForMasks(input)) return;
+void FittingInputs::dispatchReady() {
+  while (!pending_.empty()) {
+    FittingMessages& input = pending_.front();
+    if (pending_.size() <= kMostHeld && waitsForMasks(input)) return;
     if (needs_.masks) addViews(&input);
-    input.refusal = grid_ ? prepareRig() : "no hull/grid has come yet";
+    input.error = grid_ ? prepareRig() : "no hull/grid has come yet";
     input.rig = rig_;
     sink_(std::move(input));
-    held_.pop_front();
+    pending_.pop_front();
   }
 }
 
-bool FittingInputs::waitsForMasks(const FittingInput& input) const {
+bool FittingInputs::waitsForMasks(const FittingMessages& input) const {
   if (!needs_.masks) return false;
   for (size_t i = 0; i < options_.cameras.size(); ++i)
     if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMostBehind))
@@ -150,7 +150,7 @@ int64_t FittingInputs::stampTolerance() const {
   return int64_t(std::llround(options_.stamp_tolerance * 1e9));
 }
 
-void FittingInputs::addViews(FittingInput* input) {
+void FittingInputs::addViews(FittingMessages* input) {
   const int64_t stamp_ns = nanosecondsOf(input->header.stamp);
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
     input->masks.push_back(masks_.take(i, stamp_ns, stampTolerance()));

@@ -12,21 +12,21 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/camera/instant_assembler.h"
-#include "ros/messages.h"
-#include "ros/node_options.h"
-#include "ros/rig_collector.h"
-#include "nodes/common/arrival_store.h"
+#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/camera_image.h"
 #include "nodes/common/stage_status.h"
+#include "nodes/common/stamp_cache.h"
+#include "ros/messages.h"
+#include "ros/node_options.h"
+#include "ros/rig_collector.h"
 
 namespace markerless_mocap {
 
 /// What the other stages and the cameras say of one instant. Messages that have not come are null.
-struct FittingInput {
+struct FittingMessages {
   std_msgs::Header header;  ///< of the hull
-  std::string refusal;      ///< why nothing can be fitted; empty: it can
+  std::string error;        ///< why nothing can be fitted; empty: it can
   bool complete = false;    ///< every stage that is asked for has said something
   std::shared_ptr<const CameraRig> rig;
   VoxelGridConstPtr grid;
@@ -49,7 +49,7 @@ class FittingInputs {
  public:
   /// \param sink gets the instants, oldest first, one at a time; it must not take long
   FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, FittingNeeds needs,
-                StageStatus* status, std::function<void(FittingInput)> sink);
+                StageStatus* status, std::function<void(FittingMessages)> sink);
 
  private:
   enum Stream : size_t { kHull, kParts, kLabels, kTree };
@@ -59,19 +59,19 @@ class FittingInputs {
     BodyPartsMsg::ConstPtr parts;
     PoseTreeMsg::ConstPtr tree;
   };
-  using Assembler = InstantAssembler<Item>;
+  using Assembler = FrameSetAssembler<Item>;
 
   template <class MessageT, class CallbackT>
   void listen(const std::string& topic, uint32_t queue, CallbackT callback);
   void listenToStages();
   void listenToCamera(size_t camera);
   void receive(Stream stream, const std_msgs::Header& header, Item item);
-  void join(Assembler::Instant instant);
+  void join(Assembler::FrameSet instant);
   /// Gives out what is held, oldest first, up to an instant whose silhouettes may still come.
-  void giveOut();
-  bool waitsForMasks(const FittingInput& input) const;
+  void dispatchReady();
+  bool waitsForMasks(const FittingMessages& input) const;
   int64_t stampTolerance() const;  ///< nanoseconds
-  void addViews(FittingInput* input);
+  void addViews(FittingMessages* input);
   /// Finds out the rig; one sentence on what is missing, empty once it is known.
   std::string prepareRig();
   void reportCounts();
@@ -81,15 +81,15 @@ class FittingInputs {
   FittingNodeOptions options_;
   FittingNeeds needs_;
   StageStatus* status_;
-  std::function<void(FittingInput)> sink_;
+  std::function<void(FittingMessages)> sink_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until it is known
   Assembler assembler_;
-  ArrivalStore<sensor_msgs::ImageConstPtr> masks_;
-  ArrivalStore<CameraImage> images_;
-  std::deque<FittingInput> held_;  ///< joined, but for the views
+  StampCache<sensor_msgs::ImageConstPtr> masks_;
+  StampCache<CameraImage> images_;
+  std::deque<FittingMessages> pending_;  ///< joined, but for the views
   VoxelGridConstPtr grid_;
   std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
   ros::WallTimer silence_timer_;

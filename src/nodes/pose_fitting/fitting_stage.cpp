@@ -6,7 +6,9 @@
 #include <exception>
 #include <fstream>
 
-#include "markerless_mocap/tracking/sizes_file.h"
+#include "markerless_mocap/tracking/shape_file.h"
+#include "nodes/common/low_latency_transport.h"
+#include "nodes/common/publish_shared.h"
 #include "ros/body_markers.h"
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
@@ -15,8 +17,6 @@
 #include "ros/pose_conversions.h"
 #include "ros/pose_tree_conversions.h"
 #include "ros/segmentation_conversions.h"
-#include "nodes/common/publish_shared.h"
-#include "nodes/common/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -27,53 +27,53 @@ namespace {
 constexpr size_t kMostWaiting = 90, kMostWaitingWithImages = 40;
 
 FittingNeeds needsOf(const std::string& method) {
-  return {method != "skeleton", method == "sppso"};
+  return {method != "hsiao", method == "fleischmann"};
 }
 
 bool isThere(const std::string& file) {
   return !file.empty() && std::ifstream(file).good();
 }
 
-PersonSources sourcesOf(const FittingNodeOptions& options) {
-  PersonSources sources = readPersonSources(options.body_id, options.urdf_template,
-                                              isThere(options.body_file) ? options.body_file : "");
+PersonResources resourcesOf(const FittingNodeOptions& options) {
+  PersonResources sources = readPersonResources(
+      options.body_id, options.urdf_template, isThere(options.body_file) ? options.body_file : "");
   sources.in_background = true;
   return sources;
 }
 
 /// The body as far as it is known without a camera: whatever the method, that of the skeleton's.
-std::shared_ptr<const TrackedBody> bodyBeforehand(const PersonSources& sources,
-                                                  TrackerOptions options) {
-  options.method = "skeleton";
+std::shared_ptr<const TrackedBody> initialBody(const PersonResources& sources,
+                                               TrackerOptions options) {
+  options.method = "hsiao";
   return makeBodyTracker({}, sources, options)->body();
 }
 
-std::vector<cv::Mat> masksOf(const FittingInput& input) {
+std::vector<cv::Mat> masksOf(const FittingMessages& input) {
   std::vector<cv::Mat> masks;
   for (const auto& mask : input.masks) masks.push_back(mask ? maskFromMessage(*mask) : cv::Mat());
   return masks;
 }
 
-std::vector<cv::Mat> imagesOf(const FittingInput& input) {
+std::vector<cv::Mat> imagesOf(const FittingMessages& input) {
   std::vector<cv::Mat> images(input.masks.size());
   for (size_t i = 0; i < input.images.size(); ++i)
     if (input.images[i].raw || input.images[i].compressed) images[i] = input.images[i].mat();
   return images;
 }
 
-BodyParts partsOf(const FittingInput& input) {
+BodyParts partsOf(const FittingMessages& input) {
   if (!input.parts || !input.labels) return BodyParts();
   BodyParts parts = partsFromMessage(*input.parts);
   parts.labels = labelsFromMessage(*input.labels);
   return parts;
 }
 
-PoseTree treeOf(const FittingInput& input) {
+PoseTree treeOf(const FittingMessages& input) {
   return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
 }
 
 /// Names the stage that said nothing of the instant, as a part of a sentence.
-std::string lackOf(const FittingInput& input) {
+std::string lackOf(const FittingMessages& input) {
   const std::string what = !input.parts || !input.labels ? "body_segmentation" : "pose_tree";
   return "; what " + what + " says of this instant has not come";
 }
@@ -84,20 +84,20 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
                            const TrackerOptions& options, const FittingNodeOptions& node_options)
     : options_(options),
       node_options_(node_options),
-      sources_(sourcesOf(node_options)),
+      sources_(resourcesOf(node_options)),
       status_(handle, private_handle, "pose fitting"),
       description_(node_options.body_id),
       announcer_(handle, node_options.body_id),
       queue_(needsOf(options.method).images ? kMostWaitingWithImages : kMostWaiting) {
   node_options_.checkCamerasFor(options_.method);
-  takeOver(bodyBeforehand(sources_, options_));
+  takeOver(initialBody(sources_, options_));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needsOf(options_.method), &status_,
-      [this](FittingInput input) { queue_.push(std::move(input)); });
+      [this](FittingMessages input) { queue_.push(std::move(input)); });
   worker_ = std::thread([this] { work(); });
 }
 
@@ -108,7 +108,7 @@ FittingStage::~FittingStage() {
 }
 
 void FittingStage::work() {
-  while (const std::optional<FittingInput> input = queue_.take()) {
+  while (const std::optional<FittingMessages> input = queue_.take()) {
     const ros::WallTime start = ros::WallTime::now();
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();
@@ -118,9 +118,9 @@ void FittingStage::work() {
   }
 }
 
-BodyPose FittingStage::fit(const FittingInput& input) {
+BodyPose FittingStage::fit(const FittingMessages& input) {
   try {
-    if (!input.refusal.empty()) throw std::invalid_argument(input.refusal);
+    if (!input.error.empty()) throw std::invalid_argument(input.error);
     prepareTracker(input);
     const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
     const std::vector<cv::Mat> masks = masksOf(input), images = imagesOf(input);
@@ -135,7 +135,7 @@ BodyPose FittingStage::fit(const FittingInput& input) {
   }
 }
 
-void FittingStage::prepareTracker(const FittingInput& input) {
+void FittingStage::prepareTracker(const FittingMessages& input) {
   if (tracker_ && input.rig == rig_) return;
   if (body_->measured) sources_.measured = body_->sizes;
   tracker_ = makeBodyTracker(*input.rig, sources_, options_);
@@ -185,7 +185,7 @@ void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {
   fitting_times_.add(fitting);
   status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
   status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
-  status_.set("instants passed over for newer ones", queue_.passedOver());
+  status_.set("instants passed over for newer ones", queue_.droppedCount());
   if (!ros::Time::isSystemTime()) return;
   latencies_.add((ros::Time::now() - stamp).toSec());
   status_.set("capture to tf, median ms", latencies_.milliseconds(0.5));

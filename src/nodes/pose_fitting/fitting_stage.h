@@ -10,13 +10,13 @@
 
 #include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/tracking/pose_filter.h"
-#include "ros/node_options.h"
+#include "nodes/common/catch_up_queue.h"
+#include "nodes/common/latency_meter.h"
+#include "nodes/common/stage_status.h"
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
-#include "nodes/common/lag_queue.h"
-#include "nodes/common/latency_meter.h"
-#include "nodes/common/stage_status.h"
+#include "ros/node_options.h"
 
 namespace markerless_mocap {
 
@@ -24,7 +24,7 @@ namespace markerless_mocap {
 /// publishes the pose (raw on `pose`, filtered as tf, joint_states and markers) and the body.
 class FittingStage {
  public:
-  /// Throws std::invalid_argument or std::runtime_error as readPersonSources(),
+  /// Throws std::invalid_argument or std::runtime_error as readPersonResources(),
   /// makeBodyTracker() and FittingNodeOptions::checkCamerasFor().
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const TrackerOptions& options, const FittingNodeOptions& node_options);
@@ -34,9 +34,9 @@ class FittingStage {
 
  private:
   void work();
-  BodyPose fit(const FittingInput& input);
+  BodyPose fit(const FittingMessages& input);
   /// Makes the tracker anew if the rig is another one. What has been measured is kept.
-  void prepareTracker(const FittingInput& input);
+  void prepareTracker(const FittingMessages& input);
   /// Takes the body back that was announced, and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
@@ -45,7 +45,7 @@ class FittingStage {
 
   TrackerOptions options_;
   FittingNodeOptions node_options_;
-  PersonSources sources_;
+  PersonResources sources_;
   StageStatus status_;
   ros::Publisher joint_states_, pose_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;
@@ -56,7 +56,7 @@ class FittingStage {
   std::shared_ptr<const CameraRig> rig_;  ///< of the tracker
   std::unique_ptr<BodyTracker> tracker_;  ///< none until the rig is known
   LatencyMeter fitting_times_, latencies_;
-  LagQueue<FittingInput> queue_;
+  CatchUpQueue<FittingMessages> queue_;
   std::unique_ptr<FittingInputs> inputs_;
   std::thread worker_;
 };

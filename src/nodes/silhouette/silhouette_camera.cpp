@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "nodes/common/low_latency_transport.h"
+#include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
-#include "nodes/common/publish_shared.h"
-#include "nodes/common/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -83,7 +83,7 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
     return;
   }
   publishShared(publisher_, messageFromMat(silhouette.mask, image.header()));
-  const auto changed = uint64_t(std::lround(100 * silhouette.changed_share));
+  const auto changed = uint64_t(std::lround(100 * silhouette.changed_fraction));
   const auto light = uint64_t(std::lround(100 * silhouette.light_gain));
   status_.set("changed pixels, per cent", changed);
   status_.set("light, per cent of the background's", light);

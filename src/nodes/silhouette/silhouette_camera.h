@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <mutex>
 
-#include "markerless_mocap/camera/instant_assembler.h"
-#include "ros/node_options.h"
+#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/camera_image.h"
 #include "nodes/common/stage_status.h"
+#include "ros/node_options.h"
 
 namespace markerless_mocap {
 
@@ -40,7 +40,7 @@ class SilhouetteCamera {
   SilhouetteNodeOptions node_options_;
   std::mutex mutex_;  ///< of the extractor: services come beside images
   SilhouetteExtractor extractor_;
-  InstantAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
+  FrameSetAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
   StageStatus status_;
   ros::Publisher publisher_;
   ros::WallTimer silence_timer_;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "ros/parameters.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/guarded_start.h"
 #include "nodes/silhouette/silhouette_camera.h"
+#include "ros/parameters.h"
 
 namespace markerless_mocap {
 

@@ -6,14 +6,14 @@
 
 #include <algorithm>
 
-#include "capture/truth.h"
+#include "capture/ground_truth.h"
+#include "nodes/common/publish_shared.h"
+#include "resources/resources.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "ros/package_files.h"
 #include "ros/pose_conversions.h"
 #include "ros/truth_conversions.h"
-#include "nodes/common/publish_shared.h"
-#include "resources/resources.h"
 
 namespace markerless_mocap {
 namespace {
@@ -82,7 +82,7 @@ void StudioStage::tick() {
     status_.waiting("the film starts when the silhouette of every camera is advertised");
     return;
   }
-  const StudioInstant instant = studio_.render(next_++);
+  const StudioFrameSet instant = studio_.render(next_++);
   const ros::Time stamp =
       node_options_.clock ? rosTime(kClockStart + instant.time_ns) : ros::Time::now();
   publish(instant, stamp);
@@ -90,7 +90,7 @@ void StudioStage::tick() {
   status_.good(instant.person ? "the person is in the room" : "the room is empty");
 }
 
-void StudioStage::publish(const StudioInstant& instant, const ros::Time& stamp) {
+void StudioStage::publish(const StudioFrameSet& instant, const ros::Time& stamp) {
   if (node_options_.clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = stamp;
@@ -106,7 +106,7 @@ void StudioStage::publish(const StudioInstant& instant, const ros::Time& stamp) 
   if (instant.person) publishTruth(instant, header);
 }
 
-void StudioStage::publishCamera(size_t i, const StudioInstant& instant,
+void StudioStage::publishCamera(size_t i, const StudioFrameSet& instant,
                                 const std_msgs::Header& header) {
   if (masks_[i].getNumSubscribers() > 0)
     publishShared(masks_[i], messageFromMat(instant.masks[i], header));
@@ -117,8 +117,8 @@ void StudioStage::publishCamera(size_t i, const StudioInstant& instant,
   publishShared(images_[i], messageFromMat(instant.images[i], header));
 }
 
-void StudioStage::publishTruth(const StudioInstant& instant, const std_msgs::Header& header) {
-  joints_.publish(messageFromPoints(truthNames(), instant.points, header));
+void StudioStage::publishTruth(const StudioFrameSet& instant, const std_msgs::Header& header) {
+  joints_.publish(messageFromPoints(groundTruthNames(), instant.points, header));
   joint_states_.publish(messageFromAngles(studio_.body(), instant.body.angles, header));
   BodyPose pose;
   pose.status = PoseStatus::kTracked;

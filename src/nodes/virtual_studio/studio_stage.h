@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "capture/virtual_studio.h"
-#include "ros/node_options.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/stage_status.h"
+#include "ros/node_options.h"
 
 namespace markerless_mocap {
 
@@ -25,9 +25,9 @@ class StudioStage {
   void publishRig();
   bool isAwaited() const;
   void tick();
-  void publish(const StudioInstant& instant, const ros::Time& stamp);
-  void publishCamera(size_t camera, const StudioInstant& instant, const std_msgs::Header& header);
-  void publishTruth(const StudioInstant& instant, const std_msgs::Header& header);
+  void publish(const StudioFrameSet& instant, const ros::Time& stamp);
+  void publishCamera(size_t camera, const StudioFrameSet& instant, const std_msgs::Header& header);
+  void publishTruth(const StudioFrameSet& instant, const std_msgs::Header& header);
 
   ros::NodeHandle handle_;
   StudioNodeOptions node_options_;

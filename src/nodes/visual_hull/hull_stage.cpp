@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "nodes/common/low_latency_transport.h"
+#include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/camera_markers.h"
 #include "ros/hull_conversions.h"
 #include "ros/image_conversions.h"
-#include "nodes/common/publish_shared.h"
-#include "nodes/common/quick_transport.h"
 
 namespace markerless_mocap {
 namespace {
@@ -70,7 +70,7 @@ void HullStage::subscribe(ros::NodeHandle& handle) {
           camera + "/camera_info", kQueue,
           gate_.guarded(
               [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); }),
-          {}, quickTransport()));
+          {}, lowLatencyTransport()));
     if (node_options_.color)
       subscribers_.push_back(subscribeImages(
           handle, camera, node_options_.image_transport, kQueue,
@@ -78,14 +78,14 @@ void HullStage::subscribe(ros::NodeHandle& handle) {
     subscribers_.push_back(handle.subscribe<sensor_msgs::Image>(
         camera + "/silhouette", kQueue,
         gate_.guarded([this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); }),
-        {}, quickTransport()));
+        {}, lowLatencyTransport()));
   }
 }
 
 void HullStage::receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info) {
   if (rig_.add(camera, info)) {
     carver_.reset();
-    carver_refusal_.clear();
+    carver_error_.clear();
   }
   if (!carver_) prepareBeforehand(info.header.stamp);
 }
@@ -120,13 +120,13 @@ void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mas
 void HullStage::drain() {
   while (!waiting_.empty()) {
     if (waiting_.size() <= kMostWaiting && waitsForImages(waiting_.front())) return;
-    const Assembler::Instant instant = std::move(waiting_.front());
+    const Assembler::FrameSet instant = std::move(waiting_.front());
     waiting_.pop_front();
     process(instant);
   }
 }
 
-bool HullStage::waitsForImages(const Assembler::Instant& instant) const {
+bool HullStage::waitsForImages(const Assembler::FrameSet& instant) const {
   for (size_t i = 0; i < instant.items.size(); ++i)
     if (instant.present[i] &&
         images_.mayStillCome(i, nanosecondsOf(instant.items[i]->header.stamp)))
@@ -134,7 +134,7 @@ bool HullStage::waitsForImages(const Assembler::Instant& instant) const {
   return false;
 }
 
-void HullStage::process(const Assembler::Instant& instant) {
+void HullStage::process(const Assembler::FrameSet& instant) {
   std_msgs::Header header;
   header.stamp = rosTime(instant.stamp_ns);
   header.frame_id = node_options_.world_frame;
@@ -163,25 +163,25 @@ void HullStage::reportHull(const VisualHull& hull) {
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {
   if (carver_) return;
-  if (!carver_refusal_.empty()) throw std::invalid_argument(carver_refusal_);
+  if (!carver_error_.empty()) throw std::invalid_argument(carver_error_);
   const std::string missing = rig_.missing(tf_);
   if (!missing.empty()) throw std::invalid_argument(missing);
   try {
     carver_.emplace(rig_.rig(tf_), options_);
   } catch (const std::invalid_argument& error) {
-    carver_refusal_ = error.what();
+    carver_error_ = error.what();
     throw;
   }
   grid_.publish(messageFromLattice(carver_->lattice(), header));
   markers_.publish(cameraMarkers(carver_->rig(), header, kMarkerDepth));
 }
 
-std::vector<HullView> HullStage::viewsOf(const Assembler::Instant& instant) const {
+std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant) const {
   const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
-  if (present < node_options_.fewestCameras())
+  if (present < node_options_.requiredCameras())
     throw std::invalid_argument("the instant has the masks of " + std::to_string(present) + " of " +
                                 std::to_string(instant.items.size()) + " cameras, needed are " +
-                                std::to_string(node_options_.fewestCameras()) +
+                                std::to_string(node_options_.requiredCameras()) +
                                 " within the deadline");
   std::vector<HullView> views(instant.items.size());
   for (size_t i = 0; i < views.size(); ++i) {

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/camera/instant_assembler.h"
+#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/image_cache.h"
+#include "nodes/common/stage_status.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
-#include "nodes/common/callback_gate.h"
-#include "nodes/common/image_store.h"
-#include "nodes/common/stage_status.h"
 
 namespace markerless_mocap {
 
@@ -26,7 +26,7 @@ class HullStage {
             const HullOptions& options, const HullNodeOptions& node_options);
 
  private:
-  using Assembler = InstantAssembler<sensor_msgs::ImageConstPtr>;
+  using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
 
   void subscribe(ros::NodeHandle& handle);
   void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
@@ -34,14 +34,14 @@ class HullStage {
   void receiveImage(size_t camera, const CameraImage& image);
   /// Processes what waits, oldest first, up to an instant whose images may still come.
   void drain();
-  bool waitsForImages(const Assembler::Instant& instant) const;
-  void process(const Assembler::Instant& instant);
+  bool waitsForImages(const Assembler::FrameSet& instant) const;
+  void process(const Assembler::FrameSet& instant);
   /// Says how an instant went, and which cameras were left out of it.
   void reportHull(const VisualHull& hull);
   void prepareBeforehand(const ros::Time& stamp);
   /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
   void prepareCarver(const std_msgs::Header& header);
-  std::vector<HullView> viewsOf(const Assembler::Instant& instant) const;
+  std::vector<HullView> viewsOf(const Assembler::FrameSet& instant) const;
   void reportCounts();
   void reportSilence();
 
@@ -51,11 +51,11 @@ class HullStage {
   tf2_ros::TransformListener tf_listener_;
   RigCollector rig_;
   Assembler assembler_;
-  ImageStore images_;
-  std::deque<Assembler::Instant> waiting_;
+  ImageCache images_;
+  std::deque<Assembler::FrameSet> waiting_;
   std::optional<HullCarver> carver_;
-  std::string carver_refusal_;  ///< why this rig cannot be carved with; until the rig changes
-  std::vector<bool> silent_;    ///< cameras of which no mask has come
+  std::string carver_error_;  ///< why this rig cannot be carved with; until the rig changes
+  std::vector<bool> silent_;  ///< cameras of which no mask has come
   StageStatus status_;
   ros::Publisher points_, grid_, markers_;
   ros::WallTimer silence_timer_;

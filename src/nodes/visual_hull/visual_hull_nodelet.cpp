@@ -3,9 +3,9 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "ros/parameters.h"
 #include "nodes/common/guarded_start.h"
 #include "nodes/visual_hull/hull_stage.h"
+#include "ros/parameters.h"
 
 namespace markerless_mocap {
 

@@ -26,12 +26,12 @@ void ParticleSet::replace(const MatrixXd& centers, const MatrixXd& root,
                           const CounterRandom& random) {
   const auto dimensions = centers.rows();
   MatrixXd next(dimensions, centers.cols());
-  Eigen::VectorXi unmoved = Eigen::VectorXi::Zero(centers.cols());
+  Eigen::VectorXi rejected_moves = Eigen::VectorXi::Zero(centers.cols());
   const auto place = [&](int i) {
     const CounterRandom own = random.stream(uint64_t(i));
     VectorXd noise(dimensions);
     const VectorXd center = centers.col(i);
-    unmoved[i] = !drawAllowed(
+    rejected_moves[i] = !drawFeasible(
         problem_, center,
         [&](int attempt, Eigen::Ref<VectorXd> candidate) {
           for (Eigen::Index d = 0; d < dimensions; ++d)
@@ -48,13 +48,13 @@ void ParticleSet::replace(const MatrixXd& centers, const MatrixXd& root,
                     });
   positions_ = std::move(next);
   evaluations_ += int(centers.cols());
-  unmoved_ += unmoved.sum();
+  rejected_moves_ += rejected_moves.sum();
 }
 
 SearchOutcome ParticleSet::outcome(const VectorXd& weights) const {
   SearchOutcome result;
   result.evaluations = evaluations_;
-  result.unmoved = unmoved_;
+  result.rejected_moves = rejected_moves_;
   result.best = start_;
   result.cost = HUGE_VAL;
   result.found = costs_.array().isFinite().any();
@@ -66,8 +66,8 @@ SearchOutcome ParticleSet::outcome(const VectorXd& weights) const {
   return result;
 }
 
-int drawIndex(const VectorXd& weights, double share) {
-  double left = share * weights.sum();
+int drawIndex(const VectorXd& weights, double fraction) {
+  double left = fraction * weights.sum();
   for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) {
     left -= weights[i];
     if (left < 0.0) return int(i);

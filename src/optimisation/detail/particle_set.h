@@ -27,11 +27,11 @@ class ParticleSet {
   Eigen::VectorXd start_;
   Eigen::MatrixXd positions_;  // a particle is a column
   Eigen::VectorXd costs_;
-  int evaluations_ = 0, unmoved_ = 0;
+  int evaluations_ = 0, rejected_moves_ = 0;
 };
 
 /// Index by weight. \param share in [0, 1)
-int drawIndex(const Eigen::VectorXd& weights, double share);
+int drawIndex(const Eigen::VectorXd& weights, double fraction);
 
 /// Standard deviation of each row.
 Eigen::VectorXd spreadOf(const Eigen::MatrixXd& positions);

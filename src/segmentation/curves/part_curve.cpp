@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "segmentation/curves/least_squares_spline.h"
 #include "segmentation/eigenmap/graph_hierarchy.h"
 #include "segmentation/graph_modes.h"
-#include "segmentation/curves/least_squares_spline.h"
 
 namespace markerless_mocap {
 namespace {
@@ -75,9 +75,9 @@ Blocks blocksOf(const VoxelGraph& voxels, BlockGraph part, const std::vector<uin
   }
   blocks.levels.erase(blocks.levels.begin(), finest);
   blocks.count = sums.col(0);
-  const Eigen::VectorXd share = blocks.count.cwiseInverse();
-  blocks.ahead = share.cwiseProduct(sums.col(1));
-  blocks.centers = share.asDiagonal() * sums.rightCols(3);
+  const Eigen::VectorXd fraction = blocks.count.cwiseInverse();
+  blocks.ahead = fraction.cwiseProduct(sums.col(1));
+  blocks.centers = fraction.asDiagonal() * sums.rightCols(3);
   return blocks;
 }
 

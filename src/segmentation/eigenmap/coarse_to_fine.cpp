@@ -5,9 +5,9 @@
 
 #include "segmentation/eigenmap/block_kernels.h"
 #include "segmentation/eigenmap/graph_hierarchy.h"
-#include "segmentation/graph_modes.h"
 #include "segmentation/eigenmap/lobpcg.h"
 #include "segmentation/eigenmap/multigrid.h"
+#include "segmentation/graph_modes.h"
 
 namespace markerless_mocap {
 namespace {

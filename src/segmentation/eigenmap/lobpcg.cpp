@@ -51,12 +51,12 @@ Lobpcg::Lobpcg(const GraphLevel& level, size_t level_number, Multigrid* multigri
       lw_(x_.nodes, x_.width),
       p_(x_.nodes, x_.width) {}
 
-bool Lobpcg::run(int modes, double tolerance, int most_steps) {
+bool Lobpcg::run(int modes, double tolerance, int max_steps) {
   if (!orthonormalize()) return false;
   for (int step = 0;; ++step) {
     measure();
     if (residuals_.head(modes).maxCoeff() <= tolerance) return true;
-    if (step == most_steps || !improve()) return false;
+    if (step == max_steps || !improve()) return false;
   }
 }
 

@@ -18,7 +18,7 @@ class Lobpcg {
 
   /// Steps until the residuals of the lowest `modes` fall to `tolerance`, at most so many.
   /// \return whether they did
-  bool run(int modes, double tolerance, int most_steps);
+  bool run(int modes, double tolerance, int max_steps);
 
   const Block& vectors() const { return x_; }                      ///< x' M x = 1
   const Eigen::VectorXd& values() const { return values_; }        ///< ascending

@@ -80,11 +80,11 @@ void NodeGrid::sweep(const std::vector<uint32_t>& sources, std::vector<Costs>* c
       for (size_t i = 1; i < steps.size(); ++i) found = lesser(found, cost[here[sense * steps[i]]]);
       return found;
     };
-    const Costs way =
+    const Costs geodesic =
         lesser(least(earlier.faces) + kFace,
                lesser(least(earlier.edges) + kEdge, least(earlier.corners) + kCorner));
     const Costs before = cost[node];
-    cost[node] = lesser(before, way);
+    cost[node] = lesser(before, geodesic);
     return differ(cost[node], before);
   };
   const auto pass = [&](int64_t begin, int64_t sense) {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "segmentation/limbs/bridges.h"
 #include "segmentation/eigenmap/disjoint_sets.h"
+#include "segmentation/limbs/bridges.h"
 
 namespace markerless_mocap {
 namespace {
@@ -166,7 +166,7 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   return voxels;
 }
 
-std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double share) {
+std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double fraction) {
   if (depth.empty()) return {};
   std::vector<double> deepest = depth;
   const auto count = std::max<size_t>(1, size_t(kDeepest * double(depth.size())));
@@ -174,7 +174,7 @@ std::vector<uint32_t> coreNodes(const std::vector<double>& depth, double share) 
   const double top = std::accumulate(deepest.begin(), deepest.begin() + count, 0.0) / double(count);
   std::vector<uint32_t> core;
   for (uint32_t node = 0; node < depth.size(); ++node) {
-    if (depth[node] >= share * top) core.push_back(node);
+    if (depth[node] >= fraction * top) core.push_back(node);
   }
   return core;
 }

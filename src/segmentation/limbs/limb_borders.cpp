@@ -25,8 +25,8 @@ constexpr Widening kArm{0.4, 0.009, 0.0, 0.75, 0.01};
 constexpr Widening kLeg{1.6, 0.032, 0.0, 1.56, 0.05};
 
 // Shares of the way from a leg's tip to the head's at which legs of people end, any pose.
-constexpr double kLowestCrotch = 0.49;
-constexpr double kHighestCrotch = 0.53;
+constexpr double kMinCrotch = 0.49;
+constexpr double kMaxCrotch = 0.53;
 
 const Widening& wideningOf(PartLabel limb) {
   if (limb == PartLabel::kHead) return kHead;
@@ -34,55 +34,56 @@ const Widening& wideningOf(PartLabel limb) {
 }
 
 /// Shares of the nodes in each stretch of the way, smoothed over three.
-std::vector<double> frontsOf(const std::vector<double>& way) {
+std::vector<double> frontsOf(const std::vector<double>& geodesic) {
   std::vector<double> counts(kStretches + 2, 0.0);
-  for (const double w : way)
+  for (const double w : geodesic)
     if (w < kStretch * kStretches) counts[size_t(w / kStretch) + 1] += 1.0;
   counts.front() = counts[1];
   counts.back() = counts[kStretches];
   std::vector<double> fronts;
   for (size_t i = 1; i <= kStretches; ++i)
     fronts.push_back((0.25 * counts[i - 1] + 0.5 * counts[i] + 0.25 * counts[i + 1]) /
-                     double(way.size()));
+                     double(geodesic.size()));
   return fronts;
 }
 
 }  // namespace
 
-double limbBorder(PartLabel limb, const std::vector<double>& way) {
+double limbBorder(PartLabel limb, const std::vector<double>& geodesic) {
   const Widening& widening = wideningOf(limb);
-  const std::vector<double> fronts = frontsOf(way);
+  const std::vector<double> fronts = frontsOf(geodesic);
   for (size_t i = size_t(widening.earliest / kStretch + 0.5); i < kStretches; ++i) {
     if (fronts[i] <= widening.front) continue;
     const double rise = fronts[i] - fronts[i - 1];
-    const double share = rise > 0.0 ? std::max(0.0, (widening.front - fronts[i - 1]) / rise) : 0.0;
-    return (double(i) - 0.5 + share) * kStretch - widening.before;
+    const double fraction =
+        rise > 0.0 ? std::max(0.0, (widening.front - fronts[i - 1]) / rise) : 0.0;
+    return (double(i) - 0.5 + fraction) * kStretch - widening.before;
   }
   return kStretch * kStretches;
 }
 
 double legBorder(double border, double to_head) {
-  return std::clamp(border, kLowestCrotch * to_head, kHighestCrotch * to_head);
+  return std::clamp(border, kMinCrotch * to_head, kMaxCrotch * to_head);
 }
 
-bool isWholeLimb(PartLabel limb, double border, double share) {
+bool isWholeLimb(PartLabel limb, double border, double fraction) {
   const Widening& widening = wideningOf(limb);
-  return border >= widening.shortest && share >= widening.least;
+  return border >= widening.shortest && fraction >= widening.least;
 }
 
 std::array<std::vector<uint32_t>, kPartCount> nodesOfLimbs(
-    const std::array<std::vector<double>, kPartCount>& way,
+    const std::array<std::vector<double>, kPartCount>& geodesic,
     const std::array<double, kPartCount>& border) {
   std::vector<double> least;
   std::vector<int> owner;
   for (int part = 1; part < kPartCount; ++part) {
-    if (way[part].empty()) continue;
-    least.resize(way[part].size(), 1.0);
-    owner.resize(way[part].size(), 0);
-    for (size_t node = 0; node < way[part].size(); ++node) {
-      const double share = way[part][node] / border[part];
-      if (share >= least[node]) continue;
-      least[node] = share;
+    if (geodesic[part].empty()) continue;
+    least.resize(geodesic[part].size(), 1.0);
+    owner.resize(geodesic[part].size(), 0);
+    for (size_t node = 0; node < geodesic[part].size(); ++node) {
+      const double fraction = geodesic[part][node] / border[part];
+      if (fraction >= least[node]) continue;
+      least[node] = fraction;
       owner[node] = part;
     }
   }

@@ -11,7 +11,7 @@ namespace markerless_mocap {
 /// cross-section, and jumps where the limb meets the trunk. The head ends where the front would
 /// have it at the shoulders, less the neck.
 /// \param way from the tip to each node, cube roots of the hull's volume
-double limbBorder(PartLabel limb, const std::vector<double>& way);
+double limbBorder(PartLabel limb, const std::vector<double>& geodesic);
 
 /// The border of a leg, moved to about halfway to the head: where thighs touch, both together widen
 /// early; a skirt widens late.
@@ -20,14 +20,14 @@ double legBorder(double border, double to_head);
 
 /// Whether a limb is there to its whole length: one that touches the body ends where it touches.
 /// \param share of the hull's nodes that it has
-bool isWholeLimb(PartLabel limb, double border, double share);
+bool isWholeLimb(PartLabel limb, double border, double fraction);
 
 /// The nodes of each limb, ascending: those before its border, and where limbs overlap of that
 /// limb whose border they are farther from, as shares of the way to it.
 /// \param way by PartLabel, empty where there is no limb
 /// \param border by PartLabel, of those limbs
 std::array<std::vector<uint32_t>, kPartCount> nodesOfLimbs(
-    const std::array<std::vector<double>, kPartCount>& way,
+    const std::array<std::vector<double>, kPartCount>& geodesic,
     const std::array<double, kPartCount>& border);
 
 }  // namespace markerless_mocap

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "segmentation/eigenmap.h"
-#include "segmentation/spline_walk.h"
-#include "segmentation/limbs/tip_measures.h"
-#include "segmentation/limbs/tip_naming.h"
+#include "segmentation/limbs/extremity_measures.h"
+#include "segmentation/limbs/extremity_search.h"
 #include "segmentation/limbs/limb_borders.h"
 #include "segmentation/limbs/loops.h"
-#include "segmentation/limbs/tip_search.h"
+#include "segmentation/limbs/part_naming.h"
 #include "segmentation/limbs/upper_arms.h"
+#include "segmentation/spline_propagation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -20,24 +20,26 @@ constexpr int kMergeTreeModes = 10;
 constexpr int kSplineWalkModes = 6;
 constexpr double kResidual = 0.05;  // of the spline walk's modes
 constexpr int kLimbs = 5;
-constexpr int kCandidates = 7;       // tips to name; fused hands and elbows leave small ones
-constexpr double kCoreShare = 0.85;  // of the greatest depth under the surface
+constexpr int kCandidates = 7;          // tips to name; fused hands and elbows leave small ones
+constexpr double kCoreFraction = 0.85;  // of the greatest depth under the surface
 const Eigen::Vector3d kSlant(0.618, 0.354, 1.0);  // no two near voxels lie equally far along it
 
-std::vector<uint32_t> tipsOf(const std::vector<Branch>& branches) {
-  std::vector<uint32_t> tips;
-  for (const Branch& branch : branches) tips.push_back(branch.tip);
-  return tips;
+std::vector<uint32_t> extremitiesOf(const std::vector<Branch>& branches) {
+  std::vector<uint32_t> extremities;
+  for (const Branch& branch : branches) extremities.push_back(branch.extremity);
+  return extremities;
 }
 
 /// Names the arm (leg) with the higher tip first. Persistences would tell the two apart by a hair.
-TipNames namesInOrder(const VoxelGraph& voxels, const TipMeasures& measures,
-                      const std::vector<uint32_t>& tips) {
-  TipNames names = nameTips(measures);
-  const auto height = [&](int tip) { return voxels.centers[tips[tip]].dot(kSlant); };
+PartNaming namesInOrder(const VoxelGraph& voxels, const ExtremityMeasures& measures,
+                        const std::vector<uint32_t>& extremities) {
+  PartNaming names = assignParts(measures);
+  const auto height = [&](int extremity) {
+    return voxels.centers[extremities[extremity]].dot(kSlant);
+  };
   const auto order = [&](PartLabel first, PartLabel second) {
-    int& one = names.tip[size_t(first)];
-    int& other = names.tip[size_t(second)];
+    int& one = names.extremity[size_t(first)];
+    int& other = names.extremity[size_t(second)];
     if (other >= 0 && height(other) > height(one)) std::swap(one, other);
   };
   order(PartLabel::kArm1, PartLabel::kArm2);
@@ -46,38 +48,40 @@ TipNames namesInOrder(const VoxelGraph& voxels, const TipMeasures& measures,
 }
 
 /// Takes each named branch to its part.
-Limbs sortByPart(const TipNames& names, const TipMeasures& measures,
+Limbs sortByPart(const PartNaming& names, const ExtremityMeasures& measures,
                  const std::vector<Branch>& branches) {
   Limbs limbs;
   limbs.cost = names.cost;
   for (int part = 1; part < kPartCount; ++part) {
-    const int tip = names.tip[part];
-    if (tip < 0) continue;
-    limbs.branch[part] = branches[tip];
-    limbs.way[part] = measures.way[tip];
+    const int extremity = names.extremity[part];
+    if (extremity < 0) continue;
+    limbs.branch[part] = branches[extremity];
+    limbs.geodesic[part] = measures.geodesic[extremity];
     limbs.whole[part] = true;
   }
   return limbs;
 }
 
-Limbs walkLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes,
-                WalkStop stop) {
+Limbs splineLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes,
+                  SplineTermination stop) {
   const Eigenmap map = laplacianEigenmap(voxels.graph, modes, kResidual);
-  const std::vector<Branch> branches = splineWalkBranches(map, stop, kLimbs);
-  const std::vector<uint32_t> tips = tipsOf(branches);
-  const TipMeasures measures = measureTips(voxels, tips, core);
-  return sortByPart(namesInOrder(voxels, measures, tips), measures, branches);
+  const std::vector<Branch> branches = splinePropagationBranches(map, stop, kLimbs);
+  const std::vector<uint32_t> extremities = extremitiesOf(branches);
+  const ExtremityMeasures measures = measureExtremities(voxels, extremities, core);
+  return sortByPart(namesInOrder(voxels, measures, extremities), measures, branches);
 }
 
 /// An arm that closes a loop has no end; one part of it, or the other arm, may have its name.
-void findLoops(const VoxelGraph& voxels, const TipMeasures& measures, const TipNames& names,
+void findLoops(const VoxelGraph& voxels, const ExtremityMeasures& measures, const PartNaming& names,
                Limbs* limbs) {
   NodeGrid::Region region(voxels.grid);
-  for (int tip = 0; tip < int(measures.way.size()); ++tip) {
-    const auto named = std::find(names.tip.begin(), names.tip.end(), tip);
-    const auto part = size_t(named - names.tip.begin());
+  for (int extremity = 0; extremity < int(measures.geodesic.size()); ++extremity) {
+    const auto named = std::find(names.extremity.begin(), names.extremity.end(), extremity);
+    const auto part = size_t(named - names.extremity.begin());
     const bool arm = part == size_t(PartLabel::kArm1) || part == size_t(PartLabel::kArm2);
-    if ((named != names.tip.end() && !arm) || !closesLoop(measures.way[tip], &region)) continue;
+    if ((named != names.extremity.end() && !arm) ||
+        !closesLoop(measures.geodesic[extremity], &region))
+      continue;
     if (!arm) {
       ++limbs->unnamed_loops;
       continue;
@@ -90,27 +94,28 @@ void findLoops(const VoxelGraph& voxels, const TipMeasures& measures, const TipN
 std::array<double, kPartCount> bordersOf(const Limbs& limbs) {
   std::array<double, kPartCount> border{};
   for (int part = 1; part < kPartCount; ++part) {
-    if (!limbs.way[part].empty()) border[part] = limbBorder(PartLabel(part), limbs.way[part]);
+    if (!limbs.geodesic[part].empty())
+      border[part] = limbBorder(PartLabel(part), limbs.geodesic[part]);
   }
-  if (limbs.way[size_t(PartLabel::kHead)].empty()) return border;
-  const uint32_t head = limbs.branch[size_t(PartLabel::kHead)].tip;
+  if (limbs.geodesic[size_t(PartLabel::kHead)].empty()) return border;
+  const uint32_t head = limbs.branch[size_t(PartLabel::kHead)].extremity;
   for (const PartLabel leg : {PartLabel::kLeg1, PartLabel::kLeg2}) {
-    const std::vector<double>& way = limbs.way[size_t(leg)];
+    const std::vector<double>& geodesic = limbs.geodesic[size_t(leg)];
     double& end = border[size_t(leg)];
-    if (!way.empty()) end = legBorder(end, way[head]);
+    if (!geodesic.empty()) end = legBorder(end, geodesic[head]);
   }
   return border;
 }
 
 Limbs mergeTreeLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes) {
-  const std::vector<uint32_t> tips = findTips(voxels, core, modes, kCandidates);
-  const TipMeasures measures = measureTips(voxels, tips, core);
+  const std::vector<uint32_t> extremities = findExtremities(voxels, core, modes, kCandidates);
+  const ExtremityMeasures measures = measureExtremities(voxels, extremities, core);
   std::vector<Branch> branches;
-  for (const uint32_t tip : tips) branches.push_back({tip, {}});
-  const TipNames names = namesInOrder(voxels, measures, tips);
+  for (const uint32_t extremity : extremities) branches.push_back({extremity, {}});
+  const PartNaming names = namesInOrder(voxels, measures, extremities);
   Limbs limbs = sortByPart(names, measures, branches);
   const std::array<double, kPartCount> border = bordersOf(limbs);
-  auto nodes = nodesOfLimbs(limbs.way, border);
+  auto nodes = nodesOfLimbs(limbs.geodesic, border);
   const auto all = double(voxels.graph.nodeCount());
   for (int part = 1; part < kPartCount; ++part) {
     limbs.whole[part] =
@@ -136,13 +141,14 @@ void dropImplausible(const VoxelGraph& voxels, Limbs* limbs) {
 }  // namespace
 
 Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
-  const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreShare);
+  const std::vector<uint32_t> core = coreNodes(voxels.depth, kCoreFraction);
   const auto modes = [&](int best) { return options.modes > 0 ? options.modes : best; };
   const bool merge_tree = options.branch_method == "merge_tree";
-  Limbs limbs = merge_tree ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
-                           : walkLimbs(voxels, core, modes(kSplineWalkModes),
-                                       options.walk_stop == "outliers" ? WalkStop::kOutliers
-                                                                       : WalkStop::kOrigin);
+  Limbs limbs = merge_tree
+                    ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
+                    : splineLimbs(voxels, core, modes(kSplineWalkModes),
+                                  options.walk_stop == "outliers" ? SplineTermination::kOutliers
+                                                                  : SplineTermination::kOrigin);
   dropImplausible(voxels, &limbs);
   if (merge_tree) addUpperArms(voxels, &limbs);
   return limbs;

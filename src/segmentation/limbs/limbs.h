@@ -13,13 +13,13 @@ namespace markerless_mocap {
 
 /// Head, arms and legs of a body.
 struct Limbs {
-  std::array<Branch, kPartCount> branch;            ///< by PartLabel; without nodes: not found
-  std::array<std::vector<double>, kPartCount> way;  ///< from the branch's tip to each node
-  std::array<bool, kPartCount> whole{};             ///< by PartLabel: ends where such a limb does
+  std::array<Branch, kPartCount> branch;                 ///< by PartLabel; without nodes: not found
+  std::array<std::vector<double>, kPartCount> geodesic;  ///< from the branch's tip to each node
+  std::array<bool, kPartCount> whole{};  ///< by PartLabel: ends where such a limb does
   /// By PartLabel: what was taken for its end is the middle of an arm that closes a loop.
   std::array<bool, kPartCount> loop{};
   int unnamed_loops = 0;  ///< arms that close a loop and have no name
-  double cost;            ///< of the names, see TipNames
+  double cost;            ///< of the names, see PartNaming
 
   bool has(PartLabel label) const { return !branch[size_t(label)].nodes.empty(); }
 };

@@ -31,23 +31,23 @@ std::vector<std::vector<uint32_t>> sidesOf(const std::vector<uint32_t>& nodes,
   return sides;
 }
 
-std::vector<uint32_t> nodesFrom(const std::vector<double>& way, double near, double far) {
+std::vector<uint32_t> nodesFrom(const std::vector<double>& geodesic, double near, double far) {
   std::vector<uint32_t> nodes;
-  for (uint32_t node = 0; node < way.size(); ++node)
-    if (way[node] >= near && way[node] < far) nodes.push_back(node);
+  for (uint32_t node = 0; node < geodesic.size(); ++node)
+    if (geodesic[node] >= near && geodesic[node] < far) nodes.push_back(node);
   return nodes;
 }
 
-bool liesOnTwoSides(const std::vector<double>& way, double ring, NodeGrid::Region* region) {
-  const std::vector<uint32_t> nodes = nodesFrom(way, ring, ring + kWidth);
-  const double thickest = kThickest * double(way.size());
+bool liesOnTwoSides(const std::vector<double>& geodesic, double ring, NodeGrid::Region* region) {
+  const std::vector<uint32_t> nodes = nodesFrom(geodesic, ring, ring + kWidth);
+  const double thickest = kThickest * double(geodesic.size());
   if (double(nodes.size()) > kMost * thickest) return false;
   const auto sides = sidesOf(nodes, region);
   if (sides.size() < 2) return false;
   const size_t more = sides[0].size(), fewer = sides[1].size();
   if (fewer < kLeast || double(fewer) < kBalance * double(more) || double(more) > thickest)
     return false;
-  const std::vector<uint32_t> beyond = nodesFrom(way, ring, kEverywhere);
+  const std::vector<uint32_t> beyond = nodesFrom(geodesic, ring, kEverywhere);
   region->put(beyond);
   const uint32_t other = sides[1].front();
   region->takeConnected(sides[0].front(), other);
@@ -58,9 +58,9 @@ bool liesOnTwoSides(const std::vector<double>& way, double ring, NodeGrid::Regio
 
 }  // namespace
 
-bool closesLoop(const std::vector<double>& way, NodeGrid::Region* region) {
+bool closesLoop(const std::vector<double>& geodesic, NodeGrid::Region* region) {
   return std::all_of(kRings.begin(), kRings.end(),
-                     [&](double ring) { return liesOnTwoSides(way, ring, region); });
+                     [&](double ring) { return liesOnTwoSides(geodesic, ring, region); });
 }
 
 }  // namespace markerless_mocap

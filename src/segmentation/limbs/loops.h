@@ -11,6 +11,6 @@ namespace markerless_mocap {
 /// and the two hang together without what is between them.
 /// \param way from the tip to each node, cube roots of the hull's volume
 /// \param region of the hull's grid, without nodes; it has none afterwards either
-bool closesLoop(const std::vector<double>& way, NodeGrid::Region* region);
+bool closesLoop(const std::vector<double>& geodesic, NodeGrid::Region* region);
 
 }  // namespace markerless_mocap

@@ -34,14 +34,14 @@ std::vector<PartLabel> ownersOf(const VoxelGraph& voxels, const Limbs& limbs) {
 
 /// Middle of a limb's cross-section where it ends.
 Eigen::Vector3d endOf(const VoxelGraph& voxels, const Limbs& limbs, PartLabel limb) {
-  const std::vector<double>& way = limbs.way[size_t(limb)];
+  const std::vector<double>& geodesic = limbs.geodesic[size_t(limb)];
   const std::vector<uint32_t>& nodes = limbs.branch[size_t(limb)].nodes;
   double farthest = 0.0;
-  for (const uint32_t node : nodes) farthest = std::max(farthest, way[node]);
+  for (const uint32_t node : nodes) farthest = std::max(farthest, geodesic[node]);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;
   for (const uint32_t node : nodes) {
-    if (way[node] <= farthest - kEnd) continue;
+    if (geodesic[node] <= farthest - kEnd) continue;
     sum += voxels.centers[node];
     ++count;
   }
@@ -95,8 +95,8 @@ class Line {
 
   double squaredDistance(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d offset = point - from_;
-    const double share = std::clamp(offset.dot(along_) * scale_, 0.0, 1.0);
-    return (offset - share * along_).squaredNorm();
+    const double fraction = std::clamp(offset.dot(along_) * scale_, 0.0, 1.0);
+    return (offset - fraction * along_).squaredNorm();
   }
 
  private:

@@ -49,14 +49,14 @@ Background BackgroundLearner::learn(int modes, double min_sigma) const {
   // The first image's light is as good as any; the usual light is better.
   std::vector<float> sorted = gains_;
   std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-  const float usual = sorted[n / 2];
+  const float expected = sorted[n / 2];
   Background background(first.size(), channels, modes);
   std::vector<float> samples(size_t(n) * channels);
   for (int y = 0; y < first.rows; ++y)
     for (int x = 0; x < first.cols; ++x) {
       for (int i = 0; i < n; ++i)
         for (int c = 0; c < channels; ++c)
-          samples[i * channels + c] = kept_[i].ptr(y)[x * channels + c] * usual / gains_[i];
+          samples[i * channels + c] = kept_[i].ptr(y)[x * channels + c] * expected / gains_[i];
       store(findColorModes(samples, channels, min_sigma, modes), x, y, &background);
     }
   return background;

@@ -29,9 +29,9 @@ float median(const std::vector<float>& ratios) {
   return (float(bin) + 0.5f) / kBinsPerOne;
 }
 
-/// \param usual_row what gives row y's grey level of (x, channel)
+/// \param expected_row what gives row y's grey level of (x, channel)
 template <class UsualT>
-std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_row) {
+std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& expected_row) {
   const int channels = image.channels();
   // Few rows of many pixels: memory comes in rows.
   const int step = std::max(2, int(std::sqrt(image.total() / kSamples) / kRowsApart));
@@ -39,18 +39,18 @@ std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& usual_ro
   std::vector<float> ratios;
   ratios.reserve(size_t(image.cols / step + 1) * (image.rows / row_step + 1));
   for (int y = row_step / 2; y < image.rows; y += row_step) {
-    const auto usual_at = usual_row(y);
+    const auto expected_at = expected_row(y);
     for (int x = step / 2; x < image.cols; x += step) {
       const uint8_t* now = image.ptr(y) + size_t(x) * channels;
-      int sum_now = 0, sum_usual = 0;
+      int sum_now = 0, sum_expected = 0;
       bool reliable = true;
       for (int c = 0; c < channels; ++c) {
-        const int usual = usual_at(x, c);
-        reliable = reliable & (usual >= kDarkest) & (usual <= kBrightest);
+        const int expected = expected_at(x, c);
+        reliable = reliable & (expected >= kDarkest) & (expected <= kBrightest);
         sum_now += now[c];
-        sum_usual += usual;
+        sum_expected += expected;
       }
-      if (reliable) ratios.push_back(float(sum_now) / float(sum_usual));
+      if (reliable) ratios.push_back(float(sum_now) / float(sum_expected));
     }
   }
   return ratios;
@@ -68,22 +68,22 @@ LightGain mostUsual(const std::vector<float>& ratios) {
     ++near;
   }
   result.gain = std::clamp(sum / near, kDarkestGain, kBrightestGain);
-  result.share_near = double(near) / ratios.size();
+  result.inlier_fraction = double(near) / ratios.size();
   return result;
 }
 
 }  // namespace
 
-LightGain estimateLightGain(const cv::Mat& image, const Background& usual) {
+LightGain estimateLightGain(const cv::Mat& image, const Background& expected) {
   return mostUsual(brightnessRatios(image, [&](int y) {
-    return [mean = usual.coarse(0, y).mean](int x, int c) { return int(mean[c][x]); };
+    return [mean = expected.coarse(0, y).mean](int x, int c) { return int(mean[c][x]); };
   }));
 }
 
-LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& usual) {
-  const int channels = usual.channels();
+LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& expected) {
+  const int channels = expected.channels();
   return mostUsual(brightnessRatios(image, [&](int y) {
-    return [=, row = usual.ptr(y)](int x, int c) { return int(row[x * channels + c]); };
+    return [=, row = expected.ptr(y)](int x, int c) { return int(row[x * channels + c]); };
   }));
 }
 

@@ -1,7 +1,7 @@
 #include <opencv2/video/background_segm.hpp>
 
-#include "silhouette/boundary/clean_mask.h"
 #include "silhouette/background/subtractor.h"
+#include "silhouette/boundary/clean_mask.h"
 
 namespace markerless_mocap {
 namespace {
@@ -13,12 +13,12 @@ class OpenCvSubtractor : public Subtractor {
     const double variance = options.threshold_sigmas * options.threshold_sigmas;
     if (options.model == "mog2") {
       auto mog2 = cv::createBackgroundSubtractorMOG2(500, variance, options.remove_shadows);
-      mog2->setShadowThreshold(options.shadow_darkest);
+      mog2->setShadowThreshold(options.min_shadow_brightness);
       subtractor_ = mog2;
     } else {
       const double distance = variance * options.min_sigma * options.min_sigma;
       auto knn = cv::createBackgroundSubtractorKNN(500, distance, options.remove_shadows);
-      knn->setShadowThreshold(options.shadow_darkest);
+      knn->setShadowThreshold(options.min_shadow_brightness);
       subtractor_ = knn;
     }
   }
@@ -30,7 +30,7 @@ class OpenCvSubtractor : public Subtractor {
     constexpr double kForeground = 255;  // shadows are 127
     subtractor_->apply(image, classes_, options_.update_rate);
     Extraction found;
-    found.changed_share = double(cv::countNonZero(classes_)) / double(image.total());
+    found.changed_fraction = double(cv::countNonZero(classes_)) / double(image.total());
     found.mask = cleanBits(BitMask::fromMat(classes_ == kForeground), options_);
     return found;
   }

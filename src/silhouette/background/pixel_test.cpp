@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "silhouette/background/row_kernels.h"
 #include "silhouette/bits/bit_morphology.h"
 #include "silhouette/bits/changed_bits.h"
-#include "silhouette/background/row_kernels.h"
-#include "silhouette/shadow/shade_kernels.h"
+#include "silhouette/shadow/shadow_kernels.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,8 +17,8 @@ namespace {
 /// of the three channels' directions are free, of which nine in ten stay within.
 constexpr float kNoiseVariances = 4.6f;
 
-ShadowLimits makeLimits(const SilhouetteOptions& options, const Background& background,
-                        double gain) {
+BlockShadowThresholds makeLimits(const SilhouetteOptions& options, const Background& background,
+                                 double gain) {
   const double chroma = options.shadow_chroma_tolerance, noise = background.noise();
   return {background.channels() == 1, float(gain), float(chroma), float(noise * noise)};
 }
@@ -36,7 +36,7 @@ void PixelTest::prepare(const Background& background) {
   const cv::Size size = background.size();
   const size_t stride = background.stride();
   classes_.foreground.resize(size);
-  classes_.shade.resize(size);
+  classes_.shadow.resize(size);
   classes_.ratio.resize(size.height * stride);
   blocks_.resize(size);
   now_.resize(3 * stride);
@@ -55,11 +55,11 @@ const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const 
   classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
   classes_.changed = classes_.foreground.count();
   if (!options_.remove_shadows) return classes_;
-  for (int row = 0; row < blocks_.rows(); ++row) findShades(image, background, gain, row);
-  for (size_t i = 0; i < classes_.shade.words().size(); ++i)
-    classes_.foreground.words()[i] &= ~classes_.shade.words()[i];
-  const ShadowLimits limits = makeLimits(options_, background, gain);
-  restoreClothes(blocks_, limits, &classes_.shade, &classes_.foreground);
+  for (int row = 0; row < blocks_.rows(); ++row) findShadows(image, background, gain, row);
+  for (size_t i = 0; i < classes_.shadow.words().size(); ++i)
+    classes_.foreground.words()[i] &= ~classes_.shadow.words()[i];
+  const BlockShadowThresholds limits = makeLimits(options_, background, gain);
+  restoreFalseShadows(blocks_, limits, &classes_.shadow, &classes_.foreground);
   return classes_;
 }
 
@@ -133,49 +133,49 @@ void PixelTest::findChanged(const cv::Mat& image, const Background& background, 
   packAbove(squared_.data(), kSquaredLimit, n, flags_.data(), bits);
 }
 
-void PixelTest::findShades(const cv::Mat& image, const Background& background, double gain,
-                           int row) {
-  const int first = row * ShadeBlocks::kSide;
-  const int end = std::min(first + ShadeBlocks::kSide, image.rows);
+void PixelTest::findShadows(const cv::Mat& image, const Background& background, double gain,
+                            int row) {
+  const int first = row * ShadowBlocks::kSide;
+  const int end = std::min(first + ShadowBlocks::kSide, image.rows);
   for (int word = 0; word < classes_.foreground.rowWords(); ++word) {
     uint64_t any = 0;
     for (int y = first; y < end; ++y) any |= classes_.foreground.row(y)[word];
     if (!any) continue;
-    ShadeColumns columns;
+    ShadowColumns columns;
     bool is_shaded = false;
     for (int y = first; y < end; ++y)
-      is_shaded |= findShades(image, background, gain, y, word, &columns);
+      is_shaded |= findShadows(image, background, gain, y, word, &columns);
     if (is_shaded) blocks_.add(columns, word, row);
   }
 }
 
-bool PixelTest::findShades(const cv::Mat& image, const Background& background, double gain, int y,
-                           int word, ShadeColumns* columns) {
-  constexpr int kWord = ShadeColumns::kCols;
+bool PixelTest::findShadows(const cv::Mat& image, const Background& background, double gain, int y,
+                            int word, ShadowColumns* columns) {
+  constexpr int kWord = ShadowColumns::kCols;
   const uint64_t changed = classes_.foreground.row(y)[word];
   if (!changed) return false;
   const float chroma = float(options_.shadow_chroma_tolerance), noise = float(background.noise());
-  const ShadeLimits limits{float(options_.shadow_darkest), chroma * chroma,
-                           kNoiseVariances * noise * noise};
+  const PixelShadowThresholds limits{float(options_.min_shadow_brightness), chroma * chroma,
+                                     kNoiseVariances * noise * noise};
   const int x = kWord * word, width = std::min(kWord, image.cols - x);
   const ModeRow mode = background.coarse(0, y);
-  uint64_t* shade = &classes_.shade.row(y)[word];
+  uint64_t* shadow = &classes_.shadow.row(y)[word];
   uint8_t* ratio = &classes_.ratio[size_t(y) * background.stride() + x];
   if (background.channels() == 3) {
     const uint8_t* bgr = image.ptr(y) + 3 * size_t(x);
     uint8_t rest[3 * kWord] = {};
     if (width < kWord) bgr = static_cast<uint8_t*>(std::memcpy(rest, bgr, 3 * size_t(width)));
-    if (shadeRatiosOfBgr(bgr, mode, x, float(gain), limits, changed, ratio, shade, columns))
-      return *shade != 0;
+    if (shadowRatiosOfBgr(bgr, mode, x, float(gain), limits, changed, ratio, shadow, columns))
+      return *shadow != 0;
   }
   const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
   splitRow(image, y, x, width, kWord, now_.data());
   unpackBits(&changed, kWord, flags_.data());
-  shadeRatios(now, mode, x, background.channels(), float(gain), limits, flags_.data(), ratio,
-              columns);
+  shadowRatios(now, mode, x, background.channels(), float(gain), limits, flags_.data(), ratio,
+               columns);
   for (int k = 0; k < kWord; ++k) flags_[k] = ratio[k] > 0;
-  *shade = packFlags(flags_.data());
-  return *shade != 0;
+  *shadow = packFlags(flags_.data());
+  return *shadow != 0;
 }
 
 }  // namespace markerless_mocap

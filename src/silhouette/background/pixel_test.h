@@ -6,14 +6,14 @@
 #include "markerless_mocap/silhouette/silhouette_options.h"
 #include "silhouette/background/background.h"
 #include "silhouette/bits/bit_mask.h"
-#include "silhouette/shadow/shade_evidence.h"
+#include "silhouette/shadow/shadow_evidence.h"
 
 namespace markerless_mocap {
 
 /// What a test says about each pixel.
 struct PixelClasses {
   BitMask foreground;          ///< far from the background and no shadow
-  BitMask shade;               ///< a darker shade of the background
+  BitMask shadow;              ///< a darker shade of the background
   std::vector<uint8_t> ratio;  ///< where `shade`: brightness relative to the background's, 255 = 1
   size_t changed = 0;          ///< pixels far from the background, without specks
 };
@@ -41,14 +41,14 @@ class PixelTest {
   /// below.
   void wantFor(int y, int apart);
   /// Of the rows of blocks' row `row`.
-  void findShades(const cv::Mat& image, const Background& background, double gain, int row);
+  void findShadows(const cv::Mat& image, const Background& background, double gain, int row);
   /// Of a word of row y; whether there are any.
-  bool findShades(const cv::Mat& image, const Background& background, double gain, int y, int word,
-                  ShadeColumns* columns);
+  bool findShadows(const cv::Mat& image, const Background& background, double gain, int y, int word,
+                   ShadowColumns* columns);
 
   SilhouetteOptions options_;
   PixelClasses classes_;
-  ShadeBlocks blocks_;
+  ShadowBlocks blocks_;
   std::vector<uint8_t> now_, flags_;  ///< one row, channel after channel
   std::vector<uint16_t> squared_, other_;
   std::vector<uint64_t> wanted_;  ///< of a row, 0 where nothing is

@@ -21,8 +21,8 @@ __attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {
 
 __attribute__((always_inline)) inline uint16_t square(uint8_t now, uint8_t mean, int16_t weight,
                                                       int16_t gain) {
-  const int16_t usual = product(int16_t(mean * Background::kMeanScale), gain);
-  const int16_t off = int16_t(now * kPredictedScale - usual);
+  const int16_t expected = product(int16_t(mean * Background::kMeanScale), gain);
+  const int16_t off = int16_t(now * kPredictedScale - expected);
   const int16_t apart = int16_t(off < 0 ? -off : off);
   const int16_t far = product(apart, weight);
   const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
@@ -64,51 +64,53 @@ MOCAP_VECTORISED void flagsAbove(const uint16_t* __restrict value, uint16_t limi
   for (int i = 0; i < n; ++i) flags[i] = value[i] > limit ? 1 : 0;
 }
 
-__attribute__((always_inline)) inline float shadeOf(float cross, float usual, float now,
-                                                    const ShadeLimits& limits) {
-  const float ratio = cross / (usual + 1e-6f);
+__attribute__((always_inline)) inline float shadowRatio(float cross, float expected, float now,
+                                                        const PixelShadowThresholds& limits) {
+  const float ratio = cross / (expected + 1e-6f);
   const float off = now - ratio * cross;
-  const float allowed = limits.squared_chroma * ratio * ratio * usual + limits.squared_noise;
+  const float allowed = limits.squared_chroma * ratio * ratio * expected + limits.squared_noise;
   // As numbers, not branches: those would keep the loop from being vectorised.
   const int is_shade = (ratio >= limits.darkest) & (ratio < 1) & (off < allowed);
   return ratio * 255 * float(is_shade);
 }
 
-MOCAP_VECTORISED void shadesOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
-                                    const uint8_t* __restrict now2, const uint8_t* __restrict mean0,
-                                    const uint8_t* __restrict mean1,
-                                    const uint8_t* __restrict mean2, float gain,
-                                    const ShadeLimits& limits, uint8_t* __restrict ratio) {
-  float shade[64];
+MOCAP_VECTORISED void shadowsOfThree(const uint8_t* __restrict now0, const uint8_t* __restrict now1,
+                                     const uint8_t* __restrict now2,
+                                     const uint8_t* __restrict mean0,
+                                     const uint8_t* __restrict mean1,
+                                     const uint8_t* __restrict mean2, float gain,
+                                     const PixelShadowThresholds& limits,
+                                     uint8_t* __restrict ratio) {
+  float shadow[64];
   for (int i = 0; i < 64; ++i) {
     const int n0 = now0[i], n1 = now1[i], n2 = now2[i];
     const int m0 = mean0[i], m1 = mean1[i], m2 = mean2[i];
-    shade[i] = shadeOf(float(n0 * m0 + n1 * m1 + n2 * m2) * gain,
-                       float(m0 * m0 + m1 * m1 + m2 * m2) * (gain * gain),
-                       float(n0 * n0 + n1 * n1 + n2 * n2), limits);
+    shadow[i] = shadowRatio(float(n0 * m0 + n1 * m1 + n2 * m2) * gain,
+                            float(m0 * m0 + m1 * m1 + m2 * m2) * (gain * gain),
+                            float(n0 * n0 + n1 * n1 + n2 * n2), limits);
   }
-  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shadow[i]));
 }
 
-MOCAP_VECTORISED void shadesOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
-                                  float gain, const ShadeLimits& limits,
-                                  uint8_t* __restrict ratio) {
-  float shade[64];
+MOCAP_VECTORISED void shadowsOfOne(const uint8_t* __restrict now, const uint8_t* __restrict mean,
+                                   float gain, const PixelShadowThresholds& limits,
+                                   uint8_t* __restrict ratio) {
+  float shadow[64];
   for (int i = 0; i < 64; ++i) {
     const float n = now[i], m = mean[i] * gain;
-    shade[i] = shadeOf(n * m, m * m, n * n, limits);
+    shadow[i] = shadowRatio(n * m, m * m, n * n, limits);
   }
-  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shade[i]));
+  for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shadow[i]));
 }
 
 /// Ratios that are not asked for become 0. \param chosen out, 255 for the shades that are, else 0
 MOCAP_VECTORISED void addRatios(const uint8_t* __restrict asked, uint8_t* __restrict ratio,
-                                uint8_t* __restrict chosen, ShadeColumns* __restrict columns) {
-  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+                                uint8_t* __restrict chosen, ShadowColumns* __restrict columns) {
+  for (int i = 0; i < ShadowColumns::kCols; ++i) {
     ratio[i] &= asked[i];
     chosen[i] = ratio[i] > 0 ? 255 : 0;
   }
-  for (int i = 0; i < ShadeColumns::kCols; ++i) {
+  for (int i = 0; i < ShadowColumns::kCols; ++i) {
     const uint16_t half = uint16_t(ratio[i] >> 1);  // four squares fit 16 bits
     columns->count[i] = uint16_t(columns->count[i] + (chosen[i] & 1));
     columns->ratio[i] = uint16_t(columns->ratio[i] + half);
@@ -118,7 +120,7 @@ MOCAP_VECTORISED void addRatios(const uint8_t* __restrict asked, uint8_t* __rest
 
 MOCAP_VECTORISED void addColors(const uint8_t* __restrict values, const uint8_t* __restrict chosen,
                                 uint16_t* __restrict sums) {
-  for (int i = 0; i < ShadeColumns::kCols; ++i)
+  for (int i = 0; i < ShadowColumns::kCols; ++i)
     sums[i] = uint16_t(sums[i] + (values[i] & chosen[i]));
 }
 
@@ -148,20 +150,20 @@ void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uin
   for (int i = 0; i < n / 64; ++i) bits[i] = packFlags(flags + size_t(64) * i);
 }
 
-void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                 const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
-                 ShadeColumns* columns) {
+void shadowRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
+                  const PixelShadowThresholds& limits, const uint8_t* asked, uint8_t* ratio,
+                  ShadowColumns* columns) {
   const uint8_t* mean = mode.mean[0] + x;
   if (channels == 3)
-    shadesOfThree(now[0], now[1], now[2], mean, mode.mean[1] + x, mode.mean[2] + x, gain, limits,
-                  ratio);
+    shadowsOfThree(now[0], now[1], now[2], mean, mode.mean[1] + x, mode.mean[2] + x, gain, limits,
+                   ratio);
   else
-    shadesOfOne(now[0], mean, gain, limits, ratio);
-  uint8_t chosen[ShadeColumns::kCols];
+    shadowsOfOne(now[0], mean, gain, limits, ratio);
+  uint8_t chosen[ShadowColumns::kCols];
   addRatios(asked, ratio, chosen, columns);
   for (int c = 0; c < channels; ++c) {
     addColors(now[c], chosen, columns->now[c]);
-    addColors(mode.mean[c] + x, chosen, columns->usual[c]);
+    addColors(mode.mean[c] + x, chosen, columns->expected[c]);
   }
 }
 

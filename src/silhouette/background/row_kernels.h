@@ -29,28 +29,28 @@ void keepSmaller(const uint16_t* other, int n, uint16_t* value);
 /// One bit per value, set if it is above `limit`. \param n a multiple of 64 \param flags scratch, n
 void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uint64_t* bits);
 
-struct ShadeLimits {
+struct PixelShadowThresholds {
   float darkest;         ///< least brightness relative to the background's
   float squared_chroma;  ///< tolerance of the colour's change, relative, squared
   float squared_noise;   ///< grey levels, squared
 };
 
 /// Shades of 64 pixels in each of up to kMostRows rows, summed column by column.
-struct ShadeColumns {
+struct ShadowColumns {
   static constexpr int kMostRows = 4, kCols = 64;
   uint16_t count[kCols] = {};
-  uint16_t now[3][kCols] = {};    ///< their colour in the image
-  uint16_t usual[3][kCols] = {};  ///< and in the background
-  uint16_t ratio[kCols] = {};     ///< their brightness relative to the background's, 127 for 1
-  uint16_t squares[kCols] = {};   ///< of the ratios
+  uint16_t now[3][kCols] = {};       ///< their colour in the image
+  uint16_t expected[3][kCols] = {};  ///< and in the background
+  uint16_t ratio[kCols] = {};        ///< their brightness relative to the background's, 127 for 1
+  uint16_t squares[kCols] = {};      ///< of the ratios
 };
 
 /// Brightness of 64 pixels of one row relative to `gain` x the mean where they are a darker shade
 /// of it, 255 for 1; 0 where they are not. \param now one pointer per channel, to pixel x
 /// \param asked 255 for the pixels that are asked for, else 0 \param columns the shades are added
-void shadeRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                 const ShadeLimits& limits, const uint8_t* asked, uint8_t* ratio,
-                 ShadeColumns* columns);
+void shadowRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
+                  const PixelShadowThresholds& limits, const uint8_t* asked, uint8_t* ratio,
+                  ShadowColumns* columns);
 
 /// n means in grey levels.
 void roundMeans(const uint16_t* mean, int n, uint8_t* grey);

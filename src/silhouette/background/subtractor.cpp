@@ -1,15 +1,15 @@
 #include "silhouette/background/subtractor.h"
 
 #include "silhouette/background/background_learner.h"
-#include "silhouette/bits/bit_morphology.h"
-#include "silhouette/boundary/clean_mask.h"
 #include "silhouette/background/light_gain.h"
-#include "silhouette/bits/mask_runs.h"
-#include "silhouette/boundary/missed.h"
 #include "silhouette/background/pixel_test.h"
-#include "silhouette/bits/prefetch.h"
-#include "silhouette/boundary/rim.h"
 #include "silhouette/background/row_kernels.h"
+#include "silhouette/bits/bit_morphology.h"
+#include "silhouette/bits/mask_runs.h"
+#include "silhouette/bits/prefetch.h"
+#include "silhouette/boundary/boundary_matting.h"
+#include "silhouette/boundary/clean_mask.h"
+#include "silhouette/boundary/hole_filling.h"
 
 namespace markerless_mocap {
 namespace {
@@ -40,24 +40,24 @@ class ModelSubtractor : public Subtractor {
   Extraction extract(const cv::Mat& image) override {
     // What a thread's cameras have in common stays in the cache.
     static thread_local PixelTest test;
-    static thread_local RimRefiner rim;
+    static thread_local BoundaryMatting rim;
     Extraction found;
     if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
     const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
-    found.changed_share = double(classes.changed) / double(image.total());
+    found.changed_fraction = double(classes.changed) / double(image.total());
     found.mask = openedAndClosed(classes.foreground, options_);
     rim.refine(image, background_, found.light_gain, classes, &found.mask);
     // Last, as the new rim has pinholes and crumbs.
-    fillMissed(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
+    fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
     removeBlobs(options_.min_blob_px, &found.mask);
-    renew(image, found.light_gain, found.mask, classes.shade);
+    renew(image, found.light_gain, found.mask, classes.shadow);
     return found;
   }
 
   const Background* background() const override { return &background_; }
 
  private:
-  void renew(const cv::Mat& image, double gain, const BitMask& mask, const BitMask& shade);
+  void renew(const cv::Mat& image, double gain, const BitMask& mask, const BitMask& shadow);
 
   SilhouetteOptions options_;
   BackgroundLearner learner_;
@@ -70,7 +70,7 @@ class ModelSubtractor : public Subtractor {
 /// Means follow the image, so slow drift of the light is learned. Behind the person and in shadows
 /// they follow the light of the whole scene instead.
 void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& mask,
-                            const BitMask& shade) {
+                            const BitMask& shadow) {
   if (options_.update_rate == 0) return;
   const int n = background_.stride(), channels = background_.channels();
   const auto rate = int16_t(std::min(1.0, options_.update_rate * kUpdateStride) * 32767 + 0.5);
@@ -84,7 +84,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
     }
     splitRow(image, y, 0, image.cols, n, now_.data());
     nearRow(mask, y, kGuardX, kGuardY, &guarded_);
-    for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shade.row(y)[i];
+    for (int i = 0; i < mask.rowWords(); ++i) guarded_[i + 1] |= shadow.row(y)[i];
     unpackBits(&guarded_[1], image.cols, held_.data());
     for (int c = 0; c < channels; ++c)
       moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 /// A clean mask, and how well the background fits its image.
 struct Extraction {
   BitMask mask;
-  double changed_share = 0;
+  double changed_fraction = 0;
   double light_gain = 1;
 };
 

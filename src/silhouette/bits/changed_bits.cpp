@@ -4,9 +4,9 @@
 
 #include <cstring>
 
+#include "silhouette/background/row_kernels.h"
 #include "silhouette/bits/avx2_pixels.h"
 #include "silhouette/bits/prefetch.h"
-#include "silhouette/background/row_kernels.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,9 +21,10 @@ MOCAP_AVX2 inline __m256i squared(const WidePixels& now, const ModeRow& mode, in
   const __m256i farthest = _mm256_set1_epi16(kFarthest);
   __m256i sum = _mm256_setzero_si256();
   for (int c = 0; c < 3; ++c) {
-    const __m256i usual =
+    const __m256i expected =
         _mm256_mulhrs_epi16(_mm256_slli_epi16(widened(mode.mean[c] + x), kMeanBits), gain);
-    const __m256i off = _mm256_sub_epi16(_mm256_slli_epi16(now.channel[c], kPredictedBits), usual);
+    const __m256i off =
+        _mm256_sub_epi16(_mm256_slli_epi16(now.channel[c], kPredictedBits), expected);
     const __m256i scaled = _mm256_mulhrs_epi16(_mm256_abs_epi16(off), weight);
     const __m256i near = _mm256_min_epi16(scaled, farthest);
     sum = _mm256_add_epi16(sum, _mm256_mullo_epi16(near, near));

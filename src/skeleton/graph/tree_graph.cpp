@@ -32,33 +32,36 @@ std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
 }
 
 struct Reached {
-  double way;
+  double path_length;
   int32_t node;
-  bool operator>(const Reached& o) const { return way != o.way ? way > o.way : node > o.node; }
+  bool operator>(const Reached& o) const {
+    return path_length != o.path_length ? path_length > o.path_length : node > o.node;
+  }
 };
 
 /// Shortest paths from `root`.
 struct Walk {
-  std::vector<double> ways;
+  std::vector<double> path_lengths;
   std::vector<int32_t> parents;
   std::vector<int32_t> order;  ///< nodes as they are settled
 
   Walk(int32_t root, const TreeLinks& links)
-      : ways(links.size(), std::numeric_limits<double>::infinity()), parents(links.size(), -1) {
+      : path_lengths(links.size(), std::numeric_limits<double>::infinity()),
+        parents(links.size(), -1) {
     std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> open;
-    ways[size_t(root)] = 0.0;
+    path_lengths[size_t(root)] = 0.0;
     open.push({0.0, root});
     while (!open.empty()) {
       const Reached at = open.top();
       open.pop();
-      if (at.way > ways[size_t(at.node)]) continue;
+      if (at.path_length > path_lengths[size_t(at.node)]) continue;
       order.push_back(at.node);
       for (auto link = links.begin(at.node); link != links.end(at.node); ++link) {
-        const double way = at.way + link->length;
-        if (way >= ways[size_t(link->to)]) continue;
-        ways[size_t(link->to)] = way;
+        const double path_length = at.path_length + link->length;
+        if (path_length >= path_lengths[size_t(link->to)]) continue;
+        path_lengths[size_t(link->to)] = path_length;
         parents[size_t(link->to)] = at.node;
-        open.push({way, link->to});
+        open.push({path_length, link->to});
       }
     }
   }
@@ -139,7 +142,7 @@ void smoothPositions(TreeGraph* graph) {
   }
   for (size_t node = 1; node < at.size(); ++node) {
     const size_t parent = size_t(graph->parents[node]);
-    graph->ways[node] = graph->ways[parent] + (at[node] - at[parent]).norm();
+    graph->path_lengths[node] = graph->path_lengths[parent] + (at[node] - at[parent]).norm();
   }
   for (TreeLinks::Edge& edge : graph->loop_edges)
     edge.length = (at[size_t(edge.a)] - at[size_t(edge.b)]).norm();
@@ -171,7 +174,7 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
     place[node] = int32_t(i);
     graph.voxels.push_back(skeleton.voxels[node]);
     graph.positions.push_back(positions[node]);
-    graph.ways.push_back(walk.ways[node]);
+    graph.path_lengths.push_back(walk.path_lengths[node]);
     graph.parents.push_back(walk.parents[node] < 0 ? -1 : place[size_t(walk.parents[node])]);
   }
   closeLoops(edges, place, loop_length, &graph);
@@ -179,16 +182,17 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
   return graph;
 }
 
-std::vector<double> treeWaysFrom(const TreeGraph& graph, int32_t node) {
-  std::vector<double> ways(graph.size(), -1.0);
-  double way = 0.0;
+std::vector<double> treePathLengthsFrom(const TreeGraph& graph, int32_t node) {
+  std::vector<double> path_lengths(graph.size(), -1.0);
+  double path_length = 0.0;
   for (int32_t at = node; at >= 0; at = graph.parents[size_t(at)]) {
-    ways[size_t(at)] = way;
-    if (at > 0) way += graph.step(at);
+    path_lengths[size_t(at)] = path_length;
+    if (at > 0) path_length += graph.step(at);
   }
   for (size_t at = 1; at < graph.size(); ++at)
-    if (ways[at] < 0.0) ways[at] = ways[size_t(graph.parents[at])] + graph.step(int32_t(at));
-  return ways;
+    if (path_lengths[at] < 0.0)
+      path_lengths[at] = path_lengths[size_t(graph.parents[at])] + graph.step(int32_t(at));
+  return path_lengths;
 }
 
 }  // namespace markerless_mocap

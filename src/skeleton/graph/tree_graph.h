@@ -42,13 +42,13 @@ struct TreeGraph {
   std::vector<uint32_t> voxels;            ///< linear indices in the lattice
   std::vector<Eigen::Vector3d> positions;  ///< world metres; steps between voxels are levelled out
   std::vector<int32_t> parents;            ///< of the tree of shortest paths; -1: the root, node 0
-  std::vector<double> ways;                ///< from the root along the tree
+  std::vector<double> path_lengths;        ///< from the root along the tree
   /// Edges that close a loop longer than a bend of the voxels; without them the rest is a tree.
   std::vector<TreeLinks::Edge> loop_edges;
 
   size_t size() const { return voxels.size(); }
   double step(int32_t node) const {  ///< to the parent
-    return ways[size_t(node)] - ways[size_t(parents[size_t(node)])];
+    return path_lengths[size_t(node)] - path_lengths[size_t(parents[size_t(node)])];
   }
 };
 
@@ -58,6 +58,6 @@ struct TreeGraph {
 TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length);
 
 /// Ways along the tree from one node to all.
-std::vector<double> treeWaysFrom(const TreeGraph& graph, int32_t node);
+std::vector<double> treePathLengthsFrom(const TreeGraph& graph, int32_t node);
 
 }  // namespace markerless_mocap

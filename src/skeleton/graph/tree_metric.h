@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 
 /// Longest way between two nodes of a tree, metres.
-double longestWay(const TreeGraph& graph);
+double longestPathLength(const TreeGraph& graph);
 
 /// Ways from the ends of chains that form a tree to all its vertices.
 class TreeMetric {
@@ -18,13 +18,15 @@ class TreeMetric {
   const std::vector<int32_t>& ends() const { return ends_; }  ///< vertices with one chain
   const std::vector<int32_t>& branchings() const { return branchings_; }  ///< with more than two
   /// \param end one of ends()
-  double way(int32_t end, int32_t vertex) const { return ways_[size_t(end)][size_t(vertex)]; }
+  double path_length(int32_t end, int32_t vertex) const {
+    return path_lengths_[size_t(end)][size_t(vertex)];
+  }
   /// Length of the chain at an end.
   double branch(int32_t end) const { return branches_[size_t(end)]; }
 
  private:
   std::vector<int32_t> ends_, branchings_;
-  std::vector<std::vector<double>> ways_;  ///< by vertex; empty but for ends
+  std::vector<std::vector<double>> path_lengths_;  ///< by vertex; empty but for ends
   std::vector<double> branches_;
 };
 

@@ -70,26 +70,27 @@ double TreeVolume::thickness(const Eigen::Vector3i& voxel) const {
     const Eigen::Vector3i step(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
     const double length = std::sqrt(double(step.squaredNorm()));
     Eigen::Vector3i at = voxel + step;
-    double way = 0.5 * length;
-    while (way < least && inside(at)) {
+    double path_length = 0.5 * length;
+    while (path_length < least && inside(at)) {
       at += step;
-      way += length;
+      path_length += length;
     }
-    least = std::min(least, way);
+    least = std::min(least, path_length);
   }
   return least * lattice_.pitch;
 }
 
-double TreeVolume::wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
-                          double most) const {
+double TreeVolume::distanceToSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                                     double most) const {
   const double step = 0.25 * lattice_.pitch;
-  double way = 0.0;
-  while (way + step <= most) {
-    const Eigen::Vector3d at = (from + (way + step) * direction - lattice_.origin) / lattice_.pitch;
+  double path_length = 0.0;
+  while (path_length + step <= most) {
+    const Eigen::Vector3d at =
+        (from + (path_length + step) * direction - lattice_.origin) / lattice_.pitch;
     if (!inside(at.array().floor().matrix().cast<int>())) break;
-    way += step;
+    path_length += step;
   }
-  return way;
+  return path_length;
 }
 
 std::vector<Eigen::Vector3d> TreeVolume::near(const Eigen::Vector3d& point, double distance,

@@ -29,7 +29,8 @@ class TreeVolume {
         ((point - lattice_.origin) / lattice_.pitch).array().floor().matrix().cast<int>().eval());
   }
   /// Way from a point along a unit vector to the last voxel of the hull before the first gap.
-  double wayOut(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double most) const;
+  double distanceToSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                           double most) const;
 
   /// Centres of the hull's voxels within a distance of a point and below a height, metres.
   std::vector<Eigen::Vector3d> near(const Eigen::Vector3d& point, double distance,

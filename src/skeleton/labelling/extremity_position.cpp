@@ -14,19 +14,19 @@ constexpr double kFootReach = 0.13;     // of the feet's voxels from the end
 constexpr double kLeastForward = 0.01;  // of their middle from the ankles
 constexpr double kStraight = 0.06;      // metres of the path that tell how it goes on
 
-double backOf(LimbEnd end) {
-  if (end == LimbEnd::kHead) return kHeadBack;
-  return end == LimbEnd::kHand1 || end == LimbEnd::kHand2 ? kHandBack : kFootBack;
+double backOf(UnsidedExtremity end) {
+  if (end == UnsidedExtremity::kHead) return kHeadBack;
+  return end == UnsidedExtremity::kHand1 || end == UnsidedExtremity::kHand2 ? kHandBack : kFootBack;
 }
 
 }  // namespace
 
-Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed, double longest,
-                                  const TreeVolume& volume) {
+Eigen::Vector3d extremityPosition(const NodePath& path, UnsidedExtremity end, bool closed,
+                                  double longest, const TreeVolume& volume) {
   const NodePath last = stretch(path, 0.0, kStraight);
   const Eigen::Vector3d out = (last.front() - last.back()).stableNormalized();
   const double surface =
-      closed ? 0.0 : volume.wayOut(path.front(), out, 0.2) + 0.5 * volume.pitch();
+      closed ? 0.0 : volume.distanceToSurface(path.front(), out, 0.2) + 0.5 * volume.pitch();
   double back = backOf(end) * longest - surface;
   if (back <= 0.0) return path.front() - back * out;
   for (size_t i = 1; i < path.size(); ++i) {
@@ -37,8 +37,9 @@ Eigen::Vector3d extremityPosition(const NodePath& path, LimbEnd end, bool closed
   return path.back();
 }
 
-std::array<Eigen::Vector3d, 2> ballsTogether(const NodePath& path, const BodyAxes& axes,
-                                             double longest, const TreeVolume& volume) {
+std::array<Eigen::Vector3d, 2> footPositionsOfSharedExtremity(const NodePath& path,
+                                                              const BodyAxes& axes, double longest,
+                                                              const TreeVolume& volume) {
   const Eigen::Vector3d& end = path.front();
   const NodePath shank = stretch(path, 0.5 * kShankLow * longest, kShankLow * longest);
   const Eigen::Vector3d ankle = shank.empty() ? path.back() : shank.front();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skeleton/labelling/label_proportions.h"
 #include "skeleton/graph/tree_metric.h"
+#include "skeleton/labelling/label_proportions.h"
 
 namespace markerless_mocap {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 // A step of the voxels that the penalty for a shortened arm was made for: 2 m / 128.
 constexpr double kStep = 2.0 / 128.0;
 
-double likeness(double a, double b) {
+double lengthSimilarity(double a, double b) {
   return std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 0.0;
 }
 
@@ -20,43 +20,45 @@ double likeness(double a, double b) {
 void keepFourLongest(TreeChains* tree) {
   while (true) {
     size_t shortest = tree->chains.size();
-    int ends = 0;
+    int extremities = 0;
     for (size_t i = 0; i < tree->chains.size(); ++i) {
       const TreeChain& chain = tree->chains[i];
       const auto isEnd = [&](int32_t v) { return v != 0 && tree->degrees[size_t(v)] == 1; };
       if (!isEnd(chain.a) && !isEnd(chain.b)) continue;
-      ++ends;
+      ++extremities;
       if (shortest == tree->chains.size() || chain.length < tree->chains[shortest].length)
         shortest = i;
     }
-    if (ends <= 4) return;
+    if (extremities <= 4) return;
     removeChain(shortest, tree);
   }
 }
 
-/// Ends by LimbEnd as their ways to the origin tell: the furthest two are feet, the next two hands.
-std::array<int32_t, kLimbEndCount> byWay(const TreeMetric& metric, int32_t origin) {
-  std::vector<int32_t> ends = metric.ends();
-  std::stable_sort(ends.begin(), ends.end(), [&](int32_t a, int32_t b) {
-    return metric.way(a, origin) > metric.way(b, origin);
+/// Ends by UnsidedExtremity as their ways to the origin tell: the furthest two are feet, the next
+/// two hands.
+std::array<int32_t, kUnsidedExtremityCount> byPathLength(const TreeMetric& metric, int32_t origin) {
+  std::vector<int32_t> extremities = metric.ends();
+  std::stable_sort(extremities.begin(), extremities.end(), [&](int32_t a, int32_t b) {
+    return metric.path_length(a, origin) > metric.path_length(b, origin);
   });
-  return {ends[4], ends[2], ends[3], ends[0], ends[1]};
+  return {extremities[4], extremities[2], extremities[3], extremities[0], extremities[1]};
 }
 
 double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, double longest) {
-  std::array<EndWays, kLimbEndCount> ways{};
-  const auto ends = byWay(metric, origin);
-  for (size_t i = 0; i < ends.size(); ++i)
-    ways[i] = {metric.way(ends[i], origin), metric.branch(ends[i])};
-  return originRank(ways, tree.degrees[size_t(origin)], longest);
+  std::array<ExtremityPathLengths, kUnsidedExtremityCount> path_lengths{};
+  const auto extremities = byPathLength(metric, origin);
+  for (size_t i = 0; i < extremities.size(); ++i)
+    path_lengths[i] = {metric.path_length(extremities[i], origin), metric.branch(extremities[i])};
+  return originRank(path_lengths, tree.degrees[size_t(origin)], longest);
 }
 
 /// Each end of the last frame takes the nearest one that is left.
-std::array<int32_t, kLimbEndCount> byLast(const std::vector<int32_t>& ends,
-                                          const std::array<Eigen::Vector3d, kLimbEndCount>& last,
-                                          const TreeGraph& graph, const TreeChains& tree) {
-  std::array<int32_t, kLimbEndCount> out{};
-  std::vector<int32_t> left = ends;
+std::array<int32_t, kUnsidedExtremityCount> byPreviousFrame(
+    const std::vector<int32_t>& extremities,
+    const std::array<Eigen::Vector3d, kUnsidedExtremityCount>& last, const TreeGraph& graph,
+    const TreeChains& tree) {
+  std::array<int32_t, kUnsidedExtremityCount> out{};
+  std::vector<int32_t> left = extremities;
   for (size_t i = 0; i < out.size(); ++i) {
     const auto away = [&](int32_t v) {
       return (graph.positions[size_t(tree.vertices[size_t(v)])] - last[i]).squaredNorm();
@@ -71,31 +73,34 @@ std::array<int32_t, kLimbEndCount> byLast(const std::vector<int32_t>& ends,
 
 }  // namespace
 
-double originRank(const std::array<EndWays, kLimbEndCount>& ends, int degree, double longest) {
-  const auto at = [&](LimbEnd end) { return ends[size_t(end)]; };
+double originRank(const std::array<ExtremityPathLengths, kUnsidedExtremityCount>& extremities,
+                  int degree, double longest) {
+  const auto at = [&](UnsidedExtremity end) { return extremities[size_t(end)]; };
   double rank = std::exp(-double((degree - 4) * (degree - 4)) / 3.0);
-  for (const LimbEnd foot : {LimbEnd::kFoot1, LimbEnd::kFoot2}) {
-    rank *= likeness(label_ratio::kLeg * longest, at(foot).to_branching) *
-            likeness(label_ratio::kTorso * longest, at(foot).to_origin - at(foot).to_branching);
+  for (const UnsidedExtremity foot : {UnsidedExtremity::kFoot1, UnsidedExtremity::kFoot2}) {
+    rank *=
+        lengthSimilarity(label_ratio::kLeg * longest, at(foot).to_branching) *
+        lengthSimilarity(label_ratio::kTorso * longest, at(foot).to_origin - at(foot).to_branching);
   }
-  const auto shortened = [](const EndWays& w) {
+  const auto shortened = [](const ExtremityPathLengths& w) {
     return 1.0 / (1.0 + (w.to_origin - w.to_branching) / kStep);
   };
-  for (const LimbEnd hand : {LimbEnd::kHand1, LimbEnd::kHand2})
-    rank *= likeness(label_ratio::kArm * longest, at(hand).to_origin) * shortened(at(hand));
-  rank *= likeness(label_ratio::kNeck * longest, at(LimbEnd::kHead).to_origin) *
-          shortened(at(LimbEnd::kHead));
+  for (const UnsidedExtremity hand : {UnsidedExtremity::kHand1, UnsidedExtremity::kHand2})
+    rank *= lengthSimilarity(label_ratio::kArm * longest, at(hand).to_origin) * shortened(at(hand));
+  rank *= lengthSimilarity(label_ratio::kNeck * longest, at(UnsidedExtremity::kHead).to_origin) *
+          shortened(at(UnsidedExtremity::kHead));
   return rank;
 }
 
-LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio, const LastEnds& last) {
+LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio,
+                        const PreviousExtremities& last) {
   LabelChoice choice;
   TreeChains tree = makeChains(graph);
-  choice.longest = longestWay(graph);
+  choice.longest = longestPathLength(graph);
   pruneChains(prune_ratio * choice.longest, &tree);
   keepFourLongest(&tree);
   const TreeMetric metric(graph, tree);
-  if (metric.ends().size() != size_t(kLimbEndCount)) {
+  if (metric.ends().size() != size_t(kUnsidedExtremityCount)) {
     choice.reason = "the skeleton has " + std::to_string(metric.ends().size()) +
                     " ends that are no spurs, a body has five";
     return choice;
@@ -107,8 +112,10 @@ LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio, const LastEn
     origin = vertex;
     choice.rank = rank;
   }
-  const auto ends = last ? byLast(metric.ends(), *last, graph, tree) : byWay(metric, origin);
-  for (size_t i = 0; i < ends.size(); ++i) choice.ends[i] = tree.vertices[size_t(ends[i])];
+  const auto extremities =
+      last ? byPreviousFrame(metric.ends(), *last, graph, tree) : byPathLength(metric, origin);
+  for (size_t i = 0; i < extremities.size(); ++i)
+    choice.extremities[i] = tree.vertices[size_t(extremities[i])];
   choice.origin = tree.vertices[size_t(origin)];
   choice.status = TreeStatus::kOk;
   return choice;

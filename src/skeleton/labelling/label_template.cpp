@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "skeleton/labelling/label_loops.h"
 #include "skeleton/labelling/label_proportions.h"
 #include "skeleton/labelling/label_weights.h"
+#include "skeleton/labelling/loop_opening.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,7 +18,7 @@ constexpr size_t kMostEnds = 24;
 constexpr double kSame = 0.12;       // metres
 constexpr double kMostUnlike = 0.5;  // log ratio of the ways to the feet
 
-double curve(BodyCurve which, double x) {
+double curve(BodyFeature which, double x) {
   return kBodyCurves[size_t(which)](x);
 }
 
@@ -36,24 +36,25 @@ Heights heightsOf(const TreeGraph& graph) {
 }
 
 /// Ways and log-odds of the ends of one skeleton.
-class EndTable {
+class ExtremityTable {
  public:
-  EndTable(const SkeletonEnds& ends, const TreeGraph& graph)
-      : ends_(ends.ends), count_(ends_.size()), heights_(heightsOf(graph)) {
-    for (const SkeletonEnd& end : ends_) tips_.push_back(end.position + end.extent * end.direction);
-    tree_ = withExtents(ends.tree_ways);
-    short_ = withExtents(ends.short_ways);
+  ExtremityTable(const ExtremityCandidates& candidates, const TreeGraph& graph)
+      : ends_(candidates.extremities), count_(ends_.size()), heights_(heightsOf(graph)) {
+    for (const ExtremityCandidate& end : ends_)
+      tips_.push_back(end.position + end.extent * end.direction);
+    tree_ = withExtents(candidates.tree_path_lengths);
+    short_ = withExtents(candidates.shortest_path_lengths);
     for (size_t role = 0; role < 3; ++role)
       for (size_t end = 0; end < count_; ++end)
-        odds_[role].push_back(oddsOf(role, end, ends.longest));
+        odds_[role].push_back(oddsOf(role, end, candidates.longest));
   }
 
-  double treeWay(int a, int b) const { return tree_[size_t(a) * count_ + size_t(b)]; }
-  double way(int a, int b) const { return short_[size_t(a) * count_ + size_t(b)]; }
+  double treePathLength(int a, int b) const { return tree_[size_t(a) * count_ + size_t(b)]; }
+  double path_length(int a, int b) const { return short_[size_t(a) * count_ + size_t(b)]; }
   double gap(int a, int b) const { return (tips_[size_t(a)] - tips_[size_t(b)]).norm(); }
   double height(int end) const { return tips_[size_t(end)].z(); }
   double lowest() const { return heights_.lowest; }
-  const SkeletonEnd& end(int end) const { return ends_[size_t(end)]; }
+  const ExtremityCandidate& end(int end) const { return ends_[size_t(end)]; }
 
   /// The most likely ends of a role.
   std::vector<int> best(size_t role, size_t most) const {
@@ -66,32 +67,33 @@ class EndTable {
   }
 
  private:
-  std::vector<double> withExtents(std::vector<double> ways) const {
+  std::vector<double> withExtents(std::vector<double> path_lengths) const {
     for (size_t a = 0; a < count_; ++a)
       for (size_t b = 0; b < count_; ++b)
-        if (a != b) ways[a * count_ + b] += ends_[a].extent + ends_[b].extent;
-    return ways;
+        if (a != b) path_lengths[a * count_ + b] += ends_[a].extent + ends_[b].extent;
+    return path_lengths;
   }
 
   double oddsOf(size_t role, size_t at, double longest) const {
-    const SkeletonEnd& end = ends_[at];
+    const ExtremityCandidate& end = ends_[at];
     double reach = 0.0;
     for (size_t b = 0; b < count_; ++b) reach = std::max(reach, tree_[at * count_ + b]);
-    const double x[kEndCurveCount] = {(tips_[at].z() - heights_.lowest) / longest,
-                                      (heights_.highest - tips_[at].z()) / longest,
-                                      end.direction.z(),
-                                      end.extent / longest,
-                                      end.tip_radius / longest,
-                                      end.limb_radius / longest,
-                                      end.branch / longest,
-                                      end.cut ? 1.0 : 0.0,
-                                      reach / longest};
-    double odds = kEndCurves[role].constant;
-    for (size_t i = 0; i < kEndCurveCount; ++i) odds += kEndCurves[role].curves[i](x[i]);
+    const double x[kExtremityFeatureCount] = {(tips_[at].z() - heights_.lowest) / longest,
+                                              (heights_.highest - tips_[at].z()) / longest,
+                                              end.direction.z(),
+                                              end.extent / longest,
+                                              end.tip_radius / longest,
+                                              end.limb_radius / longest,
+                                              end.branch / longest,
+                                              end.cut ? 1.0 : 0.0,
+                                              reach / longest};
+    double odds = kExtremityModels[role].constant;
+    for (size_t i = 0; i < kExtremityFeatureCount; ++i)
+      odds += kExtremityModels[role].curves[i](x[i]);
     return odds;
   }
 
-  const std::vector<SkeletonEnd>& ends_;
+  const std::vector<ExtremityCandidate>& ends_;
   size_t count_;
   Heights heights_;
   std::vector<Eigen::Vector3d> tips_;
@@ -107,77 +109,82 @@ struct Trunk {
   double score;
 };
 
-double footScore(const EndTable& t, int foot, double s) {
-  const SkeletonEnd& end = t.end(foot);
+double footScore(const ExtremityTable& t, int foot, double s) {
+  const ExtremityCandidate& end = t.end(foot);
   return curve(kFootUp, (t.height(foot) - t.lowest()) / s) +
          curve(kFootTipRadius, end.tip_radius / s) + curve(kFootLimbRadius, end.limb_radius / s) +
          curve(kFootBranch, end.branch / s) + curve(kFootCut, end.cut) +
          curve(kFootExtent, end.extent / s) + curve(kFootDirection, end.direction.z());
 }
 
-Trunk trunkOf(const EndTable& t, int head, int foot1, int foot2) {
-  Trunk trunk{head, foot1, foot2, 0.5 * (t.way(head, foot1) + t.way(head, foot2)), 0.0, 0.0};
+Trunk trunkOf(const ExtremityTable& t, int head, int foot1, int foot2) {
+  Trunk trunk{head, foot1, foot2, 0.5 * (t.path_length(head, foot1) + t.path_length(head, foot2)),
+              0.0,  0.0};
   const double s = trunk.length;
   trunk.low = std::min(t.height(foot1), t.height(foot2));
-  const SkeletonEnd& top = t.end(head);
-  trunk.score = curve(kFootFootWay, t.way(foot1, foot2) / s) +
-                curve(kFootFootTreeWay, t.treeWay(foot1, foot2) / s) + curve(kHeadFeetMetres, s) +
-                curve(kFeetUnlike, std::abs(std::log(t.way(head, foot1) / t.way(head, foot2)))) +
-                curve(kFootFootGap, t.gap(foot1, foot2) / s) +
-                curve(kHeadUp, (t.height(head) - trunk.low) / s) +
-                curve(kFeetUnevenness, std::abs(t.height(foot1) - t.height(foot2)) / s) +
-                curve(kHeadTipRadius, top.tip_radius / s) +
-                curve(kHeadLimbRadius, top.limb_radius / s) + curve(kHeadBranch, top.branch / s) +
-                curve(kHeadCut, top.cut) + curve(kHeadExtent, top.extent / s) +
-                curve(kHeadDirection, top.direction.z()) + curve(kFeetTogether, foot1 == foot2) +
-                footScore(t, foot1, s) + footScore(t, foot2, s);
+  const ExtremityCandidate& top = t.end(head);
+  trunk.score =
+      curve(kFootFootPath, t.path_length(foot1, foot2) / s) +
+      curve(kFootFootTreePath, t.treePathLength(foot1, foot2) / s) + curve(kHeadFeetMetres, s) +
+      curve(kFeetUnlike,
+            std::abs(std::log(t.path_length(head, foot1) / t.path_length(head, foot2)))) +
+      curve(kFootFootGap, t.gap(foot1, foot2) / s) +
+      curve(kHeadUp, (t.height(head) - trunk.low) / s) +
+      curve(kFeetUnevenness, std::abs(t.height(foot1) - t.height(foot2)) / s) +
+      curve(kHeadTipRadius, top.tip_radius / s) + curve(kHeadLimbRadius, top.limb_radius / s) +
+      curve(kHeadBranch, top.branch / s) + curve(kHeadCut, top.cut) +
+      curve(kHeadExtent, top.extent / s) + curve(kHeadDirection, top.direction.z()) +
+      curve(kFeetTogether, foot1 == foot2) + footScore(t, foot1, s) + footScore(t, foot2, s);
   return trunk;
 }
 
-double handScore(const EndTable& t, const Trunk& trunk, int hand) {
+double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
   const double s = trunk.length;
-  const SkeletonEnd& end = t.end(hand);
+  const ExtremityCandidate& end = t.end(hand);
   double score =
-      curve(kHeadHandWay, t.way(trunk.head, hand) / s) +
-      curve(kHeadHandTreeWay, t.treeWay(trunk.head, hand) / s) +
+      curve(kHeadHandPath, t.path_length(trunk.head, hand) / s) +
+      curve(kHeadHandTreePath, t.treePathLength(trunk.head, hand) / s) +
       curve(kHandUp, (t.height(hand) - trunk.low) / s) + curve(kHandTipRadius, end.tip_radius / s) +
       curve(kHandLimbRadius, end.limb_radius / s) + curve(kHandBranch, end.branch / s) +
       curve(kHandCut, end.cut) + curve(kHandExtent, end.extent / s) +
       curve(kHandDirection, end.direction.z()) + curve(kHeadHandGap, t.gap(trunk.head, hand) / s);
-  double way = 1e9, tree_way = 1e9;
+  double path_length = 1e9, tree_path_length = 1e9;
   for (const int foot : {trunk.foot1, trunk.foot2}) {
-    way = std::min(way, t.way(hand, trunk.head) + t.way(hand, foot) - t.way(trunk.head, foot));
-    tree_way = std::min(tree_way, t.treeWay(hand, trunk.head) + t.treeWay(hand, foot) -
-                                      t.treeWay(trunk.head, foot));
-    score += curve(kHandFootWay, t.way(hand, foot) / s) +
-             curve(kHandFootTreeWay, t.treeWay(hand, foot) / s) +
+    path_length =
+        std::min(path_length, t.path_length(hand, trunk.head) + t.path_length(hand, foot) -
+                                  t.path_length(trunk.head, foot));
+    tree_path_length = std::min(tree_path_length, t.treePathLength(hand, trunk.head) +
+                                                      t.treePathLength(hand, foot) -
+                                                      t.treePathLength(trunk.head, foot));
+    score += curve(kHandFootPath, t.path_length(hand, foot) / s) +
+             curve(kHandFootTreePath, t.treePathLength(hand, foot) / s) +
              curve(kHandFootGap, t.gap(hand, foot) / s);
   }
-  score += curve(kArmWay, 0.5 * way / s) + curve(kArmTreeWay, 0.5 * tree_way / s);
+  score += curve(kArmPath, 0.5 * path_length / s) + curve(kArmTreePath, 0.5 * tree_path_length / s);
   return score;
 }
 
-double handsScore(const EndTable& t, const Trunk& trunk, int hand1, int hand2) {
+double handsScore(const ExtremityTable& t, const Trunk& trunk, int hand1, int hand2) {
   const double s = trunk.length;
-  const double to1 = t.treeWay(trunk.head, hand1), to2 = t.treeWay(trunk.head, hand2);
-  const double neck = 0.5 * (to1 + to2 - t.treeWay(hand1, hand2));
+  const double to1 = t.treePathLength(trunk.head, hand1), to2 = t.treePathLength(trunk.head, hand2);
+  const double neck = 0.5 * (to1 + to2 - t.treePathLength(hand1, hand2));
   const double hips =
-      0.5 * (t.treeWay(trunk.head, trunk.foot1) + t.treeWay(trunk.head, trunk.foot2) -
-             t.treeWay(trunk.foot1, trunk.foot2));
-  return curve(kHandHandWay, t.way(hand1, hand2) / s) +
-         curve(kHandHandTreeWay, t.treeWay(hand1, hand2) / s) +
+      0.5 * (t.treePathLength(trunk.head, trunk.foot1) + t.treePathLength(trunk.head, trunk.foot2) -
+             t.treePathLength(trunk.foot1, trunk.foot2));
+  return curve(kHandHandPath, t.path_length(hand1, hand2) / s) +
+         curve(kHandHandTreePath, t.treePathLength(hand1, hand2) / s) +
          curve(kHandHandGap, t.gap(hand1, hand2) / s) + curve(kNeckLength, neck / s) +
          curve(kTorsoLength, (hips - neck) / s) + curve(kArmsUnlike, std::abs(std::log(to1 / to2)));
 }
 
-std::vector<Trunk> trunksOf(const EndTable& t) {
+std::vector<Trunk> trunksOf(const ExtremityTable& t) {
   std::vector<Trunk> trunks;
   const std::vector<int> feet = t.best(2, kFeet);
   for (const int head : t.best(0, kHeads)) {
     for (size_t i = 0; i < feet.size(); ++i) {
       for (size_t j = i; j < feet.size(); ++j) {
         if (head == feet[i] || head == feet[j]) continue;
-        const double first = t.way(head, feet[i]), second = t.way(head, feet[j]);
+        const double first = t.path_length(head, feet[i]), second = t.path_length(head, feet[j]);
         const double length = 0.5 * (first + second);
         if (length < kShortest || length > kTallest) continue;
         if (std::abs(std::log(first / second)) > kMostUnlike) continue;
@@ -189,11 +196,11 @@ std::vector<Trunk> trunksOf(const EndTable& t) {
 }
 
 struct Choice {
-  std::array<int, kLimbEndCount> ends;
+  std::array<int, kUnsidedExtremityCount> extremities;
   double score;
 };
 
-void addHands(const EndTable& t, const Trunk& trunk, const std::vector<int>& hands,
+void addHands(const ExtremityTable& t, const Trunk& trunk, const std::vector<int>& hands,
               std::vector<Choice>* choices) {
   std::vector<std::pair<int, double>> free;
   for (const int hand : hands)
@@ -208,10 +215,11 @@ void addHands(const EndTable& t, const Trunk& trunk, const std::vector<int>& han
 
 }  // namespace
 
-EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same) {
-  EndNames names;
-  if (ends.ends.size() < 4) return names;
-  const EndTable table(ends, graph);
+ExtremityLabels labelExtremities(const ExtremityCandidates& candidates, const TreeGraph& graph,
+                                 double same) {
+  ExtremityLabels names;
+  if (candidates.extremities.size() < 4) return names;
+  const ExtremityTable table(candidates, graph);
   const std::vector<int> hands = table.best(1, kHands);
   std::vector<Choice> choices;
   for (const Trunk& trunk : trunksOf(table)) addHands(table, trunk, hands, &choices);
@@ -219,14 +227,15 @@ EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same)
   const Choice& best =
       *std::max_element(choices.begin(), choices.end(),
                         [](const Choice& a, const Choice& b) { return a.score < b.score; });
-  names.ends = best.ends;
+  names.extremities = best.extremities;
   const auto alike = [&](const Choice& choice) {
-    for (size_t i = 0; i < best.ends.size(); ++i)
-      if ((table.end(choice.ends[i]).position - table.end(best.ends[i]).position).norm() >= same)
+    for (size_t i = 0; i < best.extremities.size(); ++i)
+      if ((table.end(choice.extremities[i]).position - table.end(best.extremities[i]).position)
+              .norm() >= same)
         return false;
     return true;
   };
-  double all = std::exp(kNobodyScore - best.score), good = 0.0;
+  double all = std::exp(kNoBodyLogOdds - best.score), good = 0.0;
   for (const Choice& choice : choices) {
     const double odds = std::exp(choice.score - best.score);
     all += odds;
@@ -236,26 +245,28 @@ EndNames nameEnds(const SkeletonEnds& ends, const TreeGraph& graph, double same)
   return names;
 }
 
-SkeletonEnds candidateEnds(const TreeGraph& graph, const TreeVolume& volume) {
-  return findEnds(graph, volume, kSpur, kMostEnds);
+ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume& volume) {
+  return findExtremityCandidates(graph, volume, kSpur, kMostEnds);
 }
 
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability) {
   LabelChoice choice;
-  const SkeletonEnds ends = candidateEnds(graph, volume);
-  const EndNames names = nameEnds(ends, graph, kSame);
+  const ExtremityCandidates candidates = extremityCandidates(graph, volume);
+  const ExtremityLabels names = labelExtremities(candidates, graph, kSame);
   *probability = names.probability;
-  if (names.ends[0] < 0) {
+  if (names.extremities[0] < 0) {
     choice.reason = "no five ends of the skeleton are as far apart as a body's";
     return choice;
   }
-  for (size_t i = 0; i < names.ends.size(); ++i)
-    choice.ends[i] = ends.ends[size_t(names.ends[i])].node;
+  for (size_t i = 0; i < names.extremities.size(); ++i)
+    choice.extremities[i] = candidates.extremities[size_t(names.extremities[i])].node;
   using namespace label_ratio;
-  const auto foot = [&](LimbEnd end) {
-    return ends.shortWay(size_t(names.ends[0]), size_t(names.ends[size_t(end)]));
+  const auto foot = [&](UnsidedExtremity end) {
+    return candidates.shortestPathLength(size_t(names.extremities[0]),
+                                         size_t(names.extremities[size_t(end)]));
   };
-  choice.longest = 0.5 * (foot(LimbEnd::kFoot1) + foot(LimbEnd::kFoot2)) / (kNeck + kTorso + kLeg);
+  choice.longest = 0.5 * (foot(UnsidedExtremity::kFoot1) + foot(UnsidedExtremity::kFoot2)) /
+                   (kNeck + kTorso + kLeg);
   openLoopsAtHands(graph, &choice);
   choice.status = TreeStatus::kOk;
   return choice;

@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-const std::array<EndCurves, 3> kEndCurves = {
+const std::array<ExtremityModel, 3> kExtremityModels = {
     {{-3.99,  // head
       {{{0, 1.2, {-2.46, -2.52, -1.54, -0.99, 0.37, 1.55, 2.43, 3.16}},
         {0, 1.2, {5.41, 1.59, -0.13, -0.78, -1.34, -1.58, -1.61, -1.56}},
@@ -41,7 +41,7 @@ const std::array<EndCurves, 3> kEndCurves = {
         {0, 1, {0.07, -0.09}},
         {0.4, 1.1, {-1.39, -1.36, -1.26, -1.18, -0.43, 1.63, 3.99}}}}}}};
 
-const std::array<LabelCurve, kBodyCurveCount> kBodyCurves = {
+const std::array<PiecewiseLinear, kBodyFeatureCount> kBodyCurves = {
     {{0.1, 1, {-0.68, -0.67, -0.66, -0.34, 0.27, 0.5, 0.18, -0.21, -0.27, -0.17}},
      {0.1, 1.2, {1.22, 0.62, 0.03, -0.22, -0.28, -0.39, -0.54, -0.65, -0.81, -1.02}},
      {0.05, 1.6, {-0.65, -0.08, 0.08, -0.13, -0.19, -0.11, -0.02, 0.04, 0.03, 0.01}},
@@ -85,6 +85,6 @@ const std::array<LabelCurve, kBodyCurveCount> kBodyCurves = {
      {0, 0.8, {0.68, 0.24, -0.33, -0.48, -0.09, 0.08, -0.6, -1.54}},
      {0, 1.5, {-0.17, 0.23, 0.57, 0.13, -0.25, -0.7, -1.05, -1.31, -1.53}}}};
 
-const double kNobodyScore = 1.86;
+const double kNoBodyLogOdds = 1.86;
 
 }  // namespace markerless_mocap

@@ -2,12 +2,12 @@
 
 #include <array>
 
-#include "skeleton/labelling/label_curve.h"
+#include "skeleton/labelling/piecewise_linear.h"
 
 namespace markerless_mocap {
 
 /// What an end alone tells about what it is. Lengths are shares of the longest path.
-enum EndCurve {
+enum ExtremityFeature {
   kEndUp,         ///< height of the tip above the lowest node
   kEndDown,       ///< height of the highest node above the tip
   kEndDirection,  ///< upward share of the direction in which it ends
@@ -17,26 +17,26 @@ enum EndCurve {
   kEndBranch,  ///< to the nearest branching
   kEndCut,     ///< 1: made by opening a loop
   kEndReach,   ///< longest way to another end
-  kEndCurveCount
+  kExtremityFeatureCount
 };
-struct EndCurves {
+struct ExtremityModel {
   double constant;
-  std::array<LabelCurve, kEndCurveCount> curves;
+  std::array<PiecewiseLinear, kExtremityFeatureCount> curves;
 };
-extern const std::array<EndCurves, 3> kEndCurves;  ///< of head, hand, foot
+extern const std::array<ExtremityModel, 3> kExtremityModels;  ///< of head, hand, foot
 
 /// What five ends together tell about whether they are a body's. Lengths are shares of the mean way
 /// from the head to the feet. "Way" is the shortest one over all loops, "tree way" that along the
 /// tree of shortest paths from the root.
-enum BodyCurve {
-  kHeadHandWay,
-  kHeadHandTreeWay,
-  kHandHandWay,
-  kHandHandTreeWay,
-  kHandFootWay,
-  kHandFootTreeWay,
-  kFootFootWay,
-  kFootFootTreeWay,
+enum BodyFeature {
+  kHeadHandPath,
+  kHeadHandTreePath,
+  kHandHandPath,
+  kHandHandTreePath,
+  kHandFootPath,
+  kHandFootTreePath,
+  kFootFootPath,
+  kFootFootTreePath,
   kHeadFeetMetres,
   kFeetUnlike,  ///< absolute log ratio of the ways from the head to the feet
   kFootFootGap,
@@ -67,13 +67,13 @@ enum BodyCurve {
   kHandDirection,
   kFootDirection,
   kFeetTogether,  ///< 1: both feet share one end
-  kArmWay,        ///< of a hand to the nearest place between the head and a foot
-  kArmTreeWay,
+  kArmPath,       ///< of a hand to the nearest place between the head and a foot
+  kArmTreePath,
   kHeadHandGap,
   kHandFootGap,
-  kBodyCurveCount
+  kBodyFeatureCount
 };
-extern const std::array<LabelCurve, kBodyCurveCount> kBodyCurves;
-extern const double kNobodyScore;  ///< log-odds that no five ends are right
+extern const std::array<PiecewiseLinear, kBodyFeatureCount> kBodyCurves;
+extern const double kNoBodyLogOdds;  ///< log-odds that no five ends are right
 
 }  // namespace markerless_mocap

@@ -4,11 +4,11 @@
 #include <iterator>
 #include <utility>
 
+#include "skeleton/label_template.h"
 #include "skeleton/labelling/extremity_position.h"
 #include "skeleton/labelling/label_proportions.h"
-#include "skeleton/label_template.h"
 #include "skeleton/labelling/pose_joints.h"
-#include "skeleton/validity_checks.h"
+#include "skeleton/plausibility_checks.h"
 
 namespace markerless_mocap {
 namespace {
@@ -24,7 +24,7 @@ Labelling::Labelling(const PoseTreeOptions& options, const VisualHull& hull,
   tree_.skeleton = skeleton;
 }
 
-void Labelling::choose(const LastEnds& last) {
+void Labelling::choose(const PreviousExtremities& last) {
   if (options_.labelling == "ranking") {
     choice_ = labelByRank(graph_, options_.prune_ratio, last);
     tree_.rank = choice_.rank;
@@ -34,48 +34,49 @@ void Labelling::choose(const LastEnds& last) {
   }
 }
 
-void Labelling::plant() {
-  planted_ = plantTree(graph_, choice_);
-  if (choice_.status == TreeStatus::kOk) torso_ = nameParts(&planted_);
-  if (torso_ && choice_.rank == 0.0) tree_.rank = plantedRank(planted_, choice_.longest);
-  tree_.nodes = planted_.nodes;
-  tree_.origin = planted_.origin;
+void Labelling::reroot() {
+  rerooted_ = rerootTree(graph_, choice_);
+  if (choice_.status == TreeStatus::kOk) torso_ = nameParts(&rerooted_);
+  if (torso_ && choice_.rank == 0.0) tree_.rank = rerootedRank(rerooted_, choice_.longest);
+  tree_.nodes = rerooted_.nodes;
+  tree_.origin = rerooted_.origin;
 }
 
-void Labelling::placeTips() {
+void Labelling::placeExtremities() {
   const NodePath* paths[] = {&body_.head, &body_.arms[0], &body_.arms[1], &body_.legs[0],
                              &body_.legs[1]};
-  for (size_t i = 0; i < planted_.ends.size(); ++i) {
-    const int32_t node = planted_.ends[i];
-    const Eigen::Vector3d at = planted_.nodes[size_t(node)].position;
+  for (size_t i = 0; i < rerooted_.extremities.size(); ++i) {
+    const int32_t node = rerooted_.extremities[i];
+    const Eigen::Vector3d at = rerooted_.nodes[size_t(node)].position;
     const NodePath path = paths[i]->empty() ? NodePath{at} : *paths[i];
-    tree_.tips[i] = {
-        node, at, extremityPosition(path, LimbEnd(i), choice_.closed[i], choice_.longest, volume_)};
+    tree_.extremities[i] = {
+        node, at,
+        extremityPosition(path, UnsidedExtremity(i), choice_.closed[i], choice_.longest, volume_)};
   }
   if (!feetTogether() || !axes_.known) return;
-  const auto balls = ballsTogether(body_.legs[0], axes_, choice_.longest, volume_);
-  for (size_t i = 0; i < 2; ++i) tree_.tips[3 + i].position = balls[i];
+  const auto balls = footPositionsOfSharedExtremity(body_.legs[0], axes_, choice_.longest, volume_);
+  for (size_t i = 0; i < 2; ++i) tree_.extremities[3 + i].position = balls[i];
 }
 
-void Labelling::tellSides() {
+void Labelling::estimateBodyAxes() {
   axes_ = findAxes(body_);
   if (!axes_.known) return;
   tree_.forward = axes_.forward;
   tree_.left = axes_.left;
 }
 
-void Labelling::swapSides(size_t first_tip, TreePart left, TreePart right) {
+void Labelling::swapSides(size_t first_extremity, TreePart left, TreePart right) {
   for (TreeNode& node : tree_.nodes) {
     if (node.part == left)
       node.part = right;
     else if (node.part == right)
       node.part = left;
   }
-  std::swap(tree_.tips[first_tip], tree_.tips[first_tip + 1]);
+  std::swap(tree_.extremities[first_extremity], tree_.extremities[first_extremity + 1]);
 }
 
 /// Puts left and right where limbs 1 and 2 were.
-void Labelling::nameSides() {
+void Labelling::assignSides() {
   if (!axes_.known) return;
   const bool by_angles = options_.side_rule == "angles";
   const double arms = leftOffset(body_.arms[0], body_.arms[1], axes_);
@@ -88,41 +89,42 @@ void Labelling::nameSides() {
     swapSides(3, TreePart::kLeftLeg, TreePart::kRightLeg);
 }
 
-void Labelling::judge() {
+void Labelling::assessValidity() {
   const auto empty = [](const NodePath& path) { return path.empty(); };
   if (!axes_.known || !torso_ || empty(body_.torso) ||
       std::any_of(std::begin(body_.arms), std::end(body_.arms), empty) ||
       std::any_of(std::begin(body_.legs), std::end(body_.legs), empty))
     return;
-  doubts_ = labelDoubts({graph_, volume_, choice_, planted_, body_, axes_, names_probability_});
-  if (options_.labelling == "template") tree_.validity = validityOf(*doubts_);
+  validity_features_ =
+      validityFeatures({graph_, volume_, choice_, rerooted_, body_, axes_, names_probability_});
+  if (options_.labelling == "template") tree_.validity = validityOf(*validity_features_);
 }
 
-PoseTree Labelling::run(const LastEnds& last, LastEnds* now) {
-  if (const auto refusal = refuseSkeleton(tree_.skeleton))
-    return refuse(refusal->status, refusal->reason);
+PoseTree Labelling::run(const PreviousExtremities& last, PreviousExtremities* now) {
+  if (const auto rejection = rejectSkeleton(tree_.skeleton))
+    return reject(rejection->status, rejection->reason);
   graph_ = makeTreeGraph(tree_.skeleton, kMostGap, kLeastLoop);
-  if (const auto refusal = refuseSkeleton(hull_, graph_))
-    return refuse(refusal->status, refusal->reason);
+  if (const auto rejection = rejectSkeleton(hull_, graph_))
+    return reject(rejection->status, rejection->reason);
   choose(last);
-  plant();
-  if (choice_.status != TreeStatus::kOk) return refuse(choice_.status, choice_.reason);
-  body_ = bodyPaths(planted_, choice_.longest);
-  tellSides();
-  placeTips();
-  nameSides();
-  judge();
+  reroot();
+  if (choice_.status != TreeStatus::kOk) return reject(choice_.status, choice_.reason);
+  body_ = bodyPaths(rerooted_, choice_.longest);
+  estimateBodyAxes();
+  placeExtremities();
+  assignSides();
+  assessValidity();
   if (axes_.known) placeJoints(axes_, choice_.longest, &tree_);
-  if (!torso_) return refuse(TreeStatus::kNoTorso, "legs and arms meet in one point");
+  if (!torso_) return reject(TreeStatus::kNoTorso, "legs and arms meet in one point");
   if (!axes_.known)
-    return refuse(TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
-  if (options_.labelling == "ranking" && choice_.rank < options_.least_rank)
-    return refuse(TreeStatus::kLowRank, "no branching is like the origin of a body");
-  if (options_.labelling != "ranking" && tree_.validity < options_.least_validity)
-    return refuse(TreeStatus::kUncertain, "the ends could be named otherwise as well");
+    return reject(TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
+  if (options_.labelling == "ranking" && choice_.rank < options_.min_rank)
+    return reject(TreeStatus::kLowRank, "no branching is like the origin of a body");
+  if (options_.labelling != "ranking" && tree_.validity < options_.min_validity)
+    return reject(TreeStatus::kUncertain, "the ends could be named otherwise as well");
   now->emplace();
-  for (size_t i = 0; i < planted_.ends.size(); ++i)
-    (**now)[i] = planted_.nodes[size_t(planted_.ends[i])].position;
+  for (size_t i = 0; i < rerooted_.extremities.size(); ++i)
+    (**now)[i] = rerooted_.nodes[size_t(rerooted_.extremities[i])].position;
   tree_.status = TreeStatus::kOk;
   return tree_;
 }

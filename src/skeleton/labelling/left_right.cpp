@@ -42,14 +42,14 @@ double lengthOf(const NodePath& path) {
 
 }  // namespace
 
-BodyPaths bodyPaths(const PlantedTree& tree, double longest) {
+BodyPaths bodyPaths(const RerootedTree& tree, double longest) {
   BodyPaths body;
   body.longest = longest;
-  body.head = limbPath(tree, LimbEnd::kHead);
-  body.arms[0] = limbPath(tree, LimbEnd::kHand1);
-  body.arms[1] = limbPath(tree, LimbEnd::kHand2);
-  body.own_legs[0] = body.legs[0] = limbPath(tree, LimbEnd::kFoot1);
-  body.own_legs[1] = body.legs[1] = limbPath(tree, LimbEnd::kFoot2);
+  body.head = limbPath(tree, UnsidedExtremity::kHead);
+  body.arms[0] = limbPath(tree, UnsidedExtremity::kHand1);
+  body.arms[1] = limbPath(tree, UnsidedExtremity::kHand2);
+  body.own_legs[0] = body.legs[0] = limbPath(tree, UnsidedExtremity::kFoot1);
+  body.own_legs[1] = body.legs[1] = limbPath(tree, UnsidedExtremity::kFoot2);
   for (const TreeNode& node : tree.nodes)
     if (node.part == TreePart::kTorso) body.torso.push_back(node.position);
   // Legs that are one below: what is too long for a torso leads to both feet.
@@ -75,10 +75,10 @@ Eigen::Vector3d lineDirection(const NodePath& points) {
 
 NodePath stretch(const NodePath& path, double from, double to) {
   NodePath out;
-  double way = 0.0;
+  double path_length = 0.0;
   for (size_t i = 0; i < path.size(); ++i) {
-    if (i > 0) way += (path[i] - path[i - 1]).norm();
-    if (way >= from && way <= to) out.push_back(path[i]);
+    if (i > 0) path_length += (path[i] - path[i - 1]).norm();
+    if (path_length >= from && path_length <= to) out.push_back(path[i]);
   }
   return out;
 }
@@ -105,12 +105,12 @@ BodyAxes findAxes(const BodyPaths& body) {
   return axes;
 }
 
-bool firstIsLeftByAngles(const NodePath (&limbs)[2], double share, const BodyPaths& body,
+bool firstIsLeftByAngles(const NodePath (&limbs)[2], double fraction, const BodyPaths& body,
                          const BodyAxes& axes) {
   Eigen::Vector3d away[2];
   for (int i = 0; i < 2; ++i) {
     NodePath path(limbs[i].rbegin(), limbs[i].rend());
-    away[i] = lineDirection(stretch(path, 0.0, share * body.longest));
+    away[i] = lineDirection(stretch(path, 0.0, fraction * body.longest));
   }
   const double left[2] = {axes.left.dot(away[0]), axes.left.dot(away[1])};
   const bool wider = angle(axes.forward, away[0]) > angle(axes.forward, away[1]);

@@ -19,7 +19,7 @@ struct BodyPaths {
   NodePath legs[2];      ///< up to the hips, also what they share
   double longest = 0.0;  ///< the measure of the proportions, metres
 };
-BodyPaths bodyPaths(const PlantedTree& tree, double longest);
+BodyPaths bodyPaths(const RerootedTree& tree, double longest);
 
 /// Direction of the line through points that leaves the least squared distances, unit length,
 /// towards the last point; zero if there are fewer than two points.
@@ -34,7 +34,7 @@ struct BodyAxes {
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  ///< along the torso, to the neck
   Eigen::Vector3d forward = Eigen::Vector3d::Zero(), left = Eigen::Vector3d::Zero();
   double agreement = 0.0;  ///< cosine between what the two legs say
-  double bend = 0.0;  ///< length of the sum of the joints' normals that forward comes from
+  double bend = 0.0;       ///< length of the sum of the joints' normals that forward comes from
 };
 
 /// Forward from the bends of ankles and knees (Algorithm 5).
@@ -42,7 +42,7 @@ BodyAxes findAxes(const BodyPaths& body);
 
 /// Whether limb 1 of a pair is the left one, by the angles of what leads to the torso (Algorithm
 /// 6).
-bool firstIsLeftByAngles(const NodePath (&limbs)[2], double share, const BodyPaths& body,
+bool firstIsLeftByAngles(const NodePath (&limbs)[2], double fraction, const BodyPaths& body,
                          const BodyAxes& axes);
 
 /// How much further to the left the upper half of limb 1 lies than that of limb 2, metres.

@@ -23,23 +23,24 @@ NodePath pathUp(const PoseTree& tree, int32_t node) {
 }
 
 /// Way from a path's end to its point nearest to `position`.
-double wayTo(const NodePath& path, const Eigen::Vector3d& position) {
-  double nearest = (path.front() - position).squaredNorm(), way = 0.0, best = 0.0;
+double pathLengthTo(const NodePath& path, const Eigen::Vector3d& position) {
+  double nearest = (path.front() - position).squaredNorm(), path_length = 0.0, best = 0.0;
   for (size_t i = 1; i < path.size(); ++i) {
-    way += (path[i] - path[i - 1]).norm();
+    path_length += (path[i] - path[i - 1]).norm();
     const double distance = (path[i] - position).squaredNorm();
     if (distance >= nearest) continue;
     nearest = distance;
-    best = way;
+    best = path_length;
   }
   return best;
 }
 
-std::optional<Eigen::Vector3d> atWay(const NodePath& path, double way) {
+std::optional<Eigen::Vector3d> atPathLength(const NodePath& path, double path_length) {
   for (size_t i = 1; i < path.size(); ++i) {
     const double step = (path[i] - path[i - 1]).norm();
-    if (step > 0.0 && step >= way) return path[i - 1] + way / step * (path[i] - path[i - 1]);
-    way -= step;
+    if (step > 0.0 && step >= path_length)
+      return path[i - 1] + path_length / step * (path[i] - path[i - 1]);
+    path_length -= step;
   }
   return std::nullopt;
 }
@@ -53,10 +54,11 @@ double ownLength(const PoseTree& tree, int32_t node) {
   return length;
 }
 
-void placeOn(const TreeTip& tip, double share, TreeJoint joint, double most, PoseTree* tree) {
+void placeOn(const TreeExtremity& tip, double fraction, TreeJoint joint, double most,
+             PoseTree* tree) {
   const NodePath path = pathUp(*tree, tip.node);
-  const double way = wayTo(path, tip.position) + share;
-  if (way <= most) tree->joints[size_t(joint)] = atWay(path, way);
+  const double path_length = pathLengthTo(path, tip.position) + fraction;
+  if (path_length <= most) tree->joints[size_t(joint)] = atPathLength(path, path_length);
 }
 
 }  // namespace
@@ -67,18 +69,18 @@ void placeJoints(const BodyAxes& axes, double longest, PoseTree* tree) {
        TreeJoint::kLeftShoulder, TreeJoint::kLeftHip},
       {TreeJoint::kRightWrist, TreeJoint::kRightElbow, TreeJoint::kRightAnkle,
        TreeJoint::kRightKnee, TreeJoint::kRightShoulder, TreeJoint::kRightHip}};
-  const TreeTip& a_foot = tree->tip(Extremity::kLeftFoot);
+  const TreeExtremity& a_foot = tree->extremity(Extremity::kLeftFoot);
   NodePath trunk = pathUp(*tree, a_foot.node);
   std::reverse(trunk.begin(), trunk.end());
-  tree->joints[size_t(TreeJoint::kNeck)] = atWay(trunk, kNeckDown * longest);
-  const auto shoulders = atWay(trunk, kShouldersDown * longest);
-  const auto hips = atWay(trunk, kHipsDown * longest);
+  tree->joints[size_t(TreeJoint::kNeck)] = atPathLength(trunk, kNeckDown * longest);
+  const auto shoulders = atPathLength(trunk, kShouldersDown * longest);
+  const auto hips = atPathLength(trunk, kHipsDown * longest);
   const Eigen::Vector3d up = axes.forward.cross(axes.left);
   for (int side = 0; side < 2; ++side) {
     const TreeJoint* joints = kJoints[side];
     const Eigen::Vector3d out = side == 0 ? axes.left : Eigen::Vector3d(-axes.left);
-    const TreeTip& hand = tree->tips[size_t(Extremity::kLeftHand) + size_t(side)];
-    const TreeTip& foot = tree->tips[size_t(Extremity::kLeftFoot) + size_t(side)];
+    const TreeExtremity& hand = tree->extremities[size_t(Extremity::kLeftHand) + size_t(side)];
+    const TreeExtremity& foot = tree->extremities[size_t(Extremity::kLeftFoot) + size_t(side)];
     const double arm = ownLength(*tree, hand.node);
     placeOn(hand, kWrist * longest, joints[0], arm, tree);
     placeOn(hand, kElbow * longest, joints[1], arm, tree);

@@ -34,7 +34,7 @@ struct Square {
 };
 
 struct Verdict {
-  uint64_t critical, joining;
+  uint64_t critical, isthmus;
 };
 
 /// Of a pair whose eight columns of neighbours, in order around it, are the arguments. They are
@@ -57,7 +57,7 @@ MOCAP_INLINE uint64_t columnX(const uint64_t* at) {
 template <bool kOneWord>
 MOCAP_INLINE void pairsAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                               const uint64_t* __restrict candidates, size_t begin, size_t end,
-                              uint64_t* __restrict critical, uint64_t* __restrict joining,
+                              uint64_t* __restrict critical, uint64_t* __restrict isthmus,
                               Found* found) {
   Found all;
   for (size_t i = begin; i < end; ++i) {
@@ -68,19 +68,19 @@ MOCAP_INLINE void pairsAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restri
                                         columnX<kOneWord>(o - z), columnX<kOneWord>(o + y - z));
     const uint64_t among = candidates[i] & next<kOneWord>(Row{candidates + i});
     critical[i] = verdict.critical & among;
-    joining[i] = verdict.joining & among;
+    isthmus[i] = verdict.isthmus & among;
     all.critical |= critical[i];
-    all.joining |= joining[i];
+    all.isthmus |= isthmus[i];
   }
   found->critical |= all.critical;
-  found->joining |= all.joining;
+  found->isthmus |= all.isthmus;
 }
 
 /// Pairs along y with `along` the stride of rows and `across` of planes; along z the reverse.
 template <bool kOneWord>
 MOCAP_INLINE void pairsAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
                              const uint64_t* __restrict candidates, size_t begin, size_t end,
-                             uint64_t* __restrict critical, uint64_t* __restrict joining,
+                             uint64_t* __restrict critical, uint64_t* __restrict isthmus,
                              Found* found) {
   Found all;
   for (size_t i = begin; i < end; ++i) {
@@ -91,12 +91,12 @@ MOCAP_INLINE void pairsAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* 
                                         previous<kOneWord>(down), down(0), next<kOneWord>(down));
     const uint64_t among = candidates[i] & candidates[ptrdiff_t(i) + along];
     critical[i] = verdict.critical & among;
-    joining[i] = verdict.joining & among;
+    isthmus[i] = verdict.isthmus & among;
     all.critical |= critical[i];
-    all.joining |= joining[i];
+    all.isthmus |= isthmus[i];
   }
   found->critical |= all.critical;
-  found->joining |= all.joining;
+  found->isthmus |= all.isthmus;
 }
 
 /// The edge's two ends are its neighbours along x. A clique shares the edge alone if it holds a
@@ -104,7 +104,7 @@ MOCAP_INLINE void pairsAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* 
 template <bool kOneWord>
 MOCAP_INLINE void edgesAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                               const uint64_t* __restrict candidates, size_t begin, size_t end,
-                              uint64_t* __restrict critical, uint64_t* __restrict joining,
+                              uint64_t* __restrict critical, uint64_t* __restrict isthmus,
                               Found* found) {
   Found all;
   for (size_t i = begin; i < end; ++i) {
@@ -115,19 +115,19 @@ MOCAP_INLINE void edgesAlongX(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restri
     const Square block{o, y, z};
     const uint64_t ahead = next<kOneWord>(block), behind = previous<kOneWord>(block);
     critical[i] = among & ~(ahead ^ behind);
-    joining[i] = among & ahead & behind;
+    isthmus[i] = among & ahead & behind;
     all.critical |= critical[i];
-    all.joining |= joining[i];
+    all.isthmus |= isthmus[i];
   }
   found->critical |= all.critical;
-  found->joining |= all.joining;
+  found->isthmus |= all.isthmus;
 }
 
 /// Edges along y with `along` the stride of rows and `across` of planes; along z the reverse.
 template <bool kOneWord>
 MOCAP_INLINE void edgesAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* __restrict object,
                              const uint64_t* __restrict candidates, size_t begin, size_t end,
-                             uint64_t* __restrict critical, uint64_t* __restrict joining,
+                             uint64_t* __restrict critical, uint64_t* __restrict isthmus,
                              Found* found) {
   Found all;
   for (size_t i = begin; i < end; ++i) {
@@ -141,12 +141,12 @@ MOCAP_INLINE void edgesAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* 
     const uint64_t ahead = front(0) | next<kOneWord>(front);
     const uint64_t behind = back(0) | next<kOneWord>(back);
     critical[i] = among & ~(ahead ^ behind);
-    joining[i] = among & ahead & behind;
+    isthmus[i] = among & ahead & behind;
     all.critical |= critical[i];
-    all.joining |= joining[i];
+    all.isthmus |= isthmus[i];
   }
   found->critical |= all.critical;
-  found->joining |= all.joining;
+  found->isthmus |= all.isthmus;
 }
 
 /// Around a corner: a clique shares it alone if it has voxels on both sides along every axis.
@@ -195,11 +195,11 @@ MOCAP_INLINE Found pairs(const BitBox& box, const WordSpans& spans, const uint64
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   for (const auto& [begin, end] : spans) {
     pairsAlongX<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[0].data(),
-                          cliques->joining[0].data(), &found);
+                          cliques->isthmus[0].data(), &found);
     pairsAlong<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[1].data(),
-                         cliques->joining[1].data(), &found);
+                         cliques->isthmus[1].data(), &found);
     pairsAlong<kOneWord>(z, y, object, candidates, begin, end, cliques->critical[2].data(),
-                         cliques->joining[2].data(), &found);
+                         cliques->isthmus[2].data(), &found);
   }
   return found;
 }
@@ -211,11 +211,11 @@ MOCAP_INLINE Found edges(const BitBox& box, const WordSpans& spans, const uint64
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   for (const auto& [begin, end] : spans) {
     edgesAlongX<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[0].data(),
-                          cliques->joining[0].data(), &found);
+                          cliques->isthmus[0].data(), &found);
     edgesAlong<kOneWord>(y, z, object, candidates, begin, end, cliques->critical[1].data(),
-                         cliques->joining[1].data(), &found);
+                         cliques->isthmus[1].data(), &found);
     edgesAlong<kOneWord>(z, y, object, candidates, begin, end, cliques->critical[2].data(),
-                         cliques->joining[2].data(), &found);
+                         cliques->isthmus[2].data(), &found);
   }
   return found;
 }
@@ -233,15 +233,15 @@ MOCAP_INLINE Found corners(const BitBox& box, const WordSpans& spans, const uint
 /// `members` tells the voxels of the cliques at a word. Candidates that join are added to
 /// `isthmuses` before those of critical cliques are cleared.
 template <class Members>
-MOCAP_INLINE void takeOut(const WordSpans& spans, bool joining, const CliqueWords& cliques,
+MOCAP_INLINE void takeOut(const WordSpans& spans, bool isthmus, const CliqueWords& cliques,
                           Members members, uint64_t* __restrict candidates,
                           uint64_t* __restrict isthmuses) {
   const uint64_t* const c[3] = {cliques.critical[0].data(), cliques.critical[1].data(),
                                 cliques.critical[2].data()};
-  const uint64_t* const j[3] = {cliques.joining[0].data(), cliques.joining[1].data(),
-                                cliques.joining[2].data()};
+  const uint64_t* const j[3] = {cliques.isthmus[0].data(), cliques.isthmus[1].data(),
+                                cliques.isthmus[2].data()};
   for (const auto& [begin, end] : spans) {
-    if (joining)
+    if (isthmus)
       for (size_t i = begin; i < end; ++i)
         isthmuses[i] |= candidates[i] & members(j[0] + i, j[1] + i, j[2] + i);
     for (size_t i = begin; i < end; ++i) candidates[i] &= ~members(c[0] + i, c[1] + i, c[2] + i);
@@ -269,23 +269,23 @@ MOCAP_WIDEST Found findCorners(const BitBox& box, const WordSpans& spans, const 
 }
 
 MOCAP_WIDEST void takeOutPairs(const BitBox& box, const WordSpans& spans,
-                               const CliqueWords& cliques, bool joining, uint64_t* candidates,
+                               const CliqueWords& cliques, bool isthmus, uint64_t* candidates,
                                uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
     return inPairs(y, z, a, b, c);
   };
-  takeOut(spans, joining, cliques, members, candidates, isthmuses);
+  takeOut(spans, isthmus, cliques, members, candidates, isthmuses);
 }
 
 MOCAP_WIDEST void takeOutEdges(const BitBox& box, const WordSpans& spans,
-                               const CliqueWords& cliques, bool joining, uint64_t* candidates,
+                               const CliqueWords& cliques, bool isthmus, uint64_t* candidates,
                                uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
     return inEdges(y, z, a, b, c);
   };
-  takeOut(spans, joining, cliques, members, candidates, isthmuses);
+  takeOut(spans, isthmus, cliques, members, candidates, isthmuses);
 }
 
 MOCAP_WIDEST void takeOutCorners(const BitBox& box, const WordSpans& spans,

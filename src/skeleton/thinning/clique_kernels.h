@@ -12,12 +12,12 @@ namespace markerless_mocap::clique_kernels {
 /// By axis; corners under axis 0.
 struct CliqueWords {
   BitWords critical[3];
-  BitWords joining[3];  ///< critical, with two sides of the object around
+  BitWords isthmus[3];  ///< critical, with two sides of the object around
 };
 
 /// Or of all words that were found.
 struct Found {
-  uint64_t critical = 0, joining = 0;
+  uint64_t critical = 0, isthmus = 0;
 };
 
 /// Cliques that consist of candidates.
@@ -30,9 +30,9 @@ Found findCorners(const BitBox& box, const WordSpans& spans, const uint64_t* obj
 
 /// Clears the candidates in cliques; adds those in joining ones to `isthmuses` if `joining`.
 void takeOutPairs(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
-                  bool joining, uint64_t* candidates, uint64_t* isthmuses);
+                  bool isthmus, uint64_t* candidates, uint64_t* isthmuses);
 void takeOutEdges(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
-                  bool joining, uint64_t* candidates, uint64_t* isthmuses);
+                  bool isthmus, uint64_t* candidates, uint64_t* isthmuses);
 void takeOutCorners(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
                     uint64_t* candidates);
 

@@ -9,7 +9,7 @@ void CriticalCliques::resize(const BitBox& box) {
   words_ = WordSet(box.words);
   for (int axis = 0; axis < 3; ++axis) {
     cliques_.critical[axis].assign(box.words, 0);
-    cliques_.joining[axis].assign(box.words, 0);
+    cliques_.isthmus[axis].assign(box.words, 0);
   }
 }
 
@@ -25,11 +25,11 @@ void CriticalCliques::listSpans(const WordSet& candidate_words) {
 void CriticalCliques::keep(const WordSet& candidate_words, const BitWords& object,
                            BitWords* candidates, BitWords* isthmuses) {
   listSpans(candidate_words);
-  uint64_t *const left = candidates->data(), *const joining = isthmuses->data();
+  uint64_t *const left = candidates->data(), *const isthmus = isthmuses->data();
   const Found pairs = findPairs(box_, spans_, object.data(), left, &cliques_);
-  if (pairs.critical != 0) takeOutPairs(box_, spans_, cliques_, pairs.joining != 0, left, joining);
+  if (pairs.critical != 0) takeOutPairs(box_, spans_, cliques_, pairs.isthmus != 0, left, isthmus);
   const Found edges = findEdges(box_, spans_, object.data(), left, &cliques_);
-  if (edges.critical != 0) takeOutEdges(box_, spans_, cliques_, edges.joining != 0, left, joining);
+  if (edges.critical != 0) takeOutEdges(box_, spans_, cliques_, edges.isthmus != 0, left, isthmus);
   const Found corners = findCorners(box_, spans_, object.data(), left, &cliques_);
   if (corners.critical != 0) takeOutCorners(box_, spans_, cliques_, left);
 }

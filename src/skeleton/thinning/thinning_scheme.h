@@ -6,11 +6,11 @@ namespace markerless_mocap {
 
 /// Peels an object to curves and sheets of at most two voxels that join or end something, in
 /// rounds in which all voxels are judged at once (Bertrand & Couprie 2015).
-class SymmetricPeeling {
+class SymmetricThinning {
  public:
   /// \param persistence rounds, from 1: a voxel that joins two sides of the object stays for good
   ///   if it is still there so many rounds after it began to (Couprie & Bertrand 2016)
-  void peel(const BitBox& box, int persistence, BitWords* object);
+  void thin(const BitBox& box, int persistence, BitWords* object);
   /// Ends of the object as it was, and voxels that joined two sides of it and persisted; some may
   /// not be of the remains.
   const BitWords& kept() const { return kept_; }

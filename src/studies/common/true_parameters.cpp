@@ -19,20 +19,20 @@ const FleischmannVector& TrueParameters::follow(const BodyState& body) {
   return last_;
 }
 
-MotionStatistics statisticsOf(const std::vector<std::string>& motions, StudioOptions studio,
-                              const StudioFiles& files) {
+FleischmannMotionStatistics statisticsOf(const std::vector<std::string>& motions,
+                                         StudioOptions studio, const StudioFiles& files) {
   if (motions.empty()) throw std::invalid_argument("statistics need at least one motion");
   studio.fps = kRate;
   studio.background_frames = 0;
   studio.width = studio.height = kSmallest;
   studio.rig = "ring4";
-  MotionStatistics statistics;
+  FleischmannMotionStatistics statistics;
   for (const std::string& motion : motions) {
     studio.motion = motion;
     const VirtualStudio stage(studio, files, "person1");
     TrueParameters truth(stage.body());
     FleischmannVector before = truth.follow(stage.render(0).body);
-    for (int i = 1; i < stage.instantCount(); ++i) {
+    for (int i = 1; i < stage.frameSetCount(); ++i) {
       const FleischmannVector now = truth.follow(stage.render(i).body);
       statistics.add(before, now, 1.0 / kRate);
       before = now;

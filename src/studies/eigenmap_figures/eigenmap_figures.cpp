@@ -11,15 +11,15 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "ros/hull_conversions.h"
 #include "markerless_mocap/segmentation/body_segmenter.h"
+#include "ros/hull_conversions.h"
 #include "segmentation/eigenmap.h"
 #include "segmentation/eigenmap_alignment.h"
-#include "segmentation/spline_walk.h"
+#include "segmentation/spline_propagation.h"
 #include "segmentation/voxel_graph.h"
-#include "tools/common/bag_file.h"
 #include "studies/eigenmap_figures/eigenmap_drawing.h"
-#include "studies/eigenmap_figures/eigenmap_plane.h"
+#include "studies/eigenmap_figures/eigenmap_test_image.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,15 +29,15 @@ constexpr double kPlaneShrink = 4.0, kPlaneRadius = 0.3, kHullShrink = 100.0;
 
 struct Variant {
   const char* name;
-  WalkStop stop;
+  SplineTermination stop;
   bool color;
   bool shrink;
 };
-constexpr Variant kPlaneVariants[] = {{"plain", WalkStop::kOutliers, false, false},
-                                      {"shrunk", WalkStop::kOrigin, false, true},
-                                      {"color", WalkStop::kOrigin, true, true}};
-constexpr Variant kHullVariants[] = {{"sundaresan", WalkStop::kOutliers, false, false},
-                                     {"modified", WalkStop::kOrigin, true, true}};
+constexpr Variant kPlaneVariants[] = {{"plain", SplineTermination::kOutliers, false, false},
+                                      {"shrunk", SplineTermination::kOrigin, false, true},
+                                      {"color", SplineTermination::kOrigin, true, true}};
+constexpr Variant kHullVariants[] = {{"sundaresan", SplineTermination::kOutliers, false, false},
+                                     {"modified", SplineTermination::kOrigin, true, true}};
 
 std::vector<cv::Scalar> colorsOf(const std::vector<int>& branch) {
   std::vector<cv::Scalar> colors;
@@ -52,11 +52,11 @@ std::string write(const std::string& folder, const std::string& name, const cv::
 }
 
 std::string drawPlane(const std::string& folder, const Variant& variant) {
-  const cv::Mat image = planeFigure();
-  const PlaneGraph plane = planeGraph(image, {variant.color, variant.shrink ? kPlaneShrink : 0.0});
+  const cv::Mat image = testImage();
+  const PixelGraph plane = pixelGraph(image, {variant.color, variant.shrink ? kPlaneShrink : 0.0});
   const Eigenmap map = laplacianEigenmap(plane.graph, kModes);
   const std::vector<int> branch = branchOfNodes(
-      splineWalkBranches(map, variant.stop, kLimbs, kPlaneRadius), plane.pixel.size());
+      splinePropagationBranches(map, variant.stop, kLimbs, kPlaneRadius), plane.pixel.size());
   Eigen::MatrixXd places(Eigen::Index(plane.pixel.size()), 2);
   std::vector<cv::Scalar> painted;
   for (size_t node = 0; node < plane.pixel.size(); ++node) {
@@ -128,7 +128,7 @@ std::vector<std::string> drawHulls(const std::string& folder,
         files.push_back(write(folder, "hull_" + name + "_" + std::to_string(i),
                               drawHull(last->voxels, last->map, branch, name)));
       };
-      draw(variant.name, branchOfNodes(splineWalkBranches(last->map, variant.stop, kLimbs),
+      draw(variant.name, branchOfNodes(splinePropagationBranches(last->map, variant.stop, kLimbs),
                                        last->voxels.graph.nodeCount()));
       if (!variant.shrink) draw("merge_tree", mergeTreeParts(hulls[i], last->voxels));
     }
@@ -136,23 +136,18 @@ std::vector<std::string> drawHulls(const std::string& folder,
   return files;
 }
 
-VoxelGrid readGrid(const rosbag::Bag& bag, const std::string& topic) {
-  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic)))
-    if (const auto grid = entry.instantiate<VoxelGrid>()) return *grid;
-  throw std::runtime_error("the bag has no grid on " + topic);
-}
-
 }  // namespace
 
-std::vector<VisualHull> hullsOf(const EigenmapFigures& what) {
+std::vector<VisualHull> hullsOf(const EigenmapFigureOptions& what) {
   rosbag::Bag bag;
   openForReading(what.input, bag);
-  const VoxelGrid grid = readGrid(bag, std::filesystem::path(what.topic).parent_path() / "grid");
+  const VoxelGrid grid =
+      firstMessage<VoxelGrid>(bag, std::filesystem::path(what.topic).parent_path() / "grid");
   std::vector<VisualHull> hulls;
   std::optional<ros::Time> first;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(what.topic))) {
     const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
-    if (!cloud || int(hulls.size()) == what.instants) continue;
+    if (!cloud || int(hulls.size()) == what.frame_sets) continue;
     if (!first) first = cloud->header.stamp;
     if ((cloud->header.stamp - *first).toSec() < what.at) continue;
     VisualHull hull = hullFromMessage(*cloud, grid);
@@ -164,7 +159,7 @@ std::vector<VisualHull> hullsOf(const EigenmapFigures& what) {
   return hulls;
 }
 
-std::vector<std::string> drawEigenmapFigures(const EigenmapFigures& what) {
+std::vector<std::string> drawEigenmapFigures(const EigenmapFigureOptions& what) {
   std::error_code error;
   std::filesystem::create_directories(what.folder, error);
   if (error) throw std::runtime_error("cannot make the folder " + what.folder);

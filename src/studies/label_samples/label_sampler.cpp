@@ -7,7 +7,7 @@
 #include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/label_template.h"
 #include "skeleton/labelling.h"
-#include "skeleton/validity_checks.h"
+#include "skeleton/plausibility_checks.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {
@@ -16,11 +16,11 @@ namespace {
 constexpr double kReach = 0.15, kHeadReach = 0.25;  // metres, as labels are judged
 
 /// Which true ends a skeleton's end is at, by its own place or where it leaves the hull.
-int trueEndsAt(const SkeletonEnd& end, const Eigen::Matrix3Xd& truth) {
+int trueEndsAt(const ExtremityCandidate& end, const Eigen::Matrix3Xd& truth) {
   int ends = 0;
   for (const Eigen::Vector3d& p :
        {end.position, Eigen::Vector3d(end.position + end.extent * end.direction)})
-    for (int i = 0; i < kEndCount; ++i)
+    for (int i = 0; i < kLabelledExtremityCount; ++i)
       if ((truth.middleCols<2>(2 * i).colwise() - p).colwise().norm().minCoeff() <
           (i == 0 ? kHeadReach : kReach))
         ends |= 1 << i;
@@ -33,18 +33,19 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
     out << "frame 0 0 0 0\n";
     return;
   }
-  const SkeletonEnds ends = candidateEnds(graph, volume);
+  const ExtremityCandidates ends = extremityCandidates(graph, volume);
   const auto [low, high] = std::minmax_element(
       graph.positions.begin(), graph.positions.end(),
       [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
   out << "frame " << ends.ends.size() << ' ' << ends.longest << ' ' << low->z() << ' ' << high->z()
       << '\n';
-  for (const SkeletonEnd& end : ends.ends)
+  for (const ExtremityCandidate& end : ends.ends)
     out << "end " << end.position.transpose() << ' ' << end.direction.transpose() << ' '
         << end.extent << ' ' << end.tip_radius << ' ' << end.limb_radius << ' ' << end.branch << ' '
         << end.cut << ' ' << trueEndsAt(end, truth) << '\n';
-  for (const auto& [name, ways] : {std::make_pair("tree_ways", &ends.tree_ways),
-                                   std::make_pair("short_ways", &ends.short_ways)}) {
+  for (const auto& [name, ways] :
+       {std::make_pair("tree_path_lengths", &ends.tree_path_lengths),
+        std::make_pair("shortest_path_lengths", &ends.shortest_path_lengths)}) {
     out << name;
     for (const double way : *ways) out << ' ' << way;
     out << '\n';
@@ -53,26 +54,26 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
 
 }  // namespace
 
-LabelSampler::LabelSampler(std::vector<std::string> names, std::ostream* out)
+LabelSampleWriter::LabelSampleWriter(std::vector<std::string> names, std::ostream* out)
     : names_(std::move(names)), thinner_(std::make_unique<Thinner>(kTreePersistence)), out_(*out) {}
-LabelSampler::~LabelSampler() = default;
+LabelSampleWriter::~LabelSampleWriter() = default;
 
-void LabelSampler::add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points) {
+void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points) {
   JointTrack truth;
   truth.names = names_;
   truth.add(
       0, Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, Eigen::Index(points.size())));
   truth = truth.select(labelTruthNames());
   PoseTreeOptions options;
-  options.least_validity = 0.0;
-  const bool nobody = refuseHull(hull).has_value();
+  options.min_validity = 0.0;
+  const bool nobody = rejectHull(hull).has_value();
   Labelling labelling(options, hull, nobody ? CurveSkeleton() : thinner_->thin(hull));
-  LastEnds ends;
+  PreviousExtremities ends;
   const PoseTree tree = labelling.run({}, &ends);
   writeEnds(labelling.graph(), labelling.volume(), truth.positions.front(), out_);
-  const LabelVerdict verdict = labelErrors(truth, {labelsOf(tree)}).verdicts.front();
-  out_ << "label " << toString(tree.status) << ' ' << verdict.kinds_right << ' '
-       << verdict.sides_right << ' ' << verdict.right;
+  const LabelEvaluation verdict = labelErrors(truth, {labelsOf(tree)}).verdicts.front();
+  out_ << "label " << toString(tree.status) << ' ' << verdict.kinds_correct << ' '
+       << verdict.sides_correct << ' ' << verdict.right;
   if (labelling.doubts())
     for (const double doubt : *labelling.doubts()) out_ << ' ' << doubt;
   out_ << '\n';

@@ -16,14 +16,14 @@ class Thinner;
 /// with what is true of it. scripts/fit_pose_tree reads it. Lines of words:
 ///   frame <number of ends> <longest way> <lowest z> <highest z>
 ///   end <x y z> <direction x y z> <extent> <tip radius> <limb radius> <branch> <cut> <what it is>
-///   tree_ways, short_ways <a number for each pair of ends>
-///   label <status> <kinds right> <sides right> <all right> [<doubts by LabelDoubt>]
-/// Metres; what an end is: the sum of 1 << i over the true ends i (endNames()) within reach.
-class LabelSampler {
+///   tree_path_lengths, shortest_path_lengths <a number for each pair of ends>
+///   label <status> <kinds right> <sides right> <all right> [<doubts by ValidityFeature>]
+/// Metres; what an end is: the sum of 1 << i over the true ends i (extremityNames()) within reach.
+class LabelSampleWriter {
  public:
   /// \param names of the true points, labelTruthNames() among them
-  LabelSampler(std::vector<std::string> names, std::ostream* out);
-  ~LabelSampler();
+  LabelSampleWriter(std::vector<std::string> names, std::ostream* out);
+  ~LabelSampleWriter();
 
   /// \param points by the names, world metres
   void add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points);

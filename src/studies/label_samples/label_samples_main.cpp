@@ -3,30 +3,30 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "tools/common/body_file.h"
-#include "studies/label_samples/film_labels.h"
-#include "tools/common/studio_settings.h"
-#include "tools/common/run_tool.h"
 #include "resources/resources.h"
+#include "studies/label_samples/label_samples.h"
+#include "tools/common/person_urdf.h"
+#include "tools/common/run_tool.h"
+#include "tools/common/studio_settings.h"
 
 namespace {
 
 using namespace markerless_mocap;
 
 struct Arguments {
-  LabelFilm film;
+  LabelSampleOptions film;
   std::string output, motion, rig;
-  std::vector<std::string> changes;
+  std::vector<std::string> overrides;
 };
 
 void describe(CLI::App& app, Arguments* arguments) {
-  LabelFilm& film = arguments->film;
+  LabelSampleOptions& film = arguments->film;
   app.add_option("output", arguments->output, "file to write; replaced if it exists")->required();
   app.add_option("--motion", arguments->motion,
                  "name of a motion in config/motions, or path of a .yaml or .bvh file");
   app.add_option("--rig", arguments->rig,
                  "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
-  app.add_option("--set", arguments->changes,
+  app.add_option("--set", arguments->overrides,
                  "KEY=VALUE of the section virtual_studio, may be given repeatedly");
   app.add_option("--pitch", film.pitch, "of the hulls, metres")->capture_default_str();
   app.add_option("--frames", film.frames, "spread evenly over the motion")->capture_default_str();
@@ -34,8 +34,8 @@ void describe(CLI::App& app, Arguments* arguments) {
 }
 
 void run(Arguments* arguments) {
-  LabelFilm& film = arguments->film;
-  film.studio = readStudioOptions("", changesOf(arguments->changes));
+  LabelSampleOptions& film = arguments->film;
+  film.studio = readStudioOptions("", parseOverrides(arguments->overrides, "--set"));
   if (!arguments->motion.empty()) film.studio.motion = arguments->motion;
   if (!arguments->rig.empty()) film.studio.rig = arguments->rig;
   film.files.urdf_template = humanUrdfTemplate();
@@ -44,7 +44,7 @@ void run(Arguments* arguments) {
   const std::string part = arguments->output + ".part";
   std::ofstream out(part);
   if (!out) throw std::runtime_error(part + " cannot be written");
-  filmLabels(film, &out);
+  writeLabelSamples(film, &out);
   out.close();
   if (!out || std::rename(part.c_str(), arguments->output.c_str()) != 0)
     throw std::runtime_error(arguments->output + " cannot be written");

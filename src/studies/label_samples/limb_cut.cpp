@@ -8,7 +8,7 @@ namespace markerless_mocap {
 namespace {
 
 struct Limb {
-  double share;  ///< of the cuts, cumulated
+  double fraction;  ///< of the cuts, cumulated
   std::array<const char*, 3> path;
   double radius;  ///< metres
 };
@@ -69,7 +69,7 @@ VisualHull withLimbCut(const VisualHull& hull, const std::vector<std::string>& n
   };
   const double which = draw(), place = 2.0 * draw();
   const Limb& limb = *std::find_if(std::begin(kLimbs), std::end(kLimbs),
-                                   [&](const Limb& l) { return which < l.share; });
+                                   [&](const Limb& l) { return which < l.fraction; });
   const Eigen::Vector3d a = at(limb.path[0]), b = at(limb.path[1]), tip = at(limb.path[2]);
   const bool upper = place < 1.0;
   const Eigen::Vector3d from = upper ? a + place * (b - a) : b + (place - 1.0) * (tip - b);

@@ -5,8 +5,8 @@
 #include <iomanip>
 #include <stdexcept>
 
-#include "capture/truth.h"
-#include "contour/contour_conversion.h"
+#include "capture/ground_truth.h"
+#include "contour/contour_urdf_converter.h"
 
 namespace markerless_mocap {
 namespace {
@@ -19,10 +19,10 @@ constexpr double kLengthFreedom = 0.3, kRadiusFreedom = 0.4, kOffsetFreedom = 0.
 
 /// The n-th of numbers that fill 0 to 1 evenly (van der Corput).
 double evenly(int n, int base) {
-  double value = 0.0, share = 1.0;
+  double value = 0.0, fraction = 1.0;
   for (; n > 0; n /= base) {
-    share /= base;
-    value += share * (n % base);
+    fraction /= base;
+    value += fraction * (n % base);
   }
   return value;
 }
@@ -33,7 +33,7 @@ StudioOptions filmOf(const LearnOptions& options, int person, const std::string&
   studio.rig = "ring7_overhead";
   studio.stage = 3.0;
   studio.fps = 1.0 / kSecondsBetween;
-  studio.duration = options.instants * kSecondsBetween;
+  studio.duration = options.frame_sets * kSecondsBetween;
   studio.background_frames = 0;
   studio.character = exampleOf(person);
   return studio;
@@ -41,7 +41,7 @@ StudioOptions filmOf(const LearnOptions& options, int person, const std::string&
 
 /// contourPointNames() among the truth's.
 Eigen::Matrix3Xd knownPoints(const std::vector<Eigen::Vector3d>& truth) {
-  const std::vector<std::string>&wanted = contourPointNames(), &given = truthNames();
+  const std::vector<std::string>&wanted = contourPointNames(), &given = groundTruthNames();
   Eigen::Matrix3Xd points(3, Eigen::Index(wanted.size()));
   for (size_t i = 0; i < wanted.size(); ++i) {
     const auto at = std::find(given.begin(), given.end(), wanted[i]);
@@ -50,26 +50,26 @@ Eigen::Matrix3Xd knownPoints(const std::vector<Eigen::Vector3d>& truth) {
   return points;
 }
 
-void addInstants(const VirtualStudio& studio, const LearnOptions& options,
-                 const ContourObserver& observer, std::vector<SizeInstant>& instants) {
-  const ContourConversion conversion(std::make_shared<const BodyModel>(studio.body()));
-  for (int i = 0; i < std::min(options.instants, studio.instantCount()); ++i) {
-    const StudioInstant now = studio.render(i);
-    SizeInstant instant;
-    instant.seen = observer.observe(now.masks);
-    instant.start = conversion.poseOf(now.body.T_world_body, now.body.angles);
-    instant.known_points = knownPoints(now.points);
-    instants.push_back(std::move(instant));
+void addFrameSets(const VirtualStudio& studio, const LearnOptions& options,
+                  const ContourObserver& observer, std::vector<ShapeSample>& frame_sets) {
+  const ContourUrdfConverter conversion(std::make_shared<const BodyModel>(studio.body()));
+  for (int i = 0; i < std::min(options.frame_sets, studio.frameSetCount()); ++i) {
+    const StudioFrameSet now = studio.render(i);
+    ShapeSample frame_set;
+    frame_set.seen = observer.observe(now.masks);
+    frame_set.start = conversion.poseOf(now.body.T_world_body, now.body.angles);
+    frame_set.known_points = knownPoints(now.points);
+    frame_sets.push_back(std::move(frame_set));
   }
 }
 
-SizePrior freePrior(double stature) {
-  SizePrior prior;
-  prior.people = ContourTemplate::handMade();
+ShapePrior freePrior(double stature) {
+  ShapePrior prior;
+  prior.people = ShapeStatistics::handMade();
   prior.stature = stature;
   prior.deviation = 1e-4;  // it is known
-  ContourSizes& deviation = prior.people.deviation;
-  for (int i = 0; i < kContourSizes; ++i)
+  ShapeParameters& deviation = prior.people.deviation;
+  for (int i = 0; i < kShapeParameterCount; ++i)
     deviation[i] = isOffset(i) ? kOffsetFreedom
                                : prior.people.mean[i] *
                                      (i < ContourLength::kCount ? kLengthFreedom : kRadiusFreedom);
@@ -78,16 +78,16 @@ SizePrior freePrior(double stature) {
   return prior;
 }
 
-double jointError(const SizeEstimate& estimate, const std::vector<SizeInstant>& instants) {
+double jointError(const ShapeEstimate& estimate, const std::vector<ShapeSample>& frame_sets) {
   const ContourBody body(estimate.sizes);
   double sum = 0.0;
-  for (size_t i = 0; i < instants.size(); ++i)
-    sum += (body.points(estimate.poses[i]) - instants[i].known_points)
+  for (size_t i = 0; i < frame_sets.size(); ++i)
+    sum += (body.points(estimate.poses[i]) - frame_sets[i].known_points)
                .leftCols(Eigen::Index(markerNames().size()))
                .colwise()
                .norm()
                .mean();
-  return sum / double(instants.size());
+  return sum / double(frame_sets.size());
 }
 
 }  // namespace
@@ -103,32 +103,32 @@ CharacterOptions exampleOf(int person) {
   return options;
 }
 
-ContourTemplate learnContourBody(const LearnOptions& options, std::ostream* notes) {
-  if (options.people < 1 || options.instants < 1 || options.motions.empty())
+ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* notes) {
+  if (options.people < 1 || options.frame_sets < 1 || options.motions.empty())
     throw std::invalid_argument("at least one person, one motion and one instant are needed");
   const ContourOptions contour;
-  std::vector<ContourSizes> sizes;
+  std::vector<ShapeParameters> sizes;
   std::vector<double> statures;
   for (int person = 0; person < options.people; ++person) {
-    std::vector<SizeInstant> instants;
+    std::vector<ShapeSample> frame_sets;
     CameraRig rig;
     for (const std::string& motion : options.motions) {
       if (options.interrupted()) throw std::runtime_error("interrupted");
       const VirtualStudio studio(filmOf(options, person, motion), options.files, "person1");
       rig = studio.rig();
-      addInstants(studio, options, ContourObserver(rig, contour), instants);
+      addFrameSets(studio, options, ContourObserver(rig, contour), frame_sets);
     }
     statures.push_back(exampleOf(person).stature);
-    const SizePrior prior = freePrior(statures.back());
-    const SizeEstimate estimate =
-        estimateSizes(rig, contour, prior, prior.people.sizes(prior.stature), instants, {});
+    const ShapePrior prior = freePrior(statures.back());
+    const ShapeEstimate estimate =
+        estimateShape(rig, contour, prior, prior.people.sizes(prior.stature), frame_sets, {});
     sizes.push_back(estimate.sizes);
     if (notes)
       *notes << "person " << person + 1 << " of " << options.people << ": joints within "
-             << std::fixed << std::setprecision(1) << 1e3 * jointError(estimate, instants)
+             << std::fixed << std::setprecision(1) << 1e3 * jointError(estimate, frame_sets)
              << " mm on average\n";
   }
-  return ContourTemplate::ofPeople(sizes, statures);
+  return ShapeStatistics::fromPeople(sizes, statures);
 }
 
 }  // namespace markerless_mocap

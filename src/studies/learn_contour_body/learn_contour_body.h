@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "capture/virtual_studio.h"
-#include "contour/size_estimator.h"
+#include "contour/shape_estimation.h"
 
 namespace markerless_mocap {
 
 /// Whom to learn from.
 struct LearnOptions {
-  int people = 16;    ///< of the virtual studio: all sizes, builds and clothes
-  int instants = 16;  ///< of each motion
+  int people = 16;      ///< of the virtual studio: all sizes, builds and clothes
+  int frame_sets = 16;  ///< of each motion
   std::vector<std::string> motions = {"melee", "lift_drop"};
   StudioFiles files;
   std::function<bool()> interrupted = [] { return false; };  ///< asked before every person
@@ -26,6 +26,6 @@ CharacterOptions exampleOf(int person);
 /// and takes the mean. Same options, same template. Throws as VirtualStudio, on fewer than one
 /// person or instant, and when interrupted. \param notes where each person's fit is told; nullptr:
 /// nowhere
-ContourTemplate learnContourBody(const LearnOptions& options, std::ostream* notes);
+ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* notes);
 
 }  // namespace markerless_mocap

@@ -3,10 +3,10 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "tools/common/body_file.h"
-#include "studies/learn_contour_body/learn_contour_body.h"
-#include "tools/common/run_tool.h"
 #include "resources/resources.h"
+#include "studies/learn_contour_body/learn_contour_body.h"
+#include "tools/common/person_urdf.h"
+#include "tools/common/run_tool.h"
 
 // Writes models/contour_body.yaml.
 int main(int argc, char** argv) {
@@ -18,14 +18,14 @@ int main(int argc, char** argv) {
   std::string output;
   app.add_option("output", output, "template to write; replaced if it exists")->required();
   app.add_option("--people", options.people, "how many to film")->capture_default_str();
-  app.add_option("--instants", options.instants, "of each motion")->capture_default_str();
+  app.add_option("--instants", options.frame_sets, "of each motion")->capture_default_str();
   app.add_option("--motions", options.motions, "names of motions in config/motions")
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return runTool("learn_contour_body", [&] {
     options.files = {humanUrdfTemplate(), packageFile("config/motions")};
     options.interrupted = catchInterruptions();
-    const ContourTemplate learned = learnContourBody(options, &std::cerr);
+    const ShapeStatistics learned = learnContourBody(options, &std::cerr);
     std::ofstream file(output);
     file << learned.text();
     if (!file.flush()) throw std::runtime_error("cannot write " + output);

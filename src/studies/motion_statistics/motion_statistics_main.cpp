@@ -2,19 +2,18 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "tools/common/body_file.h"
-#include "tools/common/run_tool.h"
-#include "studies/common/true_parameters.h"
 #include "resources/resources.h"
+#include "studies/common/true_parameters.h"
+#include "tools/common/person_urdf.h"
+#include "tools/common/run_tool.h"
 
 namespace {
 
 using namespace markerless_mocap;
 
 void write(const std::string& path, const std::vector<std::string>& motions) {
-  const StudioFiles files{humanUrdfTemplate(),
-                          packageFile("config/motions")};
-  const MotionStatistics statistics = statisticsOf(motions, StudioOptions(), files);
+  const StudioFiles files{humanUrdfTemplate(), packageFile("config/motions")};
+  const FleischmannMotionStatistics statistics = statisticsOf(motions, StudioOptions(), files);
   std::ofstream out(path);
   out << "# Largest change of each of the 31 parameters between two frames at 60 fps, rad and m,\n"
          "# over the motions:";

@@ -18,10 +18,10 @@ double secondsSince(Clock::time_point start) {
 }
 
 double medianOf(std::vector<double> values) {
-  return spreadOf(values).median;
+  return summaryStatistics(values).median;
 }
 
-Eigen::Matrix3Xd markersOf(const FleischmannProfile& profile, const FleischmannVector& v) {
+Eigen::Matrix3Xd markersOf(const FleischmannBodyModel& profile, const FleischmannVector& v) {
   FleischmannFrames frames;
   profile.frames(v.data(), frames);
   const std::vector<Eigen::Vector3d> positions = profile.markers(frames);
@@ -30,7 +30,7 @@ Eigen::Matrix3Xd markersOf(const FleischmannProfile& profile, const FleischmannV
   return markers;
 }
 
-size_t stepOf(const SppsoFilm& film, double fps) {
+size_t stepOf(const FleischmannSequence& film, double fps) {
   const double step = film.fps / fps;
   if (!(step >= 1.0 && std::abs(step - std::round(step)) < 1e-9))
     throw std::invalid_argument("a film of " + std::to_string(film.fps) +
@@ -38,10 +38,11 @@ size_t stepOf(const SppsoFilm& film, double fps) {
   return size_t(std::lround(step));
 }
 
-StudyRun runOnce(const SppsoFilm& film, const MotionStatistics& statistics,
-                 const SppsoOptions& options, size_t step) {
-  const FleischmannProfile profile(*film.body);
-  SppsoTracker tracker(film.rig, profile, ConeBody(*film.body, profile), statistics, options);
+StudyRun runOnce(const FleischmannSequence& film, const FleischmannMotionStatistics& statistics,
+                 const FleischmannOptions& options, size_t step) {
+  const FleischmannBodyModel profile(*film.body);
+  FleischmannPoseEstimator tracker(film.rig, profile, FleischmannBodyShape(*film.body, profile),
+                                   statistics, options);
   tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
   StudyRun run;
   JointTrack truth, found;
@@ -49,9 +50,9 @@ StudyRun runOnce(const SppsoFilm& film, const MotionStatistics& statistics,
   FleischmannVector last = film.frames.front().truth;
   double seconds = 0.0;
   for (size_t f = step; f < film.frames.size(); f += step) {
-    const std::vector<AppearanceView> views = wholeViews(film, f);
+    const std::vector<FleischmannView> views = wholeViews(film, f);
     const auto start = Clock::now();
-    const SppsoPose pose = tracker.update(film.frames[f].stamp_ns, views);
+    const FleischmannEstimate pose = tracker.update(film.frames[f].stamp_ns, views);
     seconds += secondsSince(start);
     // A lost frame is judged by the last pose: nothing better is known.
     if (pose.status == PoseStatus::kTracked)
@@ -67,7 +68,7 @@ StudyRun runOnce(const SppsoFilm& film, const MotionStatistics& statistics,
 }
 
 /// Seconds that `work` takes, the least of a few times.
-double leastSeconds(const std::function<void()>& work) {
+double minSeconds(const std::function<void()>& work) {
   double least = HUGE_VAL;
   for (int i = 0; i < 7; ++i) {
     const auto start = Clock::now();
@@ -91,7 +92,7 @@ double StudyResult::meanError() const {
   return sum / double(runs.size());
 }
 
-double StudyResult::largestError() const {
+double StudyResult::maxError() const {
   double most = 0.0;
   for (const StudyRun& run : runs) most = std::max(most, run.errors.D_spread.max);
   return most;
@@ -103,7 +104,7 @@ double StudyResult::medianMean() const {
   return medianOf(values);
 }
 
-double StudyResult::medianLargest() const {
+double StudyResult::medianMaxError() const {
   std::vector<double> values;
   for (const StudyRun& run : runs) values.push_back(run.errors.D_spread.max);
   return medianOf(values);
@@ -116,32 +117,33 @@ std::vector<double> StudyResult::meanOverRuns() const {
   return mean;
 }
 
-StudyResult runVariant(const SppsoFilm& film, const MotionStatistics& statistics,
-                       const StudyVariant& variant) {
+StudyResult runVariant(const FleischmannSequence& film,
+                       const FleischmannMotionStatistics& statistics, const StudyVariant& variant) {
   const size_t step = stepOf(film, variant.fps);
   StudyResult result;
   for (size_t f = step; f < film.frames.size(); f += step)
     result.seconds.push_back(1e-9 * double(film.frames[f].stamp_ns - film.frames.front().stamp_ns));
   for (int seed = 1; seed <= variant.runs; ++seed) {
-    SppsoOptions options = variant.options;
+    FleischmannOptions options = variant.options;
     options.seed = seed;
     result.runs.push_back(runOnce(film, statistics, options, step));
   }
   return result;
 }
 
-FitnessCurves fitnessCurves(const SppsoFilm& film, size_t frame, int parameter, double reach,
-                            const SppsoOptions& options) {
+FitnessCurves fitnessCurves(const FleischmannSequence& film, size_t frame, int parameter,
+                            double reach, const FleischmannOptions& options) {
   constexpr int kSteps = 100;
-  const FleischmannProfile profile(*film.body);
-  AppearanceFitness fitness(film.rig, profile, ConeBody(*film.body, profile), options.appearance);
+  const FleischmannBodyModel profile(*film.body);
+  FleischmannFitness fitness(film.rig, profile, FleischmannBodyShape(*film.body, profile),
+                             options.appearance);
   fitness.observe(wholeViews(film, frame));
   FitnessCurves curves;
   for (int i = 0; i <= kSteps; ++i) {
     const double offset = reach * (2.0 * i / kSteps - 1.0);
     FleischmannVector v = film.frames[frame].truth;
     v[parameter] += offset;
-    const Fitness there = fitness.fitness(v.data(), EdgeChoice());
+    const FitnessTerms there = fitness.fitness(v.data(), EdgeSelection());
     curves.offsets.push_back(offset);
     curves.silhouette.push_back(there.silhouette);
     curves.edge.push_back(there.edge);
@@ -151,32 +153,33 @@ FitnessCurves fitnessCurves(const SppsoFilm& film, size_t frame, int parameter, 
   return curves;
 }
 
-TimeByPart timeByPart(const SppsoFilm& film, const MotionStatistics& statistics,
-                      const SppsoOptions& options) {
+TimeByPart timeByPart(const FleischmannSequence& film,
+                      const FleischmannMotionStatistics& statistics,
+                      const FleischmannOptions& options) {
   constexpr int kEvaluations = 1000;
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const FleischmannProfile profile(*film.body);
-  const ConeBody body(*film.body, profile);
+  const FleischmannBodyModel profile(*film.body);
+  const FleischmannBodyShape body(*film.body, profile);
   const size_t frame = std::min<size_t>(3, film.frames.size() - 1);
-  const std::vector<AppearanceView> views = wholeViews(film, frame);
+  const std::vector<FleischmannView> views = wholeViews(film, frame);
   const FleischmannVector& truth = film.frames[frame].truth;
-  AppearanceFitness fitness(film.rig, profile, body, options.appearance);
+  FleischmannFitness fitness(film.rig, profile, body, options.appearance);
   const auto evaluate = [&](ConeSet cones) {
-    return leastSeconds([&] {
+    return minSeconds([&] {
       for (int i = 0; i < kEvaluations; ++i) fitness.fitness(truth.data(), {cones, true});
     });
   };
   TimeByPart time{};
-  time.observing = leastSeconds([&] { fitness.observe(views); });
+  time.observing = minSeconds([&] { fitness.observe(views); });
   FleischmannFrames frames;
-  time.kinematics = leastSeconds([&] {
+  time.kinematics = minSeconds([&] {
     for (int i = 0; i < kEvaluations; ++i) profile.frames(truth.data(), frames);
   });
   const double without = evaluate(0), with = evaluate(kAllButHead);
   time.drawing_and_silhouette = std::max(0.0, without - time.kinematics);
   time.edges = std::max(0.0, with - without);
-  const double whole = leastSeconds([&] {
-    SppsoTracker tracker(film.rig, profile, body, statistics, options);
+  const double whole = minSeconds([&] {
+    FleischmannPoseEstimator tracker(film.rig, profile, body, statistics, options);
     tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
     tracker.update(film.frames[frame].stamp_ns, views);
   });

@@ -5,12 +5,12 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "tools/common/body_file.h"
-#include "tools/common/figure_text.h"
-#include "tools/common/studio_settings.h"
-#include "tools/common/run_tool.h"
-#include "studies/sppso_study/sppso_report.h"
 #include "resources/resources.h"
+#include "studies/sppso_study/fleischmann_report.h"
+#include "tools/common/number_format.h"
+#include "tools/common/person_urdf.h"
+#include "tools/common/run_tool.h"
+#include "tools/common/studio_settings.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ struct Arguments {
   std::string folder, statistics;
   std::vector<std::string> studio, search, tables;
   int frames = 450;
-  int most_runs = 5;
+  int max_runs = 5;
 };
 
 void describe(CLI::App& app, Arguments* arguments) {
@@ -28,7 +28,7 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--frames", arguments->frames, "filmed at 60 a second")
       ->check(CLI::Range(30, 100000))
       ->capture_default_str();
-  app.add_option("--runs", arguments->most_runs, "at most, of each variant")
+  app.add_option("--runs", arguments->max_runs, "at most, of each variant")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   app.add_option("--table", arguments->tables,
@@ -41,48 +41,37 @@ void describe(CLI::App& app, Arguments* arguments) {
                  "file of motion_statistics, in place of the package's own");
 }
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
-Changes changesOf(const std::vector<std::string>& texts, const char* option) {
-  Changes changes;
-  for (const std::string& text : texts) {
-    const size_t sign = text.find('=');
-    if (sign == std::string::npos || sign == 0)
-      throw std::invalid_argument(std::string(option) + " is given \"" + text +
-                                  "\", allowed is KEY=VALUE");
-    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
-  }
-  return changes;
-}
-
 StudioOptions studioOf(const Arguments& arguments) {
-  Changes changes = {{"rig", "ring4"},  {"width", "644"},
-                     {"height", "484"}, {"motion", "walk_in_circle"},
-                     {"fps", "60"},     {"duration", "0"}};
-  for (const auto& change : changesOf(arguments.studio, "--studio")) changes.push_back(change);
-  return readStudioOptions("", changes);
+  Overrides overrides = {{"rig", "ring4"},  {"width", "644"},
+                         {"height", "484"}, {"motion", "walk_in_circle"},
+                         {"fps", "60"},     {"duration", "0"}};
+  for (const auto& change : parseOverrides(arguments.studio, "--studio"))
+    overrides.push_back(change);
+  return readStudioOptions("", overrides);
 }
 
-SppsoOptions searchOf(const Arguments& arguments) {
+FleischmannOptions searchOf(const Arguments& arguments) {
   YAML::Node node(YAML::NodeType::Map);
-  for (const auto& [key, value] : changesOf(arguments.search, "--set")) node[key] = value;
-  return loadOptions<SppsoOptions>(node);
+  node["include_start_particle"] = false;  // as published
+  for (const auto& [key, value] : parseOverrides(arguments.search, "--set")) node[key] = value;
+  return loadOptions<FleischmannOptions>(node);
 }
 
-std::vector<StudyTable> wantedTables(const Arguments& arguments, const SppsoOptions& base) {
+std::vector<StudyTable> wantedTables(const Arguments& arguments, const FleischmannOptions& base) {
   std::vector<StudyTable> wanted;
   for (StudyTable& table : studyTables(base)) {
     const auto& names = arguments.tables;
     if (!names.empty() && std::find(names.begin(), names.end(), table.id) == names.end()) continue;
     for (StudyVariant& variant : table.variants)
-      variant.runs = std::min(variant.runs, arguments.most_runs);
+      variant.runs = std::min(variant.runs, arguments.max_runs);
     wanted.push_back(table);
   }
   if (wanted.empty()) throw std::invalid_argument("--table names no table that there is");
   return wanted;
 }
 
-std::vector<StudiedTable> studied(const SppsoFilm& film, const MotionStatistics& statistics,
+std::vector<StudiedTable> studied(const FleischmannSequence& film,
+                                  const FleischmannMotionStatistics& statistics,
                                   const std::vector<StudyTable>& tables) {
   std::vector<StudiedTable> out;
   for (const StudyTable& table : tables) {
@@ -91,8 +80,8 @@ std::vector<StudiedTable> studied(const SppsoFilm& film, const MotionStatistics&
       out.back().results.push_back(runVariant(film, statistics, variant));
       const StudyResult& result = out.back().results.back();
       std::cerr << table.id << ' ' << variant.name << ": "
-                << figureText("mean %.1f mm", result.meanError())
-                << figureText(", largest %.1f mm", result.largestError()) << std::endl;
+                << formatNumber("mean %.1f mm", result.meanError())
+                << formatNumber(", largest %.1f mm", result.maxError()) << std::endl;
     }
   }
   return out;
@@ -105,16 +94,15 @@ void write(const std::filesystem::path& path, const std::string& text) {
 }
 
 void run(const Arguments& arguments) {
-  const SppsoOptions search = searchOf(arguments);
+  const FleischmannOptions search = searchOf(arguments);
   const std::vector<StudyTable> tables = wantedTables(arguments, search);
   const std::string& own = arguments.statistics;
-  const MotionStatistics statistics = MotionStatistics::fromYaml(
-      own.empty() ? motionStatisticsYaml() : readText(own));
+  const FleischmannMotionStatistics statistics =
+      FleischmannMotionStatistics::fromYaml(own.empty() ? motionStatisticsYaml() : readText(own));
   std::filesystem::create_directories(arguments.folder);
   const StudioOptions studio = studioOf(arguments);
-  const StudioFiles files{humanUrdfTemplate(),
-                          packageFile("config/motions")};
-  const SppsoFilm film = filmOf(studio, files, arguments.frames, [&](int done) {
+  const StudioFiles files{humanUrdfTemplate(), packageFile("config/motions")};
+  const FleischmannSequence film = filmOf(studio, files, arguments.frames, [&](int done) {
     std::cerr << "filmed " << done << " of " << arguments.frames << std::endl;
   });
   StudyReport report;
@@ -124,7 +112,7 @@ void run(const Arguments& arguments) {
                  "; limb lengths and first pose are given. D is the mean error of fifteen joints.";
   report.tables = studied(film, statistics, tables);
   constexpr int kSwing = kRightShoulder + 1;  // F's x24
-  report.parameter = parameterNames()[kSwing];
+  report.parameter = fleischmannParameterNames()[kSwing];
   report.curves = fitnessCurves(film, film.frames.size() / 3, kSwing,
                                 statistics.over(1.0 / 20.0)[kSwing], search);
   report.time = timeByPart(film, statistics, search);

@@ -34,7 +34,7 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
+std::string escapeHtml(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '<')
@@ -53,13 +53,13 @@ std::string pictureTag(const cv::Mat& image, const std::string& caption) {
   std::vector<uint8_t> jpeg;
   cv::imencode(".jpg", image, jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
   return "<figure><img src=\"data:image/jpeg;base64," + base64(jpeg) + "\"><figcaption>" +
-         escaped(caption) + "</figcaption></figure>\n";
+         escapeHtml(caption) + "</figcaption></figure>\n";
 }
 
 std::string htmlPage(const std::string& title, const std::string& body) {
-  return "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + escaped(title) +
-         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escaped(title) + "</h1>\n" +
-         body + "</body></html>\n";
+  return "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + escapeHtml(title) +
+         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escapeHtml(title) +
+         "</h1>\n" + body + "</body></html>\n";
 }
 
 }  // namespace markerless_mocap

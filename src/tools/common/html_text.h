@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 
 /// Text that can stand between tags and in attributes.
-std::string escaped(const std::string& text);
+std::string escapeHtml(const std::string& text);
 
 /// A figure with its caption, the picture (CV_8UC3) as JPEG within.
 std::string pictureTag(const cv::Mat& image, const std::string& caption);

@@ -38,9 +38,9 @@ cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& b
   if (!mask.empty()) shown |= cv::boundingRect(mask);
   if (!body.empty()) shown |= cv::boundingRect(body);
   if (shown.empty()) return whole;
-  const double share = std::min(1.0, kRoom * std::max(double(shown.width) / image.width,
-                                                      double(shown.height) / image.height));
-  const cv::Size size(int(share * image.width), int(share * image.height));
+  const double fraction = std::min(1.0, kRoom * std::max(double(shown.width) / image.width,
+                                                         double(shown.height) / image.height));
+  const cv::Size size(int(fraction * image.width), int(fraction * image.height));
   const cv::Point middle = (shown.tl() + shown.br()) / 2;
   return {{std::clamp(middle.x - size.width / 2, 0, image.width - size.width),
            std::clamp(middle.y - size.height / 2, 0, image.height - size.height)},

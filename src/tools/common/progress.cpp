@@ -10,9 +10,9 @@ namespace markerless_mocap {
 Progress::Progress(std::string label, std::ostream* out, bool terminal)
     : label_(std::move(label)), out_(out), terminal_(terminal) {}
 
-void Progress::update(double share) {
+void Progress::update(double fraction) {
   if (!out_) return;
-  const int percent = int(100.0 * std::clamp(share, 0.0, 1.0));
+  const int percent = int(100.0 * std::clamp(fraction, 0.0, 1.0));
   const int step = terminal_ ? percent : percent / 10;
   if (step == shown_) return;
   shown_ = step;
@@ -30,7 +30,7 @@ void Progress::finish() {
   if (out_ && terminal_) *out_ << std::endl;
 }
 
-bool errorsGoToTerminal() {
+bool isStderrTerminal() {
   return isatty(STDERR_FILENO) == 1;
 }
 

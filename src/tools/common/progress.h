@@ -11,7 +11,7 @@ class Progress {
   /// \param out where to write; nullptr: say nothing
   Progress(std::string label, std::ostream* out, bool terminal);
   /// \param share done, 0..1, never less than the last one
-  void update(double share);
+  void update(double fraction);
   /// Shows the whole as done and ends the bar's line.
   void finish();
 
@@ -23,6 +23,6 @@ class Progress {
 };
 
 /// Whether standard error is a terminal.
-bool errorsGoToTerminal();
+bool isStderrTerminal();
 
 }  // namespace markerless_mocap

@@ -10,7 +10,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "ros/rig_collector.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 namespace {
@@ -135,40 +135,40 @@ void Recording::startReading() {
 
 void Recording::readMessage() {
   const RecordedImage image = imageOf(*message_);
-  for (auto& instant :
+  for (auto& frame_set :
        assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(image), image))
-    whole_.push_back(std::move(instant));
+    whole_.push_back(std::move(frame_set));
   ++message_;
   ++messages_read_;
 }
 
-std::optional<CapturedInstant> Recording::next() {
+std::optional<FrameSet> Recording::next() {
   if (!view_) startReading();
   while (whole_.empty() && message_ != view_->end()) readMessage();
   if (whole_.empty())
-    for (auto& instant : assembler_->flush()) whole_.push_back(std::move(instant));
+    for (auto& frame_set : assembler_->flush()) whole_.push_back(std::move(frame_set));
   counts_ = assembler_->counts();
   if (whole_.empty()) return std::nullopt;
-  const Assembler::Instant instant = std::move(whole_.front());
+  const Assembler::FrameSet frame_set = std::move(whole_.front());
   whole_.pop_front();
-  return instantOf(instant);
+  return frameSetOf(frame_set);
 }
 
-double Recording::shareRead() const {
+double Recording::fractionRead() const {
   return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
 }
 
-CapturedInstant Recording::instantOf(const Assembler::Instant& instant) {
-  CapturedInstant out;
-  out.stamp_ns = instant.stamp_ns;
+FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
+  FrameSet out;
+  out.stamp_ns = frame_set.stamp_ns;
   out.frames.resize(cameras_.size());
-  out.owner = instant.items;
+  out.owner = frame_set.items;
   for (size_t i = 0; i < streams_.size(); ++i) {
-    if (!instant.present[i]) continue;
+    if (!frame_set.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];
     try {
       (streams_[i].is_mask ? frame.mask : frame.image) =
-          decoded(instant.items[i], streams_[i].is_mask);
+          decoded(frame_set.items[i], streams_[i].is_mask);
     } catch (const std::invalid_argument& error) {
       if (unreadable_++ == 0) first_unreadable_ = error.what();
     }

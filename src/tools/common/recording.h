@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/camera/instant_assembler.h"
+#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "tools/common/recorded_cameras.h"
 
@@ -57,9 +57,9 @@ class Recording {
   /// The next instant in the order of time, nothing after the last; the frames of cameras that are
   /// missing are empty. Throws std::runtime_error if there are no images where reading begins, or
   /// the bag turns out to be damaged.
-  std::optional<CapturedInstant> next();
+  std::optional<FrameSet> next();
   /// Share of the recording that has been read, 0..1.
-  double shareRead() const;
+  double fractionRead() const;
 
   const AssemblerCounts& counts() const { return counts_; }
   /// Images that could not be decoded; their cameras were missing at these instants.
@@ -67,7 +67,7 @@ class Recording {
   const std::string& firstUnreadable() const { return first_unreadable_; }
 
  private:
-  using Assembler = InstantAssembler<RecordedImage>;
+  using Assembler = FrameSetAssembler<RecordedImage>;
   struct Stream {
     std::string topic;
     size_t camera;
@@ -79,7 +79,7 @@ class Recording {
   void listStreams();
   void startReading();
   void readMessage();
-  CapturedInstant instantOf(const Assembler::Instant& instant);
+  FrameSet frameSetOf(const Assembler::FrameSet& frame_set);
 
   RecordingOptions options_;
   rosbag::Bag bag_;
@@ -92,7 +92,7 @@ class Recording {
   rosbag::View::iterator message_;      ///< of the view, not yet read
   size_t messages_read_ = 0;
   std::unique_ptr<Assembler> assembler_;
-  std::deque<Assembler::Instant> whole_;  ///< instants that wait to be asked for
+  std::deque<Assembler::FrameSet> whole_;  ///< instants that wait to be asked for
   AssemblerCounts counts_;
   int unreadable_ = 0;
   std::string first_unreadable_;

@@ -24,21 +24,20 @@ YAML::Node sectionOf(const std::string& config) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> changesOf(const std::vector<std::string>& texts) {
-  std::vector<std::pair<std::string, std::string>> changes;
+Overrides parseOverrides(const std::vector<std::string>& texts, const std::string& option) {
+  Overrides overrides;
   for (const std::string& text : texts) {
     const size_t sign = text.find('=');
     if (sign == std::string::npos || sign == 0)
-      throw std::invalid_argument("--set is given \"" + text + "\", allowed is KEY=VALUE");
-    changes.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+      throw std::invalid_argument(option + " is given \"" + text + "\", allowed is KEY=VALUE");
+    overrides.emplace_back(text.substr(0, sign), text.substr(sign + 1));
   }
-  return changes;
+  return overrides;
 }
 
-StudioOptions readStudioOptions(const std::string& config,
-                                const std::vector<std::pair<std::string, std::string>>& changes) {
+StudioOptions readStudioOptions(const std::string& config, const Overrides& overrides) {
   YAML::Node section = YAML::Clone(sectionOf(config));
-  for (const auto& [key, value] : changes) {
+  for (const auto& [key, value] : overrides) {
     try {
       section[key] = YAML::Load(value);
     } catch (const YAML::Exception&) {

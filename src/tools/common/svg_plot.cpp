@@ -26,13 +26,13 @@ std::string open(double height) {
 
 std::string label(double x, double y, const std::string& anchor, const std::string& text) {
   return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" +
-         escaped(text) + "</text>";
+         escapeHtml(text) + "</text>";
 }
 
 std::string box(double x, double y, double width, double height, const std::string& color,
                 const std::string& title) {
   return "<rect x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\"" + number(width) +
-         "\" height=\"" + number(height) + "\" fill=\"" + color + "\"><title>" + escaped(title) +
+         "\" height=\"" + number(height) + "\" fill=\"" + color + "\"><title>" + escapeHtml(title) +
          "</title></rect>";
 }
 
@@ -51,7 +51,7 @@ double largest(const std::vector<double>& values) {
 /// Above the value and a multiple of a round step.
 double roundTop(double value) {
   if (!(value > 0.0)) return 1.0;
-  const double step = roundStep(value, 5);
+  const double step = niceTickStep(value, 5);
   return step * std::ceil(value / step - 1e-9);
 }
 
@@ -71,7 +71,7 @@ class TimeAxis {
   double left(size_t i) const { return at(seconds_[i]); }
   double right(size_t i) const { return at(i + 1 < seconds_.size() ? seconds_[i + 1] : end_); }
   std::string ticks(double height, const std::string& unit) const {
-    const double step = roundStep(end_ - begin_, 10);
+    const double step = niceTickStep(end_ - begin_, 10);
     std::string out;
     for (double t = step * std::ceil(begin_ / step); t <= end_; t += step)
       out += line(at(t), kTop, at(t), height - kBottom) +
@@ -86,7 +86,7 @@ class TimeAxis {
 
 /// Horizontal lines with their values.
 std::string valueTicks(double top, double height, const std::string& unit) {
-  const double step = roundStep(top, 5);
+  const double step = niceTickStep(top, 5);
   std::string out;
   for (double value = 0.0; value < top + 1e-9 * top; value += step) {
     const double y = height - kBottom - (height - kTop - kBottom) * value / top;
@@ -97,13 +97,13 @@ std::string valueTicks(double top, double height, const std::string& unit) {
   return out;
 }
 
-std::string curve(const TimeAxis& axis, const PlotLine& line, double top, double height) {
+std::string curve(const TimeAxis& axis, const PlotSeries& line, double top, double height) {
   std::string path;
   bool drawing = false;
   for (size_t i = 0; i < line.values.size(); ++i) {
     if (std::isfinite(line.values[i])) {
-      const double share = std::clamp(line.values[i] / top, 0.0, 1.0);
-      const double y = height - kBottom - (height - kTop - kBottom) * share;
+      const double fraction = std::clamp(line.values[i] / top, 0.0, 1.0);
+      const double y = height - kBottom - (height - kTop - kBottom) * fraction;
       path += (drawing ? "L" : "M") + number(axis.left(i)) + ' ' + number(y);
       if (!drawing) path += "h0";  // with round ends a single value is a dot
     }
@@ -116,7 +116,7 @@ std::string curve(const TimeAxis& axis, const PlotLine& line, double top, double
 
 }  // namespace
 
-double roundStep(double range, int parts) {
+double niceTickStep(double range, int parts) {
   if (!(range > 0.0)) return 1.0;
   const double least = range / parts;
   const double power = std::pow(10.0, std::floor(std::log10(least)));
@@ -125,14 +125,14 @@ double roundStep(double range, int parts) {
   return 10.0 * power;
 }
 
-std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotLine>& lines,
+std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotSeries>& lines,
                      double top, const std::string& unit, const std::string& across) {
   if (top == 0.0)
-    for (const PlotLine& line : lines) top = std::max(top, roundTop(largest(line.values)));
+    for (const PlotSeries& line : lines) top = std::max(top, roundTop(largest(line.values)));
   const TimeAxis axis(seconds);
   std::string svg =
       open(kPlotHeight) + axis.ticks(kPlotHeight, across) + valueTicks(top, kPlotHeight, unit);
-  for (const PlotLine& line : lines) svg += curve(axis, line, top, kPlotHeight);
+  for (const PlotSeries& line : lines) svg += curve(axis, line, top, kPlotHeight);
   return svg + "</svg>\n";
 }
 
@@ -153,7 +153,7 @@ std::string barChart(const std::vector<BarRow>& rows, const std::vector<std::str
   const double height = kTop + row_height * double(rows.size()) + kBottom;
   const double width = kWidth - kNameWidth - 50;
   std::string svg = open(height);
-  const double step = roundStep(top, 8);
+  const double step = niceTickStep(top, 8);
   for (double value = 0.0; value <= top * (1 + 1e-9); value += step) {
     const double x = kNameWidth + width * value / top;
     svg += line(x, kTop, x, height - kBottom) +
@@ -185,18 +185,18 @@ std::string histogram(const std::vector<double>& values, int bins, const std::st
     svg += box(kLeft + width * b + 0.5, kPlotHeight - kBottom - height, width - 1, height, color,
                std::to_string(counts[b]));
   }
-  const double step = roundStep(end, 10);
+  const double step = niceTickStep(end, 10);
   for (double value = 0.0; value <= end * (1 + 1e-9); value += step)
     svg += label(kLeft + (kWidth - kLeft - kRight) * value / end, kPlotHeight - 8,
                  value >= end * (1 - 1e-9) ? "end" : "middle", number(value) + ' ' + unit);
   return svg + "</svg>\n";
 }
 
-std::string plotKey(const std::vector<PlotLine>& lines) {
+std::string plotLegend(const std::vector<PlotSeries>& lines) {
   std::string key;
-  for (const PlotLine& line : lines)
-    key +=
-        "<span class=\"key\" style=\"background:" + line.color + "\"></span>" + escaped(line.name);
+  for (const PlotSeries& line : lines)
+    key += "<span class=\"key\" style=\"background:" + line.color + "\"></span>" +
+           escapeHtml(line.name);
   return "<p>" + key + "</p>\n";
 }
 

@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 
 /// A line of a plot; it breaks where a value is NaN.
-struct PlotLine {
+struct PlotSeries {
   std::string name, color;
   std::vector<double> values;
 };
@@ -25,7 +25,7 @@ struct BarRow {
 /// Lines over time with axes, as SVG. \param seconds of each value, ascending
 /// \param top of the value axis; 0: a round number above all values
 /// \param across unit of what the lines go over, where it is not time
-std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotLine>& lines,
+std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotSeries>& lines,
                      double top, const std::string& unit, const std::string& across = " s");
 
 /// Cells over the time axis of linePlot(), as SVG.
@@ -40,9 +40,9 @@ std::string histogram(const std::vector<double>& values, int bins, const std::st
                       const std::string& unit);
 
 /// Coloured squares with names, as HTML.
-std::string plotKey(const std::vector<PlotLine>& lines);
+std::string plotLegend(const std::vector<PlotSeries>& lines);
 
 /// A round number (1, 2 or 5 times a power of ten) that goes `parts` times or less into `range`.
-double roundStep(double range, int parts);
+double niceTickStep(double range, int parts);
 
 }  // namespace markerless_mocap

@@ -17,14 +17,14 @@ Eigen::Matrix3Xd limbOf(const PoseTree& tree, int32_t end) {
 
 }  // namespace
 
-LabelledEnds labelsOf(const PoseTree& tree) {
-  LabelledEnds labels;
+LabelledExtremities labelsOf(const PoseTree& tree) {
+  LabelledExtremities labels;
   labels.valid = tree.valid();
   labels.validity = tree.validity;
   for (int i = 0; i < kExtremityCount; ++i) {
-    if (tree.tips[size_t(i)].node < 0) continue;
-    labels.positions.col(i) = tree.tips[size_t(i)].position;
-    labels.limbs[size_t(i)] = limbOf(tree, tree.tips[size_t(i)].node);
+    if (tree.extremities[size_t(i)].node < 0) continue;
+    labels.positions.col(i) = tree.extremities[size_t(i)].position;
+    labels.limbs[size_t(i)] = limbOf(tree, tree.extremities[size_t(i)].node);
   }
   return labels;
 }

@@ -5,9 +5,9 @@
 
 namespace markerless_mocap {
 
-static_assert(kEndCount == kExtremityCount);
+static_assert(kLabelledExtremityCount == kExtremityCount);
 
 /// What a pose tree says about the ends of a body and their limbs.
-LabelledEnds labelsOf(const PoseTree& tree);
+LabelledExtremities labelsOf(const PoseTree& tree);
 
 }  // namespace markerless_mocap

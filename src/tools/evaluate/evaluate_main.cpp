@@ -2,12 +2,12 @@
 #include <fstream>
 #include <iostream>
 
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
 #include "tools/evaluate/evaluation.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
-#include "tools/common/progress.h"
-#include "tools/common/run_tool.h"
 
 namespace {
 
@@ -49,8 +49,9 @@ void run(Arguments* arguments) {
   EvaluationRequest& request = arguments->request;
   request.images = !arguments->no_images;
   request.pictures = request.images && !arguments->html.empty();
-  Progress progress("evaluate", arguments->quiet ? nullptr : &std::cerr, errorsGoToTerminal());
-  const Evaluation evaluation = evaluate(request, [&](double share) { progress.update(share); });
+  Progress progress("evaluate", arguments->quiet ? nullptr : &std::cerr, isStderrTerminal());
+  const Evaluation evaluation =
+      evaluate(request, [&](double fraction) { progress.update(fraction); });
   progress.finish();
   if (!arguments->json.empty()) write(arguments->json, evaluationJson(evaluation));
   if (!arguments->html.empty()) write(arguments->html, evaluationPage(evaluation));

@@ -7,18 +7,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "markerless_mocap/body/body_model.h"
 #include "evaluation/body_points.h"
+#include "markerless_mocap/body/body_model.h"
+#include "tools/common/configuration.h"
 #include "tools/evaluate/evaluation_results.h"
 #include "tools/evaluate/evaluation_truth.h"
-#include "tools/common/configuration.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostImageInstants = 120;
+constexpr size_t kMaxImageFrames = 120;
 constexpr double kOffline_ms = 0.01;  // record stamps that agree with the capture's this well
-constexpr double kReadingShare = 0.2, kMaskShare = 0.4;  // of the work, for the progress
+constexpr double kReadingFraction = 0.2, kMaskFraction = 0.4;  // of the work, for the progress
 
 void leaveOut(double seconds, TruthRecord* truth) {
   JointTrack& joints = truth->joints;
@@ -69,26 +69,26 @@ std::vector<int64_t> stampsOf(const std::vector<AngleFrame>& frames) {
   return stamps;
 }
 
-void judgeStatus(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
-                 Evaluation* out) {
+void evaluateStatus(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
+                    Evaluation* out) {
   const auto match = matchStamps(out->stamps_ns, stampsOf(results.frames), tolerance_ns);
   for (const int index : match) {
     const ResultFrame* frame = index < 0 ? nullptr : &results.frames[index];
     out->statuses.push_back(frame ? frame->status : FrameStatus::kMissing);
     out->reasons.push_back(frame ? frame->reason : "");
   }
-  out->record = trackRecord(out->stamps_ns, out->statuses);
+  out->record = trackingContinuity(out->stamps_ns, out->statuses);
   std::vector<double> latencies;
   for (const double latency : results.latencies) latencies.push_back(1e3 * latency);
-  out->latency_ms = spreadOf(latencies);
+  out->latency_ms = summaryStatistics(latencies);
   if (!(out->latency_ms.max > kOffline_ms)) out->latency_ms.count = 0;
-  out->feet = judgeFeet(truth.joints, results, match);
-  out->deviations = judgeDeviations(truth.joints, results, match);
+  out->feet = evaluateFeet(truth.joints, results, match);
+  out->deviations = evaluateDeviations(truth.joints, results, match);
   if (!results.has_status)
     out->notes.push_back("There is no /pose: each transform counts as a tracked frame.");
 }
 
-void judgeJoints(const TruthRecord& truth, const ResultRecord& results, Evaluation* out) {
+void evaluateJoints(const TruthRecord& truth, const ResultRecord& results, Evaluation* out) {
   const JointTrack real = truth.joints.select(markerNames());
   const JointTrack tips = truth.joints.select(tipNames());
   const JointTrack found = alignedTo(real, results.joints);
@@ -100,15 +100,15 @@ void judgeJoints(const TruthRecord& truth, const ResultRecord& results, Evaluati
     out->extremities.push_back(extremityError(tips, found_tips, name));
   const auto distances = markerDistances(tips, found_tips);
   for (size_t i = 0; i < distances.size(); ++i)
-    out->tip_errors_mm[tips.names[i]] = spreadOf(distances[i]).mean;
+    out->tip_errors_mm[tips.names[i]] = summaryStatistics(distances[i]).mean;
   if (!results.has_description)
     out->notes.push_back(
         "The results have no human_description: hands, feet and the body's "
         "outline are not judged.");
 }
 
-void judgeAngles(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
-                 Evaluation* out) {
+void evaluateAngles(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
+                    Evaluation* out) {
   const auto match = matchStamps(stampsOf(truth.angles), stampsOf(results.angles), tolerance_ns);
   std::vector<AngleFrame> judged;
   std::vector<int> judged_match;
@@ -120,20 +120,20 @@ void judgeAngles(const TruthRecord& truth, const ResultRecord& results, int64_t 
   out->angles = angleErrors(judged, results.angles, judged_match);
 }
 
-void judgePoseTrees(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
+void evaluatePoseTrees(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
   const TreeRecord trees = readTrees(out->request.results);
   if (trees.stamps_ns.empty()) return;
-  out->trees = judgeTrees(truth.joints, truth.world_frame, trees, tolerance_ns);
+  out->trees = evaluateTrees(truth.joints, truth.world_frame, trees, tolerance_ns);
 }
 
-void judgeBodyParts(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
+void evaluateBodyParts(const TruthRecord& truth, int64_t tolerance_ns, Evaluation* out) {
   const PartsRecord parts = readParts(out->request.results);
   if (parts.stamps_ns.empty()) return;
-  out->parts = judgeParts(truth.joints, truth.world_frame, parts, tolerance_ns);
+  out->parts = evaluateParts(truth.joints, truth.world_frame, parts, tolerance_ns);
 }
 
 /// The frames of least, median and largest D.
-std::vector<std::pair<const char*, size_t>> telling(const std::vector<double>& D) {
+std::vector<std::pair<const char*, size_t>> representativeFrames(const std::vector<double>& D) {
   std::vector<size_t> order;
   for (size_t f = 0; f < D.size(); ++f)
     if (std::isfinite(D[f])) order.push_back(f);
@@ -142,20 +142,20 @@ std::vector<std::pair<const char*, size_t>> telling(const std::vector<double>& D
   return {{"worst", order.back()}, {"median", order[order.size() / 2]}, {"best", order.front()}};
 }
 
-std::vector<int64_t> imageInstants(const Evaluation& evaluation) {
-  const size_t stride = 1 + (evaluation.stamps_ns.size() - 1) / kMostImageInstants;
+std::vector<int64_t> imageFrameStamps(const Evaluation& evaluation) {
+  const size_t stride = 1 + (evaluation.stamps_ns.size() - 1) / kMaxImageFrames;
   std::vector<int64_t> stamps;
   for (size_t f = 0; f < evaluation.stamps_ns.size(); f += stride)
     stamps.push_back(evaluation.stamps_ns[f]);
-  for (const auto& frame : telling(evaluation.joints.D))
+  for (const auto& frame : representativeFrames(evaluation.joints.D))
     stamps.push_back(evaluation.stamps_ns[frame.second]);
   std::sort(stamps.begin(), stamps.end());
   stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
   return stamps;
 }
 
-void takePictures(ImageJudge* judge, Evaluation* out) {
-  for (const auto& frame : telling(out->joints.D)) {
+void takePictures(ImageEvaluator* judge, Evaluation* out) {
+  for (const auto& frame : representativeFrames(out->joints.D)) {
     const double since = double(out->stamps_ns[frame.second] - out->stamps_ns.front()) * 1e-9;
     char caption[96];
     std::snprintf(caption, sizeof caption, "%s: D = %.0f mm at %.2f s, %s", frame.first,
@@ -164,23 +164,24 @@ void takePictures(ImageJudge* judge, Evaluation* out) {
   }
 }
 
-void judgeImages(const ResultRecord& results, int64_t tolerance_ns,
-                 const std::function<void(double)>& progress, Evaluation* out) {
-  std::optional<ImageJudge> judge;
+void evaluateImages(const ResultRecord& results, int64_t tolerance_ns,
+                    const std::function<void(double)>& progress, Evaluation* out) {
+  std::optional<ImageEvaluator> judge;
   try {
     judge.emplace(out->request.truth, out->request.rig, out->request.results, results,
-                  imageInstants(*out), tolerance_ns);
+                  imageFrameStamps(*out), tolerance_ns);
   } catch (const std::exception& error) {  // joints can be judged without cameras
     if (!out->request.rig.empty()) throw;
     out->notes.push_back(std::string("Silhouettes and hull are not judged: ") + error.what() + ".");
     return;
   }
-  progress(kMaskShare);
+  progress(kMaskFraction);
   HullOptions rules;
   if (!out->request.config.empty()) rules = readConfiguration(out->request.config).hull;
   if (judge->hasTrueMasks())
-    out->images = judge->measure(
-        rules, [&](double share) { progress(kMaskShare + share * (0.9 - kMaskShare)); });
+    out->images = judge->measure(rules, [&](double fraction) {
+      progress(kMaskFraction + fraction * (0.9 - kMaskFraction));
+    });
   else
     out->notes.push_back("Silhouettes and hull are not judged: the truth has no exact masks.");
   if (out->request.pictures) takePictures(&*judge, out);
@@ -191,7 +192,7 @@ void judgeImages(const ResultRecord& results, int64_t tolerance_ns,
 Evaluation evaluate(const EvaluationRequest& request, const std::function<void(double)>& progress) {
   TruthRecord truth = readTruth(request.truth);
   const ResultRecord results = readResults(request.results, request.body_id);
-  progress(kReadingShare);
+  progress(kReadingFraction);
   checkWorlds(truth, results);
   leaveOut(request.skip, &truth);
   const auto tolerance = int64_t(kStampTolerance * double(frameTime(truth.joints.stamps_ns)));
@@ -201,12 +202,12 @@ Evaluation evaluate(const EvaluationRequest& request, const std::function<void(d
   out.request = request;
   out.body_id = results.body_id;
   out.stamps_ns = truth.joints.stamps_ns;
-  judgeStatus(truth, results, tolerance, &out);
-  judgeJoints(truth, results, &out);
-  judgeAngles(truth, results, tolerance, &out);
-  judgePoseTrees(truth, tolerance, &out);
-  judgeBodyParts(truth, tolerance, &out);
-  if (request.images || request.pictures) judgeImages(results, tolerance, progress, &out);
+  evaluateStatus(truth, results, tolerance, &out);
+  evaluateJoints(truth, results, &out);
+  evaluateAngles(truth, results, tolerance, &out);
+  evaluatePoseTrees(truth, tolerance, &out);
+  evaluateBodyParts(truth, tolerance, &out);
+  if (request.images || request.pictures) evaluateImages(results, tolerance, progress, &out);
   progress(1.0);
   return out;
 }

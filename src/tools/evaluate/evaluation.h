@@ -10,7 +10,7 @@
 #include "evaluation/angle_error.h"
 #include "evaluation/delay.h"
 #include "evaluation/joint_error.h"
-#include "evaluation/track_record.h"
+#include "evaluation/tracking_continuity.h"
 #include "tools/evaluate/evaluation_deviation.h"
 #include "tools/evaluate/evaluation_feet.h"
 #include "tools/evaluate/evaluation_images.h"
@@ -38,16 +38,16 @@ struct Evaluation {
   std::vector<FrameStatus> statuses;
   std::vector<std::string> reasons;
   JointErrors joints;
-  TrackRecord record;
+  TrackingContinuity record;
   Delay delay;
-  Spread latency_ms;  ///< count 0 when stamps of record and capture are the same
+  SummaryStatistics latency_ms;  ///< count 0 when stamps of record and capture are the same
   std::vector<ExtremityError> extremities;      ///< hand, foot
   std::map<std::string, double> tip_errors_mm;  ///< mean by name
   FeetEvaluation feet;
   std::vector<LimbLoss> limbs;
-  std::vector<DeviationError> deviations;  ///< of the parts whose error is told
+  std::vector<UncertaintyCalibration> deviations;  ///< of the parts whose error is told
   std::vector<AngleError> angles;
-  ImageMeasures images;
+  ImageMetrics images;
   std::vector<EvaluatedPicture> pictures;
   std::optional<TreeEvaluation> trees;   ///< when the results have pose trees
   std::optional<PartsEvaluation> parts;  ///< when they have segmented hulls

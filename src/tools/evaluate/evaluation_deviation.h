@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/deviation_error.h"
+#include "evaluation/uncertainty_calibration.h"
 #include "tools/evaluate/evaluation_results.h"
 #include "tools/evaluate/json_text.h"
 
@@ -12,12 +12,13 @@ namespace markerless_mocap {
 
 /// Expected errors of the parts' ends against those made; empty when none are told.
 /// \param match index into the results' frames for each frame of the truth, or -1
-std::vector<DeviationError> judgeDeviations(const JointTrack& truth, const ResultRecord& results,
-                                            const std::vector<int>& match);
+std::vector<UncertaintyCalibration> evaluateDeviations(const JointTrack& truth,
+                                                       const ResultRecord& results,
+                                                       const std::vector<int>& match);
 
-void printDeviations(const std::vector<DeviationError>& deviations, std::ostream& out);
-JsonObject deviationsObject(const std::vector<DeviationError>& deviations);
+void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std::ostream& out);
+JsonObject deviationsObject(const std::vector<UncertaintyCalibration>& deviations);
 /// A section of the page; empty without any.
-std::string deviationsSection(const std::vector<DeviationError>& deviations);
+std::string deviationsSection(const std::vector<UncertaintyCalibration>& deviations);
 
 }  // namespace markerless_mocap

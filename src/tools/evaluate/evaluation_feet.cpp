@@ -28,8 +28,8 @@ std::vector<double> solesOf(const ResultRecord& results, const std::vector<int>&
 
 }  // namespace
 
-FeetEvaluation judgeFeet(const JointTrack& truth, const ResultRecord& results,
-                         const std::vector<int>& match) {
+FeetEvaluation evaluateFeet(const JointTrack& truth, const ResultRecord& results,
+                            const std::vector<int>& match) {
   const JointTrack found = alignedTo(truth, results.joints);
   FeetEvaluation feet;
   for (int side = 0; side < 2; ++side) {
@@ -38,7 +38,7 @@ FeetEvaluation judgeFeet(const JointTrack& truth, const ResultRecord& results,
     foot.ball = footContact(truth, found, prefix + "foot");
     foot.ankle = footContact(truth, found, prefix + "ankle");
     foot.sole_m = solesOf(results, match, side);
-    foot.sole = soleFigures(foot.sole_m, foot.ball.truth);
+    foot.sole = soleStatistics(foot.sole_m, foot.ball.truth);
     foot.true_ball_mm = heightsOf(truth, prefix + "foot");
     foot.ball_mm = heightsOf(found, prefix + "foot");
   }

@@ -13,7 +13,7 @@ namespace markerless_mocap {
 struct FootEvaluation {
   FootContact ball, ankle;
   std::vector<double> sole_m;  ///< height of the estimated sole per frame; NaN without
-  SoleFigures sole;
+  SoleStatistics sole;
   std::vector<double> true_ball_mm, ball_mm;  ///< heights of both balls per frame
 };
 
@@ -22,7 +22,7 @@ using FeetEvaluation = std::array<FootEvaluation, 2>;
 
 /// \param truth with bodyPointNames() \param match index into the results' frames for each frame of
 ///   the truth, or -1
-FeetEvaluation judgeFeet(const JointTrack& truth, const ResultRecord& results,
-                         const std::vector<int>& match);
+FeetEvaluation evaluateFeet(const JointTrack& truth, const ResultRecord& results,
+                            const std::vector<int>& match);
 
 }  // namespace markerless_mocap

@@ -1,7 +1,7 @@
 #include "tools/evaluate/evaluation_feet_text.h"
 
-#include "tools/common/figure_text.h"
 #include "tools/common/html_text.h"
+#include "tools/common/number_format.h"
 #include "tools/common/svg_plot.h"
 
 namespace markerless_mocap {
@@ -21,17 +21,17 @@ JsonObject slideObject(const FootContact& contact) {
   out.add("contacts", contact.contacts.size());
   out.add("precision", contact.precision);
   out.add("recall", contact.recall);
-  out.add("slide_mm_mean", contact.reach_mm.mean);
-  out.add("slide_mm_max", contact.reach_mm.max);
+  out.add("slide_mm_mean", contact.max_slide_mm.mean);
+  out.add("slide_mm_max", contact.max_slide_mm.max);
   out.add("slide_mm_per_s_mean", contact.path_mm_per_s.mean);
-  out.add("true_slide_mm_mean", contact.true_reach_mm.mean);
+  out.add("true_slide_mm_mean", contact.true_max_slide_mm.mean);
   out.add("true_slide_mm_per_s_mean", contact.true_path_mm_per_s.mean);
   std::string list;
-  for (const ContactSlide& slide : contact.contacts) {
+  for (const FootSkate& slide : contact.contacts) {
     JsonObject one;
     one.add("first_frame", slide.run.first);
     one.add("frames", slide.run.frames);
-    one.add("slide_mm", slide.reach_mm);
+    one.add("slide_mm", slide.max_slide_mm);
     one.add("slide_mm_per_s", slide.path_mm_per_s);
     list += (list.empty() ? "" : ", ") + one.text();
   }
@@ -45,12 +45,12 @@ std::string cell(const std::string& text) {
 
 std::string slideRow(const std::string& name, const FootContact& contact) {
   return "<tr><td>" + name + "</td>" + cell(std::to_string(contact.contacts.size())) +
-         cell(percentText(contact.precision)) + cell(percentText(contact.recall)) +
-         cell(figureText("%.0f", contact.reach_mm.mean)) +
-         cell(figureText("%.0f", contact.reach_mm.max)) +
-         cell(figureText("%.0f", contact.path_mm_per_s.mean)) +
-         cell(figureText("%.0f", contact.true_reach_mm.mean)) +
-         cell(figureText("%.0f", contact.true_path_mm_per_s.mean)) + "</tr>\n";
+         cell(formatPercent(contact.precision)) + cell(formatPercent(contact.recall)) +
+         cell(formatNumber("%.0f", contact.max_slide_mm.mean)) +
+         cell(formatNumber("%.0f", contact.max_slide_mm.max)) +
+         cell(formatNumber("%.0f", contact.path_mm_per_s.mean)) +
+         cell(formatNumber("%.0f", contact.true_max_slide_mm.mean)) +
+         cell(formatNumber("%.0f", contact.true_path_mm_per_s.mean)) + "</tr>\n";
 }
 
 std::string contactBand(const FootContact& contact, const std::vector<double>& seconds) {
@@ -58,7 +58,7 @@ std::string contactBand(const FootContact& contact, const std::vector<double>& s
   for (size_t f = 0; f < seconds.size(); ++f) {
     const bool real = contact.truth[f], said = contact.estimate[f];
     cells.push_back({real ? (said ? kBoth : kTruthOnly) : (said ? kEstimateOnly : kNone),
-                     figureText("%.3f s", seconds[f])});
+                     formatNumber("%.3f s", seconds[f])});
   }
   return timeBand(seconds, cells);
 }
@@ -69,11 +69,12 @@ std::string soleTable(const FeetEvaluation& feet) {
       "<th class=n>mean depth</th><th class=n>deepest</th>"
       "<th class=n>height while the foot stands</th></tr>\n";
   for (size_t side = 0; side < 2; ++side) {
-    const SoleFigures& sole = feet[side].sole;
-    out += std::string("<tr><td>") + kSides[side] + "</td>" + cell(percentText(sole.share_below)) +
-           cell(figureText("%.1f", sole.mean_below_mm)) +
-           cell(figureText("%.0f", sole.deepest_mm)) +
-           cell(figureText("%.0f", sole.standing_mm.mean)) + "</tr>\n";
+    const SoleStatistics& sole = feet[side].sole;
+    out += std::string("<tr><td>") + kSides[side] + "</td>" +
+           cell(formatPercent(sole.fraction_below)) +
+           cell(formatNumber("%.1f", sole.mean_below_mm)) +
+           cell(formatNumber("%.0f", sole.deepest_mm)) +
+           cell(formatNumber("%.0f", sole.standing_mm.mean)) + "</tr>\n";
   }
   return out + "</table>\n";
 }
@@ -86,21 +87,24 @@ void printFeet(const FeetEvaluation& feet, std::ostream& out) {
     printRow(out, name, padded(text(feet[0])) + padded(text(feet[1])));
   };
   row("contacts", [](const FootEvaluation& f) { return std::to_string(f.ball.contacts.size()); });
-  row("found", [](const FootEvaluation& f) { return percentText(f.ball.recall); });
-  row("found rightly", [](const FootEvaluation& f) { return percentText(f.ball.precision); });
-  row("slide mm", [](const FootEvaluation& f) { return figureText("%.0f", f.ball.reach_mm.mean); });
+  row("found", [](const FootEvaluation& f) { return formatPercent(f.ball.recall); });
+  row("found rightly", [](const FootEvaluation& f) { return formatPercent(f.ball.precision); });
+  row("slide mm",
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.max_slide_mm.mean); });
   row("largest mm",
-      [](const FootEvaluation& f) { return figureText("%.0f", f.ball.reach_mm.max); });
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.max_slide_mm.max); });
   row("slide mm/s",
-      [](const FootEvaluation& f) { return figureText("%.0f", f.ball.path_mm_per_s.mean); });
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.path_mm_per_s.mean); });
   row("the truth's",
-      [](const FootEvaluation& f) { return figureText("%.0f", f.ball.true_path_mm_per_s.mean); });
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.true_path_mm_per_s.mean); });
   row("ankle mm",
-      [](const FootEvaluation& f) { return figureText("%.0f", f.ankle.reach_mm.mean); });
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ankle.max_slide_mm.mean); });
   row("ankle mm/s",
-      [](const FootEvaluation& f) { return figureText("%.0f", f.ankle.path_mm_per_s.mean); });
-  row("> 10 mm below", [](const FootEvaluation& f) { return percentText(f.sole.share_below); });
-  row("deepest mm", [](const FootEvaluation& f) { return figureText("%.0f", f.sole.deepest_mm); });
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.ankle.path_mm_per_s.mean); });
+  row("> 10 mm below",
+      [](const FootEvaluation& f) { return formatPercent(f.sole.fraction_below); });
+  row("deepest mm",
+      [](const FootEvaluation& f) { return formatNumber("%.0f", f.sole.deepest_mm); });
 }
 
 JsonObject feetObject(const FeetEvaluation& feet) {
@@ -109,7 +113,7 @@ JsonObject feetObject(const FeetEvaluation& feet) {
     const FootEvaluation& foot = feet[side];
     JsonObject one, sole;
     sole.add("frames", foot.sole.frames);
-    sole.add("share_below_10_mm", foot.sole.share_below);
+    sole.add("fraction_below_10_mm", foot.sole.fraction_below);
     sole.add("mean_below_mm", foot.sole.mean_below_mm);
     sole.add("deepest_mm", foot.sole.deepest_mm);
     sole.add("standing_height_mm_mean", foot.sole.standing_mm.mean);
@@ -135,24 +139,25 @@ std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& s
   }
   out += "</table>\n" + soleTable(feet);
   for (size_t side = 0; side < 2; ++side) {
-    const std::vector<PlotLine> lines{
+    const std::vector<PlotSeries> lines{
         {std::string("true height of the ball, ") + kSides[side], kOrange, feet[side].true_ball_mm},
         {"estimated", kBlue, feet[side].ball_mm}};
-    out += plotKey(lines) + linePlot(seconds, lines, 0.0, "mm") +
+    out += plotLegend(lines) + linePlot(seconds, lines, 0.0, "mm") +
            contactBand(feet[side].ball, seconds);
   }
-  return out + plotKey({{"stands and is found", kBoth, {}},
-                        {"stands", kTruthOnly, {}},
-                        {"does not stand but seems to", kEstimateOnly, {}},
-                        {"in the air", kNone, {}}});
+  return out + plotLegend({{"stands and is found", kBoth, {}},
+                           {"stands", kTruthOnly, {}},
+                           {"does not stand but seems to", kEstimateOnly, {}},
+                           {"in the air", kNone, {}}});
 }
 
 void printLimbs(const std::vector<LimbLoss>& limbs, std::ostream& out) {
   out << "Limbs lost          /min   share  longest   not published\n";
   for (const LimbLoss& limb : limbs)
     printRow(out, limb.limb,
-             padded(figureText("%.1f", limb.per_minute)) + padded(percentText(limb.share_lost)) +
-                 padded(figureText("%.2f s", limb.longest_s)) +
+             padded(formatNumber("%.1f", limb.per_minute)) +
+                 padded(formatPercent(limb.fraction_lost)) +
+                 padded(formatNumber("%.2f s", limb.longest_s)) +
                  padded(std::to_string(limb.not_published)) + " frames");
 }
 
@@ -163,7 +168,7 @@ JsonObject limbsObject(const std::vector<LimbLoss>& limbs) {
     one.add("frames", limb.frames);
     one.add("losses", limb.losses);
     one.add("per_minute", limb.per_minute);
-    one.add("share_lost", limb.share_lost);
+    one.add("fraction_lost", limb.fraction_lost);
     one.add("frames_far_off", limb.far_off);
     one.add("frames_not_published", limb.not_published);
     one.add("longest_s", limb.longest_s);
@@ -179,8 +184,8 @@ std::string limbsSection(const std::vector<LimbLoss>& limbs, const std::vector<d
       "<th class=n>of the frames</th><th class=n>longest</th><th class=n>frames far off</th>"
       "<th class=n>not published</th></tr>\n";
   for (const LimbLoss& limb : limbs)
-    out += "<tr><td>" + limb.limb + "</td>" + cell(figureText("%.1f", limb.per_minute)) +
-           cell(percentText(limb.share_lost)) + cell(figureText("%.2f s", limb.longest_s)) +
+    out += "<tr><td>" + limb.limb + "</td>" + cell(formatNumber("%.1f", limb.per_minute)) +
+           cell(formatPercent(limb.fraction_lost)) + cell(formatNumber("%.2f s", limb.longest_s)) +
            cell(std::to_string(limb.far_off)) + cell(std::to_string(limb.not_published)) +
            "</tr>\n";
   out += "</table>\n";
@@ -188,7 +193,7 @@ std::string limbsSection(const std::vector<LimbLoss>& limbs, const std::vector<d
     if (limb.losses == 0) continue;
     std::vector<BandCell> cells;
     for (size_t f = 0; f < seconds.size(); ++f)
-      cells.push_back({limb.lost[f] ? kEstimateOnly : kNone, figureText("%.3f s", seconds[f])});
+      cells.push_back({limb.lost[f] ? kEstimateOnly : kNone, formatNumber("%.3f s", seconds[f])});
     out += "<p>" + limb.limb + "</p>\n" + timeBand(seconds, cells);
   }
   return out;

@@ -13,7 +13,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
 #include "ros/image_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 #include "tools/common/overlay.h"
 
 namespace markerless_mocap {
@@ -72,14 +72,14 @@ HullOptions onLattice(HullOptions rules, const VoxelLattice& lattice) {
 }
 
 double meanOf(const std::vector<double>& values) {
-  return spreadOf(values).mean;
+  return summaryStatistics(values).mean;
 }
 
 }  // namespace
 
-ImageJudge::ImageJudge(const std::string& truth, const std::string& rig, const std::string& results,
-                       const ResultRecord& record, std::vector<int64_t> stamps_ns,
-                       int64_t tolerance_ns)
+ImageEvaluator::ImageEvaluator(const std::string& truth, const std::string& rig,
+                               const std::string& results, const ResultRecord& record,
+                               std::vector<int64_t> stamps_ns, int64_t tolerance_ns)
     : truth_(truth),
       results_(results),
       record_(record),
@@ -89,7 +89,7 @@ ImageJudge::ImageJudge(const std::string& truth, const std::string& rig, const s
       true_masks_(truth, topicsOf(recording_.rig(), "/ground_truth"), stamps_ns_, tolerance_ns),
       found_masks_(results, topicsOf(recording_.rig(), ""), stamps_ns_, tolerance_ns) {}
 
-const ResultFrame* ImageJudge::frameAt(int64_t stamp_ns) const {
+const ResultFrame* ImageEvaluator::frameAt(int64_t stamp_ns) const {
   const ResultFrame* best = nullptr;
   for (const ResultFrame& frame : record_.frames) {
     const int64_t gap = std::llabs(frame.stamp_ns - stamp_ns);
@@ -99,7 +99,7 @@ const ResultFrame* ImageJudge::frameAt(int64_t stamp_ns) const {
   return best && !best->T_world_link.empty() ? best : nullptr;
 }
 
-std::vector<cv::Mat> ImageJudge::bodiesAt(int64_t stamp_ns) const {
+std::vector<cv::Mat> ImageEvaluator::bodiesAt(int64_t stamp_ns) const {
   const ResultFrame* frame = frameAt(stamp_ns);
   if (!frame || !record_.has_description) return {};
   std::vector<bool> seen;
@@ -111,15 +111,15 @@ std::vector<cv::Mat> ImageJudge::bodiesAt(int64_t stamp_ns) const {
   return bodies;
 }
 
-std::vector<cv::Mat> ImageJudge::trueMasksAt(int64_t stamp_ns) const {
+std::vector<cv::Mat> ImageEvaluator::trueMasksAt(int64_t stamp_ns) const {
   std::vector<cv::Mat> masks;
   for (size_t c = 0; c < recording_.rig().size(); ++c) masks.push_back(true_masks_.at(stamp_ns, c));
   return masks;
 }
 
-ImageMeasures ImageJudge::measure(const HullOptions& rules,
-                                  const std::function<void(double)>& progress) {
-  ImageMeasures measures;
+ImageMetrics ImageEvaluator::measure(const HullOptions& rules,
+                                     const std::function<void(double)>& progress) {
+  ImageMetrics measures;
   const size_t cameras = recording_.rig().size();
   for (const Camera& camera : recording_.rig()) measures.cameras.push_back(camera.name());
   std::vector<std::vector<double>> mask(cameras), body(cameras);
@@ -132,16 +132,16 @@ ImageMeasures ImageJudge::measure(const HullOptions& rules,
       mask[c].push_back(mask_now.back());
       body[c].push_back(body_now.back());
     }
-    measures.instants.push_back({stamp, meanOf(mask_now), meanOf(body_now), NAN});
-    progress(double(measures.instants.size()) / double(stamps_ns_.size()));
+    measures.frame_sets.push_back({stamp, meanOf(mask_now), meanOf(body_now), NAN});
+    progress(double(measures.frame_sets.size()) / double(stamps_ns_.size()));
   }
-  for (const auto& values : mask) measures.mask_iou.push_back(spreadOf(values));
-  for (const auto& values : body) measures.body_iou.push_back(spreadOf(values));
+  for (const auto& values : mask) measures.mask_iou.push_back(summaryStatistics(values));
+  for (const auto& values : body) measures.body_iou.push_back(summaryStatistics(values));
   measureHulls(rules, &measures);
   return measures;
 }
 
-void ImageJudge::measureHulls(const HullOptions& rules, ImageMeasures* measures) {
+void ImageEvaluator::measureHulls(const HullOptions& rules, ImageMetrics* measures) {
   const std::optional<VoxelGrid> grid = readGrid(results_);
   if (!grid || !hasTrueMasks()) return;
   HullCarver carver(recording_.rig(), onLattice(rules, latticeFromMessage(*grid)));
@@ -158,17 +158,17 @@ void ImageJudge::measureHulls(const HullOptions& rules, ImageMeasures* measures)
     for (const cv::Mat& mask : trueMasksAt(*stamp)) views.push_back({mask, cv::Mat()});
     const VisualHull real = carver.carve(views), found = hullFromMessage(*cloud, *grid);
     overlaps.push_back(voxelIou(found, real));
-    for (InstantOverlap& instant : measures->instants)
-      if (instant.stamp_ns == *stamp) instant.hull = overlaps.back();
+    for (FrameSetOverlap& frame_set : measures->frame_sets)
+      if (frame_set.stamp_ns == *stamp) frame_set.hull = overlaps.back();
   }
-  measures->hull_iou = spreadOf(overlaps);
+  measures->hull_iou = summaryStatistics(overlaps);
 }
 
-cv::Mat ImageJudge::picture(int64_t stamp_ns) {
+cv::Mat ImageEvaluator::picture(int64_t stamp_ns) {
   return overlayOf(recording_.rig(), framesAt(stamp_ns), trueMasksAt(stamp_ns), bodiesAt(stamp_ns));
 }
 
-std::vector<CameraFrame> ImageJudge::framesAt(int64_t stamp_ns) const {
+std::vector<CameraFrame> ImageEvaluator::framesAt(int64_t stamp_ns) const {
   std::vector<std::string> topics;
   for (const RecordedCamera& camera : recording_.cameras()) topics.push_back(camera.image_topic);
   std::vector<CameraFrame> frames(topics.size());

@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-JsonObject spreadObject(const Spread& spread) {
+JsonObject spreadObject(const SummaryStatistics& spread) {
   JsonObject out;
   out.add("count", spread.count);
   out.add("mean", spread.mean);
@@ -21,8 +21,8 @@ JsonObject spreadObject(const Spread& spread) {
 void addJoints(const JointErrors& joints, JsonObject* out) {
   out->add("frames", joints.frames);
   out->add("frames_estimated", joints.frames_estimated);
-  out->add("share_without_estimate", joints.share_without_estimate);
-  out->add("share_markers_missing", joints.share_markers_missing);
+  out->add("fraction_without_estimate", joints.fraction_without_estimate);
+  out->add("fraction_markers_missing", joints.fraction_markers_missing);
   out->add("D_mean", joints.D_spread.mean);
   out->add("D_median", joints.D_spread.median);
   out->add("D_std", joints.D_spread.deviation);
@@ -49,7 +49,7 @@ void addJoints(const JointErrors& joints, JsonObject* out) {
 }
 
 JsonObject statusObject(const Evaluation& evaluation) {
-  const TrackRecord& record = evaluation.record;
+  const TrackingContinuity& record = evaluation.record;
   JsonObject out;
   out.add("tracked", record.tracked);
   out.add("reinitialized", record.reinitialized);
@@ -58,7 +58,7 @@ JsonObject statusObject(const Evaluation& evaluation) {
   out.add("seconds_to_first_pose", record.seconds_to_first_pose);
   out.add("longest_loss", record.longest_loss());
   out.add("frames_after_start", record.frames_after_start);
-  out.add("share_without_pose_after_start", record.share_without_pose_after_start);
+  out.add("fraction_without_pose_after_start", record.fraction_without_pose_after_start);
   std::string runs;
   for (const LossRun& run : record.losses) {
     JsonObject loss;
@@ -84,12 +84,12 @@ JsonObject extremitiesObject(const Evaluation& evaluation) {
   for (const ExtremityError& part : evaluation.extremities) {
     out.add(part.name + "_mean", part.error_mm.mean);
     out.add(part.name + "_max", part.error_mm.max);
-    out.add(part.name + "_share_right", part.share_right);
+    out.add(part.name + "_fraction_correct", part.fraction_correct);
   }
   return out;
 }
 
-JsonObject overlapObject(const ImageMeasures& images) {
+JsonObject overlapObject(const ImageMetrics& images) {
   JsonObject out, mask, body;
   for (size_t c = 0; c < images.cameras.size(); ++c) {
     mask.add(images.cameras[c], images.mask_iou[c].mean);
@@ -98,7 +98,7 @@ JsonObject overlapObject(const ImageMeasures& images) {
   out.add("silhouette", mask);
   out.add("body", body);
   out.add("hull", images.hull_iou.mean);
-  out.add("instants", images.instants.size());
+  out.add("instants", images.frame_sets.size());
   return out;
 }
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tools/common/html_text.h"
+#include "tools/common/number_format.h"
+#include "tools/common/svg_plot.h"
 #include "tools/evaluate/evaluation_feet_text.h"
 #include "tools/evaluate/evaluation_parts_text.h"
 #include "tools/evaluate/evaluation_table.h"
 #include "tools/evaluate/evaluation_tree_text.h"
-#include "tools/common/figure_text.h"
-#include "tools/common/html_text.h"
-#include "tools/common/svg_plot.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,48 +35,50 @@ std::string card(const std::string& value, const std::string& what) {
 
 std::string cards(const Evaluation& evaluation) {
   const JointErrors& joints = evaluation.joints;
-  const TrackRecord& record = evaluation.record;
+  const TrackingContinuity& record = evaluation.record;
   std::string out = "<div class=\"cards\">";
-  out += card(figureText("%.1f mm", joints.D_spread.mean), "mean joint error D");
-  out += card(figureText("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
-  out += card(figureText("%.1f mm", joints.D_spread.max), "largest D of a frame");
-  out += card(figureText("%.1f mm", joints.D_max_unbiased), "largest without offsets");
-  out += card(percentText(1.0 - joints.share_without_estimate), "frames with a pose");
-  out += card(percentText(record.share_without_pose_after_start), "without one after the first");
-  out += card(percentText(joints.share_markers_missing), "joints missing there");
-  out += card(percentText(joints.swaps.all), "frames with sides swapped");
-  out += card(figureText("%.0f ms", 1e3 * evaluation.delay.seconds), "delay of the motion");
+  out += card(formatNumber("%.1f mm", joints.D_spread.mean), "mean joint error D");
+  out += card(formatNumber("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
+  out += card(formatNumber("%.1f mm", joints.D_spread.max), "largest D of a frame");
+  out += card(formatNumber("%.1f mm", joints.D_max_unbiased), "largest without offsets");
+  out += card(formatPercent(1.0 - joints.fraction_without_estimate), "frames with a pose");
+  out +=
+      card(formatPercent(record.fraction_without_pose_after_start), "without one after the first");
+  out += card(formatPercent(joints.fraction_markers_missing), "joints missing there");
+  out += card(formatPercent(joints.swaps.all), "frames with sides swapped");
+  out += card(formatNumber("%.0f ms", 1e3 * evaluation.delay.seconds), "delay of the motion");
   if (evaluation.latency_ms.count > 0)
-    out += card(figureText("%.0f ms", evaluation.latency_ms.mean), "mean latency of /pose");
-  if (!evaluation.images.instants.empty())
-    out += card(figureText("%.3f", meanOfMeans(evaluation.images.body_iou)), "IoU body and masks");
+    out += card(formatNumber("%.0f ms", evaluation.latency_ms.mean), "mean latency of /pose");
+  if (!evaluation.images.frame_sets.empty())
+    out +=
+        card(formatNumber("%.3f", meanOfMeans(evaluation.images.body_iou)), "IoU body and masks");
   out += "</div>\n<p>" + std::to_string(joints.frames) +
          " frames: " + std::to_string(record.tracked) + " tracked, " +
          std::to_string(record.reinitialized) + " reinitialized, " + std::to_string(record.lost) +
          " lost, " + std::to_string(record.missing) + " missing; first pose after " +
-         figureText("%.2f s", record.seconds_to_first_pose) + ", longest loss " +
-         figureText("%.2f s", record.longest_loss()) + "</p>\n";
-  for (const std::string& note : evaluation.notes) out += "<p>" + escaped(note) + "</p>\n";
+         formatNumber("%.2f s", record.seconds_to_first_pose) + ", longest loss " +
+         formatNumber("%.2f s", record.longest_loss()) + "</p>\n";
+  for (const std::string& note : evaluation.notes) out += "<p>" + escapeHtml(note) + "</p>\n";
   return out;
 }
 
 std::string errorOverTime(const Evaluation& evaluation) {
   const std::vector<double> seconds = secondsOf(evaluation.stamps_ns);
-  const std::vector<PlotLine> lines{
+  const std::vector<PlotSeries> lines{
       {"D", kBlue, evaluation.joints.D},
       {"D without constant offsets", kOrange, evaluation.joints.D_unbiased}};
   std::vector<BandCell> cells;
   for (size_t f = 0; f < seconds.size(); ++f)
-    cells.push_back({colorOf(evaluation.statuses[f]), figureText("%.3f s: ", seconds[f]) +
+    cells.push_back({colorOf(evaluation.statuses[f]), formatNumber("%.3f s: ", seconds[f]) +
                                                           toString(evaluation.statuses[f]) + ' ' +
                                                           evaluation.reasons[f]});
-  const std::vector<PlotLine> status_key{
+  const std::vector<PlotSeries> status_key{
       {"tracked", colorOf(FrameStatus::kTracked), {}},
       {"reinitialized", colorOf(FrameStatus::kReinitialized), {}},
       {"lost", colorOf(FrameStatus::kLost), {}},
       {"missing", colorOf(FrameStatus::kMissing), {}}};
-  return "<h2>Error over time</h2>\n" + plotKey(lines) + linePlot(seconds, lines, 0.0, "mm") +
-         timeBand(seconds, cells) + plotKey(status_key);
+  return "<h2>Error over time</h2>\n" + plotLegend(lines) + linePlot(seconds, lines, 0.0, "mm") +
+         timeBand(seconds, cells) + plotLegend(status_key);
 }
 
 std::string errorPerJoint(const JointErrors& joints) {
@@ -86,7 +88,7 @@ std::string errorPerJoint(const JointErrors& joints) {
       "<th class=n>largest</th><th class=n>offset forward</th><th class=n>left</th>"
       "<th class=n>up</th></tr>\n";
   const auto cell = [](double value) {
-    return "<td class=n>" + figureText("%.0f", value) + "</td>";
+    return "<td class=n>" + formatNumber("%.0f", value) + "</td>";
   };
   for (const MarkerError& marker : joints.markers) {
     rows.push_back({marker.name, {marker.mean_mm, marker.mean_unbiased_mm}});
@@ -94,9 +96,9 @@ std::string errorPerJoint(const JointErrors& joints) {
              cell(marker.mean_unbiased_mm) + cell(marker.max_mm) + cell(marker.offset_mm.x()) +
              cell(marker.offset_mm.y()) + cell(marker.offset_mm.z()) + "</tr>\n";
   }
-  const std::vector<PlotLine> key{{"mean error", kBlue, {}},
-                                  {"with the joint's constant offset taken out", kOrange, {}}};
-  return "<h2>Error per joint</h2>\n" + plotKey(key) + barChart(rows, {kBlue, kOrange}, "mm") +
+  const std::vector<PlotSeries> key{{"mean error", kBlue, {}},
+                                    {"with the joint's constant offset taken out", kOrange, {}}};
+  return "<h2>Error per joint</h2>\n" + plotLegend(key) + barChart(rows, {kBlue, kOrange}, "mm") +
          "<p>mm; the offset in the pelvis frame: where the joint is defined otherwise</p>\n" +
          table + "</table>\n";
 }
@@ -107,12 +109,12 @@ std::string swapsAndTips(const Evaluation& evaluation) {
   const auto row = [&](const std::string& name, const std::string& value) {
     out += "<tr><td>" + name + "</td><td class=n>" + value + "</td></tr>\n";
   };
-  row("frames with swapped sides", percentText(swaps.all));
-  row("arms swapped", percentText(swaps.arms));
-  row("legs swapped", percentText(swaps.legs));
+  row("frames with swapped sides", formatPercent(swaps.all));
+  row("arms swapped", formatPercent(swaps.arms));
+  row("legs swapped", formatPercent(swaps.legs));
   for (const ExtremityError& part : evaluation.extremities) {
-    row(part.name + ", mean error", figureText("%.0f mm", part.error_mm.mean));
-    row(part.name + ", right within 150 mm", percentText(part.share_right));
+    row(part.name + ", mean error", formatNumber("%.0f mm", part.error_mm.mean));
+    row(part.name + ", right within 150 mm", formatPercent(part.fraction_correct));
   }
   return out + "</table>\n";
 }
@@ -126,28 +128,28 @@ std::string anglesSection(const std::vector<AngleError>& angles) {
 }
 
 std::string overlaps(const Evaluation& evaluation) {
-  const ImageMeasures& images = evaluation.images;
-  if (images.instants.empty()) return "";
+  const ImageMetrics& images = evaluation.images;
+  if (images.frame_sets.empty()) return "";
   std::vector<double> seconds;
-  std::vector<PlotLine> lines{
-      {"silhouettes " + figureText("%.3f", meanOfMeans(images.mask_iou)), kOrange, {}},
-      {"fitted body " + figureText("%.3f", meanOfMeans(images.body_iou)), kBlue, {}},
-      {"hull " + figureText("%.3f", images.hull_iou.mean), kGreen, {}}};
-  for (const InstantOverlap& instant : images.instants) {
-    seconds.push_back(double(instant.stamp_ns - evaluation.stamps_ns.front()) * 1e-9);
-    lines[0].values.push_back(instant.mask);
-    lines[1].values.push_back(instant.body);
-    lines[2].values.push_back(instant.hull);
+  std::vector<PlotSeries> lines{
+      {"silhouettes " + formatNumber("%.3f", meanOfMeans(images.mask_iou)), kOrange, {}},
+      {"fitted body " + formatNumber("%.3f", meanOfMeans(images.body_iou)), kBlue, {}},
+      {"hull " + formatNumber("%.3f", images.hull_iou.mean), kGreen, {}}};
+  for (const FrameSetOverlap& frame_set : images.frame_sets) {
+    seconds.push_back(double(frame_set.stamp_ns - evaluation.stamps_ns.front()) * 1e-9);
+    lines[0].values.push_back(frame_set.mask);
+    lines[1].values.push_back(frame_set.body);
+    lines[2].values.push_back(frame_set.hull);
   }
   std::string table =
       "<table><tr><th>camera</th><th class=n>silhouette</th><th class=n>body</th></tr>\n";
   for (size_t c = 0; c < images.cameras.size(); ++c)
-    table += "<tr><td>" + escaped(images.cameras[c]) + "</td><td class=n>" +
-             figureText("%.3f", images.mask_iou[c].mean) + "</td><td class=n>" +
-             figureText("%.3f", images.body_iou[c].mean) + "</td></tr>\n";
+    table += "<tr><td>" + escapeHtml(images.cameras[c]) + "</td><td class=n>" +
+             formatNumber("%.3f", images.mask_iou[c].mean) + "</td><td class=n>" +
+             formatNumber("%.3f", images.body_iou[c].mean) + "</td></tr>\n";
   return "<h2>Overlap with the exact masks</h2>\n<p>intersection over union; the hull against the "
          "one carved from the exact masks</p>\n" +
-         plotKey(lines) + linePlot(seconds, lines, 1.0, "") + table + "</table>\n";
+         plotLegend(lines) + linePlot(seconds, lines, 1.0, "") + table + "</table>\n";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
 #include "ros/segmentation_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 namespace {
@@ -82,8 +82,8 @@ PartsRecord readParts(const std::string& path) {
   return record;
 }
 
-PartsEvaluation judgeParts(const JointTrack& truth, const std::string& world_frame,
-                           const PartsRecord& parts, int64_t tolerance_ns) {
+PartsEvaluation evaluateParts(const JointTrack& truth, const std::string& world_frame,
+                              const PartsRecord& parts, int64_t tolerance_ns) {
   if (parts.world_frame != world_frame)
     throw std::runtime_error("the segmented hulls are in the frame " + parts.world_frame +
                              ", the truth in " + world_frame + ": they cannot be compared");

@@ -30,7 +30,7 @@ struct PartsEvaluation {
 
 /// \param truth with partTruthNames() \param tolerance_ns how far another stamp may lie. Throws
 ///   std::runtime_error if the two are in different frames.
-PartsEvaluation judgeParts(const JointTrack& truth, const std::string& world_frame,
-                           const PartsRecord& parts, int64_t tolerance_ns);
+PartsEvaluation evaluateParts(const JointTrack& truth, const std::string& world_frame,
+                              const PartsRecord& parts, int64_t tolerance_ns);
 
 }  // namespace markerless_mocap

@@ -1,18 +1,18 @@
 #include "tools/evaluate/evaluation_parts_text.h"
 
-#include "tools/common/figure_text.h"
 #include "tools/common/html_text.h"
+#include "tools/common/number_format.h"
 #include "tools/common/svg_plot.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr const char *kRight = "#2a9d5c", *kWrong = "#c0392b", *kRightUnsaid = "#a8d5ba",
-                     *kWrongUnsaid = "#b9bec4";
+constexpr const char *kRight = "#2a9d5c", *kWrong = "#c0392b", *kRightInvalid = "#a8d5ba",
+                     *kWrongInvalid = "#b9bec4";
 
 struct NamedFigures {
   const char *name, *words;
-  const PartFigures& figures;
+  const PartStatistics& figures;
 };
 
 std::vector<NamedFigures> figuresOf(const PartErrors& errors) {
@@ -24,7 +24,7 @@ std::vector<NamedFigures> figuresOf(const PartErrors& errors) {
 
 struct NamedCurve {
   const char* name;
-  const Spread& distance_mm;
+  const SummaryStatistics& distance_mm;
 };
 
 std::vector<NamedCurve> curvesOf(const PartErrors& errors) {
@@ -41,57 +41,59 @@ std::string statusText(const PartsEvaluation& parts) {
   return text;
 }
 
-std::string figuresText(const PartFigures& figures) {
-  return percentText(figures.share_right) + " of the voxels (worst " +
-         percentText(figures.worst_right) + ", " + percentText(figures.share_right_inside) +
-         " beyond 60 mm of a border), six parts in " + percentText(figures.share_six) + " of " +
-         std::to_string(figures.frames);
+std::string figuresText(const PartStatistics& figures) {
+  return formatPercent(figures.fraction_correct) + " of the voxels (worst " +
+         formatPercent(figures.worst_correct) + ", " +
+         formatPercent(figures.fraction_correct_inside) +
+         " beyond 60 mm of a border), six parts in " + formatPercent(figures.fraction_all_six) +
+         " of " + std::to_string(figures.frames);
 }
 
 std::string bandOf(const PartsEvaluation& parts, const std::vector<double>& seconds) {
   std::vector<BandCell> cells;
   for (size_t f = 0; f < seconds.size(); ++f) {
-    const PartVerdict& verdict = parts.errors.verdicts[f];
-    std::string words = figureText("%.3f s: ", seconds[f]) +
+    const PartEvaluation& verdict = parts.errors.verdicts[f];
+    std::string words = formatNumber("%.3f s: ", seconds[f]) +
                         (verdict.free ? "free, " : "touching, ") +
-                        percentText(verdict.share_right) + " right";
+                        formatPercent(verdict.fraction_correct) + " right";
     if (!parts.reasons[f].empty()) words += ": " + parts.reasons[f];
-    cells.push_back({verdict.valid ? (verdict.six_right ? kRight : kWrong)
-                                   : (verdict.six_right ? kRightUnsaid : kWrongUnsaid),
+    cells.push_back({verdict.valid ? (verdict.all_six_correct ? kRight : kWrong)
+                                   : (verdict.all_six_correct ? kRightInvalid : kWrongInvalid),
                      words});
   }
-  return timeBand(seconds, cells) + plotKey({{"valid, six parts right", kRight, {}},
-                                             {"valid and wrong", kWrong, {}},
-                                             {"invalid, all six right", kRightUnsaid, {}},
-                                             {"invalid", kWrongUnsaid, {}}});
+  return timeBand(seconds, cells) + plotLegend({{"valid, six parts right", kRight, {}},
+                                                {"valid and wrong", kWrong, {}},
+                                                {"invalid, all six right", kRightInvalid, {}},
+                                                {"invalid", kWrongInvalid, {}}});
 }
 
 }  // namespace
 
 void printParts(const PartsEvaluation& parts, std::ostream& out) {
   out << "Body parts\n";
-  printRow(out, "valid", percentText(parts.errors.share_valid) + "   (" + statusText(parts) + ")");
+  printRow(out, "valid",
+           formatPercent(parts.errors.fraction_valid) + "   (" + statusText(parts) + ")");
   for (const NamedFigures& kind : figuresOf(parts.errors))
     printRow(out, kind.words, figuresText(kind.figures));
   std::string curves;
   for (const NamedCurve& curve : curvesOf(parts.errors))
     curves += (curves.empty() ? "" : ", ") + std::string(curve.name) +
-              figureText(" %.0f", curve.distance_mm.mean);
+              formatNumber(" %.0f", curve.distance_mm.mean);
   printRow(out, "curves, mm", curves + "   (from the bones' axes)");
 }
 
 JsonObject partsObject(const PartsEvaluation& parts) {
   JsonObject out, statuses, curves;
-  out.add("share_valid", parts.errors.share_valid);
+  out.add("fraction_valid", parts.errors.fraction_valid);
   for (const auto& [status, count] : parts.status_counts) statuses.add(status, count);
   out.add("status", statuses);
   for (const NamedFigures& kind : figuresOf(parts.errors)) {
     JsonObject figures;
     figures.add("frames", kind.figures.frames);
-    figures.add("share_right", kind.figures.share_right);
-    figures.add("worst_right", kind.figures.worst_right);
-    figures.add("share_right_inside", kind.figures.share_right_inside);
-    figures.add("share_six", kind.figures.share_six);
+    figures.add("fraction_correct", kind.figures.fraction_correct);
+    figures.add("worst_correct", kind.figures.worst_correct);
+    figures.add("fraction_correct_inside", kind.figures.fraction_correct_inside);
+    figures.add("fraction_all_six", kind.figures.fraction_all_six);
     out.add(kind.name, figures);
   }
   for (const NamedCurve& curve : curvesOf(parts.errors))
@@ -101,15 +103,15 @@ JsonObject partsObject(const PartsEvaluation& parts) {
 }
 
 std::string partsSection(const PartsEvaluation& parts, const std::vector<double>& seconds) {
-  std::string out = "<h2>Body parts</h2>\n<p>" + percentText(parts.errors.share_valid) +
-                    " valid (" + escaped(statusText(parts)) + ")</p>\n" + bandOf(parts, seconds) +
-                    "<table>\n";
+  std::string out = "<h2>Body parts</h2>\n<p>" + formatPercent(parts.errors.fraction_valid) +
+                    " valid (" + escapeHtml(statusText(parts)) + ")</p>\n" +
+                    bandOf(parts, seconds) + "<table>\n";
   for (const NamedFigures& kind : figuresOf(parts.errors))
     out += "<tr><td>" + std::string(kind.words) + "</td><td>" + figuresText(kind.figures) +
            "</td></tr>\n";
   for (const NamedCurve& curve : curvesOf(parts.errors))
     out += "<tr><td>curve of " + std::string(curve.name) + "</td><td>" +
-           figureText("%.0f mm from the bones' axis", curve.distance_mm.mean) + "</td></tr>\n";
+           formatNumber("%.0f mm from the bones' axis", curve.distance_mm.mean) + "</td></tr>\n";
   return out + "</table>\n";
 }
 

@@ -14,8 +14,8 @@
 #include "evaluation/body_points.h"
 #include "ros/camera_conversions.h"
 #include "ros/messages.h"
-#include "tools/common/bag_file.h"
-#include "tools/common/body_file.h"
+#include "tools/common/bag_io.h"
+#include "tools/common/person_urdf.h"
 #include "tools/evaluate/evaluation_transforms.h"
 #include "tools/evaluate/evaluation_truth.h"
 
@@ -90,8 +90,7 @@ FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms
     const int64_t stamp = nanosecondsOf(pose->header.stamp);
     ResultFrame& frame = frames[stamp];
     frame = {stamp, statusOf(*pose), pose->reason, {}};
-    std::copy(pose->part_deviation.begin(), pose->part_deviation.end(),
-              frame.part_deviation_m.begin());
+    std::copy(pose->part_deviation.begin(), pose->part_deviation.end(), frame.part_sigma_m.begin());
     results->latencies.push_back(double(nanosecondsOf(entry.getTime()) - stamp) * 1e-9);
   }
   results->has_status = !frames.empty();

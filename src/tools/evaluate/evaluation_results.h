@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/body/body_model.h"
 #include "evaluation/angle_error.h"
 #include "evaluation/joint_track.h"
-#include "evaluation/track_record.h"
+#include "evaluation/tracking_continuity.h"
+#include "markerless_mocap/body/body_model.h"
 
 namespace markerless_mocap {
 
@@ -21,7 +21,7 @@ struct ResultFrame {
   std::string reason;
   LinkPoses T_world_link;  ///< NaN where a link is not seen; empty without a pose
   /// Expected errors of thorax, head, wrists, ankles, metres; NaN where not told.
-  std::array<double, 6> part_deviation_m{NAN, NAN, NAN, NAN, NAN, NAN};
+  std::array<double, 6> part_sigma_m{NAN, NAN, NAN, NAN, NAN, NAN};
 };
 
 /// What a bag says that a tracker found.

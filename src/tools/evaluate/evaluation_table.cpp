@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "tools/common/number_format.h"
 #include "tools/evaluate/evaluation_feet_text.h"
 #include "tools/evaluate/evaluation_parts_text.h"
 #include "tools/evaluate/evaluation_tree_text.h"
-#include "tools/common/figure_text.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,53 +17,55 @@ std::string padded(std::string text, size_t width) {
 }
 
 void printD(const JointErrors& joints, std::ostream& out) {
-  const Spread& D = joints.D_spread;
+  const SummaryStatistics& D = joints.D_spread;
   out << "Joint error D, mm\n";
   printRow(out, "mean",
-           figureText("%.1f", D.mean) + "   (" + figureText("%.1f", joints.D_mean_unbiased) +
+           formatNumber("%.1f", D.mean) + "   (" + formatNumber("%.1f", joints.D_mean_unbiased) +
                " with the constant offset of each joint taken out)");
-  printRow(out, "median / 95 %", figureText("%.1f", D.median) + " / " + figureText("%.1f", D.p95));
+  printRow(out, "median / 95 %",
+           formatNumber("%.1f", D.median) + " / " + formatNumber("%.1f", D.p95));
   printRow(out, "largest",
-           figureText("%.1f", D.max) + "   (" + figureText("%.1f", joints.D_max_unbiased) +
+           formatNumber("%.1f", D.max) + "   (" + formatNumber("%.1f", joints.D_max_unbiased) +
                " with them taken out)");
   printRow(out, "swapped sides",
-           "all " + percentText(joints.swaps.all) + ", arms " + percentText(joints.swaps.arms) +
-               ", legs " + percentText(joints.swaps.legs));
+           "all " + formatPercent(joints.swaps.all) + ", arms " + formatPercent(joints.swaps.arms) +
+               ", legs " + formatPercent(joints.swaps.legs));
 }
 
 void printFrames(const Evaluation& evaluation, std::ostream& out) {
-  const TrackRecord& record = evaluation.record;
+  const TrackingContinuity& record = evaluation.record;
   out << "Frames " << evaluation.joints.frames << '\n';
   printRow(out, "with a pose",
            std::to_string(evaluation.joints.frames_estimated) + "   (" +
-               percentText(evaluation.joints.share_without_estimate) + " without; " +
-               percentText(evaluation.joints.share_markers_missing) +
+               formatPercent(evaluation.joints.fraction_without_estimate) + " without; " +
+               formatPercent(evaluation.joints.fraction_markers_missing) +
                " of the joints missing in the rest)");
   printRow(out, "status",
            std::to_string(record.tracked) + " tracked, " + std::to_string(record.reinitialized) +
                " reinitialized, " + std::to_string(record.lost) + " lost, " +
                std::to_string(record.missing) + " missing");
-  printRow(out, "first pose", figureText("after %.2f s", record.seconds_to_first_pose));
+  printRow(out, "first pose", formatNumber("after %.2f s", record.seconds_to_first_pose));
   printRow(out, "after the start",
-           percentText(record.share_without_pose_after_start) + " of " +
+           formatPercent(record.fraction_without_pose_after_start) + " of " +
                std::to_string(record.frames_after_start) + " frames without a pose");
-  printRow(
-      out, "losses",
-      std::to_string(record.losses.size()) +
-          (record.losses.empty() ? ""
-                                 : ", the longest " + figureText("%.2f s", record.longest_loss())));
+  printRow(out, "losses",
+           std::to_string(record.losses.size()) +
+               (record.losses.empty()
+                    ? ""
+                    : ", the longest " + formatNumber("%.2f s", record.longest_loss())));
   const Delay& delay = evaluation.delay;
   printRow(out, "delay",
            std::isfinite(delay.seconds)
-               ? figureText("%.0f ms", 1e3 * delay.seconds) + "   (D " +
-                     figureText("%.1f", delay.D_now_mm) + " as it is, " +
-                     figureText("%.1f", delay.D_shifted_mm) + " against the truth so much later)"
+               ? formatNumber("%.0f ms", 1e3 * delay.seconds) + "   (D " +
+                     formatNumber("%.1f", delay.D_now_mm) + " as it is, " +
+                     formatNumber("%.1f", delay.D_shifted_mm) + " against the truth so much later)"
                : "-");
-  const Spread& latency = evaluation.latency_ms;
+  const SummaryStatistics& latency = evaluation.latency_ms;
   if (latency.count > 0)
     printRow(out, "latency",
-             figureText("%.0f ms", latency.mean) + " mean, " + figureText("%.0f ms", latency.p95) +
-                 " 95 %, " + figureText("%.0f ms", latency.max) + " largest");
+             formatNumber("%.0f ms", latency.mean) + " mean, " +
+                 formatNumber("%.0f ms", latency.p95) + " 95 %, " +
+                 formatNumber("%.0f ms", latency.max) + " largest");
 }
 
 void printMarkers(const JointErrors& joints, std::ostream& out) {
@@ -72,21 +74,21 @@ void printMarkers(const JointErrors& joints, std::ostream& out) {
     if (std::isfinite(marker.mean_mm)) largest = std::max(largest, marker.mean_mm);
   out << "Per joint, mm      mean  no offset     max\n";
   for (const MarkerError& marker : joints.markers) {
-    const double share = std::isfinite(marker.mean_mm) ? marker.mean_mm / largest : 0.0;
+    const double fraction = std::isfinite(marker.mean_mm) ? marker.mean_mm / largest : 0.0;
     printRow(out, marker.name,
-             padded(figureText("%.0f", marker.mean_mm), 5) +
-                 padded(figureText("%.0f", marker.mean_unbiased_mm), 11) +
-                 padded(figureText("%.0f", marker.max_mm), 8) + "  " +
-                 std::string(size_t(std::lround(28 * share)), '#'));
+             padded(formatNumber("%.0f", marker.mean_mm), 5) +
+                 padded(formatNumber("%.0f", marker.mean_unbiased_mm), 11) +
+                 padded(formatNumber("%.0f", marker.max_mm), 8) + "  " +
+                 std::string(size_t(std::lround(28 * fraction)), '#'));
   }
 }
 
 void printRest(const Evaluation& evaluation, std::ostream& out) {
   out << "Hands and feet\n";
   for (const ExtremityError& part : evaluation.extremities)
-    printRow(
-        out, part.name,
-        figureText("%.0f mm", part.error_mm.mean) + ", right in " + percentText(part.share_right));
+    printRow(out, part.name,
+             formatNumber("%.0f mm", part.error_mm.mean) + ", right in " +
+                 formatPercent(part.fraction_correct));
   if (!evaluation.angles.empty()) {
     const auto worst = std::max_element(evaluation.angles.begin(), evaluation.angles.end(),
                                         [](const AngleError& a, const AngleError& b) {
@@ -96,23 +98,23 @@ void printRest(const Evaluation& evaluation, std::ostream& out) {
     for (const AngleError& angle : evaluation.angles) means.push_back(angle.error_deg.mean);
     out << "Joint angles, degrees\n";
     printRow(out, "mean",
-             figureText("%.1f", spreadOf(means).mean) + "   (worst " + worst->joint + ", " +
-                 figureText("%.1f", worst->error_deg.mean) + ")");
+             formatNumber("%.1f", summaryStatistics(means).mean) + "   (worst " + worst->joint +
+                 ", " + formatNumber("%.1f", worst->error_deg.mean) + ")");
   }
-  const ImageMeasures& images = evaluation.images;
-  if (images.instants.empty()) return;
-  out << "Overlap with the exact masks, IoU over " << images.instants.size() << " instants\n";
-  printRow(out, "silhouettes", figureText("%.3f", meanOfMeans(images.mask_iou)));
-  printRow(out, "fitted body", figureText("%.3f", meanOfMeans(images.body_iou)));
-  printRow(out, "hull", figureText("%.3f", images.hull_iou.mean));
+  const ImageMetrics& images = evaluation.images;
+  if (images.frame_sets.empty()) return;
+  out << "Overlap with the exact masks, IoU over " << images.frame_sets.size() << " instants\n";
+  printRow(out, "silhouettes", formatNumber("%.3f", meanOfMeans(images.mask_iou)));
+  printRow(out, "fitted body", formatNumber("%.3f", meanOfMeans(images.body_iou)));
+  printRow(out, "hull", formatNumber("%.3f", images.hull_iou.mean));
 }
 
 }  // namespace
 
-double meanOfMeans(const std::vector<Spread>& spreads) {
+double meanOfMeans(const std::vector<SummaryStatistics>& spreads) {
   std::vector<double> means;
-  for (const Spread& spread : spreads) means.push_back(spread.mean);
-  return spreadOf(means).mean;
+  for (const SummaryStatistics& spread : spreads) means.push_back(spread.mean);
+  return summaryStatistics(means).mean;
 }
 
 void printEvaluation(const Evaluation& evaluation, std::ostream& out) {

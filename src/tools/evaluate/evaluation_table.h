@@ -10,6 +10,6 @@ namespace markerless_mocap {
 void printEvaluation(const Evaluation& evaluation, std::ostream& out);
 
 /// One row per camera and one for all; NaN where nothing was compared.
-double meanOfMeans(const std::vector<Spread>& spreads);
+double meanOfMeans(const std::vector<SummaryStatistics>& spreads);
 
 }  // namespace markerless_mocap

@@ -6,7 +6,7 @@
 
 #include "ros/camera_conversions.h"
 #include "ros/pose_tree_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {
@@ -51,16 +51,16 @@ TreeRecord readTrees(const std::string& path) {
   return record;
 }
 
-TreeEvaluation judgeTrees(const JointTrack& truth, const std::string& world_frame,
-                          const TreeRecord& trees, int64_t tolerance_ns) {
+TreeEvaluation evaluateTrees(const JointTrack& truth, const std::string& world_frame,
+                             const TreeRecord& trees, int64_t tolerance_ns) {
   if (trees.world_frame != world_frame)
     throw std::runtime_error("the pose trees are in the frame " + trees.world_frame +
                              ", the truth in " + world_frame + ": they cannot be compared");
   TreeEvaluation out;
-  std::vector<LabelledEnds> labels;
+  std::vector<LabelledExtremities> labels;
   for (const int index : matchStamps(truth.stamps_ns, trees.stamps_ns, tolerance_ns)) {
     const bool said = index >= 0;
-    labels.push_back(said ? trees.labels[size_t(index)] : LabelledEnds());
+    labels.push_back(said ? trees.labels[size_t(index)] : LabelledExtremities());
     out.reasons.push_back(said ? trees.reasons[size_t(index)] : "");
     ++out.status_counts[said ? trees.statuses[size_t(index)] : kMissing];
   }
@@ -68,7 +68,7 @@ TreeEvaluation judgeTrees(const JointTrack& truth, const std::string& world_fram
   out.joints = trees.joints.names;
   const JointTrack real = truth.select(out.joints);
   for (const auto& distances : markerDistances(real, alignedTo(real, trees.joints)))
-    out.joint_errors_mm.push_back(spreadOf(distances));
+    out.joint_errors_mm.push_back(summaryStatistics(distances));
   return out;
 }
 

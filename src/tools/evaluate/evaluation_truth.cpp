@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "ros/camera_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 
@@ -31,11 +31,11 @@ MaskStore::MaskStore(const std::string& path, const std::vector<std::string>& to
     const auto image = message.instantiate<sensor_msgs::Image>();
     if (!image) continue;
     const int64_t stamp = nanosecondsOf(image->header.stamp);
-    const int64_t* instant = nearestStamp(stamps_ns, stamp, tolerance_ns);
-    if (!instant) continue;
+    const int64_t* frame_set = nearestStamp(stamps_ns, stamp, tolerance_ns);
+    if (!frame_set) continue;
     const auto camera = std::find(topics.begin(), topics.end(), message.getTopic());
-    const auto key = std::make_pair(*instant, size_t(camera - topics.begin()));
-    const int64_t gap = std::llabs(*instant - stamp);
+    const auto key = std::make_pair(*frame_set, size_t(camera - topics.begin()));
+    const int64_t gap = std::llabs(*frame_set - stamp);
     if (const auto old = masks_.find(key); old != masks_.end() && old->second.gap_ns <= gap)
       continue;
     Entry& entry = masks_[key];

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "ros/hull_conversions.h"
-#include "tools/common/bag_file.h"
+#include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
 namespace {
@@ -28,7 +28,7 @@ std::string positionText(const Eigen::Vector3f& p) {
   return text.str();
 }
 
-std::string fileOf(const VisualHull& hull, const HullExport& what) {
+std::string fileOf(const VisualHull& hull, const HullExportOptions& what) {
   const std::string kind = std::filesystem::path(what.output).extension();
   return kind == ".pcd" ? pcdOf(hull, what.ascii) : plyOf(hull, what.ascii);
 }
@@ -45,12 +45,6 @@ std::string withStamp(const std::filesystem::path& path, const ros::Time& stamp)
   std::ostringstream name;
   name << path.stem().string() << '_' << stamp << path.extension().string();
   return (path.parent_path() / name.str()).string();
-}
-
-VoxelGrid readGrid(const rosbag::Bag& bag, const std::string& topic) {
-  for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic)))
-    if (const auto grid = entry.instantiate<VoxelGrid>()) return *grid;
-  throw std::runtime_error("the bag has no grid on " + topic);
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ std::string plyOf(const VisualHull& hull, bool ascii) {
   return out.str() + bytes;
 }
 
-std::vector<std::string> exportHulls(const HullExport& what) {
+std::vector<std::string> exportHulls(const HullExportOptions& what) {
   const std::filesystem::path output(what.output);
   if (output.extension() != ".pcd" && output.extension() != ".ply")
     throw std::invalid_argument("output is " + what.output +
@@ -109,7 +103,7 @@ std::vector<std::string> exportHulls(const HullExport& what) {
   rosbag::Bag bag;
   openForReading(what.input, bag);
   const std::string grid_topic = std::filesystem::path(what.topic).parent_path() / "grid";
-  const VoxelGrid grid = readGrid(bag, grid_topic);
+  const VoxelGrid grid = firstMessage<VoxelGrid>(bag, grid_topic);
   std::vector<std::string> files;
   std::optional<ros::Time> first;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(what.topic))) {

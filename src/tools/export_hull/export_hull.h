@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 
 /// What to take out of a bag, and where to.
-struct HullExport {
+struct HullExportOptions {
   std::string input;   ///< bag with hulls and their grid
   std::string output;  ///< .pcd or .ply
   std::string topic = "/hull/points";
@@ -25,6 +25,6 @@ std::string plyOf(const VisualHull& hull, bool ascii);
 
 /// Writes the files and returns their names. Throws std::runtime_error or std::invalid_argument
 /// with one sentence: output of another kind, no such bag, topic, grid or hull, file not writable.
-std::vector<std::string> exportHulls(const HullExport& what);
+std::vector<std::string> exportHulls(const HullExportOptions& what);
 
 }  // namespace markerless_mocap

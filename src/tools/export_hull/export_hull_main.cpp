@@ -1,12 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "tools/export_hull/export_hull.h"
 #include "tools/common/run_tool.h"
+#include "tools/export_hull/export_hull.h"
 
 int main(int argc, char** argv) {
   CLI::App app("Writes hulls of a bag as point clouds for other programs.", "export_hull");
-  markerless_mocap::HullExport what;
+  markerless_mocap::HullExportOptions what;
   app.add_option("input", what.input,
                  "bag that mocap_offline has written, or a recorded one with "
                  "hull/points and hull/grid")

@@ -6,7 +6,7 @@
 
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/pipeline/tracker_options.h"
-#include "tools/common/body_file.h"
+#include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
 
 namespace markerless_mocap {

@@ -11,12 +11,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tools/common/body_file.h"
+#include "tools/common/person_urdf.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr int kHighestNumber = 999;
+constexpr int kMaxCameraNumber = 999;
 
 /// The file as OpenCV's, or nothing if it is none.
 std::optional<cv::FileStorage> openStorage(const std::string& path) {
@@ -134,7 +134,7 @@ std::map<int, std::vector<std::string>> filesByCamera(const std::string& pattern
     throw std::runtime_error("the pattern " + pattern +
                              " has no %d or %02d for the number of the camera");
   std::map<int, std::vector<std::string>> files;
-  for (int number = 0; number <= kHighestNumber; ++number) {
+  for (int number = 0; number <= kMaxCameraNumber; ++number) {
     const auto found = filesMatching(withNumber(conversion, number));
     if (!found.empty()) files[number] = found;
   }

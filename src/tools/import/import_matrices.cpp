@@ -2,10 +2,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "tools/common/camera_bag.h"
+#include "tools/common/camera_bag_writer.h"
+#include "tools/common/progress.h"
 #include "tools/import/camera_files.h"
 #include "tools/import/import_recording.h"
-#include "tools/common/progress.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,7 +17,7 @@ struct CameraFiles {
   std::string name, matrix;
   std::vector<std::string> images, masks;
 
-  size_t instants() const { return std::max(images.size(), masks.size()); }
+  size_t frame_sets() const { return std::max(images.size(), masks.size()); }
   const std::string& first() const { return images.empty() ? masks[0] : images[0]; }
 };
 
@@ -32,13 +32,13 @@ std::vector<std::string> filesOf(int number, const std::string& pattern,
 }
 
 void checkCounts(const std::vector<CameraFiles>& cameras) {
-  const size_t instants = cameras.front().instants();
+  const size_t frame_sets = cameras.front().frame_sets();
   for (const CameraFiles& camera : cameras)
     for (const auto* files : {&camera.images, &camera.masks})
-      if (!files->empty() && files->size() != instants)
+      if (!files->empty() && files->size() != frame_sets)
         throw std::runtime_error(camera.name + " has " + std::to_string(files->size()) +
                                  " images or masks, " + cameras.front().name + " has " +
-                                 std::to_string(instants));
+                                 std::to_string(frame_sets));
 }
 
 std::vector<CameraFiles> listFiles(const MatricesInput& input) {
@@ -67,7 +67,7 @@ cv::Mat readImage(const std::string& path, int flags) {
   return image;
 }
 
-CameraCalibration calibrationOf(const CameraFiles& files, const WorldChange& world) {
+CameraCalibration calibrationOf(const CameraFiles& files, const WorldTransform& world) {
   CameraCalibration calibration;
   try {
     calibration = decomposeProjection(readProjection(files.matrix));
@@ -81,13 +81,14 @@ CameraCalibration calibrationOf(const CameraFiles& files, const WorldChange& wor
   return world.apply(calibration);
 }
 
-void writeInstant(const std::vector<CameraFiles>& cameras, size_t instant, int64_t stamp_ns,
-                  CameraBag* bag) {
+void writeFrameSet(const std::vector<CameraFiles>& cameras, size_t frame_set, int64_t stamp_ns,
+                   CameraBagWriter* bag) {
   for (size_t i = 0; i < cameras.size(); ++i) {
     cv::Mat image, mask;
-    if (!cameras[i].images.empty()) image = readImage(cameras[i].images[instant], cv::IMREAD_COLOR);
+    if (!cameras[i].images.empty())
+      image = readImage(cameras[i].images[frame_set], cv::IMREAD_COLOR);
     if (!cameras[i].masks.empty())
-      mask = readImage(cameras[i].masks[instant], cv::IMREAD_GRAYSCALE) > 0;
+      mask = readImage(cameras[i].masks[frame_set], cv::IMREAD_GRAYSCALE) > 0;
     bag->write(stamp_ns, i, image, mask);
   }
 }
@@ -100,17 +101,17 @@ ImportResult importMatrices(const MatricesInput& input, const ImportOptions& opt
   const std::vector<CameraFiles> cameras = listFiles(input);
   ImportResult result;
   result.fps = options.fps > 0.0 ? options.fps : kDefaultFps;
-  result.instants = int(cameras.front().instants());
+  result.frame_sets = int(cameras.front().frame_sets());
   for (const CameraFiles& camera : cameras)
     result.cameras.push_back(calibrationOf(camera, options.world));
-  result.remarks = doubtsAbout(result.cameras);
+  result.remarks = calibrationWarnings(result.cameras);
 
-  CameraBag bag(options.output, result.cameras, options.jpeg_quality);
+  CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);
   bag.writeTransforms(options.stampOf(0, result.fps));
-  for (int k = 0; k < result.instants; ++k) {
-    writeInstant(cameras, k, options.stampOf(k, result.fps), &bag);
-    progress.update(double(k + 1) / result.instants);
+  for (int k = 0; k < result.frame_sets; ++k) {
+    writeFrameSet(cameras, k, options.stampOf(k, result.fps), &bag);
+    progress.update(double(k + 1) / result.frame_sets);
   }
   progress.finish();
   bag.commit();

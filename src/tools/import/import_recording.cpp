@@ -24,12 +24,12 @@ void ImportOptions::validate() const {
   checkRange("jpeg", jpeg_quality, 0, 100);
 }
 
-int64_t ImportOptions::stampOf(int instant, double instants_per_second) const {
-  return std::llround(1e9 * (start_stamp + instant / instants_per_second));
+int64_t ImportOptions::stampOf(int frame_set, double frame_sets_per_second) const {
+  return std::llround(1e9 * (start_stamp + frame_set / frame_sets_per_second));
 }
 
 void print(const ImportResult& result, std::ostream& out) {
-  out << result.cameras.size() << " cameras, " << result.instants << " instants at " << result.fps
+  out << result.cameras.size() << " cameras, " << result.frame_sets << " instants at " << result.fps
       << " per second\n"
       << std::fixed << std::setprecision(2);
   for (const CameraCalibration& camera : result.cameras) {

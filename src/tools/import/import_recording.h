@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "tools/import/world_change.h"
+#include "tools/import/world_transform.h"
 
 namespace markerless_mocap {
 
@@ -14,7 +14,7 @@ namespace markerless_mocap {
 struct ImportOptions {
   std::string output;   ///< bag to write
   std::string rig_out;  ///< rig file to write, or empty
-  WorldChange world;
+  WorldTransform world;
   double fps = 0.0;          ///< instants per second; 0: the videos' own, 25 for images
   double start_stamp = 1.0;  ///< seconds
   int jpeg_quality = 0;      ///< 1 to 100; 0: raw images
@@ -22,7 +22,7 @@ struct ImportOptions {
   /// Throws std::invalid_argument naming option, value and what is allowed.
   void validate() const;
   /// Nanoseconds of the k-th instant.
-  int64_t stampOf(int instant, double instants_per_second) const;
+  int64_t stampOf(int frame_set, double frame_sets_per_second) const;
 };
 
 /// Images or masks of numbered cameras with a 3x4 projection matrix each; see filesByCamera() for
@@ -47,13 +47,13 @@ struct VideosInput {
 /// What an import has written.
 struct ImportResult {
   std::vector<CameraCalibration> cameras;  ///< in metres, z up
-  int instants = 0;
+  int frame_sets = 0;
   double fps = 0.0;
   std::vector<std::string> remarks;  ///< doubts about units and axes, frames left out
 };
 
-/// Both write a bag with topics as CameraBag has them; it appears only if all went well. They throw
-/// std::runtime_error or std::invalid_argument with one sentence: files that are missing,
+/// Both write a bag with topics as CameraBagWriter has them; it appears only if all went well. They
+/// throw std::runtime_error or std::invalid_argument with one sentence: files that are missing,
 /// unreadable or differ in number or size between cameras.
 /// \param notes where progress goes; nullptr: nowhere \param terminal whether it is a terminal
 ImportResult importMatrices(const MatricesInput& input, const ImportOptions& options,

@@ -2,9 +2,9 @@
 #include <iostream>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "tools/import/import_recording.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
+#include "tools/import/import_recording.h"
 
 namespace {
 
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   return runTool("import_recording", [&] {
     std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
-    const bool terminal = errorsGoToTerminal();
+    const bool terminal = isStderrTerminal();
     const ImportResult result =
         matrices->parsed() ? importMatrices(arguments.matrices, arguments.options, notes, terminal)
                            : importVideos(arguments.videos, arguments.options, notes, terminal);

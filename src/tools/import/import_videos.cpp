@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
-#include "tools/common/camera_bag.h"
+#include "tools/common/camera_bag_writer.h"
+#include "tools/common/progress.h"
 #include "tools/import/camera_files.h"
 #include "tools/import/import_recording.h"
-#include "tools/common/progress.h"
 
 namespace markerless_mocap {
 namespace {
@@ -85,7 +85,7 @@ CameraCalibration fromRig(const std::vector<CameraCalibration>& rig, const Camer
 }
 
 CameraCalibration calibrationOf(const fs::path& folder, const VideosInput& input,
-                                const CameraVideos& videos, const WorldChange& world) {
+                                const CameraVideos& videos, const WorldTransform& world) {
   if (!input.rig.empty()) return fromRig(readRig(input.rig), videos, input.rig);
   CameraCalibration calibration = readCalibration((folder / input.calibration).string());
   calibration.name = videos.name();
@@ -129,24 +129,24 @@ ImportResult importVideos(const VideosInput& input, const ImportOptions& options
   result.fps = options.fps > 0.0 ? options.fps : videos.front().fps();
   if (!(result.fps > 0.0))
     throw std::runtime_error("the videos do not say how fast they are (fps)");
-  result.remarks = doubtsAbout(result.cameras);
+  result.remarks = calibrationWarnings(result.cameras);
   const int shortest = shortestVideo(videos, &result.remarks);
 
   const int expected = shortest + (input.background.empty() ? 0 : input.background_frames);
-  CameraBag bag(options.output, result.cameras, options.jpeg_quality);
+  CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);
   bag.writeTransforms(options.stampOf(0, result.fps));
   for (auto frames = nextFrames(&videos); !frames.empty(); frames = nextFrames(&videos)) {
-    const int64_t stamp = options.stampOf(result.instants++, result.fps);
+    const int64_t stamp = options.stampOf(result.frame_sets++, result.fps);
     for (size_t i = 0; i < frames.size(); ++i) bag.write(stamp, i, frames[i], cv::Mat());
-    progress.update(double(result.instants) / std::max(expected, 1));
+    progress.update(double(result.frame_sets) / std::max(expected, 1));
   }
   progress.finish();
-  if (result.instants < expected)
-    result.remarks.push_back("a video ended after " + std::to_string(result.instants) +
+  if (result.frame_sets < expected)
+    result.remarks.push_back("a video ended after " + std::to_string(result.frame_sets) +
                              " frames, background included; its head promises " +
                              std::to_string(expected));
-  if (result.instants == 0) throw std::runtime_error("the videos have no frames");
+  if (result.frame_sets == 0) throw std::runtime_error("the videos have no frames");
   bag.commit();
   return result;
 }

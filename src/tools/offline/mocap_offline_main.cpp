@@ -2,9 +2,9 @@
 #include <iostream>
 #include <optional>
 
-#include "tools/offline/offline_run.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
+#include "tools/offline/offline_run.h"
 #include "tools/offline/self_calibration_run.h"
 
 namespace {
@@ -54,10 +54,10 @@ void describe(CLI::App& app, Arguments* arguments) {
 /// From here on the run is one with the corrected rig, if there is one. Said even if quiet: it
 /// changes the calibration.
 void calibrate(const std::string& rig_file, OfflineOptions* options) {
-  const PointingEstimate estimate = selfCalibrate(*options, rig_file);
-  options->remarks = sentencesOf(estimate, rig_file);
+  const OrientationRefinement estimate = selfCalibrate(*options, rig_file);
+  options->remarks = calibrationMessages(estimate, rig_file);
   for (const std::string& remark : options->remarks) std::cerr << remark << '\n';
-  if (estimate.status == PointingStatus::kCorrected) options->recording.rig = rig_file;
+  if (estimate.status == OrientationRefinementStatus::kCorrected) options->recording.rig = rig_file;
 }
 
 void run(Arguments* arguments) {
@@ -67,7 +67,7 @@ void run(Arguments* arguments) {
   options.interrupted = catchInterruptions();
   if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
-  const RunSummary summary = runOffline(options, notes, errorsGoToTerminal());
+  const RunSummary summary = runOffline(options, notes, isStderrTerminal());
   if (notes) summary.print(*notes);
 }
 

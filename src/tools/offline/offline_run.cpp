@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "markerless_mocap/tracking/sizes_file.h"
+#include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 #include "tools/common/progress.h"
 #include "tools/offline/result_writer.h"
@@ -22,11 +22,11 @@ void checkFiles(const OfflineOptions& options) {
 }
 
 void checkOutcome(const RunSummary& summary, const Recording& recording) {
-  if (summary.instants() == 0)
+  if (summary.frame_sets() == 0)
     throw std::runtime_error("no instant has images of two cameras or more");
   if (summary.processed() == 0)
     throw std::runtime_error("the recording ends while the background is being learned, after " +
-                             std::to_string(summary.instants()) + " instants" +
+                             std::to_string(summary.frame_sets()) + " instants" +
                              (recording.hasMasks() ? "; its silhouettes need --use-masks" : ""));
 }
 
@@ -41,7 +41,7 @@ void remarkOn(const Recording& recording, std::ostream& notes) {
 }
 
 // Whoever does not move enough in this time is not measured.
-constexpr double kLongestMeasuring = 20.0;  // seconds
+constexpr double kMaxMeasuringSeconds = 20.0;  // seconds
 
 void saveBody(const OfflineOptions& options, const TrackedBody& body) {
   if (!body.measured)
@@ -51,25 +51,26 @@ void saveBody(const OfflineOptions& options, const TrackedBody& body) {
 
 }  // namespace
 
-std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording) {
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording) {
   if (options.interrupted())
     throw std::runtime_error("interrupted, " + options.output + " is not written");
   return recording->next();
 }
 
-void measureBody(const OfflineOptions& options, PersonSources* sources, std::ostream* notes) {
+void measureBody(const OfflineOptions& options, PersonResources* sources, std::ostream* notes) {
   RecordingOptions beginning = options.recording;
-  beginning.duration = std::min(beginning.duration, kLongestMeasuring);
+  beginning.duration = std::min(beginning.duration, kMaxMeasuringSeconds);
   Recording recording(options.input, beginning);
   PipelineOptions stages = options.pipeline;
   stages.fitting.method = "contour";  // the only one that measures
   Pipeline pipeline(recording.rig(), *sources, stages);
   std::atomic<bool> measured = false;
-  pipeline.processStream([&] { return measured ? std::nullopt : nextInstant(options, &recording); },
-                         [&](const CapturedInstant&, const PipelineResult& result) {
-                           measured = measured || (result.body && result.body->measured);
-                         });
-  pipeline.measureBodyNow();
+  pipeline.processStream(
+      [&] { return measured ? std::nullopt : nextFrameSet(options, &recording); },
+      [&](const FrameSet&, const PipelineResult& result) {
+        measured = measured || (result.body && result.body->measured);
+      });
+  pipeline.estimateShapeNow();
   if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
   if (!notes) return;
   char stature[16];
@@ -81,44 +82,44 @@ void measureBody(const OfflineOptions& options, PersonSources* sources, std::ost
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
   checkFiles(options);
   Recording recording(options.input, options.recording);
-  PersonSources sources =
-      readPersonSources(options.body_id, options.urdf_template, options.body_file);
+  PersonResources sources =
+      readPersonResources(options.body_id, options.urdf_template, options.body_file);
   PipelineOptions stages = options.pipeline;
-  if (stages.fitting.measure && stages.fitting.method != "skeleton" && !sources.measured)
+  if (stages.fitting.person.measure && stages.fitting.method != "hsiao" && !sources.measured)
     measureBody(options, &sources, notes);
-  stages.fitting.measure = false;
+  stages.fitting.person.measure = false;
   Pipeline pipeline(recording.rig(), sources, stages);
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary;
 
-  NewBag bag(options.output);
+  BagWriter bag(options.output);
   ResultWriter writer(&bag, *body->model, options.recording.world_frame,
                       makePoseFilter(body->model, stages.fitting.filter));
   Progress progress("mocap_offline", notes, terminal);
   std::optional<RunReport> report;
   if (!options.report_folder.empty())
     report.emplace(options.report_folder, *body->model, pipeline.rig());
-  const auto write = [&](const CapturedInstant& instant, const PipelineResult& result) {
-    if (summary.instants() == 0) {
-      writer.writeStaticTransforms(instant.stamp_ns, recording.staticTransforms());
-      writer.writeDescription(instant.stamp_ns, body->urdf);
+  const auto write = [&](const FrameSet& frame_set, const PipelineResult& result) {
+    if (summary.frame_sets() == 0) {
+      writer.writeStaticTransforms(frame_set.stamp_ns, recording.staticTransforms());
+      writer.writeDescription(frame_set.stamp_ns, body->urdf);
     }
     summary.add(result);
-    if (options.masks_out) writer.writeMasks(instant.stamp_ns, recording.cameras(), result.masks);
+    if (options.masks_out) writer.writeMasks(frame_set.stamp_ns, recording.cameras(), result.masks);
     if (result.learning) return;
-    writer.write(instant.stamp_ns, result);
-    if (report) summary.addOverlaps(report->add(instant, result));
+    writer.write(frame_set.stamp_ns, result);
+    if (report) summary.addOverlaps(report->add(frame_set, result));
   };
   pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
   pipeline.processStream(
       [&] {
-        std::optional<CapturedInstant> instant;
-        summary.timed(RunSummary::kReading, [&] { instant = nextInstant(options, &recording); });
-        progress.update(recording.shareRead());
-        return instant;
+        std::optional<FrameSet> frame_set;
+        summary.timed(RunSummary::kReading, [&] { frame_set = nextFrameSet(options, &recording); });
+        progress.update(recording.fractionRead());
+        return frame_set;
       },
-      [&](const CapturedInstant& instant, const PipelineResult& result) {
-        summary.timed(RunSummary::kWriting, [&] { write(instant, result); });
+      [&](const FrameSet& frame_set, const PipelineResult& result) {
+        summary.timed(RunSummary::kWriting, [&] { write(frame_set, result); });
       });
   progress.finish();
   checkOutcome(summary, recording);

@@ -28,13 +28,13 @@ struct OfflineOptions {
 
 /// The next instant of a recording that is run over. Throws as Recording::next(), and
 /// std::runtime_error if the run was interrupted.
-std::optional<CapturedInstant> nextInstant(const OfflineOptions& options, Recording* recording);
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording);
 
 /// Runs over the first seconds of a recording until the body is measured, so that all of it can be
 /// fitted with these sizes. Throws as runOffline().
 /// \param sources gets the sizes, if they could be measured
 /// \param notes where the result is told; nullptr: nowhere
-void measureBody(const OfflineOptions& options, PersonSources* sources, std::ostream* notes);
+void measureBody(const OfflineOptions& options, PersonResources* sources, std::ostream* notes);
 
 /// Runs all stages over a bag and writes what they make to another; the same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or

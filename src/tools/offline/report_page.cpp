@@ -49,7 +49,7 @@ std::string statusBand(const std::vector<ReportRow>& rows) {
 template <class Figure>
 std::string plot(const std::vector<ReportRow>& rows, double top, const std::string& unit,
                  const Figure& figure) {
-  PlotLine line{"", kLineColor, {}};
+  PlotSeries line{"", kLineColor, {}};
   for (const ReportRow& row : rows) line.values.push_back(figure(row));
   return linePlot(secondsOf(rows), {line}, top, unit);
 }
@@ -70,7 +70,7 @@ std::string cameraTable(const ReportContent& content) {
   std::ostringstream table;
   table << "<table><tr><th>camera</th><th>mean IoU</th></tr>" << std::fixed << std::setprecision(3);
   for (size_t i = 0; i < content.cameras.size(); ++i) {
-    table << "<tr><td>" << escaped(content.cameras[i]) << "</td><td>";
+    table << "<tr><td>" << escapeHtml(content.cameras[i]) << "</td><td>";
     if (std::isfinite(content.iou_of_camera[i])) table << content.iou_of_camera[i];
     table << "</td></tr>";
   }
@@ -82,7 +82,7 @@ std::string cameraTable(const ReportContent& content) {
 
 std::string reportPage(const ReportContent& content) {
   std::string body;
-  for (const std::string& remark : content.remarks) body += "<p>" + escaped(remark) + "</p>\n";
+  for (const std::string& remark : content.remarks) body += "<p>" + escapeHtml(remark) + "</p>\n";
   body += "<p>" + counts(content.rows) + "</p>\n";
   body += "<h2>Status</h2><p>green tracked, amber reinitialized, red lost</p>\n" +
           statusBand(content.rows);

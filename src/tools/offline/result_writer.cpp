@@ -13,7 +13,7 @@
 
 namespace markerless_mocap {
 
-ResultWriter::ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame,
+ResultWriter::ResultWriter(BagWriter* bag, const BodyModel& model, std::string world_frame,
                            std::optional<PoseFilter> filter)
     : bag_(bag), model_(model), world_frame_(std::move(world_frame)), filter_(std::move(filter)) {}
 

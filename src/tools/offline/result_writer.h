@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "markerless_mocap/tracking/pose_filter.h"
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "tools/common/bag_file.h"
+#include "markerless_mocap/tracking/pose_filter.h"
+#include "tools/common/bag_io.h"
 #include "tools/common/recorded_cameras.h"
 
 namespace markerless_mocap {
@@ -18,7 +18,7 @@ namespace markerless_mocap {
 class ResultWriter {
  public:
   /// \param filter none: tf and joint_states are raw, too
-  ResultWriter(NewBag* bag, const BodyModel& model, std::string world_frame,
+  ResultWriter(BagWriter* bag, const BodyModel& model, std::string world_frame,
                std::optional<PoseFilter> filter = std::nullopt);
 
   /// To be called once, before the first instant.
@@ -36,7 +36,7 @@ class ResultWriter {
   void writeParts(const std_msgs::Header& header, const PipelineResult& result);
   void writePose(int64_t stamp_ns, const BodyPose& raw);
 
-  NewBag* bag_;
+  BagWriter* bag_;
   const BodyModel& model_;
   std::string world_frame_;
   std::optional<PoseFilter> filter_;

@@ -16,7 +16,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostPictures = 8;
+constexpr size_t kMaxPictures = 8;
 
 /// Links of parts that the pose does not claim are not drawn.
 std::vector<bool> seenLinks(const BodyModel& model, const BodyPose& pose) {
@@ -32,9 +32,9 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? NAN : std::accumulate(values.begin(), values.end(), 0.0) / values.size();
 }
 
-std::string captionOf(const CapturedInstant& instant, const BodyPose& pose, double mean_iou) {
+std::string captionOf(const FrameSet& frame_set, const BodyPose& pose, double mean_iou) {
   char text[96];
-  std::snprintf(text, sizeof text, "%.3f s, %s", instant.stamp_ns * 1e-9, toString(pose.status));
+  std::snprintf(text, sizeof text, "%.3f s, %s", frame_set.stamp_ns * 1e-9, toString(pose.status));
   std::string caption = text;
   if (std::isfinite(mean_iou)) {
     std::snprintf(text, sizeof text, ", mean IoU %.2f", mean_iou);
@@ -57,7 +57,7 @@ RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig
   for (const Camera& camera : rig_) content_.cameras.push_back(camera.name());
 }
 
-std::vector<double> RunReport::add(const CapturedInstant& instant, const PipelineResult& result) {
+std::vector<double> RunReport::add(const FrameSet& frame_set, const PipelineResult& result) {
   const std::vector<cv::Mat> bodies = bodyMasks(result.pose);
   std::vector<double> overlaps;
   for (size_t i = 0; i < bodies.size(); ++i) {
@@ -68,9 +68,9 @@ std::vector<double> RunReport::add(const CapturedInstant& instant, const Pipelin
   }
   const bool lost = result.pose.status == PoseStatus::kLost;
   const double mean = meanOf(overlaps);
-  content_.rows.push_back({instant.stamp_ns, result.pose.status, result.pose.reason, mean,
+  content_.rows.push_back({frame_set.stamp_ns, result.pose.status, result.pose.reason, mean,
                            lost ? NAN : result.pose.skeleton_error_m});
-  keepPicture(instant, result, bodies, captionOf(instant, result.pose, mean));
+  keepPicture(frame_set, result, bodies, captionOf(frame_set, result.pose, mean));
   return overlaps;
 }
 
@@ -85,13 +85,13 @@ std::vector<cv::Mat> RunReport::bodyMasks(const BodyPose& pose) const {
   return bodies;
 }
 
-void RunReport::keepPicture(const CapturedInstant& instant, const PipelineResult& result,
+void RunReport::keepPicture(const FrameSet& frame_set, const PipelineResult& result,
                             const std::vector<cv::Mat>& bodies, const std::string& caption) {
   const size_t row = content_.rows.size() - 1;
   if (row % picture_stride_ != 0) return;
-  content_.pictures.push_back({caption, overlayOf(rig_, instant.frames, result.masks, bodies)});
+  content_.pictures.push_back({caption, overlayOf(rig_, frame_set.frames, result.masks, bodies)});
   picture_rows_.push_back(row);
-  if (picture_rows_.size() <= kMostPictures) return;
+  if (picture_rows_.size() <= kMaxPictures) return;
   // Too many: every second one stays, and from now on half as many are taken.
   picture_stride_ *= 2;
   for (size_t i = 0; 2 * i < picture_rows_.size(); ++i) {

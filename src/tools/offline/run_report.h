@@ -16,14 +16,14 @@ class RunReport {
   RunReport(std::string folder, const BodyModel& model, const CameraRig& rig);
 
   /// \return intersection over union of each view that has a mask; empty when the pose is lost
-  std::vector<double> add(const CapturedInstant& instant, const PipelineResult& result);
+  std::vector<double> add(const FrameSet& frame_set, const PipelineResult& result);
   /// Writes report.html and the pictures as PNG. Throws std::runtime_error if it cannot.
   /// \param remarks that the page begins with, a sentence each
   void write(const std::string& title, const std::vector<std::string>& remarks = {});
 
  private:
   std::vector<cv::Mat> bodyMasks(const BodyPose& pose) const;
-  void keepPicture(const CapturedInstant& instant, const PipelineResult& result,
+  void keepPicture(const FrameSet& frame_set, const PipelineResult& result,
                    const std::vector<cv::Mat>& bodies, const std::string& caption);
 
   std::string folder_;

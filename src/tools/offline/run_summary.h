@@ -27,7 +27,7 @@ class RunSummary {
   /// \param overlaps intersection over union of body and mask, one per view
   void addOverlaps(const std::vector<double>& overlaps);
 
-  int instants() const { return instants_; }
+  int frame_sets() const { return instants_; }
   /// Instants after the background was learned.
   int processed() const { return instants_ - learning_; }
   double meanIou() const { return views_ == 0 ? 0.0 : iou_sum_ / views_; }

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "contour/contour_urdf_converter.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "contour/contour_conversion.h"
-#include "markerless_mocap/tracking/sizes_file.h"
+#include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLongest = 60.0;     // seconds of the recording
-constexpr size_t kMostInstants = 48;  // some thirty are left when every second one goes
+constexpr double kMaxSeconds = 60.0;  // seconds of the recording
+constexpr size_t kMaxFrameSets = 48;  // some thirty are left when every second one goes
 
 // Another posture: the joints have moved by this on average. The same one seen again would only
 // let the body's faults count for more.
@@ -34,24 +34,24 @@ class PostureCollector {
     last_ = points;
     if (postures_++ % stride_ != 0) return;
     instants_.push_back({observer_.observe(result.masks), pose});
-    if (instants_.size() > kMostInstants) thinOut();
+    if (instants_.size() > kMaxFrameSets) thinOut();
   }
-  const std::vector<PointingInstant>& instants() const { return instants_; }
+  const std::vector<OrientationSample>& frame_sets() const { return instants_; }
 
  private:
   void thinOut() {
     stride_ *= 2;
-    std::vector<PointingInstant> kept;
+    std::vector<OrientationSample> kept;
     for (size_t i = 0; i < instants_.size(); i += 2) kept.push_back(std::move(instants_[i]));
     instants_ = std::move(kept);
   }
 
   ContourObserver observer_;
-  ContourConversion conversion_;
+  ContourUrdfConverter conversion_;
   ContourBody body_;
   Eigen::Matrix3Xd last_;
   size_t postures_ = 0, stride_ = 1;
-  std::vector<PointingInstant> instants_;
+  std::vector<OrientationSample> instants_;
 };
 
 std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
@@ -62,37 +62,37 @@ std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
 
 }  // namespace
 
-PointingEstimate selfCalibrate(const OfflineOptions& run, const std::string& rig_file) {
-  PersonSources sources = readPersonSources(run.body_id, run.urdf_template, run.body_file);
+OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file) {
+  PersonResources sources = readPersonResources(run.body_id, run.urdf_template, run.body_file);
   if (!sources.measured) measureBody(run, &sources, nullptr);
   PipelineOptions stages = run.pipeline;
   stages.fitting.method = "contour";
   stages.fitting.measure = false;
   RecordingOptions beginning = run.recording;
-  beginning.duration = std::min(beginning.duration, kLongest);
+  beginning.duration = std::min(beginning.duration, kMaxSeconds);
   Recording recording(run.input, beginning);
   Pipeline pipeline(recording.rig(), sources, stages);
-  const ContourSizes sizes = pipeline.body()->sizes;
+  const ShapeParameters sizes = pipeline.body()->sizes;
   PostureCollector collector(pipeline, stages.fitting.contour);
   pipeline.processStream(
-      [&] { return nextInstant(run, &recording); },
-      [&](const CapturedInstant&, const PipelineResult& result) { collector.add(result); });
-  const SizePrior prior{sources.people, statureOf(sizes), stages.fitting.person.stature_deviation};
-  PointingEstimate estimate = estimatePointingAndSizes(recording.rig(), stages.fitting.contour,
-                                                       prior, sizes, collector.instants(), {});
-  if (estimate.status == PointingStatus::kCorrected)
+      [&] { return nextFrameSet(run, &recording); },
+      [&](const FrameSet&, const PipelineResult& result) { collector.add(result); });
+  const ShapePrior prior{sources.people, statureOf(sizes), stages.fitting.person.stature_deviation};
+  OrientationRefinement estimate = refineOrientationsAndShape(
+      recording.rig(), stages.fitting.contour, prior, sizes, collector.frame_sets(), {});
+  if (estimate.status == OrientationRefinementStatus::kCorrected)
     writeRig(rig_file, calibrationsOf(estimate.rig));
   return estimate;
 }
 
-std::vector<std::string> sentencesOf(const PointingEstimate& estimate,
-                                     const std::string& rig_file) {
+std::vector<std::string> calibrationMessages(const OrientationRefinement& estimate,
+                                             const std::string& rig_file) {
   std::vector<std::string> sentences = {"self-calibration: " + estimate.sentence()};
-  if (estimate.status != PointingStatus::kCorrected) {
+  if (estimate.status != OrientationRefinementStatus::kCorrected) {
     sentences.back() += "; " + rig_file + " is not written";
     return sentences;
   }
-  for (const PointingCorrection& one : estimate.corrections) sentences.push_back(one.sentence());
+  for (const OrientationCorrection& one : estimate.corrections) sentences.push_back(one.sentence());
   sentences.push_back("the corrected rig is written to " + rig_file);
   return sentences;
 }

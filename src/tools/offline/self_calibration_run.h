@@ -13,9 +13,10 @@ namespace markerless_mocap {
 /// file is. Throws as runOffline().
 /// \param run the recording, its stages and body; of a long one the first minute is used
 /// \param rig_file YAML, as writeRig() makes it; replaced if it exists
-PointingEstimate selfCalibrate(const OfflineOptions& run, const std::string& rig_file);
+OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file);
 
 /// What was found and done, and where the rig is if it was written; a sentence each.
-std::vector<std::string> sentencesOf(const PointingEstimate& estimate, const std::string& rig_file);
+std::vector<std::string> calibrationMessages(const OrientationRefinement& estimate,
+                                             const std::string& rig_file);
 
 }  // namespace markerless_mocap

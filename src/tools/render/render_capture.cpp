@@ -4,13 +4,13 @@
 
 #include <stdexcept>
 
+#include "capture/ground_truth.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "capture/truth.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "ros/truth_conversions.h"
-#include "tools/common/body_file.h"
-#include "tools/common/camera_bag.h"
+#include "tools/common/camera_bag_writer.h"
+#include "tools/common/person_urdf.h"
 #include "tools/common/progress.h"
 
 namespace markerless_mocap {
@@ -30,7 +30,7 @@ rosbag::CompressionType compressionOf(const std::string& name) {
   refuse("compression", name, "lz4 and none");
 }
 
-/// As CameraBag has it: 0 stands for raw images.
+/// As CameraBagWriter has it: 0 stands for raw images.
 int qualityOf(const RenderOptions& options) {
   if (options.images != "raw" && options.images != "jpeg" && options.images != "none")
     refuse("images", options.images, "raw, jpeg and none");
@@ -61,39 +61,39 @@ class CaptureWriter {
   }
 
   /// Returns how many images are missing.
-  int write(const StudioInstant& instant) {
-    const int64_t stamp = kFirstStamp + instant.time_ns;
+  int write(const StudioFrameSet& frame_set) {
+    const int64_t stamp = kFirstStamp + frame_set.time_ns;
     std_msgs::Header header;
     header.stamp = rosTime(stamp);
     int dropped = 0;
-    for (size_t i = 0; i < instant.masks.size(); ++i) {
+    for (size_t i = 0; i < frame_set.masks.size(); ++i) {
       const std::string& name = studio_.rig()[i].name();
       header.frame_id = opticalFrame(name);
       bag_.bag().write(kTruth + name + "/silhouette", header.stamp,
-                       messageFromMat(instant.masks[i], header));
-      dropped += instant.images[i].empty();
-      if (instant.images[i].empty()) continue;
-      bag_.write(stamp, i, images_ ? instant.images[i] : cv::Mat(),
-                 masks_ ? instant.silhouettes[i] : cv::Mat());
+                       messageFromMat(frame_set.masks[i], header));
+      dropped += frame_set.images[i].empty();
+      if (frame_set.images[i].empty()) continue;
+      bag_.write(stamp, i, images_ ? frame_set.images[i] : cv::Mat(),
+                 masks_ ? frame_set.silhouettes[i] : cv::Mat());
     }
     header.frame_id = "world";
-    if (instant.person) writeTruth(instant, header);
+    if (frame_set.person) writeTruth(frame_set, header);
     return dropped;
   }
 
   void commit() { bag_.commit(); }
 
  private:
-  void writeTruth(const StudioInstant& instant, const std_msgs::Header& header) {
+  void writeTruth(const StudioFrameSet& frame_set, const std_msgs::Header& header) {
     bag_.bag().write(kTruth + "joints", header.stamp,
-                     messageFromPoints(truthNames(), instant.points, header));
+                     messageFromPoints(groundTruthNames(), frame_set.points, header));
     bag_.bag().write(kTruth + "joint_states", header.stamp,
-                     messageFromAngles(studio_.body(), instant.body.angles, header));
+                     messageFromAngles(studio_.body(), frame_set.body.angles, header));
   }
 
   const VirtualStudio& studio_;
   bool images_, masks_;
-  CameraBag bag_;
+  CameraBagWriter bag_;
 };
 
 }  // namespace
@@ -103,16 +103,16 @@ RenderSummary renderCapture(const RenderOptions& options, std::ostream* notes, b
   CaptureWriter writer(options, studio);
   RenderSummary summary;
   summary.cameras = int(studio.rig().size());
-  summary.instants = studio.instantCount();
+  summary.frame_sets = studio.frameSetCount();
   summary.background = options.studio.background_frames;
   summary.stature = studio.stature();
-  summary.seconds = summary.instants / options.studio.fps;
+  summary.seconds = summary.frame_sets / options.studio.fps;
   Progress progress("render_capture", notes, terminal);
-  for (int i = 0; i < summary.instants; ++i) {
+  for (int i = 0; i < summary.frame_sets; ++i) {
     if (options.interrupted())
       throw std::runtime_error("interrupted, " + options.output + " is not written");
     summary.dropped += writer.write(studio.render(i));
-    progress.update(double(i + 1) / summary.instants);
+    progress.update(double(i + 1) / summary.frame_sets);
   }
   progress.finish();
   if (!options.rig_out.empty()) writeRig(options.rig_out, calibrationsOf(studio.rig()));
@@ -121,7 +121,7 @@ RenderSummary renderCapture(const RenderOptions& options, std::ostream* notes, b
 }
 
 void print(const RenderSummary& summary, std::ostream& out) {
-  out << summary.cameras << " cameras, " << summary.instants << " instants in " << summary.seconds
+  out << summary.cameras << " cameras, " << summary.frame_sets << " instants in " << summary.seconds
       << " s, the first " << summary.background << " show the empty room\n"
       << "the person is " << summary.stature << " m tall\n";
   if (summary.dropped > 0) out << summary.dropped << " images are missing, as asked for\n";

@@ -24,7 +24,7 @@ struct RenderOptions {
 
 /// What has been written.
 struct RenderSummary {
-  int cameras = 0, instants = 0, background = 0, dropped = 0;
+  int cameras = 0, frame_sets = 0, background = 0, dropped = 0;
   double stature = 0.0;  ///< of the person, m
   double seconds = 0.0;  ///< of film
 };

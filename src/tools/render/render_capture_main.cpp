@@ -1,12 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "tools/common/body_file.h"
-#include "tools/common/progress.h"
 #include "resources/resources.h"
+#include "tools/common/person_urdf.h"
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
 #include "tools/common/studio_settings.h"
 #include "tools/render/render_capture.h"
-#include "tools/common/run_tool.h"
 
 namespace {
 
@@ -15,7 +15,7 @@ using namespace markerless_mocap;
 struct Arguments {
   RenderOptions render;
   std::string config, motion, rig, urdf_template;
-  std::vector<std::string> changes;
+  std::vector<std::string> overrides;
   bool quiet = false;
 };
 
@@ -27,7 +27,8 @@ void describe(CLI::App& app, Arguments* arguments) {
                  "name of a motion in config/motions, or path of a .yaml or .bvh file");
   app.add_option("--rig", arguments->rig,
                  "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
-  app.add_option("--set", arguments->changes, "KEY=VALUE of the section, may be given repeatedly");
+  app.add_option("--set", arguments->overrides,
+                 "KEY=VALUE of the section, may be given repeatedly");
   app.add_option("--images", render.images, "raw, jpeg or none")->capture_default_str();
   app.add_option("--jpeg-quality", render.jpeg_quality, "1 to 100")->capture_default_str();
   app.add_flag("--masks", render.masks, "write <camera>/silhouette too, spoilt by mask_damage");
@@ -41,7 +42,8 @@ void describe(CLI::App& app, Arguments* arguments) {
 
 void run(Arguments* arguments) {
   RenderOptions& render = arguments->render;
-  render.studio = readStudioOptions(arguments->config, changesOf(arguments->changes));
+  render.studio =
+      readStudioOptions(arguments->config, parseOverrides(arguments->overrides, "--set"));
   if (!arguments->motion.empty()) render.studio.motion = arguments->motion;
   if (!arguments->rig.empty()) render.studio.rig = arguments->rig;
   const std::string& urdf = arguments->urdf_template;
@@ -49,7 +51,7 @@ void run(Arguments* arguments) {
   render.files.motions_folder = packageFile("config/motions");
   render.interrupted = catchInterruptions();
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
-  const RenderSummary summary = renderCapture(render, notes, errorsGoToTerminal());
+  const RenderSummary summary = renderCapture(render, notes, isStderrTerminal());
   if (notes) print(summary, *notes);
 }
 

@@ -5,11 +5,11 @@
 
 #include "ros/hull_conversions.h"
 #include "segmentation/eigenmap.h"
-#include "segmentation/spline_walk.h"
+#include "segmentation/spline_propagation.h"
 #include "segmentation/voxel_figure.h"
-#include "tools/common/bag_file.h"
 #include "studies/eigenmap_figures/eigenmap_drawing.h"
-#include "studies/eigenmap_figures/eigenmap_plane.h"
+#include "studies/eigenmap_figures/eigenmap_test_image.h"
+#include "tools/common/bag_io.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -28,8 +28,8 @@ cv::Mat square() {
   return image;
 }
 
-TEST(PlaneGraph, JoinsPixelsWithinTwoOfEachOther) {
-  const PlaneGraph plane = planeGraph(square(), {});
+TEST(PixelGraph, JoinsPixelsWithinTwoOfEachOther) {
+  const PixelGraph plane = pixelGraph(square(), {});
   ASSERT_EQ(plane.pixel.size(), 49u);
   const WeightedGraph& graph = plane.graph;
   EXPECT_EQ(graph.row_start[1] - graph.row_start[0], 8u);  // a corner
@@ -39,24 +39,25 @@ TEST(PlaneGraph, JoinsPixelsWithinTwoOfEachOther) {
   EXPECT_EQ(weightBetween(graph, middle, middle + 3), 0.0);
 }
 
-TEST(PlaneGraph, RaisesTheEdgesOfPixelsInside) {
-  const WeightedGraph graph = planeGraph(square(), {false, 2.0}).graph;
+TEST(PixelGraph, RaisesTheEdgesOfPixelsInside) {
+  const WeightedGraph graph = pixelGraph(square(), {false, 2.0}).graph;
   EXPECT_EQ(weightBetween(graph, 24, 25), 3.0);
   EXPECT_EQ(weightBetween(graph, 25, 24), 3.0);
   EXPECT_EQ(weightBetween(graph, 0, 1), 1.0);  // two pixels on the border
 }
 
-TEST(PlaneGraph, TellsColorsApart) {
-  const WeightedGraph graph = planeGraph(square(), {true, 0.0}).graph;
+TEST(PixelGraph, TellsColorsApart) {
+  const WeightedGraph graph = pixelGraph(square(), {true, 0.0}).graph;
   EXPECT_DOUBLE_EQ(weightBetween(graph, 24, 25), 2.0);
   EXPECT_NEAR(weightBetween(graph, 26, 27), 0.1, 1e-12);
 }
 
 /// How many of the figure's tips (head, hands, feet) lie in branches of their own.
-size_t tipsApart(const PlaneWeights& weights, WalkStop stop) {
-  const PlaneGraph plane = planeGraph(planeFigure(), weights);
-  const std::vector<int> branch = branchOfNodes(
-      splineWalkBranches(laplacianEigenmap(plane.graph, 6), stop, 5, 0.3), plane.pixel.size());
+size_t tipsApart(const PixelGraphOptions& weights, SplineTermination stop) {
+  const PixelGraph plane = pixelGraph(testImage(), weights);
+  const std::vector<int> branch =
+      branchOfNodes(splinePropagationBranches(laplacianEigenmap(plane.graph, 6), stop, 5, 0.3),
+                    plane.pixel.size());
   std::set<int> found;
   for (size_t node = 0; node < plane.pixel.size(); ++node) {
     for (const cv::Point tip : {cv::Point(44, 7), {8, 50}, {80, 50}, {26, 89}, {62, 89}})
@@ -68,9 +69,9 @@ size_t tipsApart(const PlaneWeights& weights, WalkStop stop) {
 
 // As in Fig. 3-12 and 3-14: shrinking draws the head to the origin, its colour keeps it out.
 TEST(PlaneFigure, HasItsLimbsInBranchesOfTheirOwn) {
-  EXPECT_EQ(tipsApart({}, WalkStop::kOutliers), 5u);
-  EXPECT_EQ(tipsApart({false, 4.0}, WalkStop::kOrigin), 4u);
-  EXPECT_EQ(tipsApart({true, 4.0}, WalkStop::kOrigin), 5u);
+  EXPECT_EQ(tipsApart({}, SplineTermination::kOutliers), 5u);
+  EXPECT_EQ(tipsApart({false, 4.0}, SplineTermination::kOrigin), 4u);
+  EXPECT_EQ(tipsApart({true, 4.0}, SplineTermination::kOrigin), 5u);
 }
 
 TEST(EigenmapDrawing, PutsPointsWhereTheyAreInTheirColors) {
@@ -100,7 +101,7 @@ TEST(EigenmapDrawing, ShowsTheDimensionsAskedFor) {
 using EigenmapFiguresTool = ToolTest;
 
 TEST_F(EigenmapFiguresTool, DrawsTheTestImageAlone) {
-  EigenmapFigures what;
+  EigenmapFigureOptions what;
   what.folder = path("figures");
   const std::vector<std::string> files = drawEigenmapFigures(what);
   ASSERT_EQ(files.size(), 3u);
@@ -109,7 +110,7 @@ TEST_F(EigenmapFiguresTool, DrawsTheTestImageAlone) {
 
 TEST_F(EigenmapFiguresTool, DrawsHullsOfABag) {
   {
-    NewBag bag(path("hulls.bag"));
+    BagWriter bag(path("hulls.bag"));
     for (int i = 0; i < 2; ++i) {
       const VisualHull hull = standingFigure(1.0 + 0.03 * i).hull();
       std_msgs::Header header;
@@ -120,10 +121,10 @@ TEST_F(EigenmapFiguresTool, DrawsHullsOfABag) {
     }
     bag.commit();
   }
-  EigenmapFigures what;
+  EigenmapFigureOptions what;
   what.folder = path("figures");
   what.input = path("hulls.bag");
-  what.instants = 5;  // there are two
+  what.frame_sets = 5;  // there are two
   ASSERT_EQ(hullsOf(what).size(), 2u);
   EXPECT_EQ(drawEigenmapFigures(what).size(), 3u + 2u * 3u);
   const cv::Mat first = cv::imread(path("figures/hull_modified_0.png"));
@@ -132,12 +133,12 @@ TEST_F(EigenmapFiguresTool, DrawsHullsOfABag) {
   cv::Mat ink;
   cv::inRange(first(cv::Rect(0, 30, kPanel, kPanel - 10)), branchColor(1), branchColor(1), ink);
   EXPECT_GT(cv::countNonZero(ink), 20);
-  EigenmapFigures bad = what;
+  EigenmapFigureOptions bad = what;
   bad.folder = path("hulls.bag");
-  EXPECT_EQ(sentenceOf<std::exception>([&] { drawEigenmapFigures(bad); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { drawEigenmapFigures(bad); }),
             "cannot make the folder " + path("hulls.bag"));
   what.at = 5.0;
-  EXPECT_EQ(sentenceOf<std::exception>([&] { hullsOf(what); }),
+  EXPECT_EQ(errorTextOf<std::exception>([&] { hullsOf(what); }),
             "the bag has no hull with voxels on /hull/points from that time on");
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "capture/truth.h"
+#include "capture/ground_truth.h"
 #include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {
@@ -12,10 +12,10 @@ namespace {
 
 /// The points of a figure in its standing pose; what is not needed lies in the trunk.
 std::vector<Eigen::Vector3d> pointsOf(const FigurePose& pose) {
-  std::vector<Eigen::Vector3d> points(truthNames().size(), {0, 0, 1.2});
+  std::vector<Eigen::Vector3d> points(groundTruthNames().size(), {0, 0, 1.2});
   const auto set = [&](const std::string& name, const Eigen::Vector3d& at) {
-    const auto found = std::find(truthNames().begin(), truthNames().end(), name);
-    points[size_t(found - truthNames().begin())] = at;
+    const auto found = std::find(groundTruthNames().begin(), groundTruthNames().end(), name);
+    points[size_t(found - groundTruthNames().begin())] = at;
   };
   for (const std::string side : {"l_", "r_"}) {
     const bool left = side == "l_";
@@ -45,7 +45,7 @@ TEST(LimbCut, OneLimbIsGoneFromSomewhereOnAndTheRestHangsTogether) {
   std::mt19937 random(1);
   int arms = 0;
   for (int round = 0; round < 40; ++round) {
-    const VisualHull cut = withLimbCut(whole, truthNames(), points, &random);
+    const VisualHull cut = withLimbCut(whole, groundTruthNames(), points, &random);
     EXPECT_LT(cut.voxels.size(), whole.voxels.size());
     EXPECT_GT(cut.voxels.size(), 0.8 * double(whole.voxels.size()));
     int missing = 0;

@@ -11,7 +11,7 @@ LearnOptions fewInstants() {
   std::ifstream urdf(package + "/urdf/human.urdf.in");
   LearnOptions options;
   options.people = 1;
-  options.instants = 3;
+  options.frame_sets = 3;
   options.motions = {"melee"};
   options.files = {std::string(std::istreambuf_iterator<char>(urdf), {}),
                    package + "/config/motions"};
@@ -19,10 +19,10 @@ LearnOptions fewInstants() {
 }
 
 TEST(LearnContourBody, FindsThePersonsOwnLengths) {
-  const ContourTemplate learned = learnContourBody(fewInstants(), nullptr);
+  const ShapeStatistics learned = learnContourBody(fewInstants(), nullptr);
   const CharacterOptions who = exampleOf(0);
   const HumanSkeleton bones = HumanSkeleton::adult(who.stature, who.male);
-  const ContourSizes sizes = learned.sizes(who.stature);
+  const ShapeParameters sizes = learned.sizes(who.stature);
   EXPECT_NEAR(sizes[ContourLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
   EXPECT_NEAR(sizes[ContourLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
   EXPECT_NEAR(sizes[ContourLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
@@ -31,10 +31,10 @@ TEST(LearnContourBody, FindsThePersonsOwnLengths) {
 TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
   std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/models/contour_body.yaml");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const ContourTemplate learned = ContourTemplate::fromText(text, "contour_body.yaml");
-  const ContourTemplate made = ContourTemplate::handMade();
+  const ShapeStatistics learned = ShapeStatistics::fromYaml(text, "contour_body.yaml");
+  const ShapeStatistics made = ShapeStatistics::handMade();
   for (int i = 0; i < ContourLength::kCount; ++i)
-    EXPECT_NEAR(learned.mean[i], made.mean[i], 0.25 * made.mean[i]) << sizeName(i);
+    EXPECT_NEAR(learned.mean[i], made.mean[i], 0.25 * made.mean[i]) << shapeParameterName(i);
   const ContourBody body(learned.sizes(1.75));
   EXPECT_GT(learned.mean[radiusIndex(ContourCone::kThigh, 0)],
             learned.mean[radiusIndex(ContourCone::kForearm, 1)]);
@@ -48,7 +48,7 @@ TEST(LearnContourBody, PeopleDiffer) {
 TEST(LearnContourBody, NeedsSomebodyToLearnFrom) {
   LearnOptions options = fewInstants();
   options.people = 0;
-  EXPECT_EQ(sentenceOf([&] { learnContourBody(options, nullptr); }),
+  EXPECT_EQ(errorTextOf([&] { learnContourBody(options, nullptr); }),
             "at least one person, one motion and one instant are needed");
 }
 

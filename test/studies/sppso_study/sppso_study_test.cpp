@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "sentence_of.h"
-#include "studies/sppso_study/sppso_report.h"
+#include "error_text_of.h"
 #include "studies/common/true_parameters.h"
+#include "studies/sppso_study/fleischmann_report.h"
 
 namespace markerless_mocap {
 namespace {
@@ -37,30 +37,31 @@ StudioOptions smallStudio() {
   return studio;
 }
 
-const SppsoFilm& film() {
-  static const SppsoFilm film = filmOf(smallStudio(), studioFiles(), 13, [](int) {});
+const FleischmannSequence& film() {
+  static const FleischmannSequence film = filmOf(smallStudio(), studioFiles(), 13, [](int) {});
   return film;
 }
 
-MotionStatistics packageStatistics() {
-  return MotionStatistics::fromYaml(textOf(MOCAP_SOURCE_DIR "/models/motion_statistics.yaml"));
+FleischmannMotionStatistics packageStatistics() {
+  return FleischmannMotionStatistics::fromYaml(
+      textOf(MOCAP_SOURCE_DIR "/models/motion_statistics.yaml"));
 }
 
-TEST(SppsoFilm, keepsAllThatIsNearThePerson) {
+TEST(FleischmannSequence, keepsAllThatIsNearThePerson) {
   const VirtualStudio stage(smallStudio(), studioFiles(), "person1");
-  const StudioInstant instant = stage.render(5);
-  const std::vector<AppearanceView> views = wholeViews(film(), 5);
+  const StudioFrameSet frame_set = stage.render(5);
+  const std::vector<FleischmannView> views = wholeViews(film(), 5);
   ASSERT_EQ(views.size(), 4u);
-  EXPECT_EQ(film().frames[5].stamp_ns, instant.time_ns);
+  EXPECT_EQ(film().frames[5].stamp_ns, frame_set.time_ns);
   for (size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(cv::countNonZero(views[i].silhouette != instant.masks[i]), 0);
+    EXPECT_EQ(cv::countNonZero(views[i].silhouette != frame_set.masks[i]), 0);
     EXPECT_GT(cv::countNonZero(views[i].image), cv::countNonZero(views[i].silhouette));
   }
 }
 
 // The driven body is the person: its markers are where the joints are.
-TEST(SppsoFilm, knowsTheTrueParameters) {
-  const FleischmannProfile profile(*film().body);
+TEST(FleischmannSequence, knowsTheTrueParameters) {
+  const FleischmannBodyModel profile(*film().body);
   for (size_t f = 0; f < film().frames.size(); ++f) {
     FleischmannFrames frames;
     profile.frames(film().frames[f].truth.data(), frames);
@@ -75,25 +76,24 @@ TEST(TrueParameters, statisticsAreOfRealisticWalks) {
   StudioOptions studio;
   studio.duration = 0.5;
   studio.motion_start = 2.0;
-  const MotionStatistics statistics = statisticsOf({"walk"}, studio, studioFiles());
-  EXPECT_GT(statistics.largest_change[kLeftKnee], 0.01);
-  EXPECT_LT(statistics.largest_change.maxCoeff(), 0.3);
+  const FleischmannMotionStatistics statistics = statisticsOf({"walk"}, studio, studioFiles());
+  EXPECT_GT(statistics.max_change[kLeftKnee], 0.01);
+  EXPECT_LT(statistics.max_change.maxCoeff(), 0.3);
   EXPECT_TRUE(
-      (statistics.largest_change.array() <= 1.3 * packageStatistics().largest_change.array() + 0.02)
-          .all());
-  EXPECT_EQ(sentenceOf([&] { statisticsOf({}, studio, studioFiles()); }),
+      (statistics.max_change.array() <= 1.3 * packageStatistics().max_change.array() + 0.02).all());
+  EXPECT_EQ(errorTextOf([&] { statisticsOf({}, studio, studioFiles()); }),
             "statistics need at least one motion");
 }
 
-TEST(SppsoStudy, tracksTheFilmAtItsRateAndAtAThird) {
-  StudyVariant variant{"base", SppsoOptions(), 60.0, 2};
+TEST(FleischmannStudy, tracksTheFilmAtItsRateAndAtAThird) {
+  StudyVariant variant{"base", FleischmannOptions(), 60.0, 2};
   const StudyResult fast = runVariant(film(), packageStatistics(), variant);
   ASSERT_EQ(fast.runs.size(), 2u);
   EXPECT_EQ(fast.seconds.size(), 12u);
   EXPECT_EQ(fast.meanOverRuns().size(), 12u);
   EXPECT_LT(fast.meanError(), 60.0);
-  EXPECT_GE(fast.largestError(), fast.meanError());
-  EXPECT_LE(fast.medianLargest(), fast.largestError());
+  EXPECT_GE(fast.maxError(), fast.meanError());
+  EXPECT_LE(fast.medianMaxError(), fast.maxError());
   EXPECT_NE(fast.runs[0].errors.D, fast.runs[1].errors.D);
   variant.fps = 20.0;
   variant.runs = 1;
@@ -102,24 +102,26 @@ TEST(SppsoStudy, tracksTheFilmAtItsRateAndAtAThird) {
   EXPECT_NEAR(slow.seconds[0], 0.05, 1e-6);
   EXPECT_EQ(slow.runs[0].lost, 0);
   variant.fps = 25.0;
-  EXPECT_NE(sentenceOf([&] {
+  EXPECT_NE(errorTextOf([&] {
               runVariant(film(), packageStatistics(), variant);
             }).find("cannot be thinned to 25"),
             std::string::npos);
 }
 
-TEST(SppsoStudy, tablesAreThoseOfTheThesisAndEachCanBePlanned) {
+TEST(FleischmannStudy, tablesAreThoseOfTheThesisAndEachCanBePlanned) {
   std::set<std::string> ids;
-  for (const StudyTable& table : studyTables(SppsoOptions())) {
+  for (const StudyTable& table : studyTables(FleischmannOptions())) {
     ids.insert(table.id);
     EXPECT_GE(table.variants.size(), 3u);
-    for (const StudyVariant& variant : table.variants) EXPECT_NO_THROW(planOf(variant.options));
+    for (const StudyVariant& variant : table.variants)
+      EXPECT_NO_THROW(makeSearchPlan(variant.options));
   }
   EXPECT_EQ(ids, (std::set<std::string>{"6.2", "6.5", "6.6", "6.8", "6.10", "ours"}));
 }
 
-TEST(SppsoStudy, curvesAreHighestNearTheTruth) {
-  const FitnessCurves curves = fitnessCurves(film(), 6, kPelvisPlace + 2, 0.15, SppsoOptions());
+TEST(FleischmannStudy, curvesAreHighestNearTheTruth) {
+  const FitnessCurves curves =
+      fitnessCurves(film(), 6, kPelvisPosition + 2, 0.15, FleischmannOptions());
   ASSERT_EQ(curves.offsets.size(), 101u);
   EXPECT_NEAR(curves.offsets[50], 0.0, 1e-12);
   const auto top = std::max_element(curves.silhouette.begin(), curves.silhouette.end());
@@ -130,7 +132,7 @@ TEST(SppsoStudy, curvesAreHighestNearTheTruth) {
 TEST(SppsoReport, pageAndLinesHoldEveryRun) {
   StudyReport report;
   report.about = "a film of 1 < 2 people";
-  StudiedTable studied{{"6.2", "Evaluations", {{"base", SppsoOptions(), 20.0, 2}}}, {}};
+  StudiedTable studied{{"6.2", "Evaluations", {{"base", FleischmannOptions(), 20.0, 2}}}, {}};
   studied.results.push_back(runVariant(film(), packageStatistics(), studied.table.variants[0]));
   report.tables.push_back(studied);
   report.curves = {{-0.1, 0.0, 0.1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
@@ -145,8 +147,8 @@ TEST(SppsoReport, pageAndLinesHoldEveryRun) {
   EXPECT_NE(lines.find("\n6.2,\"base\",2,"), std::string::npos);
 }
 
-TEST(SppsoStudy, timeIsToldByPart) {
-  const TimeByPart time = timeByPart(film(), packageStatistics(), SppsoOptions());
+TEST(FleischmannStudy, timeIsToldByPart) {
+  const TimeByPart time = timeByPart(film(), packageStatistics(), FleischmannOptions());
   for (const double part : {time.observing, time.kinematics, time.drawing_and_silhouette})
     EXPECT_GT(part, 0.0);
   EXPECT_GE(time.total(), time.observing + time.kinematics);

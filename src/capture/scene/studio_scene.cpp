@@ -1,0 +1,124 @@
+#include "capture/scene/studio_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "capture/ground_truth.h"
+#include "capture/scene/furniture.h"
+#include "capture/truth/body_retargeter.h"
+#include "character/adult_character.h"
+#include "character/imported_character.h"
+#include "markerless_mocap/body/body_urdf.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+/// Directions, seen from the centre, in which the other person and the chair are.
+constexpr double kOtherBearing = 2.2, kChairBearing = kPi;
+constexpr double kOtherPhase = 0.43;  // of the motion's period
+
+/// Somebody else: another sex, stature and look.
+CharacterOptions otherThan(CharacterOptions character) {
+  character.male = 1.0 - character.male;
+  character.stature += character.stature > 1.7 ? -0.1 : 0.1;
+  character.look_seed += 1;
+  return character;
+}
+
+Character leadOf(const StudioOptions& options) {
+  if (options.character_file.empty()) return makeCharacter(options.character);
+  return importCharacter(options.character_file, options.character.stature);
+}
+
+/// What head, neck and hands carry keeps its colour: the rest is dressed.
+void camouflage(const Eigen::Vector3f& wall, float amount, Character* character) {
+  for (size_t v = 0; v < character->mesh.colors.size(); ++v) {
+    const VertexWeights& w = character->weights[v];
+    float bare = 0.0f;
+    for (size_t k = 0; k < 4; ++k) {
+      const Bone bone = w.bones[k];
+      if (bone == Bone::kHead || bone == Bone::kNeck || bone == Bone::kLeftHand ||
+          bone == Bone::kRightHand)
+        bare += w.weights[k];
+    }
+    Eigen::Vector3f& color = character->mesh.colors[v];
+    color += amount * (1.0f - std::min(bare, 1.0f)) * (wall - color);
+  }
+}
+
+Eigen::Isometry3d placeAt(double distance, double bearing, double heading) {
+  Eigen::Isometry3d place(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
+  place.translation() << distance * std::cos(bearing), distance * std::sin(bearing), 0.0;
+  return place;
+}
+
+}  // namespace
+
+HumanPose Actor::at(double seconds) const {
+  HumanPose pose = motion.at(seconds + phase);
+  pose.hips = place * pose.hips;
+  const Eigen::Quaterniond turn(place.linear());
+  for (Eigen::Quaterniond& R : pose.R_world_bone) R = turn * R;
+  return pose;
+}
+
+SceneObject Actor::seenAt(double seconds) const {
+  SceneObject object;
+  object.mesh = &character.mesh;
+  character.pose(at(seconds), object.vertices);
+  return object;
+}
+
+StudioScene::StudioScene(const StudioOptions& options, const StudioFiles& files,
+                         const Eigen::Vector3f& wall, const std::string& body_id) {
+  const auto actorOf = [&](Character character) {
+    MotionClip clip = loadMotion(options, files.motions_folder, character.skeleton);
+    camouflage(wall, float(options.degradations.camouflage), &character);
+    return Actor{std::move(character), LoopedMotion(std::move(clip))};
+  };
+  actors_.push_back(actorOf(leadOf(options)));
+  if (const double distance = options.degradations.second_person; distance > 0.0) {
+    actors_.push_back(actorOf(makeCharacter(otherThan(options.character))));
+    actors_.back().phase = kOtherPhase * actors_.back().motion.period();
+    actors_.back().place = placeAt(distance, kOtherBearing, kOtherBearing);
+  }
+  if (options.degradations.chair > 0.0) placeChair(options.degradations.chair);
+  const HumanSkeleton& skeleton = actors_.front().character.skeleton;
+  urdf_ = fillUrdfTemplate(files.urdf_template, body_id, proportionsOf(skeleton));
+  body_ = std::make_shared<BodyModel>(BodyModel::fromUrdf(urdf_, body_id));
+  drive(options.fps);
+}
+
+/// Angles are followed through one round, so that each instant finds the ones before it.
+void StudioScene::drive(double fps) {
+  const Actor& actor = actors_.front();
+  BodyRetargeter driven(body_, actor.character.skeleton);
+  const auto frames = size_t(std::max(1L, std::lround(actor.motion.period() * fps)));
+  for (size_t i = 0; i < frames; ++i) states_.push_back(driven.follow(actor.at(double(i) / fps)));
+}
+
+/// Its seat faces the centre.
+void StudioScene::placeChair(double distance) {
+  chair_ = std::make_unique<const ColoredMesh>(chairMesh());
+  const Eigen::Isometry3d place = placeAt(distance, kChairBearing, kChairBearing + kPi);
+  for (const Eigen::Vector3f& v : chair_->vertices)
+    furniture_.vertices.push_back((place * v.cast<double>()).cast<float>());
+  furniture_.mesh = chair_.get();
+  furniture_.person = false;
+}
+
+std::vector<Eigen::Vector3d> StudioScene::pointsAt(double seconds) const {
+  const Actor& actor = actors_.front();
+  return groundTruthPoints(actor.character.skeleton, actor.at(seconds));
+}
+
+std::vector<SceneObject> StudioScene::objectsAt(double seconds, bool people) const {
+  std::vector<SceneObject> objects;
+  if (hasFurniture()) objects.push_back(furniture_);
+  if (people)
+    for (const Actor& actor : actors_) objects.push_back(actor.seenAt(seconds));
+  return objects;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "markerless_mocap/camera/camera.h"
+
+namespace markerless_mocap {
+
+/// Directions of a camera's viewing rays from a table of undistorted points, linear between its
+/// nodes: exact without distortion, else within some hundredths of a pixel.
+class RayTable {
+ public:
+  explicit RayTable(const Camera& camera);
+  /// World, not normalised. \param pixel inside the image
+  Eigen::Vector3d direction(const Eigen::Vector2d& pixel) const;
+
+ private:
+  static constexpr int kStep = 8;  ///< pixels between nodes
+  int columns_, rows_;
+  std::vector<Eigen::Vector2d> nodes_;  ///< undistorted, on the plane at depth 1
+  Eigen::Matrix3d R_world_camera_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "contour/model/contour_pose.h"
+#include "markerless_mocap/products/pose_tree.h"
+
+namespace markerless_mocap {
+
+/// The pose that a pose tree's joints tell; limbs without joints hang down. Empty without both hips
+/// and the neck.
+std::optional<ContourPose> poseFromPoseTree(const PoseTree& tree);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,206 @@
+#include "fleischmann/fitness/fleischmann_cone_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+// The loops run over all lanes without branches, so that they become vectors.
+#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
+
+namespace markerless_mocap {
+namespace {
+
+constexpr float kNearest = 1e-3f;    // metres before a camera
+constexpr float kLeastSize = 1e-6f;  // squared distance from a cone's axis, in its half axes
+
+void setLane(ConeVectors& vectors, int lane, const Eigen::Vector3d& value) {
+  for (int c = 0; c < 3; ++c) vectors[c][lane] = float(value[c]);
+}
+
+/// The camera seen from each cone: places in its end's half axes.
+struct CameraPlaces {
+  ConeFloats x, y;    ///< across
+  ConeFloats size;    ///< of the cone's section at the camera's height
+  ConeFloats inside;  ///< squared distance across beyond that size; above 0 outside of the cone
+};
+
+MOCAP_WIDEST void seeCamera(const FleischmannWorldCones& w, const ViewCamera::Numbers& numbers,
+                            CameraPlaces& result) {
+  const ViewCamera::Numbers n = numbers;
+  CameraPlaces out;
+  for (int i = 0; i < kConeLanes; ++i) {
+    const float dx = n.position[0] - w.a[0][i], dy = n.position[1] - w.a[1][i],
+                dz = n.position[2] - w.a[2][i];
+    const float x = dx * w.un[0][i] + dy * w.un[1][i] + dz * w.un[2][i];
+    const float y = dx * w.vn[0][i] + dy * w.vn[1][i] + dz * w.vn[2][i];
+    const float size = 1.0f + dx * w.growth[0][i] + dy * w.growth[1][i] + dz * w.growth[2][i];
+    out.x[i] = x;
+    out.y[i] = y;
+    out.size[i] = size;
+    out.inside[i] = x * x + y * y - size * size;
+  }
+  result = out;
+}
+
+/// Directions, in an end's half axes, of the two lines of the visible contour: where the tangent
+/// plane holds the camera, cos(t - direction of the camera) = size / distance.
+struct ContourLines {
+  ConeFloats cosine[2], sine[2];
+};
+
+void findContour(const CameraPlaces& at, ContourLines& out) {
+  for (int i = 0; i < kFleischmannConeCount; ++i) {
+    const float x = at.x[i], y = at.y[i], size = at.size[i];
+    const float root = std::sqrt(std::max(at.inside[i], 0.0f));
+    const float inverse = 1.0f / std::max(x * x + y * y, kLeastSize);
+    out.cosine[0][i] = (size * x - root * y) * inverse;
+    out.sine[0][i] = (size * y + root * x) * inverse;
+    out.cosine[1][i] = (size * x + root * y) * inverse;
+    out.sine[1][i] = (size * y - root * x) * inverse;
+  }
+}
+
+/// One corner of every cone.
+struct CornerLanes {
+  ConeFloats x, y;
+  ConeFloats depth;           ///< metres before the camera
+  ConeFloats radius_squared;  ///< on the image plane
+};
+
+/// The point of an end's ellipse at (cosine, sine), projected. No branches and no output that could
+/// overlap the input, so that the lanes become vectors.
+MOCAP_WIDEST void projectCorners(const FleischmannWorldCones& w, const ViewCamera::Numbers& numbers,
+                                 const ConeVectors& center, const ConeFloats& scale,
+                                 const ConeFloats& cosine, const ConeFloats& sine,
+                                 CornerLanes& result) {
+  const ViewCamera::Numbers n = numbers;
+  CornerLanes out;
+  for (int i = 0; i < kConeLanes; ++i) {
+    const float c = cosine[i] * scale[i], s = sine[i] * scale[i];
+    const float px = center[0][i] + c * w.u[0][i] + s * w.v[0][i];
+    const float py = center[1][i] + c * w.u[1][i] + s * w.v[1][i];
+    const float pz = center[2][i] + c * w.u[2][i] + s * w.v[2][i];
+    const float depth = n.R[2][0] * px + n.R[2][1] * py + n.R[2][2] * pz + n.t[2];
+    const float inverse = 1.0f / depth;
+    const float x = (n.R[0][0] * px + n.R[0][1] * py + n.R[0][2] * pz + n.t[0]) * inverse;
+    const float y = (n.R[1][0] * px + n.R[1][1] * py + n.R[1][2] * pz + n.t[1]) * inverse;
+    const float r = x * x + y * y;
+    const float radial = (1.0f + r * (n.k[0] + r * (n.k[1] + r * n.k[4]))) /
+                         (1.0f + r * (n.k[5] + r * (n.k[6] + r * n.k[7])));
+    const float u = x * radial + 2.0f * n.k[2] * x * y + n.k[3] * (r + 2.0f * x * x);
+    const float v = y * radial + n.k[2] * (r + 2.0f * y * y) + 2.0f * n.k[3] * x * y;
+    out.x[i] = n.fx * u + n.skew * v + n.cx;
+    out.y[i] = n.fy * v + n.cy;
+    out.depth[i] = depth;
+    out.radius_squared[i] = r;
+  }
+  result = out;
+}
+
+/// The camera tells no radius, only whether it projects a point.
+double largestRadius(const Camera& camera) {
+  const auto projects = [&](double radius) {
+    const Eigen::Vector3d point(radius, 0, 1);
+    return camera.project(camera.calibration().T_world_camera * point).has_value();
+  };
+  double inside = 0.0, outside = 100.0;
+  if (projects(outside)) return outside;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (inside + outside) / 2;
+    (projects(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+}  // namespace
+
+ConePlacer::ConePlacer(const FleischmannBodyShape& body) {
+  taper_.fill(1.0f);
+  for (int i = 0; i < kFleischmannConeCount; ++i) {
+    const FleischmannCone& cone = body.cones()[i];
+    cones_[i] = {cone.segment,
+                 cone.a,
+                 cone.b,
+                 cone.u,
+                 cone.v,
+                 1.0 / cone.u.squaredNorm(),
+                 1.0 / cone.v.squaredNorm(),
+                 (cone.taper - 1.0) / (cone.b - cone.a).squaredNorm()};
+    taper_[i] = float(cone.taper);
+  }
+}
+
+void ConePlacer::place(const FleischmannFrames& frames, FleischmannWorldCones& out) const {
+  for (int i = 0; i < kFleischmannConeCount; ++i) {
+    const Local& cone = cones_[i];
+    const Eigen::Matrix3d& R = frames.R[cone.segment];
+    const Eigen::Vector3d a = R * cone.a, b = R * cone.b, u = R * cone.u, v = R * cone.v;
+    setLane(out.a, i, frames.p[cone.segment] + a);
+    setLane(out.b, i, frames.p[cone.segment] + b);
+    setLane(out.u, i, u);
+    setLane(out.v, i, v);
+    setLane(out.un, i, cone.inverse_u * u);
+    setLane(out.vn, i, cone.inverse_v * v);
+    setLane(out.growth, i, cone.growth * (b - a));
+  }
+  for (ConeVectors* vectors : {&out.a, &out.b, &out.u, &out.v, &out.un, &out.vn, &out.growth})
+    for (int i = kFleischmannConeCount; i < kConeLanes; ++i)
+      setLane(*vectors, i, Eigen::Vector3d::Zero());
+  out.taper = taper_;
+}
+
+ViewCamera::ViewCamera(const Camera& camera, int downsampling)
+    : width_(camera.width() / downsampling), height_(camera.height() / downsampling) {
+  if (downsampling < 1 || width_ < 1 || height_ < 1)
+    throw std::invalid_argument("camera '" + camera.name() + "': an image of " +
+                                std::to_string(camera.width()) + " x " +
+                                std::to_string(camera.height()) + " cannot be made " +
+                                std::to_string(downsampling) + " times smaller");
+  const CameraCalibration& c = camera.calibration();
+  const Eigen::Isometry3d T = c.T_world_camera.inverse();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) numbers_.R[i][j] = float(T.linear()(i, j));
+    numbers_.t[i] = float(T.translation()[i]);
+    numbers_.position[i] = float(camera.position()[i]);
+  }
+  // Whole coordinates are pixel centres: the first pixel of r becomes -0.5 + 0.5 / r.
+  const double s = 1.0 / downsampling;
+  numbers_.fx = float(s * c.K(0, 0));
+  numbers_.skew = float(s * c.K(0, 1));
+  numbers_.cx = float(s * (c.K(0, 2) + 0.5) - 0.5);
+  numbers_.fy = float(s * c.K(1, 1));
+  numbers_.cy = float(s * (c.K(1, 2) + 0.5) - 0.5);
+  std::fill(std::begin(numbers_.k), std::end(numbers_.k), 0.0f);
+  std::copy(c.D.begin(), c.D.end(), numbers_.k);
+  const double radius = largestRadius(camera);
+  numbers_.max_radius_squared = float(radius * radius);
+}
+
+void ViewCamera::outlines(const FleischmannWorldCones& cones, ConeCorners& out) const {
+  static const ConeFloats whole = [] {
+    ConeFloats ones;
+    ones.fill(1.0f);
+    return ones;
+  }();
+  CameraPlaces places;
+  ContourLines lines{};
+  seeCamera(cones, numbers_, places);
+  findContour(places, lines);
+  for (int i = 0; i < kFleischmannConeCount; ++i) out.seen[i] = places.inside[i] > kLeastSize;
+  const auto corner = [&](int at, const ConeVectors& center, const ConeFloats& scale, int side) {
+    CornerLanes lanes;
+    projectCorners(cones, numbers_, center, scale, lines.cosine[side], lines.sine[side], lanes);
+    out.x[at] = lanes.x;
+    out.y[at] = lanes.y;
+    for (int i = 0; i < kFleischmannConeCount; ++i)
+      out.seen[i] &= int(lanes.depth[i] > kNearest) &
+                     int(lanes.radius_squared[i] < numbers_.max_radius_squared);
+  };
+  corner(0, cones.a, whole, 0);
+  corner(1, cones.b, cones.taper, 0);
+  corner(2, cones.b, cones.taper, 1);
+  corner(3, cones.a, whole, 1);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,198 @@
+#include "fleischmann/fleischmann_fitness.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "fleischmann/fitness/edge_map.h"
+#include "fleischmann/fitness/edge_samples.h"
+#include "fleischmann/fitness/fleischmann_cone_outlines.h"
+#include "fleischmann/fitness/quad_canvas.h"
+
+namespace markerless_mocap {
+
+namespace {
+constexpr ConeSet kAllCones = (1u << kFleischmannConeCount) - 1;
+}
+
+struct FleischmannFitness::View {
+  ViewCamera camera;
+  std::string name;
+  cv::Size full;  ///< size of the images that come
+  BitImage silhouette{};
+  int64_t area = 0;
+  cv::Mat edges{};
+  bool shows_person = false, has_edges = false;
+
+  void take(const FleischmannView& seen, const FleischmannImageOptions& options);
+};
+
+struct FleischmannFitness::Cones {
+  ConePlacer placer;
+};
+
+/// What a thread draws on.
+struct FleischmannFitness::Scratch {
+  FleischmannFrames frames;
+  FleischmannWorldCones cones;
+  ConeCorners corners;
+  std::array<Quad, kFleischmannConeCount> quads;
+  int quad_count = 0;
+  QuadCanvas canvas;
+
+  void drawQuads(int width, int height, ConeSet cones = kAllCones) {
+    quad_count = 0;
+    for (int i = 0; i < kFleischmannConeCount; ++i) {
+      if (!corners.seen[i] || !(cones & coneBit(FleischmannConeId(i)))) continue;
+      Quad& quad = quads[quad_count++];
+      for (int k = 0; k < 4; ++k) {
+        quad.x[k] = corners.x[k][i];
+        quad.y[k] = corners.y[k][i];
+      }
+    }
+    if (canvas.image().width() != width || canvas.image().height() != height)
+      canvas = QuadCanvas(width, height);
+    canvas.draw(quads.data(), quad_count);
+  }
+};
+
+namespace {
+
+void requireFit(const FleischmannView& view, const std::string& name, const cv::Size& size) {
+  if (view.silhouette.type() != CV_8UC1 || view.silhouette.size() != size)
+    throw std::invalid_argument("camera '" + name +
+                                "': the silhouette must be mono8 and of the camera's size");
+  if (!view.image.empty() && view.image.size() != size)
+    throw std::invalid_argument("camera '" + name + "': the image must have the silhouette's size");
+}
+
+/// A pixel of the smaller mask is set when at least half of those under it are.
+cv::Mat reducedMask(const cv::Mat& mask, const cv::Size& size, int downsampling) {
+  cv::Mat small;
+  const cv::Rect used(0, 0, size.width * downsampling, size.height * downsampling);
+  cv::resize(mask(used) != 0, small, size, 0, 0, cv::INTER_AREA);
+  return small >= 127;
+}
+
+cv::Mat reducedImage(const cv::Mat& image, const cv::Size& size, int downsampling) {
+  cv::Mat small;
+  const cv::Rect used(0, 0, size.width * downsampling, size.height * downsampling);
+  cv::resize(image(used), small, size, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+}  // namespace
+
+void FleischmannFitness::View::take(const FleischmannView& seen,
+                                    const FleischmannImageOptions& options) {
+  const cv::Size size(camera.width(), camera.height());
+  shows_person = has_edges = false;
+  edges = cv::Mat::zeros(size, CV_8UC1);
+  if (seen.silhouette.empty()) return;
+  const bool whole = options.downsampling == 1;
+  const cv::Mat mask =
+      whole ? seen.silhouette : reducedMask(seen.silhouette, size, options.downsampling);
+  silhouette = BitImage(mask);
+  area = silhouette.count();
+  shows_person = area >= options.min_silhouette_pixels;
+  if (!shows_person || seen.image.empty()) return;
+  const cv::Mat image = whole ? seen.image : reducedImage(seen.image, size, options.downsampling);
+  edges = edgeMap(image, mask, {options.edge_threshold, options.edge_dilation, options.edge_blur});
+  has_edges = true;
+}
+
+FleischmannFitness::FleischmannFitness(const CameraRig& rig, const FleischmannBodyModel& profile,
+                                       const FleischmannBodyShape& body,
+                                       const FleischmannImageOptions& options)
+    : profile_(profile), options_(options), cones_(new Cones{ConePlacer(body)}) {
+  options.validate();
+  for (const Camera& camera : rig) {
+    const ViewCamera view(camera, options.downsampling);
+    views_.push_back({view, camera.name(), cv::Size(camera.width(), camera.height())});
+  }
+}
+
+FleischmannFitness::~FleischmannFitness() = default;
+
+FleischmannFitness::Scratch& FleischmannFitness::scratch() const {
+  static thread_local Scratch scratch;
+  return scratch;
+}
+
+void FleischmannFitness::place(const double* candidate, Scratch& scratch) const {
+  profile_.frames(candidate, scratch.frames);
+  cones_->placer.place(scratch.frames, scratch.cones);
+}
+
+int FleischmannFitness::observe(const std::vector<FleischmannView>& views) {
+  if (views.size() != views_.size())
+    throw std::invalid_argument(std::to_string(views.size()) + " views came from a rig of " +
+                                std::to_string(views_.size()) + " cameras");
+  for (size_t i = 0; i < views.size(); ++i)
+    if (!views[i].silhouette.empty()) requireFit(views[i], views_[i].name, views_[i].full);
+  tbb::parallel_for(size_t(0), views.size(), [&](size_t i) { views_[i].take(views[i], options_); });
+  return int(std::count_if(views_.begin(), views_.end(),
+                           [](const View& view) { return view.shows_person; }));
+}
+
+FitnessTerms FleischmannFitness::fitness(const double* candidate,
+                                         const EdgeSelection& choice) const {
+  Scratch& s = scratch();
+  place(candidate, s);
+  FitnessTerms sum;
+  int views = 0, views_with_edges = 0;
+  for (const View& view : views_) {
+    if (!view.shows_person) continue;
+    view.camera.outlines(s.cones, s.corners);
+    s.drawQuads(view.camera.width(), view.camera.height());
+    const Overlap overlap = s.canvas.overlap(view.silhouette);
+    if (overlap.drawn > 0)
+      sum.silhouette += 0.5 * double(overlap.shared) / double(overlap.drawn) +
+                        0.5 * double(overlap.shared) / double(view.area);
+    ++views;
+    if (!view.has_edges || choice.cones == 0) continue;
+    const EdgeSum edge = sampleEdges(s.corners, view.edges, choice, options_.edge_samples);
+    if (edge.points > 0) sum.edge += double(edge.sum) / (255.0 * edge.points);
+    ++views_with_edges;
+  }
+  if (views > 0) sum.silhouette /= views;
+  if (views_with_edges > 0) sum.edge /= views_with_edges;
+  return sum;
+}
+
+ConeVisibility FleischmannFitness::evidence(const double* candidate, ConeSet cones) const {
+  Scratch& s = scratch();
+  place(candidate, s);
+  ConeVisibility sum;
+  for (const View& view : views_) {
+    if (!view.shows_person) continue;
+    view.camera.outlines(s.cones, s.corners);
+    const auto overlap = [&](ConeSet drawn) {
+      s.drawQuads(view.camera.width(), view.camera.height(), drawn);
+      return s.canvas.overlap(view.silhouette);
+    };
+    const Overlap all = overlap(kAllCones), others = overlap(kAllCones & ~cones);
+    sum.drawn += overlap(cones).drawn;
+    sum.alone += all.drawn - others.drawn;
+    sum.inside += all.shared - others.shared;
+  }
+  return sum;
+}
+
+cv::Mat FleischmannFitness::drawing(const double* candidate, int view) const {
+  Scratch& s = scratch();
+  place(candidate, s);
+  const ViewCamera& camera = views_.at(size_t(view)).camera;
+  camera.outlines(s.cones, s.corners);
+  s.drawQuads(camera.width(), camera.height());
+  return s.canvas.image().mask();
+}
+
+const cv::Mat& FleischmannFitness::edges(int view) const {
+  return views_.at(size_t(view)).edges;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,146 @@
+#include "fleischmann/fleischmann_pose_estimator.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Best f_s + f_e; costs are what is missing from it.
+constexpr double kPerfect = 2.0;
+// Beyond this, motion statistics say nothing about where a person can be.
+constexpr double kLongestStep = 0.5;  // seconds
+
+constexpr int kLeastViews = 2;  // one alone does not tell how far away anything is
+
+// A pose that another method proposes is off by about this; each round about it searches half as
+// far as the one before.
+constexpr double kProposedTurn = 0.15, kProposedPlace = 0.05;  // rad, m; standard deviations
+constexpr int kStartRounds = 8;
+
+double secondsBetween(int64_t from_ns, int64_t to_ns) {
+  return double(to_ns - from_ns) * 1e-9;
+}
+
+std::string viewError(int views) {
+  if (views == 0) return "no camera shows a person";
+  return views < kLeastViews ? "one camera alone shows a person, needed are two" : "";
+}
+
+}  // namespace
+
+FleischmannPoseEstimator::FleischmannPoseEstimator(const CameraRig& rig,
+                                                   const FleischmannBodyModel& profile,
+                                                   const FleischmannBodyShape& body,
+                                                   const FleischmannMotionStatistics& statistics,
+                                                   const FleischmannOptions& options)
+    : fitness_(rig, profile, body, options.appearance),
+      collision_(body, options.collision),
+      statistics_(statistics),
+      options_(options),
+      plan_(makeSearchPlan(options)) {}
+
+FleischmannVector FleischmannPoseEstimator::withinLimits(const FleischmannVector& v) const {
+  return v.cwiseMax(limits_.lower).cwiseMin(limits_.upper);
+}
+
+void FleischmannPoseEstimator::start(int64_t stamp_ns, const FleischmannVector& v) {
+  last_ = Known{stamp_ns, withinLimits(v)};
+  before_.reset();
+}
+
+void FleischmannPoseEstimator::reset() {
+  last_.reset();
+  before_.reset();
+}
+
+FleischmannVector FleischmannPoseEstimator::predicted(int64_t stamp_ns) const {
+  if (!before_ || options_.prediction == 0.0) return last_->v;
+  const double steps = secondsBetween(last_->stamp_ns, stamp_ns) /
+                       secondsBetween(before_->stamp_ns, last_->stamp_ns);
+  return withinLimits(last_->v + options_.prediction * steps * (last_->v - before_->v));
+}
+
+SearchProblem FleischmannPoseEstimator::problem() const {
+  SearchProblem problem;
+  problem.lower = limits_.lower;
+  problem.upper = limits_.upper;
+  problem.cost = [this](int stage, const double* candidates, int count, double* costs) {
+    for (int i = 0; i < count; ++i)
+      costs[i] =
+          kPerfect -
+          fitness_.fitness(candidates + i * kFleischmannParameterCount, plan_.edges[size_t(stage)])
+              .total();
+  };
+  problem.infeasible = [this](const double* candidate) {
+    FleischmannFrames frames;
+    fitness_.profile().frames(candidate, frames);
+    return collision_(frames);
+  };
+  return problem;
+}
+
+void FleischmannPoseEstimator::search(const SearchStart& start, uint64_t seed,
+                                      FleischmannEstimate& pose) const {
+  const SearchOutcome found = plan_.optimiser->minimise(
+      problem(), start, uint64_t(options_.seed) * 0x9e3779b97f4a7c15u + seed);
+  pose.v = found.best;
+  pose.evaluations += found.evaluations;
+  pose.fitness = fitness_.fitness(pose.v.data(), plan_.edges.back());
+}
+
+void FleischmannPoseEstimator::take(int64_t stamp_ns, FleischmannEstimate& pose) {
+  if (pose.fitness.silhouette < options_.min_silhouette_fitness) {
+    pose.reason = "no pose near the one to start from looks like the silhouettes";
+    return;
+  }
+  pose.status = PoseStatus::kTracked;
+  before_ = last_;
+  last_ = Known{stamp_ns, pose.v};
+}
+
+std::string FleischmannPoseEstimator::updateError(int64_t stamp_ns, int views) const {
+  if (!last_) return "no pose is known to start from";
+  if (stamp_ns <= last_->stamp_ns) return "the instant is not after the last one";
+  if (secondsBetween(last_->stamp_ns, stamp_ns) > kLongestStep)
+    return "the last pose is too old to start from";
+  return viewError(views);
+}
+
+FleischmannEstimate FleischmannPoseEstimator::update(int64_t stamp_ns,
+                                                     const std::vector<FleischmannView>& views) {
+  FleischmannEstimate pose;
+  pose.views = fitness_.observe(views);
+  pose.reason = updateError(stamp_ns, pose.views);
+  if (!pose.reason.empty()) return pose;
+  const double seconds = secondsBetween(last_->stamp_ns, stamp_ns);
+  search({predicted(stamp_ns), options_.sigma_factor * statistics_.over(seconds)},
+         uint64_t(stamp_ns), pose);
+  take(stamp_ns, pose);
+  return pose;
+}
+
+FleischmannEstimate FleischmannPoseEstimator::reinitializeNear(
+    int64_t stamp_ns, const FleischmannVector& v, const std::vector<FleischmannView>& views,
+    double better_than) {
+  FleischmannEstimate best;
+  best.views = fitness_.observe(views);
+  best.reason = viewError(best.views);
+  if (!best.reason.empty()) return best;
+  best.v = withinLimits(v);
+  best.fitness = fitness_.fitness(best.v.data(), plan_.edges.back());
+  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(kFleischmannParameterCount, kProposedTurn);
+  sigma.segment<3>(kPelvisPosition).setConstant(kProposedPlace);
+  for (int round = 0; round < kStartRounds; ++round, sigma *= 0.7) {
+    FleischmannEstimate found = best;
+    search({best.v, sigma}, uint64_t(stamp_ns) + uint64_t(round), found);
+    best.evaluations = found.evaluations;
+    if (found.fitness.total() > best.fitness.total()) best = found;
+  }
+  if (best.fitness.total() <= better_than) {
+    best.reason = "the pose found is not better than the one known";
+    return best;
+  }
+  take(stamp_ns, best);
+  if (best.status == PoseStatus::kTracked) before_.reset();
+  return best;
+}
+
+}  // namespace markerless_mocap

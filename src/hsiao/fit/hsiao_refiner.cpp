@@ -1,0 +1,221 @@
+#include "hsiao/fit/hsiao_refiner.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Deviations are divided by what is usual for a good fit (metres), so that the weights compare.
+constexpr double kUsualCurve = 0.05;
+constexpr double kUsualSurface = 0.02;
+constexpr double kUsualOutside = 0.02;
+// Surface further from the body than this counts little: clothes, ghosts, things carried.
+constexpr double kSurfaceScale = 0.08;
+constexpr double kCurveScale = 0.15;
+// Steps of the numeric derivative: metres and radians alike.
+constexpr double kStep = 1e-5;
+constexpr int kSkippedBalls = 3;
+// Limbs of a smaller radius, in voxels, may be missing from a hull: fingers.
+constexpr double kThinnest = 1.0;
+
+// The model's part that a segment belongs to.
+int partOf(int segment) {
+  if (segment == kTorsoSegment) return int(PartLabel::kTorso);
+  if (segment == kHeadSegment) return int(PartLabel::kHead);
+  const PartLabel first = segment < kThighSegment ? PartLabel::kArm1 : PartLabel::kLeg1;
+  return int(first) + (segment - kUpperArmSegment) % 2;
+}
+
+bool isArm(int part) {
+  return part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
+}
+
+// A place on a part's bones: from node `bone`, `share` of the way to the next.
+struct BonePlace {
+  int bone;
+  double share;
+};
+
+std::vector<BonePlace> nearestPlaces(const std::vector<HsiaoSegmentPoint>& bones,
+                                     const HsiaoFrames& frames,
+                                     const std::vector<Vector3d>& points) {
+  std::vector<BonePlace> places;
+  for (const Vector3d& point : points) {
+    BonePlace nearest{0, 0.0};
+    double least = HUGE_VAL;
+    for (int n = 0; n + 1 < int(bones.size()); ++n) {
+      const Vector3d a = bones[n].inWorld(frames), ab = bones[n + 1].inWorld(frames) - a;
+      const double share = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
+      const double distance = (a + share * ab - point).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = {n, share};
+    }
+    places.push_back(nearest);
+  }
+  return places;
+}
+
+// Share that a deviation keeps: 1 near zero, falling with the square beyond the scale.
+double cauchyWeight(double deviation, double scale) {
+  const double q = deviation / scale;
+  return 1.0 / (1.0 + q * q);
+}
+
+}  // namespace
+
+struct HsiaoRefiner::Problem {
+  const HsiaoRefinerData* data;
+  PartAssignment assignment;
+  std::vector<Correspondence> surface;
+  std::array<std::vector<double>, kPartCount> curve_weights;
+  std::array<std::vector<BonePlace>, kPartCount> arm_places;
+  std::vector<HsiaoInteriorSphere> balls;
+  int size = 0;
+
+  // The model's counterparts of a data part's samples. How far a hull shows fingers varies, so an
+  // arm's samples go to the nearest places on its bones, not by way along the curve.
+  void modelPoints(const HsiaoBodyModel& profile, const HsiaoFrames& frames, int part,
+                   std::vector<Vector3d>& out) const {
+    const PartLabel model = PartLabel(assignment[part]);
+    if (!isArm(part)) return data->curves->modelSamples(frames, PartLabel(part), model, out);
+    out.clear();
+    for (const BonePlace& place : arm_places[part]) {
+      const Vector3d a = profile.bones(model)[place.bone].inWorld(frames);
+      const Vector3d b = profile.bones(model)[place.bone + 1].inWorld(frames);
+      out.push_back(a + place.share * (b - a));
+    }
+  }
+};
+
+HsiaoRefiner::HsiaoRefiner(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
+                           const HsiaoRefinerSettings& settings)
+    : profile_(&profile), shape_(&shape), settings_(settings) {}
+
+void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const {
+  const HsiaoRefinerData& data = *problem.data;
+  problem.assignment =
+      assignParts(data.curves->matrix(frames, {true, true, true, true, true, true}));
+  std::vector<HsiaoWorldCone> cones;
+  shape_->inWorld(frames, cones);
+  const std::vector<uint32_t>& surface = data.field->surface();
+  const size_t stride = std::max<size_t>(1, surface.size() / settings_.refinement_surface_points);
+  const bool labelled = data.parts->labels.size() == data.hull->voxels.size();
+  problem.surface.clear();
+  for (size_t i = 0; i < surface.size(); i += stride) {
+    const Vector3d point = data.hull->lattice.center(data.hull->voxels[surface[i]].index);
+    const int label = labelled ? data.parts->labels[surface[i]] : int(PartLabel::kTorso);
+    const int own = problem.assignment[label];
+    const bool anywhere = own <= int(PartLabel::kTorso);
+    int nearest = -1;
+    double distance = HUGE_VAL;
+    for (size_t c = 0; c < cones.size(); ++c) {
+      const int part = partOf(shape_->cones()[c].segment);
+      if (!anywhere && part != own && part != int(PartLabel::kTorso)) continue;
+      const double d = cones[c].signedDistance(point);
+      if (d >= distance) continue;
+      distance = d;
+      nearest = int(c);
+    }
+    problem.surface.push_back({point, nearest, cauchyWeight(distance, kSurfaceScale)});
+  }
+  problem.balls.clear();
+  for (size_t i = 0; i < shape_->balls().size(); i += kSkippedBalls)
+    if (shape_->balls()[i].radius > kThinnest * data.hull->lattice.pitch)
+      problem.balls.push_back(shape_->balls()[i]);
+  problem.size = int(problem.surface.size() + problem.balls.size());
+  std::vector<Vector3d> model;
+  for (int i = 0; i < kPartCount; ++i) {
+    problem.curve_weights[i].clear();
+    if (problem.assignment[i] < 0) continue;
+    const std::vector<Vector3d>& samples = data.curves->samples(PartLabel(i));
+    if (isArm(i))
+      problem.arm_places[i] =
+          nearestPlaces(profile_->bones(PartLabel(problem.assignment[i])), frames, samples);
+    problem.modelPoints(*profile_, frames, i, model);
+    for (size_t k = 0; k < model.size(); ++k)
+      problem.curve_weights[i].push_back(cauchyWeight((samples[k] - model[k]).norm(), kCurveScale));
+    problem.size += 3 * int(model.size());
+  }
+}
+
+void HsiaoRefiner::deviations(const HsiaoVector& v, const Problem& problem, VectorXd& out) const {
+  HsiaoFrames frames;
+  profile_->frames(v.data(), frames);
+  thread_local std::vector<HsiaoWorldCone> cones;
+  thread_local std::vector<Vector3d> model;
+  shape_->inWorld(frames, cones);
+  out.resize(problem.size);
+  int row = 0;
+  const double surface_scale =
+      std::sqrt(settings_.surface_weight / problem.surface.size()) / kUsualSurface;
+  for (const Correspondence& c : problem.surface)
+    out[row++] = surface_scale * std::sqrt(c.weight) * cones[c.cone].signedDistance(c.point);
+  const double inside_scale =
+      std::sqrt(settings_.inside_weight / problem.balls.size()) / kUsualOutside;
+  for (const HsiaoInteriorSphere& ball : problem.balls)
+    out[row++] = inside_scale *
+                 std::max(0.0, problem.data->field->signedDistance(ball.center.inWorld(frames)) +
+                                   ball.radius);
+  for (int i = 0; i < kPartCount; ++i) {
+    if (problem.assignment[i] < 0) continue;
+    const std::vector<Vector3d>& samples = problem.data->curves->samples(PartLabel(i));
+    problem.modelPoints(*profile_, frames, i, model);
+    const double scale =
+        std::sqrt(settings_.curve_weight / (kPartCount * samples.size())) / kUsualCurve;
+    for (size_t k = 0; k < samples.size(); ++k, row += 3)
+      out.segment<3>(row) =
+          scale * std::sqrt(problem.curve_weights[i][k]) * (samples[k] - model[k]);
+  }
+}
+
+HsiaoRefinement HsiaoRefiner::refine(const HsiaoVector& start, const HsiaoBounds& range,
+                                     const HsiaoRefinerData& data) const {
+  HsiaoRefinement best{start, HUGE_VAL};
+  Problem problem;
+  problem.data = &data;
+  HsiaoFrames frames;
+  VectorXd here, there;
+  MatrixXd slope;
+  double damping = 1e-3;
+  for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+    profile_->frames(best.v.data(), frames);
+    associate(frames, problem);
+    deviations(best.v, problem, here);
+    best.cost = here.squaredNorm();
+    slope.resize(here.size(), kHsiaoParameterCount);
+    for (int p = 0; p < kHsiaoParameterCount; ++p) {
+      HsiaoVector moved = best.v;
+      moved[p] += kStep;
+      deviations(moved, problem, there);
+      slope.col(p) = (there - here) / kStep;
+    }
+    const Eigen::Matrix<double, kHsiaoParameterCount, kHsiaoParameterCount> A =
+        slope.transpose() * slope;
+    const HsiaoVector b = slope.transpose() * here;
+    bool improved = false;
+    for (int attempt = 0; attempt < 4 && !improved; ++attempt) {
+      auto damped = A;
+      damped.diagonal() += damping * A.diagonal() + HsiaoVector::Constant(1e-4);
+      HsiaoVector v = best.v - damped.ldlt().solve(b);
+      v = v.cwiseMax(range.lower).cwiseMin(range.upper);
+      const Vector3d center = v.segment<3>(kHsiaoCenter);
+      v.segment<3>(kHsiaoNeck) =
+          center + profile_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
+      deviations(v, problem, there);
+      improved = there.squaredNorm() < best.cost;
+      damping *= improved ? 0.3 : 5.0;
+      if (improved) best = {v, there.squaredNorm()};
+    }
+    if (!improved) break;
+  }
+  return best;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,326 @@
+#include "hsiao/hsiao_pose_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "hsiao/fit/hsiao_hierarchical_fitter.h"
+#include "hsiao/fit/hsiao_pose_validator.h"
+#include "hsiao/fit/hsiao_refiner.h"
+#include "hsiao/model/hsiao_urdf_converter.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kShortestStep = 1.0 / 60.0, kLongestStep = 0.2;  // seconds
+// A turn about is believed when its advantage, a share of the cost summed over frames, exceeds
+// this; the sum fades by kEvidenceFade a frame.
+constexpr double kTurnEvidence = 0.6;
+constexpr double kEvidenceFade = 0.8;
+// A body seen again must fit this much better to replace the one that is followed.
+constexpr double kReplaceShare = 0.95;
+
+// What an unseen arm may be moved from where it was last seen, radians: the hull still tells a
+// little of the shoulder, nothing of the elbow.
+constexpr double kUnseenShoulderReach = 0.4;
+constexpr double kUnseenElbowReach = 0.3;
+
+// A pose that the hull alone carries on must agree with it nearly as well as the last one with
+// parts.
+constexpr double kCarriedShare = 0.93;
+
+HsiaoVector hangingArms() {
+  HsiaoVector v = HsiaoVector::Zero();
+  v[hsiaoTheta(3)] = -M_PI / 2;
+  v[hsiaoTheta(4)] = M_PI / 2;
+  return v;
+}
+
+HsiaoFitterSettings fitterSettings(const HsiaoOptions& o) {
+  HsiaoFitterSettings s;
+  s.limits = o.limits;
+  s.particles_per_parameter = o.particles_per_parameter;
+  s.iterations_per_parameter = o.iterations_per_parameter;
+  s.fine_tune_particles = o.fine_tune_particles;
+  s.fine_tune_iterations = o.fine_tune_iterations;
+  s.initial_headings = o.initial_headings;
+  return s;
+}
+
+HsiaoRefinerSettings refinerSettings(const HsiaoOptions& o) {
+  HsiaoRefinerSettings s;
+  s.iterations = o.refinement_iterations;
+  s.refinement_surface_points = o.refinement_surface_points;
+  return s;
+}
+
+// Why there is nothing to fit to; empty if there is.
+std::string hullError(const VisualHull& hull) {
+  if (hull.status == HullStatus::kOk && !hull.voxels.empty()) return "";
+  return hull.reason.empty() ? "there is no hull" : hull.reason;
+}
+
+std::string segmentationError(const BodyParts& parts) {
+  if (parts.status == SegmentationStatus::kInvalid)
+    return parts.reason.empty() ? "the hull has no parts" : parts.reason;
+  if (!parts.part(PartLabel::kTorso).seen) return "the torso is not seen";
+  return "";
+}
+
+// Legs that pass each other touch, and their curves may change sides there.
+bool areLegsMerged(const BodyParts& parts) {
+  const PartCurve& one = parts.part(PartLabel::kLeg1);
+  const PartCurve& other = parts.part(PartLabel::kLeg2);
+  return (one.seen && !one.whole) || (other.seen && !other.whole);
+}
+
+// With a leg missing an arm may pass for one, and nothing but the last pose tells.
+bool canStartFrom(const std::array<bool, kPartCount>& seen) {
+  return seen[size_t(PartLabel::kTorso)] && seen[size_t(PartLabel::kHead)] &&
+         seen[size_t(PartLabel::kLeg1)] && seen[size_t(PartLabel::kLeg2)];
+}
+
+Eigen::Vector3d facing(const HsiaoBodyModel& profile, const HsiaoVector& v) {
+  HsiaoFrames frames;
+  profile.frames(v.data(), frames);
+  return frames.R[kTorsoSegment].col(0);
+}
+
+}  // namespace
+
+struct HsiaoPoseEstimator::State {
+  State(std::shared_ptr<const BodyModel> the_model, const HsiaoOptions& the_options)
+      : options(the_options),
+        model(std::move(the_model)),
+        profile(std::make_shared<HsiaoBodyModel>(*model)),
+        shape(*model, *profile),
+        fitter(*profile, fitterSettings(options)),
+        refiner(*profile, shape, refinerSettings(options)),
+        judge(*profile, shape, options),
+        conversion(model, profile) {}
+
+  BodyPose validateStart(const HsiaoObservation& now, const HsiaoVector& v) const;
+  BodyPose follow(double seconds, const HsiaoObservation& now);
+  BodyPose trackByHull(const VisualHull& hull, const BodyPose& lost);
+  BodyPose report(BodyPose pose, const HsiaoVector& v);
+  std::optional<HsiaoRefinement> startAnew(const HsiaoObservation& now, int attempts) const;
+  HsiaoRefinement refine(const HsiaoObservation& now, const HsiaoVector& v) const;
+  HsiaoFit fitTemporal(const HsiaoObservation& now, double seconds) const;
+  HsiaoFit predictConstantVelocity() const;
+  bool isReplaced(const HsiaoObservation& now, const HsiaoFit& temporal,
+                  const HsiaoRefinement& kept, HsiaoRefinement& other);
+  bool isTurnBelieved(const HsiaoRefinement& kept, const HsiaoRefinement& other);
+  void rememberArms(const HsiaoVector& v, const std::array<bool, kPartCount>& seen);
+  void forget();
+  uint64_t seed() const { return uint64_t(options.seed) * 1000003u; }
+
+  HsiaoOptions options;
+  std::shared_ptr<const BodyModel> model;
+  std::shared_ptr<const HsiaoBodyModel> profile;
+  HsiaoBodyShape shape;
+  HsiaoHierarchicalFitter fitter;
+  HsiaoRefiner refiner;
+  HsiaoPoseValidator judge;
+  HsiaoUrdfConverter conversion;
+
+  std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose from parts
+  std::optional<HsiaoVector> last, before;
+  BodyPose from_parts;                    // the last one
+  HsiaoVector arms_seen = hangingArms();  // arm angles when each was last seen; else unused
+  double turn_evidence = 0.0;
+};
+
+void HsiaoPoseEstimator::State::forget() {
+  last.reset();
+  before.reset();
+  pose_stamp.reset();
+  arms_seen = hangingArms();
+  turn_evidence = 0.0;
+  conversion.reset();
+}
+
+HsiaoRefinement HsiaoPoseEstimator::State::refine(const HsiaoObservation& now,
+                                                  const HsiaoVector& v) const {
+  HsiaoBounds range = fitter.limits();
+  HsiaoFrames frames;
+  profile->frames(v.data(), frames);
+  const std::array<double, kPartCount> errors = judge.partErrors(frames, now);
+  for (int side = 0; side < 2; ++side) {
+    if (std::isfinite(errors[size_t(PartLabel::kArm1) + side])) continue;
+    for (const int k : {3, 5, 7, 9}) {
+      const int p = hsiaoTheta(k + side);
+      const double reach = k == 9 ? kUnseenElbowReach : kUnseenShoulderReach;
+      range.lower[p] = std::max(range.lower[p], arms_seen[p] - reach);
+      range.upper[p] = std::min(range.upper[p], arms_seen[p] + reach);
+    }
+  }
+  const HsiaoVector start = v.cwiseMax(range.lower).cwiseMin(range.upper);
+  return refiner.refine(start, range, {&now.curves, &now.parts, &now.hull, &now.field});
+}
+
+void HsiaoPoseEstimator::State::rememberArms(const HsiaoVector& v,
+                                             const std::array<bool, kPartCount>& seen) {
+  for (int side = 0; side < 2; ++side)
+    if (seen[size_t(PartLabel::kArm1) + side])
+      for (const int k : {3, 5, 7, 9}) arms_seen[hsiaoTheta(k + side)] = v[hsiaoTheta(k + side)];
+}
+
+std::optional<HsiaoRefinement> HsiaoPoseEstimator::State::startAnew(const HsiaoObservation& now,
+                                                                    int attempts) const {
+  std::optional<HsiaoRefinement> best;
+  const HsiaoVector rest = last ? *last : hangingArms();
+  for (int attempt = 0; attempt < attempts; ++attempt)
+    for (const HsiaoFit& fit : fitter.fitBasic(now.curves, rest, seed() + 7919 * attempt)) {
+      const HsiaoRefinement refined = refine(now, fit.v);
+      if (!best || refined.cost < best->cost) best = refined;
+    }
+  return best;
+}
+
+HsiaoFit HsiaoPoseEstimator::State::fitTemporal(const HsiaoObservation& now, double seconds) const {
+  const double step = std::clamp(seconds, kShortestStep, kLongestStep);
+  HsiaoVector reach = HsiaoVector::Constant(options.max_joint_velocity * step);
+  reach.segment<6>(kHsiaoCenter).setConstant(options.max_root_speed * step);
+  std::vector<HsiaoVector> guesses;
+  if (before) guesses.push_back(2.0 * *last - *before);
+  return fitter.fitTemporal(now.curves, *last, reach, guesses, seed());
+}
+
+// From where the last motion leads the refinement goes the shortest way.
+HsiaoFit HsiaoPoseEstimator::State::predictConstantVelocity() const {
+  HsiaoFit fit;
+  fit.v = before ? HsiaoVector(2.0 * *last - *before) : *last;
+  return fit;
+}
+
+bool HsiaoPoseEstimator::State::isTurnBelieved(const HsiaoRefinement& kept,
+                                               const HsiaoRefinement& other) {
+  turn_evidence = kEvidenceFade * turn_evidence + (kept.cost - other.cost) / kept.cost;
+  turn_evidence = std::max(0.0, turn_evidence);
+  return turn_evidence > kTurnEvidence;
+}
+
+// Basic against temporal (Hsiao 2008, 3.2.2.5). The hull has the last word, since it tells fingers
+// from elbows and toes from heels better than the curves do.
+bool HsiaoPoseEstimator::State::isReplaced(const HsiaoObservation& now, const HsiaoFit& temporal,
+                                           const HsiaoRefinement& kept, HsiaoRefinement& other) {
+  const HsiaoFit basic = fitter.fitBasic(now.curves, *last, seed()).front();
+  const bool turned = facing(*profile, basic.v).dot(facing(*profile, kept.v)) < 0.0;
+  const double advantage = temporal.error_m - basic.error_m;
+  if (advantage <= (turned ? 0.0 : options.reset_threshold)) {
+    turn_evidence *= kEvidenceFade;
+    return false;
+  }
+  other = refine(now, basic.v);
+  if (turned) return isTurnBelieved(kept, other);
+  return other.cost < kReplaceShare * kept.cost;
+}
+
+BodyPose HsiaoPoseEstimator::State::validateStart(const HsiaoObservation& now,
+                                                  const HsiaoVector& v) const {
+  BodyPose pose = judge.judge(v, now);
+  if (pose.status == PoseStatus::kLost) return pose;
+  pose.status = PoseStatus::kReinitialized;
+  if (!canStartFrom(pose.part_seen)) {
+    pose.status = PoseStatus::kLost;
+    pose.reason = "a track starts with torso, head and both legs in view; " + pose.reason;
+  }
+  return pose;
+}
+
+BodyPose HsiaoPoseEstimator::State::follow(double seconds, const HsiaoObservation& now) {
+  HsiaoRefinement found;
+  BodyPose pose;
+  if (last) {
+    const bool legs_told = !areLegsMerged(now.parts);
+    const HsiaoFit temporal = legs_told ? fitTemporal(now, seconds) : predictConstantVelocity();
+    found = refine(now, temporal.v);
+    pose = judge.judge(found.v, now);
+    HsiaoRefinement other;
+    if (legs_told && isReplaced(now, temporal, found, other)) {
+      const BodyPose started = validateStart(now, other.v);
+      if (started.status != PoseStatus::kLost) {
+        pose = started;
+        found = other;
+      }
+    }
+  }
+  if (pose.status == PoseStatus::kLost) {
+    found = *startAnew(now, options.initialization_attempts);
+    pose = validateStart(now, found.v);
+  }
+  if (pose.status == PoseStatus::kLost) return pose;
+  if (pose.status == PoseStatus::kReinitialized) {
+    turn_evidence = 0.0;
+    before.reset();
+  } else {
+    before = last;
+  }
+  rememberArms(found.v, pose.part_seen);
+  from_parts = report(pose, found.v);
+  return from_parts;
+}
+
+// Legs that pass each other have no parts for some instants; the hull still holds the body.
+BodyPose HsiaoPoseEstimator::State::trackByHull(const VisualHull& hull, const BodyPose& lost) {
+  const BodyParts none;
+  const HsiaoObservation now(*profile, none, hull, options.curve_samples);
+  const HsiaoRefinement found = refine(now, *last);
+  BodyPose pose = judge.judge(found.v, now);
+  if (pose.status == PoseStatus::kLost ||
+      pose.hull_explained < kCarriedShare * from_parts.hull_explained ||
+      pose.body_in_hull < kCarriedShare * from_parts.body_in_hull)
+    return lost;
+  pose.skeleton_error_m = std::numeric_limits<double>::quiet_NaN();
+  pose.part_seen = from_parts.part_seen;
+  pose.reason = "carried on by the hull alone: " + lost.reason;
+  before = last;
+  return report(pose, found.v);
+}
+
+BodyPose HsiaoPoseEstimator::State::report(BodyPose pose, const HsiaoVector& v) {
+  last = v;
+  conversion.convert(v, pose.T_world_body, pose.angles);
+  return pose;
+}
+
+HsiaoPoseEstimator::HsiaoPoseEstimator(std::shared_ptr<const BodyModel> model,
+                                       const HsiaoOptions& options) {
+  options.validate();
+  state_ = std::make_unique<State>(std::move(model), options);
+}
+
+HsiaoPoseEstimator::~HsiaoPoseEstimator() = default;
+
+const BodyModel& HsiaoPoseEstimator::model() const {
+  return *state_->model;
+}
+
+void HsiaoPoseEstimator::reset() {
+  state_->forget();
+  state_->stamp.reset();
+}
+
+BodyPose HsiaoPoseEstimator::update(int64_t stamp_ns, const BodyParts& parts,
+                                    const VisualHull& hull) {
+  State& s = *state_;
+  if (s.stamp && stamp_ns <= *s.stamp) reset();
+  s.stamp = stamp_ns;
+  const double seconds = s.pose_stamp ? 1e-9 * double(stamp_ns - *s.pose_stamp) : 0.0;
+  if (seconds > s.options.max_pose_age) s.forget();
+  BodyPose pose;
+  pose.reason = hullError(hull);
+  if (!pose.reason.empty()) return pose;
+  pose.reason = segmentationError(parts);
+  if (pose.reason.empty()) {
+    pose = s.follow(seconds, HsiaoObservation(*s.profile, parts, hull, s.options.curve_samples));
+    if (pose.status != PoseStatus::kLost) {
+      s.pose_stamp = stamp_ns;
+      return pose;
+    }
+  }
+  return s.last ? s.trackByHull(hull, pose) : pose;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,15 @@
+#include "hsiao/hsiao_tracker.h"
+
+#include "markerless_mocap/tracking/tracked_body.h"
+
+namespace markerless_mocap {
+
+HsiaoTracker::HsiaoTracker(const PersonResources& sources, const PersonOptions& person,
+                           const HsiaoOptions& options)
+    : body_(initialBody(sources, person.stature)), tracker_(body_->model, options) {}
+
+BodyPose HsiaoTracker::update(const TrackerInput& now) {
+  return tracker_.update(now.stamp_ns, now.parts, now.hull);
+}
+
+}  // namespace markerless_mocap

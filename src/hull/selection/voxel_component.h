@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hull/voting/brick_volume.h"
+
+namespace markerless_mocap {
+
+/// Voxels of one leaf.
+struct BrickVoxels {
+  uint32_t brick;
+  uint64_t voxels;
+};
+
+/// A set of voxels: its leaves in ascending order, none of them empty.
+struct VoxelComponent {
+  std::vector<BrickVoxels> cells;
+  size_t voxels = 0;
+  bool suspect_ghost = false;
+
+  void add(uint32_t brick, uint64_t bits) {
+    cells.push_back({brick, bits});
+    voxels += size_t(__builtin_popcountll(bits));
+  }
+};
+
+/// A voxel of a piece.
+struct ComponentVoxel {
+  uint32_t index;  ///< linear, in the lattice
+  uint32_t slot;   ///< 64 * cell + bit
+};
+
+/// Lattice coordinates of the lowest voxel of a leaf.
+Eigen::Vector3i cornerOf(const VoxelLattice& lattice, uint32_t brick);
+
+/// Cells [begin, end) of a piece whose leaves are of one row along x, and that row's place.
+struct CellRow {
+  size_t begin, end;
+  int y, z;  ///< leaves
+};
+std::vector<CellRow> rowsOf(const VoxelComponent& component, const Eigen::Vector3i& bricks);
+
+/// Calls visit(linear index, slot) for the piece's voxels in the order of their indices.
+template <class Visit>
+void forEachInLatticeOrder(const VoxelComponent& component, const VoxelLattice& lattice,
+                           Visit visit) {
+  const Eigen::Vector3i size = bricksOf(lattice);
+  const std::vector<CellRow> rows = rowsOf(component, size);
+  const auto visit_line = [&](const CellRow& row, int y, int z) {
+    const uint32_t row_start = uint32_t((row.z * size.y() + row.y) * size.x());
+    const uint32_t line = lattice.index(0, kBrickSide * row.y + y, kBrickSide * row.z + z);
+    const uint32_t shift = uint32_t(4 * y + 16 * z);
+    for (size_t c = row.begin; c < row.end; ++c) {
+      const uint32_t first = line + kBrickSide * (component.cells[c].brick - row_start);
+      const uint32_t slot = uint32_t(64 * c) + shift;
+      const uint32_t bits = uint32_t(component.cells[c].voxels >> shift) & 15;
+      if (bits == 15)  // as nearly everywhere
+        for (uint32_t i = 0; i < kBrickSide; ++i) visit(first + i, slot + i);
+      else
+        for (uint32_t i = 0; i < kBrickSide; ++i)
+          if (bits >> i & 1) visit(first + i, slot + i);
+    }
+  };
+  for (size_t begin = 0, end; begin < rows.size(); begin = end) {
+    for (end = begin; end < rows.size() && rows[end].z == rows[begin].z;) ++end;
+    for (int z = 0; z < kBrickSide; ++z)
+      for (size_t row = begin; row < end; ++row)
+        for (int y = 0; y < kBrickSide; ++y) visit_line(rows[row], y, z);
+  }
+}
+
+/// The piece's voxels sorted by linear index.
+std::vector<ComponentVoxel> inLatticeOrder(const VoxelComponent& component,
+                                           const VoxelLattice& lattice);
+
+/// The least box around the piece.
+VoxelBox boxOf(const VoxelComponent& component, const VoxelLattice& lattice);
+
+/// The union of cells in any order, leaves in any number of cells.
+VoxelComponent unionOf(std::vector<BrickVoxels> cells);
+
+}  // namespace markerless_mocap

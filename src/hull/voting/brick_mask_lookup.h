@@ -1,0 +1,19 @@
+#pragma once
+
+#include "hull/voting/projection_table.h"
+
+namespace markerless_mocap {
+
+/// Which of the voxels of the windows have their pixel set: voxel v's is at column codes[v] % 16
+/// and row codes[v] / 16 of its window.
+uint64_t setInWindows(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
+                      const uint8_t* codes);
+/// setInWindows() without vector instructions.
+uint64_t setInWindowsPlainly(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
+                             const uint8_t* codes);
+
+/// The leaf's voxels whose pixels in the camera are set; none that it does not see.
+uint64_t setInBrick(const ProjectionTable& table, const TileMask& mask, size_t brick,
+                    size_t camera);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,85 @@
+#include "studies/label_samples/label_samples.h"
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "capture/ground_truth.h"
+#include "markerless_mocap/hull/hull_carver.h"
+#include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "studies/label_samples/label_sampler.h"
+#include "studies/label_samples/limb_cut.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kBackgroundFrames = 12;
+constexpr int kCutEvery = 10;  // frames
+
+StudioOptions optionsOf(const LabelSampleOptions& film) {
+  if (film.frames < 1) throw std::invalid_argument("frames must be at least 1");
+  StudioOptions options = film.studio;
+  options.background_frames = film.silhouettes ? kBackgroundFrames : 0;
+  return options;
+}
+
+/// A volume for the whole stage.
+HullOptions hullOptions(const LabelSampleOptions& film) {
+  HullOptions options;
+  options.pitch = film.pitch;
+  options.volume_min = {-1.9375, -1.9375, 0};
+  options.volume_max = {1.9375, 1.9375, 2.4375};
+  if (film.studio.degradations.mask_damage > 0.0 && !film.silhouettes)
+    options.missing_votes_allowed = 1;
+  return options;
+}
+
+/// The silhouettes of one instant after another.
+class Masks {
+ public:
+  Masks(const VirtualStudio& studio, bool extracted) : studio_(studio) {
+    if (!extracted) return;
+    SilhouetteOptions options;
+    options.background_frames = kBackgroundFrames;
+    for (size_t camera = 0; camera < studio.rig().size(); ++camera)
+      extractors_.emplace_back(options);
+    for (int i = 0; i < kBackgroundFrames; ++i) of(studio.render(i));
+  }
+
+  std::vector<HullView> of(const StudioFrameSet& frame_set) {
+    std::vector<HullView> views(studio_.rig().size());
+    for (size_t camera = 0; camera < views.size(); ++camera)
+      views[camera].mask = extractors_.empty()
+                               ? frame_set.silhouettes[camera]
+                               : extractors_[camera].update(frame_set.images[camera]).mask;
+    return views;
+  }
+
+ private:
+  const VirtualStudio& studio_;
+  std::vector<SilhouetteExtractor> extractors_;
+};
+
+}  // namespace
+
+void writeLabelSamples(const LabelSampleOptions& film, std::ostream* out) {
+  const VirtualStudio studio(optionsOf(film), film.files, "truth");
+  HullCarver carver(studio.rig(), hullOptions(film));
+  Masks masks(studio, film.silhouettes);
+  LabelSampleWriter sampler(groundTruthNames(), out);
+  std::mt19937 random(uint32_t(film.studio.seed));
+  const int begin = studio.options().background_frames, all = studio.frameSetCount() - begin;
+  const int count = std::min(film.frames, all);
+  for (int i = 0; i < count; ++i) {
+    if (film.interrupted()) throw std::runtime_error("interrupted");
+    const StudioFrameSet frame_set = studio.render(begin + int((i + 0.5) * all / count));
+    const VisualHull hull = carver.carve(masks.of(frame_set));
+    sampler.add(hull, frame_set.points);
+    if (i % kCutEvery == 0 && !hull.voxels.empty())
+      sampler.add(withLimbCut(hull, groundTruthNames(), frame_set.points, &random),
+                  frame_set.points);
+  }
+}
+
+}  // namespace markerless_mocap

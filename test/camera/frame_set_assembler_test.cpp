@@ -1,0 +1,176 @@
+#include "markerless_mocap/camera/frame_set_assembler.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+using Assembler = FrameSetAssembler<int>;
+using Instants = std::vector<Assembler::FrameSet>;
+
+constexpr int64_t kMs = 1000000;
+constexpr int64_t kSecond = 1000 * kMs;
+
+/// Deadline 100 ms, tolerance 5 ms, jump 5 s, at least 2 streams.
+Assembler makeAssembler(size_t streams) {
+  return Assembler(streams, AssemblerOptions());
+}
+
+TEST(FrameSetAssembler, GivesOutWhenTheLastStreamArrives) {
+  Assembler assembler = makeAssembler(3);
+  EXPECT_TRUE(assembler.add(0, 1 * kSecond, 10).empty());
+  EXPECT_TRUE(assembler.add(2, 1 * kSecond + 4 * kMs, 12).empty());
+  const Instants out = assembler.add(1, 1 * kSecond - 4 * kMs, 11);
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_EQ(out[0].stamp_ns, 1 * kSecond);
+  EXPECT_EQ(out[0].items, (std::vector<int>{10, 11, 12}));
+  EXPECT_EQ(assembler.counts().complete, 1u);
+}
+
+TEST(FrameSetAssembler, StampsFurtherApartThanToleranceAreTwoInstants) {
+  Assembler assembler = makeAssembler(2);
+  assembler.add(0, 0, 1);
+  EXPECT_TRUE(assembler.add(1, 6 * kMs, 2).empty());
+  EXPECT_EQ(assembler.add(1, 5 * kMs, 3).size(), 0u) << "nearest instant is the one at 6 ms";
+  EXPECT_EQ(assembler.counts().duplicate, 1u);
+}
+
+TEST(FrameSetAssembler, MissingStreamIsLeftOutAfterTheDeadline) {
+  Assembler assembler = makeAssembler(3);
+  assembler.add(0, 0, 1);
+  assembler.add(1, 0, 2);
+  EXPECT_TRUE(assembler.add(0, 100 * kMs, 3).empty()) << "at the deadline it still waits";
+  const Instants out = assembler.add(0, 133 * kMs, 4);
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_EQ(out[0].present, (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(assembler.counts().incomplete, 1u);
+}
+
+TEST(FrameSetAssembler, TooFewStreamsAreAbandoned) {
+  Assembler assembler = makeAssembler(3);
+  assembler.add(0, 0, 1);
+  EXPECT_TRUE(assembler.add(0, 200 * kMs, 2).empty());
+  EXPECT_EQ(assembler.counts().abandoned, 1u);
+}
+
+TEST(FrameSetAssembler, CompleteInstantClosesOlderOnesInOrder) {
+  Assembler assembler = makeAssembler(3);
+  assembler.add(0, 0, 1);
+  assembler.add(1, 0, 2);
+  assembler.add(0, 33 * kMs, 3);
+  assembler.add(1, 33 * kMs, 4);
+  const Instants out = assembler.add(2, 33 * kMs, 5);
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_EQ(out[0].stamp_ns, 0);
+  EXPECT_EQ(out[1].stamp_ns, 33 * kMs);
+}
+
+TEST(FrameSetAssembler, LateAndRepeatedItemsAreCountedAndDropped) {
+  Assembler assembler = makeAssembler(3);
+  assembler.add(0, 100 * kMs, 1);
+  EXPECT_TRUE(assembler.add(0, 100 * kMs, 9).empty());
+  assembler.add(1, 100 * kMs, 2);
+  EXPECT_EQ(assembler.add(2, 100 * kMs, 3)[0].items[0], 1);
+  EXPECT_TRUE(assembler.add(2, 101 * kMs, 9).empty());
+  EXPECT_EQ(assembler.counts().duplicate, 2u) << "before and after it was given out";
+  EXPECT_TRUE(assembler.add(2, 67 * kMs, 9).empty());
+  EXPECT_EQ(assembler.counts().late, 1u);
+  EXPECT_TRUE(assembler.flush().empty());
+}
+
+TEST(FrameSetAssembler, FarFutureStampIsDropped) {
+  Assembler assembler = makeAssembler(2);
+  assembler.add(0, 0, 1);
+  EXPECT_TRUE(assembler.add(1, 3600 * kSecond, 9).empty());
+  EXPECT_EQ(assembler.counts().far_future, 1u);
+  EXPECT_EQ(assembler.add(1, 0, 2).size(), 1u);
+}
+
+TEST(FrameSetAssembler, OneStreamWithAWrongClockIsOutvoted) {
+  Assembler assembler = makeAssembler(3);
+  for (int frame = 0; frame < 20; ++frame) {
+    const int64_t stamp = frame * 33 * kMs;
+    assembler.add(2, stamp + 3600 * kSecond, 9);
+    assembler.add(0, stamp, 1);
+    assembler.add(1, stamp, 2);
+  }
+  EXPECT_EQ(assembler.counts().time_jumps_back, 1u) << "its first item set the time";
+  EXPECT_EQ(assembler.counts().far_future, 18u) << "from the third frame on";
+  EXPECT_EQ(assembler.counts().incomplete, 16u) << "frames 0 to 15 are past the deadline";
+}
+
+/// Plays `frames` complete frames at 30 Hz from `start_ns`; the number of instants given out.
+size_t play(Assembler* assembler, size_t streams, int64_t start_ns, int frames) {
+  size_t given = 0;
+  for (int frame = 0; frame < frames; ++frame)
+    for (size_t s = 0; s < streams; ++s)
+      given += assembler->add(s, start_ns + frame * 33 * kMs, frame).size();
+  return given;
+}
+
+TEST(FrameSetAssembler, RunOfFarFutureStampsIsARealJump) {
+  Assembler assembler = makeAssembler(3);
+  EXPECT_EQ(play(&assembler, 3, 0, 5), 5u);
+  EXPECT_EQ(play(&assembler, 3, 3600 * kSecond, 5), 5u) << "nothing of the new time is lost";
+  EXPECT_EQ(assembler.counts().complete, 10u);
+  EXPECT_EQ(assembler.counts().time_jumps_back, 0u);
+}
+
+TEST(FrameSetAssembler, LoopingRecordingStartsAnew) {
+  Assembler assembler = makeAssembler(4);
+  for (int loop = 0; loop < 3; ++loop) {
+    EXPECT_EQ(play(&assembler, 4, 10 * kSecond, 30), 30u) << "loop " << loop;
+    EXPECT_EQ(assembler.counts().time_jumps_back, uint64_t(loop));
+  }
+}
+
+TEST(FrameSetAssembler, BurstOfOneSlowStreamIsNoJump) {
+  Assembler assembler = makeAssembler(2);
+  play(&assembler, 2, 10 * kSecond, 30);
+  for (int i = 0; i < 10; ++i) assembler.add(1, 10 * kSecond + i * 33 * kMs, 9);
+  EXPECT_EQ(assembler.counts().time_jumps_back, 0u);
+  EXPECT_EQ(assembler.counts().late, 10u);
+}
+
+TEST(FrameSetAssembler, QueueIsBounded) {
+  AssemblerOptions options;
+  options.max_pending = 2;
+  Assembler assembler(3, options);
+  for (int i = 0; i < 4; ++i) assembler.add(0, i * 10 * kMs, i);
+  EXPECT_EQ(assembler.counts().overflow, 2u);
+  assembler.add(1, 20 * kMs, 5);
+  EXPECT_EQ(assembler.add(2, 20 * kMs, 6).size(), 1u) << "the newest are kept";
+}
+
+TEST(FrameSetAssembler, FlushGivesOutWhatHasEnoughStreams) {
+  Assembler assembler = makeAssembler(3);
+  assembler.add(0, 0, 1);
+  assembler.add(0, 33 * kMs, 2);
+  assembler.add(1, 33 * kMs, 3);
+  const Instants out = assembler.flush();
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_EQ(out[0].stamp_ns, 33 * kMs);
+}
+
+TEST(FrameSetAssembler, ResetForgetsTimeAndCounts) {
+  Assembler assembler = makeAssembler(2);
+  play(&assembler, 2, 10 * kSecond, 2);
+  assembler.reset();
+  EXPECT_EQ(assembler.counts().complete, 0u);
+  EXPECT_EQ(play(&assembler, 2, 0, 2), 2u);
+}
+
+TEST(FrameSetAssembler, BadInputIsRefused) {
+  Assembler assembler = makeAssembler(2);
+  EXPECT_THROW(assembler.add(2, 0, 1), std::invalid_argument);
+  EXPECT_THROW(makeAssembler(1), std::invalid_argument) << "min_streams is 2";
+  AssemblerOptions options;
+  options.deadline = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Assembler(2, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,201 @@
+#include "contour/track/contour_hypothesis_tracker.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "contour/drawn_body.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kFrame_ns = 33333333;
+constexpr Eigen::Index kLeftWrist = 5;  // of contourPointNames()
+
+class ContourTrackerTest : public ::testing::Test {
+ protected:
+  ContourTrackerTest()
+      : rig(drawnRig(6)),
+        body(ShapeStatistics::handMade().sizes(1.75)),
+        tracker(rig, {}),
+        observer(rig, {}) {}
+  ContourObservation see(const ContourPose& pose) const {
+    return observer.observe(drawnMasks(rig, body, pose));
+  }
+  /// The stride, walked on and with swinging arms.
+  static ContourPose at(int frame) {
+    ContourPose pose = stride();
+    pose.position.x() += 0.03 * frame;
+    pose.rotations[SphericalJoint::kLeftShoulder] =
+        expSO3({0, -0.08 * frame, 0}) * pose.rotations[SphericalJoint::kLeftShoulder];
+    pose.angles[RevoluteJoint::kRightKnee] -= 0.05 * frame;
+    return pose;
+  }
+  /// The left arm on the other side of the body.
+  static ContourPose withArmElsewhere(ContourPose pose) {
+    pose.rotations[SphericalJoint::kLeftShoulder] = expSO3({2.2, 0.3, 0});
+    pose.angles[RevoluteJoint::kLeftElbow] = 0.3;
+    return pose;
+  }
+  /// Forearms and hands thicker than those that are drawn, metres.
+  ContourBody withFatForearms(double by) const {
+    ShapeParameters sizes = body.sizes();
+    for (const int kind : {int(ContourCone::kForearm), int(ContourCone::kHand)})
+      for (const int end : {0, 1}) sizes[radiusIndex(kind, end)] += by;
+    return ContourBody(sizes);
+  }
+
+  CameraRig rig;
+  ContourBody body;
+  ContourTracker tracker;
+  ContourObserver observer;
+};
+
+TEST_F(ContourTrackerTest, FollowsAWalk) {
+  EXPECT_FALSE(tracker.tracking());
+  tracker.start(0, see(at(0)), body, disturbed(at(0), 0.05, 0.02, 4));
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrackingResult track = tracker.update(i * kFrame_ns, see(at(i)), body);
+    EXPECT_EQ(track.status, ContourTrackingStatus::kTracked);
+    EXPECT_LT(jointDistance(body, track.fit.pose, body, at(i)), 0.012) << i;
+  }
+}
+
+TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kFrame_ns, see(at(0)), body);
+  const ContourPose jumped = withArmElsewhere(at(0));  // between two instants
+  const ContourObservation seen = see(jumped);
+  const ContourFit alone = tracker.fitter().fit(
+      seen, body, at(0), ContourPrediction{at(0), 1.0 / 30}, tracker.fitter().schedule());
+  ASSERT_GT((body.points(alone.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.2)
+      << "the fit alone must fail for this test to tell anything";
+  const ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body);
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered);
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, DoubtsMasksThatNoPoseExplains) {
+  tracker.start(0, see(at(0)), body, at(0));
+  std::vector<cv::Mat> masks = drawnMasks(rig, body, at(0));
+  for (cv::Mat& mask : masks) mask(cv::Rect(20, 20, 30, 30)) = 255;  // no limb reaches there
+  const ContourObservation cut = observer.observe(masks);
+  EXPECT_EQ(tracker.update(kFrame_ns, cut, body).status, ContourTrackingStatus::kLimbLost);
+}
+
+TEST_F(ContourTrackerTest, ALimbThatAlwaysSticksOutByAsMuchIsNotSuspicious) {
+  const ContourBody fat = withFatForearms(0.06);
+  tracker.start(0, see(at(0)), fat, at(0));
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrackingResult track = tracker.update(i * kFrame_ns, see(at(i)), fat);
+    EXPECT_GT(track.fit.limbs[ContourLimb::kLeftArm].outside, 0.027) << i;
+    EXPECT_EQ(track.status, ContourTrackingStatus::kTracked) << i;
+  }
+}
+
+TEST_F(ContourTrackerTest, ALimbThatSuddenlySticksOutIsSuspicious) {
+  tracker.start(0, see(at(0)), body, at(0));
+  EXPECT_EQ(tracker.update(kFrame_ns, see(at(1)), body).status, ContourTrackingStatus::kTracked);
+  EXPECT_EQ(tracker.update(2 * kFrame_ns, see(at(2)), withFatForearms(0.06)).status,
+            ContourTrackingStatus::kLimbLost)
+      << "and no better place is found";
+}
+
+TEST_F(ContourTrackerTest, ALimbThatAlwaysSticksOutIsStillFoundAgain) {
+  const ContourBody fat = withFatForearms(0.02);
+  tracker.start(0, see(at(0)), fat, at(0));
+  tracker.update(kFrame_ns, see(at(0)), fat);
+  const ContourPose jumped = withArmElsewhere(at(0));
+  const ContourTrackingResult track = tracker.update(2 * kFrame_ns, see(jumped), fat);
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered);
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, AnArmLostFromTheStartOnIsLookedForNowAndThen) {
+  const ContourPose truth = withArmElsewhere(at(0));
+  const ContourObservation seen = see(truth);
+  const ContourFit fit =
+      tracker.fitter().fit(seen, body, at(0), std::nullopt, tracker.fitter().schedule());
+  const auto arm_off = [&](const ContourFit& of) {
+    return (body.points(of.pose) - body.points(truth)).col(kLeftWrist).norm();
+  };
+  ASSERT_GT(arm_off(fit), 0.2) << "must start wrong for this test to tell anything";
+  ASSERT_EQ(tracker.startFrom(0, fit).status, ContourTrackingStatus::kTracked);
+  ContourTrackingResult track;
+  int frame = 1;
+  for (; frame <= 20 && track.status != ContourTrackingStatus::kLimbRecovered; ++frame) {
+    track = tracker.update(frame * kFrame_ns, seen, body);
+    EXPECT_NE(track.status, ContourTrackingStatus::kLost);
+  }
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered) << "within two thirds of a second";
+  EXPECT_LT(arm_off(track.fit), 0.05);
+  EXPECT_GT(tracker.quality(), 0.9);
+}
+
+TEST_F(ContourTrackerTest, ATrunkThatTurnedAwayInsideWideClothesComesBackWithinTwoInstants) {
+  ContourPose hanging;
+  hanging.position = stride().position;
+  std::vector<cv::Mat> masks = drawnMasks(rig, body, hanging);
+  const cv::Mat clothes = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  for (cv::Mat& mask : masks) cv::dilate(mask, mask, clothes);
+  const ContourObservation seen = observer.observe(masks);
+  ContourPose turned = hanging;
+  turned.angles[RevoluteJoint::kSpineTwist] = 1.1;
+  turned.angles[RevoluteJoint::kLeftClavicleYaw] = -0.55;
+  turned.angles[RevoluteJoint::kRightClavicleYaw] = 0.55;
+  const auto shoulders_off = [&](const ContourPose& pose) {
+    return (body.points(pose) - body.points(hanging)).col(kLeftWrist - 2).norm();
+  };
+  ASSERT_GT(shoulders_off(turned), 0.2);
+  ContourFit start = tracker.fitter().fit(seen, body, turned, std::nullopt, {1, 0.03, 0.03});
+  start.pose = turned;
+  ASSERT_EQ(tracker.startFrom(0, start).status, ContourTrackingStatus::kTracked);
+  ContourTrackingResult track;
+  for (int i = 1; i <= 2; ++i) track = tracker.update(i * kFrame_ns, seen, body);
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered);
+  EXPECT_LT(shoulders_off(track.fit.pose), 0.05);
+}
+
+TEST_F(ContourTrackerTest, ATrunkThatIsTwistedStaysSo) {
+  ContourPose twisted = at(0);  // arms away from the body
+  twisted.angles[RevoluteJoint::kSpineTwist] = 0.6;
+  const ContourObservation seen = see(twisted);
+  tracker.start(0, seen, body, twisted);
+  for (int i = 1; i <= 6; ++i) {
+    const ContourTrackingResult track = tracker.update(i * kFrame_ns, seen, body);
+    EXPECT_EQ(track.status, ContourTrackingStatus::kTracked) << i;
+    EXPECT_LT(jointDistance(body, track.fit.pose, body, twisted), 0.015) << i;
+  }
+}
+
+TEST_F(ContourTrackerTest, IsLostWithoutMasksAfterAGapAndWhenTimeGoesBack) {
+  const ContourObservation seen = see(at(0));
+  EXPECT_EQ(tracker.update(0, seen, body).status, ContourTrackingStatus::kLost);
+  tracker.start(0, seen, body, at(0));
+  const ContourObservation nothing = observer.observe(std::vector<cv::Mat>(rig.size()));
+  EXPECT_EQ(tracker.update(kFrame_ns, nothing, body).status, ContourTrackingStatus::kLost);
+  EXPECT_FALSE(tracker.tracking());
+  tracker.start(0, seen, body, at(0));
+  EXPECT_EQ(tracker.update(int64_t(1e9), seen, body).status, ContourTrackingStatus::kLost);
+  tracker.start(0, seen, body, at(0));
+  EXPECT_EQ(tracker.update(0, seen, body).status, ContourTrackingStatus::kLost);
+}
+
+TEST_F(ContourTrackerTest, IsLostWhereNobodyIs) {
+  ContourPose elsewhere = at(0);
+  elsewhere.position.z() += 3;
+  EXPECT_EQ(tracker.start(0, see(at(0)), body, elsewhere).status, ContourTrackingStatus::kLost);
+}
+
+TEST_F(ContourTrackerTest, IsTheSameOnAnyNumberOfThreads) {
+  const auto on = [&](size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    tracker.start(0, see(at(0)), body, disturbed(at(0), 0.05, 0.02, 4));
+    return tracker.update(kFrame_ns, see(at(1)), body).fit.pose;
+  };
+  EXPECT_EQ(boxMinus(on(1), on(2)).norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

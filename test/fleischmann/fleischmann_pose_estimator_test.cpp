@@ -1,0 +1,206 @@
+#include "fleischmann/fleischmann_pose_estimator.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "error_text_of.h"
+#include "fleischmann/appearance_scene.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kFrame_ns = 1000000000 / 60;
+
+/// A person of cones who strides on, filmed by four cameras.
+struct Walk {
+  CameraRig rig = ringOfFour();
+  FleischmannBodyModel profile{sampleBody()};
+  FleischmannBodyShape body{sampleBody(), profile};
+  FleischmannFitness painter{rig, profile, body, FleischmannImageOptions()};
+  FleischmannMotionStatistics statistics;
+
+  Walk() {
+    statistics.max_change.setConstant(0.05);
+    statistics.max_change.segment<3>(kPelvisPosition).setConstant(0.015);
+  }
+
+  static FleischmannVector at(int frame) {
+    FleischmannVector v = stride();
+    v[kPelvisPosition] += 0.012 * frame;
+    v[kLeftHip + 1] -= 0.03 * frame;
+    v[kRightHip + 1] += 0.03 * frame;
+    v[kRightShoulder + 1] -= 0.03 * frame;
+    return v;
+  }
+
+  std::vector<FleischmannView> viewsAt(int frame) const {
+    std::vector<FleischmannView> views;
+    for (int i = 0; i < 4; ++i) {
+      FleischmannView view;
+      view.silhouette = painter.drawing(at(frame).data(), i);
+      view.image = cv::Mat(view.silhouette.size(), CV_8UC1, cv::Scalar(160));
+      view.image.setTo(70, view.silhouette);
+      views.push_back(view);
+    }
+    return views;
+  }
+
+  FleischmannPoseEstimator tracker(const FleischmannOptions& options = {}) const {
+    return FleischmannPoseEstimator(rig, profile, body, statistics, options);
+  }
+
+  double meanError(const FleischmannVector& found, int frame) const {
+    FleischmannFrames here, there;
+    profile.frames(found.data(), here);
+    profile.frames(at(frame).data(), there);
+    const auto a = profile.markers(here), b = profile.markers(there);
+    double sum = 0.0;
+    for (size_t m = 0; m < a.size(); ++m) sum += (a[m] - b[m]).norm();
+    return sum / double(a.size());
+  }
+};
+
+TEST(FleischmannPoseEstimator, followsAWalkWithEverySearch) {
+  const Walk walk;
+  for (const char* search :
+       {"two_soft", "one_global", "two_hard", "three_soft", "annealed_filter"}) {
+    FleischmannOptions options;
+    options.search = search;
+    FleischmannPoseEstimator tracker = walk.tracker(options);
+    tracker.start(0, Walk::at(0));
+    for (int frame = 1; frame <= 6; ++frame) {
+      const FleischmannEstimate pose = tracker.update(frame * kFrame_ns, walk.viewsAt(frame));
+      EXPECT_EQ(pose.status, PoseStatus::kTracked) << search;
+      EXPECT_EQ(pose.evaluations, 1000);
+      EXPECT_EQ(pose.views, 4);
+      EXPECT_LT(walk.meanError(pose.v, frame), 0.05) << search << ", frame " << frame;
+    }
+  }
+}
+
+// The change is scaled by the time to come against the time that it took.
+TEST(FleischmannPoseEstimator, predictionGoesOnWithAShareOfTheLastChange) {
+  Walk walk;
+  for (const double share : {0.0, 0.5}) {
+    FleischmannOptions options;
+    options.prediction = share;
+    FleischmannPoseEstimator tracker = walk.tracker(options);
+    tracker.start(0, Walk::at(0));
+    const FleischmannVector first = tracker.update(kFrame_ns, walk.viewsAt(1)).v;
+    const FleischmannVector there = tracker.predicted(2 * kFrame_ns);
+    EXPECT_LT((there - (first + share * (first - Walk::at(0)))).norm(), 1e-9) << share;
+    const FleischmannVector twice =
+        first + 2 * share * (first - Walk::at(0)) - tracker.predicted(3 * kFrame_ns);
+    EXPECT_LT(twice.segment<3>(kPelvisPosition).norm(), 1e-9) << share;  // angles stop at limits
+  }
+}
+
+TEST(FleischmannPoseEstimator, startsNearAPoseThatIsRoughlyRight) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  FleischmannVector rough = Walk::at(0);
+  rough[kPelvisPosition] += 0.06;
+  rough[kRightShoulder + 1] += 0.25;
+  rough[kLeftKnee] += 0.2;
+  const FleischmannEstimate pose = tracker.reinitializeNear(0, rough, walk.viewsAt(0));
+  ASSERT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
+  EXPECT_LT(walk.meanError(pose.v, 0), 0.03);
+  EXPECT_GT(walk.meanError(rough, 0), 0.06);
+  EXPECT_EQ(tracker.predicted(kFrame_ns), pose.v);
+  EXPECT_EQ(tracker.reinitializeNear(0, rough, std::vector<FleischmannView>(4)).reason,
+            "no camera shows a person");
+  tracker.reset();
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(1)).reason, "no pose is known to start from");
+}
+
+TEST(FleischmannPoseEstimator, keepsThePoseThatNoneIsBetterThan) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  tracker.start(0, Walk::at(0));
+  const FleischmannEstimate pose =
+      tracker.reinitializeNear(kFrame_ns, Walk::at(1), walk.viewsAt(1), 2.0);
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "the pose found is not better than the one known");
+  EXPECT_EQ(tracker.predicted(kFrame_ns), Walk::at(0));
+}
+
+// The true pose is the best there is.
+TEST(FleischmannPoseEstimator, keepsAStartThatIsPerfect) {
+  const Walk walk;
+  FleischmannOptions options;
+  options.include_start_particle = true;
+  options.edges = false;
+  FleischmannPoseEstimator tracker = walk.tracker(options);
+  tracker.start(0, Walk::at(0));
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(0)).v, Walk::at(0));
+}
+
+TEST(FleischmannPoseEstimator, saysWhyThereIsNoPose) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason, "no pose is known to start from");
+  tracker.start(0, Walk::at(0));
+  FleischmannEstimate pose = tracker.update(kFrame_ns, std::vector<FleischmannView>(4));
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "no camera shows a person");
+  EXPECT_EQ(pose.views, 0);
+  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason, "the instant is not after the last one");
+  EXPECT_EQ(tracker.update(1000000000, walk.viewsAt(0)).reason,
+            "the last pose is too old to start from");
+  // The pose before the gap is still good enough for the next frame.
+  EXPECT_EQ(tracker.update(2 * kFrame_ns, walk.viewsAt(2)).status, PoseStatus::kTracked);
+  EXPECT_EQ(errorTextOf([&] { tracker.update(3 * kFrame_ns, {}); }),
+            "0 views came from a rig of 4 cameras");
+}
+
+TEST(FleischmannPoseEstimator, doesNotClaimWhatTheSilhouettesDeny) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  FleischmannVector elsewhere = Walk::at(0);
+  elsewhere[kPelvisPosition] -= 0.8;
+  tracker.start(0, elsewhere);
+  const FleischmannEstimate pose = tracker.update(kFrame_ns, walk.viewsAt(0));
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "no pose near the one to start from looks like the silhouettes");
+}
+
+TEST(FleischmannPoseEstimator, oneViewLessIsNoHindrance) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  tracker.start(0, Walk::at(0));
+  std::vector<FleischmannView> views = walk.viewsAt(1);
+  views[2].silhouette.setTo(0);
+  const FleischmannEstimate pose = tracker.update(kFrame_ns, views);
+  EXPECT_EQ(pose.status, PoseStatus::kTracked);
+  EXPECT_EQ(pose.views, 3);
+  EXPECT_LT(walk.meanError(pose.v, 1), 0.05);
+}
+
+TEST(FleischmannPoseEstimator, aLimitlessWishIsPutInsideTheLimits) {
+  const Walk walk;
+  FleischmannPoseEstimator tracker = walk.tracker();
+  FleischmannVector bent = Walk::at(0);
+  bent[kLeftKnee] = -0.4;
+  tracker.start(0, bent);
+  const FleischmannEstimate pose = tracker.update(kFrame_ns, walk.viewsAt(1));
+  EXPECT_TRUE(pose.v.allFinite());
+  EXPECT_GE(pose.v[kLeftKnee], 0.0);
+}
+
+TEST(FleischmannPoseEstimator, dependsOnTheSeedAndNotOnThreads) {
+  const Walk walk;
+  const auto poseOf = [&](int seed) {
+    FleischmannOptions options;
+    options.seed = seed;
+    FleischmannPoseEstimator tracker = walk.tracker(options);
+    tracker.start(0, Walk::at(0));
+    return tracker.update(kFrame_ns, walk.viewsAt(1)).v;
+  };
+  const FleischmannVector first = poseOf(1);
+  EXPECT_NE(poseOf(2), first);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(poseOf(1), first);
+}
+
+}  // namespace
+}  // namespace markerless_mocap

@@ -1,0 +1,247 @@
+#include <gtest/gtest.h>
+
+#include "error_text_of.h"
+#include "markerless_mocap/body/body_urdf.h"
+#include "markerless_mocap/pipeline/make_body_tracker.h"
+#include "pipeline/drawn_walk.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int64_t kFrame_ns = 33333333;
+constexpr int kMeasuringPoses = 6;
+
+TrackerOptions contourOptions() {
+  TrackerOptions options;
+  options.person.stature = 1.75;
+  options.person.measuring_poses = kMeasuringPoses;
+  options.contour.rays = 400;
+  return options;
+}
+
+class ContourMethodTest : public testing::Test {
+ protected:
+  ContourMethodTest() { sources.urdf_template = urdfTemplate(); }
+
+  void make() { tracker = makeBodyTracker(rig, sources, options); }
+  void makeMeasured() {
+    sources.measured = truth();
+    make();
+  }
+  BodyPose show(const std::vector<cv::Mat>& masks, const PoseTree& tree) {
+    return tracker->update({stamp_ns += kFrame_ns, masks, {}, hull, parts, tree});
+  }
+  BodyPose show(int frame) { return show(masksAt(frame), treeOf(person, at(frame), false)); }
+  BodyPose showMasks(int frame) { return show(masksAt(frame), PoseTree{}); }
+  BodyPose showNothing() {
+    const cv::Mat nobody = cv::Mat::zeros(240, 320, CV_8UC1);
+    return show(std::vector<cv::Mat>(rig.size(), nobody), PoseTree{});
+  }
+  double error(const BodyPose& pose, int frame) const {
+    return errorOf(*tracker->body()->model, pose, frame);
+  }
+  static double offBy(const ShapeParameters& sizes) {
+    return (sizes - truth()).head<ContourLength::kCount>().norm();
+  }
+  static std::string beingMeasured(int poses) {
+    return "the body is being measured, " + std::to_string(poses) + " of " +
+           std::to_string(kMeasuringPoses) + " different poses have been seen";
+  }
+
+  CameraRig rig = drawnRig(5);
+  ContourBody person{truth()};
+  PersonResources sources;
+  TrackerOptions options = contourOptions();
+  VisualHull hull;  // empty, and so are the parts: the tree and the masks must do
+  BodyParts parts;
+  std::unique_ptr<BodyTracker> tracker;
+  int64_t stamp_ns = 0;
+};
+
+TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
+  make();
+  EXPECT_EQ(show(0).reason, beingMeasured(1));
+  const auto believed = tracker->body();
+  EXPECT_FALSE(believed->measured);
+  int frame = 1, poses = 1;
+  BodyPose pose;
+  while ((pose = show(frame++)).reason != "the body has just been measured") {
+    ASSERT_LT(frame, 30);
+    EXPECT_EQ(pose.status, PoseStatus::kLost) << frame;
+    EXPECT_TRUE(tracker->body() == believed) << frame;
+    if (pose.reason != beingMeasured(poses)) ++poses;
+    EXPECT_EQ(pose.reason, beingMeasured(poses)) << frame;
+  }
+  EXPECT_EQ(poses, kMeasuringPoses - 1);
+  EXPECT_EQ(pose.status, PoseStatus::kLost) << "the fit was still the other body's";
+  pose = show(frame);
+  EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
+  EXPECT_TRUE(pose.reason.empty());
+  const auto measured = tracker->body();
+  EXPECT_TRUE(measured->measured);
+  EXPECT_LT(offBy(measured->sizes), 0.5 * offBy(sources.people.sizes(options.person.stature)));
+  EXPECT_EQ(measured->urdf, fillUrdfTemplate(sources.urdf_template, sources.body_id,
+                                             proportionsOf(measured->sizes)));
+  for (int i = 1; i <= 12; ++i) {
+    pose = show(frame + i);
+    EXPECT_EQ(pose.status, PoseStatus::kTracked) << i;
+    EXPECT_LT(error(pose, frame + i), 0.02) << i;
+    EXPECT_TRUE(tracker->body() == measured) << "it changes once";
+  }
+}
+
+TEST_F(ContourMethodTest, MeasuringBeginsWithTheStatureThatExplainsTheMasksBest) {
+  options.person.stature = 1.9;
+  make();
+  EXPECT_EQ(tracker->body()->sizes, sources.people.sizes(1.9));
+  show(0);
+  EXPECT_EQ(tracker->body()->sizes, sources.people.sizes(1.7)) << "of 1.5, 1.6, ...";
+  EXPECT_FALSE(tracker->body()->measured);
+}
+
+TEST_F(ContourMethodTest, MeasuresInBackgroundWhileInstantsGoOn) {
+  make();
+  for (int frame = 0; !tracker->body()->measured && frame < 30; ++frame) show(frame);
+  const ShapeParameters at_once = tracker->body()->sizes;
+  sources.in_background = true;
+  make();
+  int frame = 0;
+  for (; !tracker->body()->measured && frame < 1000; ++frame) show(frame);
+  ASSERT_TRUE(tracker->body()->measured);
+  EXPECT_EQ(tracker->body()->sizes, at_once);
+  EXPECT_LT(error(show(frame), frame), 0.02);
+}
+
+TEST_F(ContourMethodTest, MeasuresFromTheFewPosesThereAreWhenAskedTo) {
+  make();
+  tracker->estimateShapeNow();
+  EXPECT_FALSE(tracker->body()->measured) << "from nothing";
+  for (int frame = 0; frame < 6; ++frame) show(frame);
+  tracker->estimateShapeNow();
+  EXPECT_TRUE(tracker->body()->measured);
+  const BodyPose pose = show(6);
+  EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
+  EXPECT_LT(error(pose, 6), 0.03);
+}
+
+TEST_F(ContourMethodTest, SizesThatAreGivenAreNotMeasured) {
+  makeMeasured();
+  const auto body = tracker->body();
+  EXPECT_TRUE(body->measured);
+  EXPECT_EQ(body->sizes, truth());
+  for (int frame = 0; frame < 8; ++frame) {
+    const BodyPose pose = show(frame);
+    EXPECT_EQ(pose.status, frame ? PoseStatus::kTracked : PoseStatus::kReinitialized);
+    EXPECT_LT(error(pose, frame), 0.012) << frame;
+    EXPECT_GT(pose.silhouette_overlap, 0.9);
+    for (size_t part = 0; part < kPartCount; ++part) {
+      EXPECT_TRUE(pose.part_seen[part]) << part;
+      EXPECT_GT(pose.part_sigma_m[part], 0.0) << part;
+      EXPECT_LT(pose.part_sigma_m[part], 0.06) << part;
+    }
+  }
+  EXPECT_TRUE(tracker->body() == body);
+}
+
+TEST_F(ContourMethodTest, MeasuresNothingWhenToldNotTo) {
+  options.person.measure = false;
+  make();
+  const auto body = tracker->body();
+  EXPECT_EQ(body->sizes, sources.people.sizes(1.75));
+  for (int frame = 0; frame < 15; ++frame) EXPECT_NE(show(frame).status, PoseStatus::kLost);
+  EXPECT_TRUE(tracker->body() == body);
+  EXPECT_FALSE(body->measured);
+}
+
+TEST_F(ContourMethodTest, FollowsByMasksAloneOnceStarted) {
+  makeMeasured();
+  EXPECT_EQ(showMasks(0).status, PoseStatus::kLost) << "nothing to start from";
+  show(1);
+  for (int frame = 2; frame < 10; ++frame) {
+    const BodyPose pose = showMasks(frame);
+    EXPECT_EQ(pose.status, PoseStatus::kTracked);
+    EXPECT_LT(error(pose, frame), 0.012) << frame;
+  }
+}
+
+TEST_F(ContourMethodTest, IsLostWithTheMasksAndFoundAgain) {
+  makeMeasured();
+  for (int frame = 0; frame < 3; ++frame) show(frame);
+  const BodyPose gone = showNothing();
+  EXPECT_EQ(gone.status, PoseStatus::kLost);
+  EXPECT_EQ(gone.reason, "the person shows in 0 silhouettes, needed are 2");
+  const BodyPose unknown = showMasks(4);
+  EXPECT_EQ(unknown.status, PoseStatus::kLost);
+  EXPECT_EQ(unknown.reason, "there is no hull");
+  const BodyPose found = show(5);
+  EXPECT_EQ(found.status, PoseStatus::kReinitialized);
+  EXPECT_LT(error(found, 5), 0.012);
+  EXPECT_EQ(show(6).status, PoseStatus::kTracked);
+}
+
+TEST_F(ContourMethodTest, DoesNotStartOnWhatIsNoPerson) {
+  makeMeasured();
+  cv::Mat box = cv::Mat::zeros(240, 320, CV_8UC1);
+  box(cv::Rect(60, 90, 200, 60)) = 255;
+  const BodyPose pose = show(std::vector<cv::Mat>(rig.size(), box), treeOf(person, at(0), false));
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason.rfind("no pose covers the silhouettes, the best one's overlap is 0.", 0),
+            0u)
+      << pose.reason;
+}
+
+TEST_F(ContourMethodTest, StampsThatGoBackAndResetRestartTheTrack) {
+  makeMeasured();
+  for (int frame = 0; frame < 3; ++frame) show(frame);
+  const auto body = tracker->body();
+  stamp_ns = 0;
+  EXPECT_EQ(show(3).status, PoseStatus::kReinitialized);
+  EXPECT_EQ(show(4).status, PoseStatus::kTracked);
+  tracker->reset();
+  EXPECT_EQ(show(5).status, PoseStatus::kReinitialized);
+  EXPECT_TRUE(tracker->body() == body);
+}
+
+TEST_F(ContourMethodTest, ATreeThatTakesLeftForRightIsSeenThrough) {
+  makeMeasured();
+  bool told = false;
+  for (int frame = 0; frame < 15; ++frame) {
+    const BodyPose pose = show(masksAt(frame), treeOf(person, at(frame), true));
+    if (pose.status == PoseStatus::kLost) {
+      EXPECT_EQ(pose.reason, "the person is found, front and back are not told apart yet");
+      EXPECT_FALSE(told) << frame;
+      continue;
+    }
+    EXPECT_EQ(pose.status, told ? PoseStatus::kTracked : PoseStatus::kReinitialized) << frame;
+    EXPECT_LT(error(pose, frame), 0.02) << frame;
+    told = true;
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST_F(ContourMethodTest, RefusesMasksThatDoNotFitTheRig) {
+  makeMeasured();
+  std::vector<cv::Mat> masks = masksAt(0);
+  masks.pop_back();
+  EXPECT_EQ(errorTextOf([&] { show(masks, PoseTree{}); }),
+            "contour: 4 masks of 5 cameras were given");
+  masks.push_back(cv::Mat::zeros(10, 10, CV_8UC1));
+  EXPECT_NE(errorTextOf([&] { show(masks, PoseTree{}); }).find("cam4"), std::string::npos);
+}
+
+TEST_F(ContourMethodTest, NeedsCamerasAndAUrdf) {
+  rig.clear();
+  EXPECT_EQ(
+      errorTextOf([&] { make(); }),
+      "pose_fitting/method is contour, which needs cameras; without any, allowed is skeleton");
+  options.method = "hsiao";
+  make();
+  EXPECT_FALSE(tracker->body()->measured);
+  options = contourOptions();
+  rig = drawnRig(2);
+  sources.urdf_template = "<robot name=\"nobody\"><link name=\"a\"/></robot>";
+  EXPECT_THROW(make(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
