@@ -1,8 +1,6 @@
 #include "contour/fit/ray_match.h"
 
-// A clone inlines nothing that is not a builtin, so the loop calls none and reads plain numbers.
-// That nobody reads errno after its square roots, cmake/core.cmake says.
-#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
@@ -24,6 +22,8 @@ struct PlainRay {
   float normal[3], side[3], normal_of_ray, side_of_ray;
 };
 
+// A clone inlines nothing that is not a builtin, so the loop calls none and reads plain numbers.
+// That nobody reads errno after its square roots, cmake/core.cmake says.
 MOCAP_WIDEST void measure(const PackedContourCones& cones, const PlainRay& ray, Lanes& out) {
   const float nx = ray.normal[0], ny = ray.normal[1], nz = ray.normal[2], n0 = ray.normal_of_ray;
   const float sx = ray.side[0], sy = ray.side[1], sz = ray.side[2], s0 = ray.side_of_ray;

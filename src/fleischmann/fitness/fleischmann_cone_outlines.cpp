@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-// The loops run over all lanes without branches, so that they become vectors.
-#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
@@ -25,6 +24,7 @@ struct CameraPlaces {
   ConeFloats inside;  ///< squared distance across beyond that size; above 0 outside of the cone
 };
 
+// The loops run over all lanes without branches, so that they become vectors.
 MOCAP_WIDEST void seeCamera(const FleischmannWorldCones& w, const ViewCamera::Numbers& numbers,
                             CameraPlaces& result) {
   const ViewCamera::Numbers n = numbers;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
-#define MOCAP_COUNTING __attribute__((target_clones("avx2", "popcnt", "default")))
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,36 +1,34 @@
 #include "hull/voting/brick_mask_lookup.h"
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
 
-#ifdef __x86_64__
+#ifdef MOCAP_X86
 /// Left and right half of the window, a byte per row: eight pixels from column x on.
 struct WindowHalves {
   __m128i left, right;
 };
 
-__attribute__((target("avx2"))) inline WindowHalves loadWindow(const TileMask& mask, int x, int y) {
+MOCAP_AVX2 inline WindowHalves loadWindow(const TileMask& mask, int x, int y) {
   const uint8_t* column = mask.pixels(x >> 3, y);
-  const auto load = [&](int i) __attribute__((target("avx2"))) {
+  const auto load = [&](int i) MOCAP_AVX2 {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(column + i * mask.columnBytes()));
   };
   const __m128i a = load(0), b = load(1), c = load(2);
   const __m128i right_by = _mm_cvtsi32_si128(x & 7), left_by = _mm_cvtsi32_si128(8 - (x & 7));
   // There are no shifts of bytes: shift 16 bits and drop what came from the neighbour.
   const __m128i low = _mm_set1_epi8(char(0xff >> (x & 7)));
-  const auto joined = [&](__m128i first, __m128i second) __attribute__((target("avx2"))) {
+  const auto joined = [&](__m128i first, __m128i second) MOCAP_AVX2 {
     return _mm_or_si128(_mm_and_si128(_mm_srl_epi16(first, right_by), low),
                         _mm_andnot_si128(low, _mm_sll_epi16(second, left_by)));
   };
   return {joined(a, b), joined(b, c)};
 }
 
-__attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const TileMask& mask, int x, int y,
-                                                                const uint8_t* codes) {
+MOCAP_AVX2 inline uint64_t setInWindowAvx2(const TileMask& mask, int x, int y,
+                                           const uint8_t* codes) {
   const WindowHalves halves = loadWindow(mask, x, y);
   const __m256i left = _mm256_broadcastsi128_si256(halves.left);
   const __m256i right = _mm256_broadcastsi128_si256(halves.right);
@@ -52,17 +50,13 @@ __attribute__((target("avx2"))) inline uint64_t setInWindowAvx2(const TileMask& 
   return result;
 }
 
-__attribute__((target("avx2"))) uint64_t setInWindowsAvx2(const TileMask& mask,
-                                                          const PixelWindow* begin,
-                                                          const PixelWindow* end,
-                                                          const uint8_t* codes) {
+MOCAP_AVX2 uint64_t setInWindowsAvx2(const TileMask& mask, const PixelWindow* begin,
+                                     const PixelWindow* end, const uint8_t* codes) {
   uint64_t set = 0;
   for (const PixelWindow* w = begin; w != end; ++w)
     set |= w->voxels & setInWindowAvx2(mask, w->x, w->y, codes);
   return set;
 }
-
-const bool kHasAvx2 = __builtin_cpu_supports("avx2");
 #endif
 
 }  // namespace
@@ -80,7 +74,7 @@ uint64_t setInWindowsPlainly(const TileMask& mask, const PixelWindow* begin, con
 
 uint64_t setInWindows(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
                       const uint8_t* codes) {
-#ifdef __x86_64__
+#ifdef MOCAP_X86
   if (kHasAvx2) return setInWindowsAvx2(mask, begin, end, codes);
 #endif
   return setInWindowsPlainly(mask, begin, end, codes);

@@ -2,12 +2,7 @@
 
 #include <algorithm>
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
-#else
-#define MOCAP_WIDEST
-#endif
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
@@ -19,7 +14,7 @@ uint64_t packTile(const uint8_t* pixels, size_t step, int width, int rows) {
   return word;
 }
 
-#ifdef __x86_64__
+#ifdef MOCAP_X86
 /// Two tiles; bits of pixels that are 0.
 void clearBitsOfTwo(const uint8_t* pixels, size_t step, uint64_t* first, uint64_t* second) {
   const __m128i zero = _mm_setzero_si128();
@@ -45,8 +40,7 @@ void packPairs(const uint8_t* pixels, size_t step, int tiles, uint64_t* out, siz
 }
 
 /// Four rows of four tiles: one register of four rows for each tile.
-__attribute__((target("avx2"))) inline void loadFour(const uint8_t* pixels, size_t step,
-                                                     __m256i (&tile)[4]) {
+MOCAP_AVX2 inline void loadFour(const uint8_t* pixels, size_t step, __m256i (&tile)[4]) {
   const __m256i zero = _mm256_setzero_si256();
   __m256i row[4];
   for (int y = 0; y < 4; ++y)
@@ -62,8 +56,8 @@ __attribute__((target("avx2"))) inline void loadFour(const uint8_t* pixels, size
   tile[3] = _mm256_permute2x128_si256(b, d, 0x31);
 }
 
-__attribute__((target("avx2"))) void packFours(const uint8_t* pixels, size_t step, int tiles,
-                                               uint64_t* out, size_t stride) {
+MOCAP_AVX2 void packFours(const uint8_t* pixels, size_t step, int tiles, uint64_t* out,
+                          size_t stride) {
   for (int i = 0; i + 3 < tiles; i += 4) {
     __m256i upper[4], lower[4];
     loadFour(pixels + i * 8, step, upper);
@@ -86,10 +80,9 @@ void packTileRowPlainly(const uint8_t* pixels, size_t step, int width, int rows,
 void packTileRow(const uint8_t* pixels, size_t step, int width, int rows, uint64_t* out,
                  size_t stride) {
   int done = 0;
-#ifdef __x86_64__
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
+#ifdef MOCAP_X86
   const int tiles = rows == 8 ? width / 8 : 0;
-  if (has_avx2) {
+  if (kHasAvx2) {
     packFours(pixels, step, tiles, out, stride);
     done = tiles / 4 * 4;
   }

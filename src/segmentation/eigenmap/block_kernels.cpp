@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "segmentation/eigenmap/row.h"
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
-
-#define MOCAP_WIDEST __attribute__((target_clones("fma", "default")))
 
 constexpr size_t kSummed = 256;  // nodes summed in single precision before double takes over
 
@@ -220,27 +219,27 @@ MOCAP_INLINE void scaleRows(const GraphLevel& level, float damping, const Block&
 
 }  // namespace
 
-MOCAP_WIDEST void multiply(const GraphLevel& level, const Block& x,
-                           Block* y){MOCAP_BY_WIDTH(x.width, multiplyRows, level, x, y)}
+MOCAP_FUSED void multiply(const GraphLevel& level, const Block& x,
+                          Block* y){MOCAP_BY_WIDTH(x.width, multiplyRows, level, x, y)}
 
-MOCAP_WIDEST void relax(const GraphLevel& level, float damping, const Block& b, const Block& x,
-                        Block* y){MOCAP_BY_WIDTH(x.width, relaxRows, level, damping, b, x, y)}
+MOCAP_FUSED void relax(const GraphLevel& level, float damping, const Block& b, const Block& x,
+                       Block* y){MOCAP_BY_WIDTH(x.width, relaxRows, level, damping, b, x, y)}
 
-MOCAP_WIDEST
+MOCAP_FUSED
     void restrictResidual(const GraphLevel& level, const Block& b, const Block& x, Block* coarse) {
   std::fill(coarse->values.begin(), coarse->values.end(), 0.0f);
   MOCAP_BY_WIDTH(x.width, restrictRows, level, b, x, coarse)
 }
 
-MOCAP_WIDEST void prolongate(const GraphLevel& level, float factor, const Block& coarse,
-                             Block* fine){
+MOCAP_FUSED void prolongate(const GraphLevel& level, float factor, const Block& coarse,
+                            Block* fine){
     MOCAP_BY_WIDTH(fine->width, prolongateRows, level, factor, coarse, fine)}
 
-MOCAP_WIDEST void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b, Block* x){
-    MOCAP_BY_WIDTH(b.width, scaleRows, level, damping, b, x)}
+MOCAP_FUSED void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b,
+                                 Block* x){MOCAP_BY_WIDTH(b.width, scaleRows, level, damping, b, x)}
 
-MOCAP_WIDEST void products(const GraphLevel& level, const Block& a, const Block& la,
-                           const std::vector<Product>& wanted) {
+MOCAP_FUSED void products(const GraphLevel& level, const Block& a, const Block& la,
+                          const std::vector<Product>& wanted) {
   for (const Product& product : wanted) {
     std::fill(product.laplacian, product.laplacian + a.width * a.width, 0.0);
     std::fill(product.mass, product.mass + a.width * a.width, 0.0);
@@ -248,19 +247,19 @@ MOCAP_WIDEST void products(const GraphLevel& level, const Block& a, const Block&
   MOCAP_BY_WIDTH(a.width, productRows, level, a, la, wanted)
 }
 
-MOCAP_WIDEST void residuals(const GraphLevel& level, const float* values, const Block& x, Block* r,
-                            double* squares) {
+MOCAP_FUSED void residuals(const GraphLevel& level, const float* values, const Block& x, Block* r,
+                           double* squares) {
   std::fill(squares, squares + x.width, 0.0);
   MOCAP_BY_WIDTH(x.width, residualRows, level, values, x, r, squares)
 }
 
-MOCAP_WIDEST void combine(const float* combination,
-                          Block* x){MOCAP_BY_WIDTH(x->width, combineRows, combination, x)}
+MOCAP_FUSED void combine(const float* combination,
+                         Block* x){MOCAP_BY_WIDTH(x->width, combineRows, combination, x)}
 
-MOCAP_WIDEST void takeStep(const Block& w, const StepCombination& combination, Block* x,
-                           Block* p){MOCAP_BY_WIDTH(x->width, stepRows, w, combination, x, p)}
+MOCAP_FUSED void takeStep(const Block& w, const StepCombination& combination, Block* x,
+                          Block* p){MOCAP_BY_WIDTH(x->width, stepRows, w, combination, x, p)}
 
-MOCAP_WIDEST void removeMean(const GraphLevel& level, Block* x) {
+MOCAP_FUSED void removeMean(const GraphLevel& level, Block* x) {
   MOCAP_BY_WIDTH(x->width, removeMeanRows, level, x)
 }
 

@@ -5,7 +5,7 @@
 
 #include "silhouette/background/background.h"
 #include "silhouette/bits/bit_mask.h"
-#include "silhouette/bits/vectorised.h"
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,12 +2,9 @@
 
 /// Only for what is compiled for AVX2.
 
-#include <immintrin.h>
-
 #include <cstdint>
 
-#define MOCAP_AVX2 __attribute__((target("avx2")))
-#define MOCAP_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
+#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 

@@ -1,6 +1,8 @@
 #include "silhouette/bits/changed_bits.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#include "simd/simd_clones.h"
+
+#ifdef MOCAP_X86
 
 #include <cstring>
 
@@ -89,7 +91,6 @@ MOCAP_AVX2 void changedBitsAvx2(const uint8_t* bgr, int cols, const ModeRow* mod
 
 bool changedBits(const uint8_t* bgr, int cols, const ModeRow* modes, int mode_count, int16_t gain,
                  uint16_t limit, const RowsAhead& ahead, const uint64_t* wanted, uint64_t* bits) {
-  static const bool kHasAvx2 = __builtin_cpu_supports("avx2");
   if (kHasAvx2) changedBitsAvx2(bgr, cols, modes, mode_count, gain, limit, ahead, wanted, bits);
   return kHasAvx2;
 }

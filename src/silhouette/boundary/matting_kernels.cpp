@@ -1,6 +1,8 @@
 #include "silhouette/boundary/matting_kernels.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#include "simd/simd_clones.h"
+
+#ifdef MOCAP_X86
 
 #include <cstring>
 
@@ -92,7 +94,6 @@ MOCAP_AVX2 inline uint16_t sumOf(__m128i bytes) {
 }  // namespace
 
 bool hasMattingKernels() {
-  static const bool kHasAvx2 = __builtin_cpu_supports("avx2");
   return kHasAvx2;
 }
 

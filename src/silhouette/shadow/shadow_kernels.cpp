@@ -1,6 +1,8 @@
 #include "silhouette/shadow/shadow_kernels.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#include "simd/simd_clones.h"
+
+#ifdef MOCAP_X86
 
 #include "silhouette/bits/avx2_pixels.h"
 
@@ -17,8 +19,8 @@ struct Sums {
 
 MOCAP_AVX2_INLINE Sums productsOf(const WidePixels& a, const WidePixels& b) {
   const __m256i zero = _mm256_setzero_si256();
-  const auto sum = [&](__m256i a0, __m256i b0, __m256i a1, __m256i b1)
-      __attribute__((target("avx2"), always_inline)) {
+  const auto sum = [&](__m256i a0, __m256i b0, __m256i a1, __m256i b1) MOCAP_AVX2
+      __attribute__((always_inline)) {
     return _mm256_add_epi32(_mm256_madd_epi16(a0, b0), _mm256_madd_epi16(a1, b1));
   };
   return {
@@ -110,7 +112,6 @@ MOCAP_AVX2 uint64_t shadowsAvx2(const uint8_t* bgr, const ModeRow& mode, int x, 
 bool shadowRatiosOfBgr(const uint8_t* bgr, const ModeRow& mode, int x, float gain,
                        const PixelShadowThresholds& limits, uint64_t asked, uint8_t* ratio,
                        uint64_t* shadow, ShadowColumns* columns) {
-  static const bool kHasAvx2 = __builtin_cpu_supports("avx2");
   if (kHasAvx2) *shadow = shadowsAvx2(bgr, mode, x, gain, limits, asked, ratio, columns);
   return kHasAvx2;
 }

@@ -1,6 +1,7 @@
 #include "skeleton/thinning/clique_kernels.h"
 
-#define MOCAP_WIDEST __attribute__((target_clones("avx2", "default")))
+#include "simd/simd_clones.h"
+
 #define MOCAP_INLINE [[gnu::always_inline]] inline
 
 namespace markerless_mocap::clique_kernels {

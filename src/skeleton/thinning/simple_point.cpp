@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "simd/simd_clones.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -111,8 +113,7 @@ using Around = std::array<Lanes, 26>;
   *result = seen & ~missed;
 }
 
-__attribute__((target_clones("avx2", "default"))) void fillTable(const Neighbors& of,
-                                                                 uint64_t* words) {
+MOCAP_WIDEST void fillTable(const Neighbors& of, uint64_t* words) {
   Around object = {};
   for (size_t k = 0; k < 8; ++k)
     for (int lane = 0; lane < 256; ++lane)

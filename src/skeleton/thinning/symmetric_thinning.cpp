@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "simd/simd_clones.h"
 #include "skeleton/thinning/simple_point.h"
 #include "skeleton/thinning/thinning_scheme.h"
 
@@ -7,11 +8,9 @@ namespace markerless_mocap {
 namespace {
 
 /// Voxels with one of the six nearest neighbours empty that are not kept.
-__attribute__((target_clones("avx2", "default"))) void findBorder(ptrdiff_t y, ptrdiff_t z,
-                                                                  const uint64_t* __restrict object,
-                                                                  const uint64_t* __restrict kept,
-                                                                  size_t begin, size_t end,
-                                                                  uint64_t* __restrict border) {
+MOCAP_WIDEST void findBorder(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
+                             const uint64_t* __restrict kept, size_t begin, size_t end,
+                             uint64_t* __restrict border) {
   for (size_t i = begin; i < end; ++i) {
     const uint64_t* o = object + i;
     const uint64_t along_x = (o[0] >> 1 | o[1] << 63) & (o[0] << 1 | o[-1] >> 63);

@@ -1,0 +1,36 @@
+#pragma once
+
+/// Everything that is meant for one kind of processor is named here. Elsewhere, and with
+/// MOCAP_PLAIN_KERNELS, these words mean nothing and the plain form of each kernel is left, which
+/// cmake/rooms.cmake tests on any machine.
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOCAP_PLAIN_KERNELS)
+
+#include <immintrin.h>
+
+#define MOCAP_X86
+
+/// Before a function that is called only where kHasAvx2.
+#define MOCAP_AVX2 __attribute__((target("avx2")))
+#define MOCAP_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
+
+namespace markerless_mocap {
+inline const bool kHasAvx2 = __builtin_cpu_supports("avx2");
+}
+
+#define MOCAP_CLONES(...) __attribute__((target_clones(__VA_ARGS__, "default")))
+#define MOCAP_AT_O3 __attribute__((optimize("O3")))
+
+#else
+
+#define MOCAP_CLONES(...)
+#define MOCAP_AT_O3
+
+#endif
+
+/// Before a function: compiled once for any processor and once for those that can do this; the
+/// loader takes what fits.
+#define MOCAP_WIDEST MOCAP_CLONES("avx2")
+#define MOCAP_FUSED MOCAP_CLONES("fma")
+#define MOCAP_COUNTING MOCAP_CLONES("avx2", "popcnt")
+#define MOCAP_VECTORISED MOCAP_WIDEST MOCAP_AT_O3
