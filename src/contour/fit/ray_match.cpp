@@ -1,6 +1,6 @@
 #include "contour/fit/ray_match.h"
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

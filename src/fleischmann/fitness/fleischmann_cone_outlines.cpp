@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

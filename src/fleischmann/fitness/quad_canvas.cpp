@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

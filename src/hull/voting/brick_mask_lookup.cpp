@@ -1,6 +1,6 @@
 #include "hull/voting/brick_mask_lookup.h"
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

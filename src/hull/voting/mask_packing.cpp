@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "numerics/simd_clones.h"
 #include "segmentation/eigenmap/row.h"
-#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

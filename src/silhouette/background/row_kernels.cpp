@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "numerics/simd_clones.h"
 #include "silhouette/background/background.h"
 #include "silhouette/bits/bit_mask.h"
-#include "simd/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 

@@ -1,6 +1,6 @@
 #include "silhouette/bits/changed_bits.h"
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 #ifdef MOCAP_X86
 

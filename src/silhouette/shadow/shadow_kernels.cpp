@@ -1,6 +1,6 @@
 #include "silhouette/shadow/shadow_kernels.h"
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 #ifdef MOCAP_X86
 

@@ -1,6 +1,6 @@
 #include "skeleton/thinning/clique_kernels.h"
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 #define MOCAP_INLINE [[gnu::always_inline]] inline
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {

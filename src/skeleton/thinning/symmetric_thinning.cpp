@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "simd/simd_clones.h"
+#include "numerics/simd_clones.h"
 #include "skeleton/thinning/simple_point.h"
 #include "skeleton/thinning/thinning_scheme.h"
 
