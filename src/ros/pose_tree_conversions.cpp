@@ -87,7 +87,7 @@ void readTips(const PoseTreeMsg& message, PoseTree* tree) {
           "names, nodes and positions of tips of different lengths");
   for (size_t i = 0; i < count; ++i) {
     TreeExtremity& tip =
-        tree->tips[size_t(named<Extremity>(message.tip_names[i], kExtremityCount, "tip"))];
+        tree->extremities[size_t(named<Extremity>(message.tip_names[i], kExtremityCount, "tip"))];
     checkNode(message.tip_nodes[i], *tree, "a tip");
     tip.node = message.tip_nodes[i];
     tip.skeleton_end = vectorOf(message.tip_skeleton_ends[i], "a tip");
