@@ -79,7 +79,7 @@ TEST_F(EvaluationTreeTest, TruthAsATreeIsPerfectThroughTheBag) {
 
 TEST_F(EvaluationTreeTest, WrongAndInvalidTreesAreCountedApart) {
   writeTrees([](int f, PoseTree* tree) {
-    if (f < 4) std::swap(tree->tips[1], tree->tips[2]);  // 4 of 40 frames
+    if (f < 4) std::swap(tree->extremities[1], tree->extremities[2]);  // 4 of 40 frames
     if (f < 10) tree->joints[size_t(TreeJoint::kLeftElbow)].reset();
     if (f < 20) *tree->joints[size_t(TreeJoint::kRightKnee)] += Eigen::Vector3d(0.03, 0, 0.04);
     if (f >= 30) tree->status = TreeStatus::kUncertain, tree->reason = "who knows";
@@ -98,7 +98,7 @@ TEST_F(EvaluationTreeTest, WrongAndInvalidTreesAreCountedApart) {
 
 TEST_F(EvaluationTreeTest, TableJsonAndPageCarryTheFigures) {
   writeTrees([](int f, PoseTree* tree) {
-    if (f < 4) std::swap(tree->tips[3], tree->tips[4]);
+    if (f < 4) std::swap(tree->extremities[3], tree->extremities[4]);
   });
   const Evaluation found = judged();
   std::ostringstream table;
