@@ -46,7 +46,7 @@ Character makeCharacter(const CharacterOptions& options) {
   const DressedShape shape(BodyShape(person.skeleton, build), options);
   const Surface surface = surfaceOf([&](const Eigen::Vector3d& p) { return shape.distance(p); },
                                     spaceOf(person.skeleton), kPitch * options.stature / 1.75);
-  const CharacterColors look(uint64_t(options.look_seed), person.skeleton);
+  const CharacterColors look(uint64_t(options.appearance_seed), person.skeleton);
   std::vector<Layer> layers;
   for (const Eigen::Vector3d& vertex : surface.vertices) {
     layers.push_back(shape.layerAt(vertex));

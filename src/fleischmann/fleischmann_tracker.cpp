@@ -56,7 +56,7 @@ FleischmannTracker::FleischmannTracker(const CameraRig& rig, const PersonResourc
                                        const FleischmannOptions& options,
                                        const FleischmannMotionStatistics& motion,
                                        const InitializerFactory& make_initializer)
-    : with_edges_(options.edges),
+    : with_edges_(options.use_edges),
       body_(initialBody(sources, person.stature)),
       conversion_(body_->model),
       tracker_(trackerOf(rig, *body_, motion, options)),

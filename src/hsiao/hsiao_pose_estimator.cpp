@@ -39,7 +39,7 @@ HsiaoVector hangingArms() {
 
 HsiaoFitterSettings fitterSettings(const HsiaoOptions& o) {
   HsiaoFitterSettings s;
-  s.limits = o.limits;
+  s.limits = o.joint_limits;
   s.particles_per_parameter = o.particles_per_parameter;
   s.iterations_per_parameter = o.iterations_per_parameter;
   s.fine_tune_particles = o.fine_tune_particles;
@@ -265,7 +265,7 @@ BodyPose HsiaoPoseEstimator::State::follow(double seconds, const HsiaoObservatio
 // Legs that pass each other have no parts for some instants; the hull still holds the body.
 BodyPose HsiaoPoseEstimator::State::trackByHull(const VisualHull& hull, const BodyPose& lost) {
   const BodyParts none;
-  const HsiaoObservation now(*profile, none, hull, options.curve_samples);
+  const HsiaoObservation now(*profile, none, hull, options.samples_per_curve);
   const HsiaoRefinement found = refine(now, *last);
   BodyPose pose = judge.judge(found.v, now);
   if (pose.status == PoseStatus::kLost ||
@@ -314,7 +314,8 @@ BodyPose HsiaoPoseEstimator::update(int64_t stamp_ns, const BodyParts& parts,
   if (!pose.reason.empty()) return pose;
   pose.reason = segmentationError(parts);
   if (pose.reason.empty()) {
-    pose = s.follow(seconds, HsiaoObservation(*s.profile, parts, hull, s.options.curve_samples));
+    pose =
+        s.follow(seconds, HsiaoObservation(*s.profile, parts, hull, s.options.samples_per_curve));
     if (pose.status != PoseStatus::kLost) {
       s.pose_stamp = stamp_ns;
       return pose;

@@ -28,33 +28,36 @@ void checkVoxels(double voxels) {
 
 void HullOptions::visit(OptionVisitor& v) {
   v.field("volume", volume, {"explicit", "auto"},
-          "where the lattice is: from volume_min to volume_max, or all that three quarters of the "
-          "cameras see above the floor, and as many must see a voxel");
+          "where the voxels are; explicit: from volume_min to volume_max; auto: all that three "
+          "quarters of the cameras see above the floor, and as many must see a voxel");
   v.field("volume_min", volume_min, -100, 100, "lowest corner of the explicit volume, m in world");
   v.field("volume_max", volume_max, -100, 100, "highest corner of the explicit volume, m in world");
   v.field("floor_height", floor_height, -100, 100,
           "height of the floor, m in world; the automatic volume begins there");
   v.field("cut_at_floor", cut_at_floor,
-          "nothing stands below floor_height: takes off what the floor mirrors");
+          "remove voxels below floor_height, such as reflections in the floor");
   v.field("follow", follow,
-          "carve around the last person only; the whole volume while there is none");
+          "carve only around the last person; the whole volume while there is none");
   v.field("follow_margin", follow_margin, 0.1, 5,
-          "distance from the last person within which the next one is looked for, m");
-  v.field("pitch", pitch, 0.005, 0.2, "edge of a voxel, m");
-  v.field("min_views", min_views, 2, 32, "cameras that must see a voxel");
+          "distance from the last person up to which the next hull is carved, m");
+  v.field("pitch", pitch, 0.005, 0.2, "edge length of a voxel, m");
+  v.field("min_views", min_views, 2, 32, "number of cameras that must see a voxel");
   v.field("missing_votes_allowed", missing_votes_allowed, 0, 31,
-          "cameras that see a voxel and may have it outside their silhouette; below min_views");
+          "number of cameras that may see a voxel outside their silhouette; less than min_views");
   v.field("camera_trust", camera_trust,
-          "cameras that are trusted less than fully, each as camera=trust: a voxel falls when the "
-          "trust of the cameras against it reaches 1 + missing_votes_allowed; 0 takes the vote");
+          "cameras that are not fully trusted, each as camera=trust, 0 to 1; a voxel is removed "
+          "when the trust of the cameras that see it outside their silhouette adds up to 1 + "
+          "missing_votes_allowed");
   v.field("leave_out_bad_cameras", leave_out_bad_cameras,
           "find cameras whose mask is full, empty or lacks the person, and leave them out");
-  v.field("bridging_votes", bridging_votes, 0, 8,
-          "further votes that voxels between two pieces of a body may lack to join them");
+  v.field(
+      "bridging_votes", bridging_votes, 0, 8,
+      "number of further votes that voxels between two components of a body may lack to join them");
   v.field("min_component_litres", min_component_litres, 0, 1000,
-          "smaller 26-connected components are dropped, litres");
-  v.field("color_vote_distance", color_vote_distance, 0, 442,
-          "colours of neighbouring voxels closer than this are the same, RGB distance in 0-255");
+          "26-connected components below this volume are removed, litres");
+  v.field(
+      "color_vote_distance", color_vote_distance, 0, 442,
+      "colours of neighbouring voxels closer than this are the same, distance in RGB of 0 to 255");
 }
 
 void HullOptions::validate() const {

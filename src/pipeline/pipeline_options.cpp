@@ -3,17 +3,11 @@
 namespace markerless_mocap {
 namespace {
 
-/// Leaves what no stage is named for to the reader, which refuses it with the nearest stage.
+/// Throws on a section of which there is no stage.
 void checkSections(const YAML::Node& root) {
-  YAML::Node unknown = YAML::Clone(root);
+  OptionReader reader(root, "configuration");
   PipelineOptions stages;
-  if (unknown.IsMap())
-    forEachStage(stages, [&](const char* section, const auto&) { unknown.remove(section); });
-  OptionReader reader(unknown, "configuration");
-  forEachStage(stages, [&](const char* section, const auto&) {
-    bool absent = false;
-    reader.field(section, absent, "");
-  });
+  forEachStage(stages, [&](const char* section, const auto&) { reader.allow(section); });
   reader.finish();
 }
 

@@ -49,10 +49,11 @@ void SilhouetteNodeOptions::visit(OptionVisitor& v) {
   v.field("cameras", cameras, kCamerasMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("input", input, {"image", "mask"},
-          "mask: the images are masks already (non-zero = person) and pass through");
+          "what the images are; image: colour or grey; mask: silhouettes already, non-zero for the "
+          "person, which pass through");
   v.field("background_folder", background_folder, {},
-          "folder of the backgrounds, c.background for camera c: read at the start instead of "
-          "learning where the file is there, written by the service save_background; empty: none");
+          "folder of the backgrounds, c.background for camera c; a file that is there is read at "
+          "the start instead of learning, and the service save_background writes it; empty: none");
 }
 
 void SilhouetteNodeOptions::validate() const {
@@ -67,11 +68,13 @@ void HullNodeOptions::visit(OptionVisitor& v) {
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("color", color, "whether the voxels are coloured from the images");
   v.field("min_cameras", min_cameras, 0, 32,
-          "an instant with fewer cameras is not carved; 0: three quarters of those listed");
+          "number of cameras that a frame set must have to be carved; 0: three quarters of those "
+          "listed");
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
-          "stamps closer than this belong to one instant, s");
-  v.field("deadline", deadline, 0.0, 60.0,
-          "an instant older than the newest stamp by this goes on without the missing cameras, s");
+          "stamps closer than this belong to one frame set, s");
+  v.field(
+      "deadline", deadline, 0.0, 60.0,
+      "a frame set older than the newest stamp by this is carved without the missing cameras, s");
 }
 
 void HullNodeOptions::validate() const {
@@ -97,13 +100,13 @@ void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
-          "a silhouette whose stamp is this close to a hull's belongs to it, s; as that of "
+          "largest difference between the stamps of a silhouette and its hull, s; as that of "
           "visual_hull");
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
   v.field("body_file", body_file, {},
-          "file of the person's sizes: read at the start if it is there, else written as soon as "
-          "the body has been measured; empty: none");
+          "file of the shape of the person's body; read at the start if it is there, else written "
+          "when the shape has been estimated; empty: none");
 }
 
 void FittingNodeOptions::validate() const {

@@ -10,9 +10,15 @@ namespace markerless_mocap {
 /// What the node `silhouette` asks for beside SilhouetteOptions, in the same private namespace.
 struct SilhouetteNodeOptions {
   static constexpr const char* kStage = "silhouette";
+  /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
   std::vector<std::string> cameras;
+  /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// what the images are; image: colour or grey; mask: silhouettes already, non-zero for the
+  /// person, which pass through
   std::string input = "image";
+  /// folder of the backgrounds, c.background for camera c; a file that is there is read at the
+  /// start instead of learning, and the service save_background writes it; empty: none
   std::string background_folder;
 
   void visit(OptionVisitor& v);
@@ -22,13 +28,21 @@ struct SilhouetteNodeOptions {
 /// What the node `visual_hull` asks for beside HullOptions.
 struct HullNodeOptions {
   static constexpr const char* kStage = "visual_hull";
+  /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
   std::vector<std::string> cameras;
+  /// frame of the hull; tf connects the cameras to it
   std::string world_frame = "world";
+  /// rig file that calibrates the cameras in place of camera_info and tf; empty: none
   std::string rig_file;
+  /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// whether the voxels are coloured from the images
   bool color = true;
+  /// number of cameras that a frame set must have to be carved; 0: three quarters of those listed
   int min_cameras = 0;
+  /// stamps closer than this belong to one frame set, s
   double stamp_tolerance = 0.005;
+  /// a frame set older than the newest stamp by this is carved without the missing cameras, s
   double deadline = 0.5;
 
   void visit(OptionVisitor& v);
@@ -40,13 +54,22 @@ struct HullNodeOptions {
 /// What the node `pose_fitting` asks for beside TrackerOptions.
 struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
+  /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
   std::vector<std::string> cameras;
+  /// frame of the hulls; tf connects the cameras to it
   std::string world_frame = "world";
+  /// rig file that calibrates the cameras in place of camera_info and tf; empty: none
   std::string rig_file;
+  /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// largest difference between the stamps of a silhouette and its hull, s; as that of visual_hull
   double stamp_tolerance = 0.005;
+  /// suffix of the body's frames, joints and topics
   std::string body_id = "person1";
+  /// file of the URDF template; empty: the package's own urdf/human.urdf.in
   std::string urdf_template;
+  /// file of the shape of the person's body; read at the start if it is there, else written when
+  /// the shape has been estimated; empty: none
   std::string body_file;
 
   void visit(OptionVisitor& v);
@@ -59,10 +82,15 @@ struct FittingNodeOptions {
 /// What the node `virtual_studio` asks for beside StudioOptions.
 struct StudioNodeOptions {
   static constexpr const char* kStage = "virtual_studio";
+  /// suffix of the body's frames, joints and topics
   std::string body_id = "truth";
+  /// file of the URDF template; empty: the package's own urdf/human.urdf.in
   std::string urdf_template;
+  /// frame that cameras and person stand in
   std::string world_frame = "world";
+  /// whether stamps start at 1000 s and /clock is published
   bool clock = false;
+  /// whether the film starts only when c/silhouette is advertised for every camera c
   bool wait_for_silhouettes = false;
 
   void visit(OptionVisitor& v);

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <string>
+#include <tuple>
 
 #include "markerless_mocap/options/options.h"
 
@@ -18,10 +19,11 @@ YAML::Node parametersOf(const ros::NodeHandle& handle);
 
 /// Fills several options structs from one map, such as a stage's options and its node's own.
 /// Throws std::invalid_argument on a key that belongs to none of them, and as `loadOptions`.
-/// \param where name of the node, used in error sentences
+/// All structs have the same kStage. \param where name of the node, used in error sentences
 template <class... OptionsT>
 void loadOptionsTogether(const YAML::Node& node, const std::string& where, OptionsT&... options) {
-  OptionReader reader(node, where);
+  using First = std::tuple_element_t<0, std::tuple<OptionsT...>>;
+  OptionReader reader(node, where, First::kStage);
   (options.visit(reader), ...);
   reader.finish();
   (options.validate(), ...);

@@ -184,29 +184,33 @@ void judge(const Limbs& limbs, double max_cost, BodyParts* result) {
 
 void SegmentationOptions::visit(OptionVisitor& v) {
   v.field("branch_method", branch_method, {"merge_tree", "spline_walk"},
-          "how limbs are found in the eigenmap: by the maxima of the distance from the core, or by "
-          "splines that walk inwards from the tips");
-  v.field(
-      "walk_stop", walk_stop, {"origin", "outliers"},
-      "where a branch of spline_walk ends: near the eigenmap's origin (Hsiao; with a shrink_weight "
-      "of about 100), or where many nodes lie far from its spline (Sundaresan; with none)");
+          "how limbs are found in the eigenmap; merge_tree: by the maxima of the distance from the "
+          "core; spline_walk: by splines that grow inwards from the tips");
+  v.field("walk_stop", walk_stop, {"origin", "outliers"},
+          "where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao "
+          "2008), with a shrink_weight of about 100; outliers: where many nodes are far from the "
+          "spline (Sundaresan and Chellappa 2008), with shrink_weight 0");
   v.field("modes", modes, 0, 20,
-          "dimensions of the eigenmap; 0: the best of the branch method, 10 for merge_tree, 6 for "
-          "spline_walk");
-  v.field("use_color_votes", use_color_votes,
-          "weight edges by the cameras' votes that neighbours have the same colour");
-  v.field("shrink_weight", shrink_weight, 0.0, 1000.0,
-          "weight added to the edges in the body's thick core; draws the torso together");
-  v.field("max_cost", max_cost, 0.1, 9.0,
-          "mean squared z-score of the limbs' measures above which a hull is no person");
-  v.field("min_litres", min_litres, 0.0, 1000.0, "volume of the smallest person, litres");
+          "dimensions of the eigenmap; 0: 10 for merge_tree, 6 for spline_walk");
+  v.field(
+      "use_color_votes", use_color_votes,
+      "weight the edges between voxels by the cameras' votes that neighbours have the same colour");
+  v.field(
+      "shrink_weight", shrink_weight, 0.0, 1000.0,
+      "weight added to the edges in the thick core of the body, which draws the torso together");
+  v.field(
+      "max_cost", max_cost, 0.1, 9.0,
+      "a hull is not a person when the mean squared z-score of its limbs' measures is above this");
+  v.field("min_litres", min_litres, 0.0, 1000.0, "volume of the smallest hull of a person, litres");
   v.field("max_litres", max_litres, 0.0, 1000.0, "volume of the largest hull of a person, litres");
 }
 
 void SegmentationOptions::validate() const {
   checkFields(*this);
   if (min_litres >= max_litres) {
-    throw std::invalid_argument(std::string(kStage) + ": min_litres must be less than max_litres");
+    throw std::invalid_argument(
+        std::string(kStage) + "/min_litres is " + std::to_string(min_litres) +
+        ", allowed is less than max_litres, which is " + std::to_string(max_litres));
   }
 }
 

@@ -3,13 +3,14 @@
 namespace markerless_mocap {
 
 void FilterOptions::visit(OptionVisitor& v) {
-  v.field("filter", enabled,
-          "whether tf and joint_states are freed from jitter; pose is always raw");
-  v.field("filter_cutoff", cutoff, 0.01, 100.0,
-          "cutoff of that filter for a body at rest, Hz; lower: calmer");
-  v.field("filter_beta", beta, 0.0, 1000.0,
-          "by how much the cutoff rises with the fastest coordinate of the body, Hz per rad/s of a "
-          "joint or the root's turning, or per m/s of the root; lower: calmer in motion, later");
+  v.field("enabled", enabled,
+          "remove jitter from tf and joint_states; the topic pose is never filtered");
+  v.field("cutoff", cutoff, 0.01, 100.0,
+          "cutoff frequency for a body at rest, Hz; lower: less jitter");
+  v.field("beta", beta, 0.0, 1000.0,
+          "rise of the cutoff frequency with the fastest coordinate of the body, Hz per rad/s of a "
+          "joint or of the root's rotation, or per m/s of the root; lower: less jitter in motion, "
+          "but more delay");
 }
 
 }  // namespace markerless_mocap

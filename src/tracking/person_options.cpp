@@ -5,12 +5,12 @@ namespace markerless_mocap {
 void PersonOptions::visit(OptionVisitor& v) {
   v.field("stature", stature, 0.5, 2.5, "height of the person, m");
   v.field("measure", measure,
-          "whether the body's sizes are measured before the first pose is claimed (contour); "
-          "false: proportions of the stature");
-  v.field("stature_deviation", stature_deviation, 0.001, 1.0,
-          "standard deviation of the stature's error when the body is measured, m");
-  v.field("measuring_poses", measuring_poses, 5, 300,
-          "different poses that the body is measured from");
+          "estimate the shape of the body before the first pose is reported (contour); false: the "
+          "proportions follow from the stature");
+  v.field("stature_sigma", stature_sigma, 0.001, 1.0,
+          "standard deviation of the error of `stature` when the shape is estimated, m");
+  v.field("shape_poses", shape_poses, 5, 300,
+          "number of different poses that the shape is estimated from");
 }
 
 }  // namespace markerless_mocap

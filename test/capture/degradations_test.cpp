@@ -54,7 +54,7 @@ TEST(TroublesTest, noneLeavesTheEmptyRoomAsItIs) {
 
 TEST(TroublesTest, noiseHasItsStrength) {
   const StudioFrameSet quiet = studio(easyStudio()).render(0);
-  const StudioFrameSet noisy = studio(with(&DegradationOptions::noise_levels, 4.0)).render(0);
+  const StudioFrameSet noisy = studio(with(&DegradationOptions::noise_stddev, 4.0)).render(0);
   // The mean absolute value of a normal deviate is 0.80 of its standard deviation.
   EXPECT_NEAR(meanDifference(quiet.images[0], noisy.images[0], cv::Mat()), 3.2, 0.4);
 }
@@ -153,13 +153,14 @@ TEST(TroublesTest, exposureBlursWhatMoves) {
 
 TEST(TroublesTest, secondPersonIsSeenButIsNotTheTruth) {
   const StudioFrameSet one = studio(easyStudio()).render(10);
-  const StudioFrameSet two = studio(with(&DegradationOptions::second_person, 1.2)).render(10);
+  const StudioFrameSet two =
+      studio(with(&DegradationOptions::second_person_distance, 1.2)).render(10);
   EXPECT_GT(pixels(two.masks), 1.5 * pixels(one.masks));
   EXPECT_EQ(one.points, two.points);
 }
 
 TEST(TroublesTest, chairHidesAndIsThereFromTheBeginning) {
-  const StudioOptions options = with(&DegradationOptions::chair, 0.15);
+  const StudioOptions options = with(&DegradationOptions::chair_distance, 0.15);
   const StudioFrameSet plain = studio(easyStudio()).render(0), empty = studio(options).render(0);
   double changed = 0.0;
   for (size_t i = 0; i < 4; ++i)

@@ -17,7 +17,7 @@ VirtualStudio studio(const StudioOptions& options) {
 /// Without noise and flicker.
 StudioOptions calmStudio() {
   StudioOptions options = smallStudio();
-  options.degradations.noise_levels = 0.0;
+  options.degradations.noise_stddev = 0.0;
   options.degradations.flicker = 0.0;
   return options;
 }
@@ -132,7 +132,7 @@ TEST(VirtualStudioTest, badOptionsAreNamed) {
       errorTextOf([&] { studio(options); }).rfind("there is no motion \"fly\", allowed are ", 0),
       0u);
   options = smallStudio();
-  options.stage = 0.5;
+  options.volume_half_width = 0.5;
   options.motion = "walk";
   const std::string sentence = errorTextOf([&] { studio(options); });
   EXPECT_EQ(sentence.rfind("motion walk: the motion reaches ", 0), 0u) << sentence;

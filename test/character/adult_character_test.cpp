@@ -183,7 +183,7 @@ TEST(MakeCharacter, IsTheSameAgain) {
 
 TEST(MakeCharacter, LookSeedChangesColoursOnly) {
   CharacterOptions options;
-  options.look_seed = 2;
+  options.appearance_seed = 2;
   const Character other = makeCharacter(options);
   EXPECT_EQ(other.mesh.vertices, man().mesh.vertices);
   EXPECT_NE(other.mesh.colors, man().mesh.colors);

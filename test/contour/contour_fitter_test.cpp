@@ -31,7 +31,7 @@ class ContourFitterTest : public ::testing::Test {
       const double r2 = double(match.residual) * match.residual;
       sum += options.effective_rays / double(seen.rays.size()) * r2 / (1 + r2 / outlier / outlier);
     }
-    return 0.5 * sum / (options.sigma * options.sigma);
+    return 0.5 * sum / (options.ray_sigma * options.ray_sigma);
   }
 
   ContourOptions options;

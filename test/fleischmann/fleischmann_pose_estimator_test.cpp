@@ -83,7 +83,7 @@ TEST(FleischmannPoseEstimator, predictionGoesOnWithAShareOfTheLastChange) {
   Walk walk;
   for (const double share : {0.0, 0.5}) {
     FleischmannOptions options;
-    options.prediction = share;
+    options.prediction_fraction = share;
     FleischmannPoseEstimator tracker = walk.tracker(options);
     tracker.start(0, Walk::at(0));
     const FleischmannVector first = tracker.update(kFrame_ns, walk.viewsAt(1)).v;
@@ -129,7 +129,7 @@ TEST(FleischmannPoseEstimator, keepsAStartThatIsPerfect) {
   const Walk walk;
   FleischmannOptions options;
   options.include_start_particle = true;
-  options.edges = false;
+  options.use_edges = false;
   FleischmannPoseEstimator tracker = walk.tracker(options);
   tracker.start(0, Walk::at(0));
   EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(0)).v, Walk::at(0));

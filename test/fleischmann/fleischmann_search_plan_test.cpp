@@ -82,8 +82,8 @@ TEST(FleischmannSearchPlan, optionsChangeParticlesAndEdges) {
   options.particle_factor = 2.0;
   options.final_stage_particles = 40;
   options.final_stage_iterations = 20;
-  options.edges = false;
-  options.torso_top = false;
+  options.use_edges = false;
+  options.use_torso_top_edge = false;
   const FleischmannSearchPlan plan = makeSearchPlan(options);
   EXPECT_EQ(stagesOf(plan)[0].particles, 20);
   EXPECT_EQ(stagesOf(plan)[1].particles, 80);

@@ -56,7 +56,7 @@ class ContourStartTest : public testing::Test {
     sources.urdf_template = urdfTemplate();
     sources.measured = truth();
     options.contour.rays = 400;
-    options.person.measuring_poses = 6;
+    options.person.shape_poses = 6;
   }
   void make() { tracker = makeBodyTracker(drawnRig(5), sources, options); }
   BodyPose show(int frame, const std::vector<cv::Mat>& masks, const PoseTree& tree) {

@@ -14,7 +14,7 @@ constexpr int kMeasuringPoses = 6;
 TrackerOptions contourOptions() {
   TrackerOptions options;
   options.person.stature = 1.75;
-  options.person.measuring_poses = kMeasuringPoses;
+  options.person.shape_poses = kMeasuringPoses;
   options.contour.rays = 400;
   return options;
 }

@@ -19,14 +19,14 @@ std::string refusal(const std::string& yaml) {
 
 TEST(TrackerOptions, ReadsItsOwnKeysAndThoseOfAllMethods) {
   const TrackerOptions o = load(
-      "{method: fleischmann, measure: false, stature_deviation: 0.02, measuring_poses: 12, "
+      "{method: fleischmann, measure: false, stature_sigma: 0.02, shape_poses: 12, "
       "stature: 1.6, seed: 7, contour_rays: 400, contour_joint_velocity_sigma: 3.5, "
       "sppso_final_stage_particles: "
       "30}");
   EXPECT_EQ(o.method, "fleischmann");
   EXPECT_FALSE(o.person.measure);
-  EXPECT_EQ(o.person.stature_deviation, 0.02);
-  EXPECT_EQ(o.person.measuring_poses, 12);
+  EXPECT_EQ(o.person.stature_sigma, 0.02);
+  EXPECT_EQ(o.person.shape_poses, 12);
   EXPECT_EQ(o.person.stature, 1.6);
   EXPECT_EQ(o.hsiao.seed, 7);
   EXPECT_EQ(o.contour.rays, 400);
@@ -45,8 +45,7 @@ TEST(TrackerOptions, RefusalsNameTheKeyAsTheUserWroteIt) {
   EXPECT_EQ(refusal("contour_rays: 5"), "pose_fitting/contour_rays is 5, allowed is 100 to 20000");
   EXPECT_EQ(refusal("method: guess"),
             "pose_fitting/method is \"guess\", allowed is one of contour, hsiao, fleischmann");
-  EXPECT_EQ(refusal("measuring_poses: 4"),
-            "pose_fitting/measuring_poses is 4, allowed is 5 to 300");
+  EXPECT_EQ(refusal("shape_poses: 4"), "pose_fitting/shape_poses is 4, allowed is 5 to 300");
   EXPECT_EQ(refusal("rays: 400").rfind("pose_fitting/rays is not an option", 0), 0u);
   EXPECT_EQ(refusal("contour_ray: 400"),
             "pose_fitting/contour_ray is not an option (value 400), did you mean contour_rays?");

@@ -163,11 +163,11 @@ TEST_F(RenderCaptureTest, nothingIsLeftOfAnInterruptedRun) {
 }
 
 TEST_F(RenderCaptureTest, optionsComeFromFileAndChanges) {
-  writeText("studio.yaml", "virtual_studio:\n  rig: ring8\n  noise_levels: 7\n");
+  writeText("studio.yaml", "virtual_studio:\n  rig: ring8\n  noise_stddev: 7\n");
   const StudioOptions options =
-      readStudioOptions(path("studio.yaml"), {{"noise_levels", "1.5"}, {"motion", "walk"}});
+      readStudioOptions(path("studio.yaml"), {{"noise_stddev", "1.5"}, {"motion", "walk"}});
   EXPECT_EQ(options.rig, "ring8");
-  EXPECT_EQ(options.degradations.noise_levels, 1.5);
+  EXPECT_EQ(options.degradations.noise_stddev, 1.5);
   EXPECT_EQ(options.motion, "walk");
   EXPECT_EQ(readStudioOptions("", {}).fps, StudioOptions().fps);
 }

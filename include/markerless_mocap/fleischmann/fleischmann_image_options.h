@@ -6,12 +6,18 @@ namespace markerless_mocap {
 
 /// Settings of the comparison of a drawn body with images.
 struct FleischmannImageOptions {
-  static constexpr const char* kStage = "appearance";
+  static constexpr const char* kStage = "pose_fitting/fleischmann";
+  /// whole factor by which images are reduced before the body is compared with them
   int downsampling = 1;
+  /// a pixel is an edge when its Sobel gradient is at least this long, grey levels
   double edge_threshold = 30.0;
+  /// largest distance of an edge from the silhouette, px of the reduced image
   int edge_dilation = 3;
-  double edge_blur = 2.0;
-  int edge_samples = 10;
+  /// standard deviation of the blur of edges, px of the reduced image
+  double edge_blur_sigma = 2.0;
+  /// number of points compared along each edge of the body
+  int samples_per_edge = 10;
+  /// a silhouette with fewer pixels shows nobody, and its view is left out
   int min_silhouette_pixels = 50;
 
   void visit(OptionVisitor& v);

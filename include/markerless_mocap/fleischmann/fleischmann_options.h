@@ -6,22 +6,35 @@
 
 namespace markerless_mocap {
 
-/// Settings of the search by images.
+/// Settings of the method of Fleischmann (2012).
 struct FleischmannOptions {
-  static constexpr const char* kStage = "sppso";
+  static constexpr const char* kStage = "pose_fitting/fleischmann";
+  /// search for the parameters; *_soft, *_global, *_hard: particle swarm in so many soft or hard
+  /// partitions; annealed_filter, interacting_annealing: the particle filters it is compared with
   std::string search = "two_soft";
+  /// factor of the number of particles of every stage
   double particle_factor = 1.0;
+  /// particles of the last stage of two_soft
   int final_stage_particles = 20;
+  /// iterations of the last stage of two_soft
   int final_stage_iterations = 40;
-  bool edges = true;
-  bool torso_top = true;
+  /// compare edges, not only silhouettes
+  bool use_edges = true;
+  /// the upper edge of the torso is one of the edges
+  bool use_torso_top_edge = true;
+  /// one particle of each swarm stage begins exactly at the start of the search
   bool include_start_particle = true;
-  double prediction = 0.0;
+  /// fraction of the last change of pose that is added to the last pose to start the search
+  double prediction_fraction = 0.0;
+  /// factor of the initial spread that the motion statistics give
   double sigma_factor = 1.0;
-  double collision = 0.85;
+  /// limbs collide when their axes are closer than this fraction of the sum of their radii
+  double collision_fraction = 0.85;
+  /// a pose with a lower silhouette fitness is reported as lost
   double min_silhouette_fitness = 0.5;
+  /// seed of the random numbers
   int seed = 1;
-  FleischmannImageOptions appearance;
+  FleischmannImageOptions image;
 
   void visit(OptionVisitor& v);
   void validate() const;

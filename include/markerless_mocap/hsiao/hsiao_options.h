@@ -10,34 +10,57 @@ constexpr int kHsiaoAngles = 16;
 
 /// Ranges of the sixteen angles. Equal ends hold a joint still.
 struct HsiaoLimits {
-  std::array<double, kHsiaoAngles> lower, upper;  ///< radians, by k - 1
+  /// smallest and largest angle, rad; equal: the joint does not move
+  std::array<double, kHsiaoAngles> lower, upper;
   /// Hsiao 2008, Table 3-4.
   static HsiaoLimits fromThesis();
+
+  void visit(OptionVisitor& v);
 };
 
-/// Settings of the pose fitting stage.
+/// Settings of the method of Hsiao (2008).
 struct HsiaoOptions {
-  static constexpr const char* kStage = "pose_fitting";
+  static constexpr const char* kStage = "pose_fitting/hsiao";
+  /// seed of the random numbers
   int seed = 1;
-  int curve_samples = 16;
+  /// number of points compared along each part curve
+  int samples_per_curve = 16;
+  /// particles of a swarm stage per parameter that it searches
   double particles_per_parameter = 2.0;
+  /// iterations of a swarm stage per parameter that it searches
   double iterations_per_parameter = 1.5;
+  /// particles when one part is fine-tuned
   int fine_tune_particles = 16;
+  /// iterations when one part is fine-tuned
   int fine_tune_iterations = 16;
+  /// number of facing directions tried; 2: as left and right of the limbs say, and the reverse
   int initial_headings = 2;
+  /// number of searches with different seeds at a start; the method contour uses one
   int initialization_attempts = 3;
+  /// steps of the final refinement by curves and hull
   int refinement_iterations = 10;
+  /// number of surface voxels of the hull that the refinement uses
   int refinement_surface_points = 600;
+  /// largest speed of the trunk in the temporal search, m/s
   double max_root_speed = 3.0;
+  /// largest rate of change of a joint angle in the temporal search, rad/s
   double max_joint_velocity = 12.0;
+  /// the temporal pose is dropped when its error exceeds the basic search's by this, m
   double reset_threshold = 0.015;
+  /// a pose with a larger skeleton error is reported as lost, m
   double max_skeleton_error = 0.085;
+  /// a limb with a larger error counts as not seen, m
   double max_limb_error = 0.20;
+  /// distance from the body up to which a hull voxel counts as explained, m
   double hull_margin = 0.04;
+  /// fraction of the hull that the body must explain
   double min_hull_explained = 0.75;
+  /// fraction of the body's volume that must be in the hull
   double min_body_in_hull = 0.65;
+  /// time for which the last pose guides the search, s
   double max_pose_age = 0.3;
-  HsiaoLimits limits = HsiaoLimits::fromThesis();
+  /// range of each joint angle (defaults: Hsiao 2008, Table 3-4), [min, max], rad
+  HsiaoLimits joint_limits = HsiaoLimits::fromThesis();
 
   void visit(OptionVisitor& v);
   void validate() const;

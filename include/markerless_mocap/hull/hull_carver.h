@@ -14,20 +14,37 @@ namespace markerless_mocap {
 /// Settings of the visual hull stage.
 struct HullOptions {
   static constexpr const char* kStage = "visual_hull";
+  /// where the voxels are; explicit: from volume_min to volume_max; auto: all that three quarters
+  /// of the cameras see above the floor, and as many must see a voxel
   std::string volume = "explicit";
+  /// lowest corner of the explicit volume, m in world
   Eigen::Vector3d volume_min{-1.5, -1.5, 0.0};
+  /// highest corner of the explicit volume, m in world
   Eigen::Vector3d volume_max{1.5, 1.5, 2.2};
+  /// height of the floor, m in world; the automatic volume begins there
   double floor_height = 0.0;
+  /// remove voxels below floor_height, such as reflections in the floor
   bool cut_at_floor = false;
+  /// carve only around the last person; the whole volume while there is none
   bool follow = false;
+  /// distance from the last person up to which the next hull is carved, m
   double follow_margin = 0.6;
+  /// edge length of a voxel, m
   double pitch = 0.03;
+  /// number of cameras that must see a voxel
   int min_views = 2;
+  /// number of cameras that may see a voxel outside their silhouette; less than min_views
   int missing_votes_allowed = 0;
+  /// cameras that are not fully trusted, each as camera=trust, 0 to 1; a voxel is removed when the
+  /// trust of the cameras that see it outside their silhouette adds up to 1 + missing_votes_allowed
   std::vector<std::string> camera_trust;
+  /// find cameras whose mask is full, empty or lacks the person, and leave them out
   bool leave_out_bad_cameras = true;
+  /// number of further votes that voxels between two components of a body may lack to join them
   int bridging_votes = 2;
+  /// 26-connected components below this volume are removed, litres
   double min_component_litres = 1.0;
+  /// colours of neighbouring voxels closer than this are the same, distance in RGB of 0 to 255
   double color_vote_distance = 40.0;
 
   void visit(OptionVisitor& v);

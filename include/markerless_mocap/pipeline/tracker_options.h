@@ -14,11 +14,18 @@ namespace markerless_mocap {
 /// Settings of the tracker: which method follows the person, and the methods' own.
 struct TrackerOptions {
   static constexpr const char* kStage = "pose_fitting";
+  /// how the person is tracked; contour: fit a body to the contours of the silhouettes; hsiao: fit
+  /// a body to part curves and hull (Hsiao 2008); fleischmann: search by silhouettes and edges
+  /// (Fleischmann 2012)
   std::string method = "contour";
   PersonOptions person;
+  /// output filter of tf and joint_states (Casiez et al. 2012)
   FilterOptions filter;
+  /// the method contour
   ContourOptions contour;
+  /// the method hsiao, which also proposes start poses to the other methods
   HsiaoOptions hsiao;
+  /// the method fleischmann
   FleischmannOptions fleischmann;
 
   void visit(OptionVisitor& v);

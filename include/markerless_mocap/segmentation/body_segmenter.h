@@ -11,13 +11,24 @@ class PartTracker;
 /// Settings of the segmentation stage.
 struct SegmentationOptions {
   static constexpr const char* kStage = "body_segmentation";
+  /// how limbs are found in the eigenmap; merge_tree: by the maxima of the distance from the core;
+  /// spline_walk: by splines that grow inwards from the tips
   std::string branch_method = "merge_tree";
+  /// where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao 2008), with
+  /// a shrink_weight of about 100; outliers: where many nodes are far from the spline (Sundaresan
+  /// and Chellappa 2008), with shrink_weight 0
   std::string walk_stop = "origin";
+  /// dimensions of the eigenmap; 0: 10 for merge_tree, 6 for spline_walk
   int modes = 0;
+  /// weight the edges between voxels by the cameras' votes that neighbours have the same colour
   bool use_color_votes = false;
+  /// weight added to the edges in the thick core of the body, which draws the torso together
   double shrink_weight = 0.0;
+  /// a hull is not a person when the mean squared z-score of its limbs' measures is above this
   double max_cost = 2.0;
+  /// volume of the smallest hull of a person, litres
   double min_litres = 15.0;
+  /// volume of the largest hull of a person, litres
   double max_litres = 200.0;
 
   void visit(OptionVisitor& v);

@@ -6,10 +6,15 @@ namespace markerless_mocap {
 
 /// Settings of the output filter.
 struct FilterOptions {
-  static constexpr const char* kStage = "pose_fitting";
-  bool enabled = true;  ///< free tf and joint_states from jitter
-  double cutoff = 1.5;  ///< for a body at rest, Hz
-  double beta = 5.0;    ///< rise of the cutoff with speed, Hz per rad/s or m/s
+  static constexpr const char* kStage = "pose_fitting/filter";
+  /// remove jitter from tf and joint_states; the topic pose is never filtered
+  bool enabled = true;
+  /// cutoff frequency for a body at rest, Hz; lower: less jitter
+  double cutoff = 1.5;
+  /// rise of the cutoff frequency with the fastest coordinate of the body, Hz per rad/s of a joint
+  /// or of the root's rotation, or per m/s of the root; lower: less jitter in motion, but more
+  /// delay
+  double beta = 5.0;
 
   void visit(OptionVisitor& v);
 };

@@ -7,10 +7,15 @@ namespace markerless_mocap {
 /// Settings that say who is followed.
 struct PersonOptions {
   static constexpr const char* kStage = "pose_fitting";
-  double stature = 1.75;            ///< height of the person, metres
-  bool measure = true;              ///< measure the body's sizes before the first pose is claimed
-  double stature_deviation = 0.08;  ///< standard deviation of the stature's error, metres
-  int measuring_poses = 30;         ///< different poses that the body is measured from
+  /// height of the person, m
+  double stature = 1.75;
+  /// estimate the shape of the body before the first pose is reported (contour); false: the
+  /// proportions follow from the stature
+  bool measure = true;
+  /// standard deviation of the error of `stature` when the shape is estimated, m
+  double stature_sigma = 0.08;
+  /// number of different poses that the shape is estimated from
+  int shape_poses = 30;
 
   void visit(OptionVisitor& v);
 };

@@ -71,7 +71,7 @@ bool StudioCameras::isDropped(int index, size_t camera) const {
 
 void StudioCameras::expose(int index, size_t camera, double seconds, cv::Mat& image) const {
   const double gain = flickerGain(degradations_.flicker, seconds, combinedHash(seed_, kFlicker));
-  applySensor(degradations_.noise_levels, gain, streamOf(index, camera, kNoise), image);
+  applySensor(degradations_.noise_stddev, gain, streamOf(index, camera, kNoise), image);
 }
 
 cv::Mat StudioCameras::silhouette(int index, size_t camera, const cv::Mat& mask) const {

@@ -28,10 +28,10 @@ std::vector<float> makeTable() {
   return table;
 }
 
-void applyToChunk(float noise_levels, float gain, const float* noise, size_t count,
+void applyToChunk(float noise_stddev, float gain, const float* noise, size_t count,
                   uint8_t* values) {
   for (size_t i = 0; i < count; ++i) {
-    const float level = gain * float(values[i]) + noise_levels * noise[i] + 0.5f;
+    const float level = gain * float(values[i]) + noise_stddev * noise[i] + 0.5f;
     values[i] = uint8_t(int(std::min(std::max(level, 0.0f), 255.0f)));
   }
 }
@@ -46,8 +46,8 @@ double flickerGain(double amount, double seconds, uint64_t stream) {
   return std::max(0.0, 1.0 + amount * std::sqrt(0.5) * (beat + random));
 }
 
-void applySensor(double noise_levels, double gain, uint64_t stream, cv::Mat& image) {
-  if (noise_levels == 0.0 && gain == 1.0) return;
+void applySensor(double noise_stddev, double gain, uint64_t stream, cv::Mat& image) {
+  if (noise_stddev == 0.0 && gain == 1.0) return;
   static const std::vector<float> table = makeTable();
   const uint64_t key = splitMix64(stream);
   const size_t values = size_t(image.cols) * image.channels();
@@ -55,7 +55,7 @@ void applySensor(double noise_levels, double gain, uint64_t stream, cv::Mat& ima
   for (int y = 0; y < image.rows; ++y) {
     uint8_t* const row = image.ptr<uint8_t>(y);
     for (size_t x = 0; x < values; x += kChunk)
-      applyToChunk(float(noise_levels), float(gain), &table[splitMix64(key + chunk++) % kTableSize],
+      applyToChunk(float(noise_stddev), float(gain), &table[splitMix64(key + chunk++) % kTableSize],
                    std::min(kChunk, values - x), row + x);
   }
 }

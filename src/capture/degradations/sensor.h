@@ -14,9 +14,9 @@ double flickerGain(double amount, double seconds, uint64_t stream);
 
 /// What the sensor makes of a picture: every value times `gain`, plus near-Gaussian noise, rounded
 /// and kept in 0 to 255. The noise depends on nothing but `stream`.
-/// \param noise_levels standard deviation in grey levels of 255, 0 for none
+/// \param noise_stddev standard deviation in grey levels of 255, 0 for none
 /// \param stream a number for seed, camera and instant
 /// \param image CV_8UC1 or CV_8UC3
-void applySensor(double noise_levels, double gain, uint64_t stream, cv::Mat& image);
+void applySensor(double noise_stddev, double gain, uint64_t stream, cv::Mat& image);
 
 }  // namespace markerless_mocap

@@ -66,7 +66,7 @@ MotionClip loadMotion(const StudioOptions& options, const std::string& folder,
     clip = bent(clip, options.bend_radius);
   }
   if (isBvh(options.motion)) clip = centred(onFloor(clip, skeleton));
-  const double side = options.stage;
+  const double side = options.volume_half_width;
   const Eigen::AlignedBox3d volume(Eigen::Vector3d(-side, -side, -kBelow),
                                    Eigen::Vector3d(side, side, kAbove));
   const std::string excess = volumeViolation(clip, skeleton, volume);

@@ -22,7 +22,7 @@ constexpr double kOtherPhase = 0.43;  // of the motion's period
 CharacterOptions otherThan(CharacterOptions character) {
   character.male = 1.0 - character.male;
   character.stature += character.stature > 1.7 ? -0.1 : 0.1;
-  character.look_seed += 1;
+  character.appearance_seed += 1;
   return character;
 }
 
@@ -78,12 +78,12 @@ StudioScene::StudioScene(const StudioOptions& options, const StudioFiles& files,
     return Actor{std::move(character), LoopedMotion(std::move(clip))};
   };
   actors_.push_back(actorOf(leadOf(options)));
-  if (const double distance = options.degradations.second_person; distance > 0.0) {
+  if (const double distance = options.degradations.second_person_distance; distance > 0.0) {
     actors_.push_back(actorOf(makeCharacter(otherThan(options.character))));
     actors_.back().phase = kOtherPhase * actors_.back().motion.period();
     actors_.back().place = placeAt(distance, kOtherBearing, kOtherBearing);
   }
-  if (options.degradations.chair > 0.0) placeChair(options.degradations.chair);
+  if (options.degradations.chair_distance > 0.0) placeChair(options.degradations.chair_distance);
   const HumanSkeleton& skeleton = actors_.front().character.skeleton;
   urdf_ = fillUrdfTemplate(files.urdf_template, body_id, proportionsOf(skeleton));
   body_ = std::make_shared<BodyModel>(BodyModel::fromUrdf(urdf_, body_id));

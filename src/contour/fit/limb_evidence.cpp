@@ -99,10 +99,10 @@ std::vector<double> shares(const ContourObservation& seen, const ContourOptions&
 /// disagree with it. What all limbs share comes from calibration and noise, which differ from
 /// camera to camera and average out; it counts by the geometric mean with what is usual.
 ByLimb varianceOf(const ContourOptions& options, ByLimb disagreement) {
-  const double least = square(kBestAgreement * options.sigma);
+  const double least = square(kBestAgreement * options.ray_sigma);
   for (double& limb : disagreement) limb = std::max(limb, least);
   const double shared = *std::min_element(disagreement.begin(), disagreement.end());
-  for (double& limb : disagreement) limb *= kAlike * options.sigma / std::sqrt(shared);
+  for (double& limb : disagreement) limb *= kAlike * options.ray_sigma / std::sqrt(shared);
   return disagreement;
 }
 

@@ -12,13 +12,13 @@ void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, dou
   body.place(frames_, cones_);
   for (ConeNormalEquations& sum : sums_) sum.clear();
   addRays(outlier);
-  const double weight = options_.containment_weight / (options_.sigma * options_.sigma);
+  const double weight = options_.containment_weight / (options_.ray_sigma * options_.ray_sigma);
   excess_ = addContainment(seen_, rig_, cones_, weight, sums_);
 }
 
 void PoseProblem::addRays(double outlier) {
   matchRays(PackedContourCones(cones_), seen_.rays, matches_);
-  const double one = options_.effective_rays / (options_.sigma * options_.sigma) /
+  const double one = options_.effective_rays / (options_.ray_sigma * options_.ray_sigma) /
                      std::max(1.0, double(seen_.rays.size()));
   for (size_t i = 0; i < matches_.size(); ++i)
     addRay(seen_.rays[i], matches_[i], one * gemanMcClureWeight(matches_[i].residual, outlier),

@@ -28,7 +28,7 @@ constexpr double kPoor = 0.80;  // other postures are tried when proposals expla
 constexpr int64_t kBetweenStarts_ns = 50000000;
 
 ShapePrior priorOf(const PersonResources& sources, const PersonOptions& person) {
-  return {sources.people, person.stature, person.stature_deviation};
+  return {sources.people, person.stature, person.stature_sigma};
 }
 
 /// Whose limb a part is.
@@ -61,7 +61,7 @@ ContourMethod::ContourMethod(const CameraRig& rig, PersonResources sources,
       hypotheses_(rig, options) {
   takeOver(initialBody(sources_, person_.stature));
   if (person_.measure && !body_->measured)
-    measurer_.emplace(rig, options, priorOf(sources_, person_), person_.measuring_poses,
+    measurer_.emplace(rig, options, priorOf(sources_, person_), person_.shape_poses,
                       sources_.in_background);
 }
 
@@ -159,7 +159,7 @@ std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourOb
     return pose;
   }
   pose.reason = "the body is being measured, " + std::to_string(measurer_->poses()) + " of " +
-                std::to_string(person_.measuring_poses) + " different poses have been seen";
+                std::to_string(person_.shape_poses) + " different poses have been seen";
   return pose;
 }
 

@@ -100,7 +100,8 @@ void FleischmannFitness::View::take(const FleischmannView& seen,
   shows_person = area >= options.min_silhouette_pixels;
   if (!shows_person || seen.image.empty()) return;
   const cv::Mat image = whole ? seen.image : reducedImage(seen.image, size, options.downsampling);
-  edges = edgeMap(image, mask, {options.edge_threshold, options.edge_dilation, options.edge_blur});
+  edges = edgeMap(image, mask,
+                  {options.edge_threshold, options.edge_dilation, options.edge_blur_sigma});
   has_edges = true;
 }
 
@@ -154,7 +155,7 @@ FitnessTerms FleischmannFitness::fitness(const double* candidate,
                         0.5 * double(overlap.shared) / double(view.area);
     ++views;
     if (!view.has_edges || choice.cones == 0) continue;
-    const EdgeSum edge = sampleEdges(s.corners, view.edges, choice, options_.edge_samples);
+    const EdgeSum edge = sampleEdges(s.corners, view.edges, choice, options_.samples_per_edge);
     if (edge.points > 0) sum.edge += double(edge.sum) / (255.0 * edge.points);
     ++views_with_edges;
   }

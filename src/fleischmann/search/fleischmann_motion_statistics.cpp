@@ -95,7 +95,8 @@ FleischmannMotionStatistics FleischmannMotionStatistics::fromYaml(const std::str
   }
   const auto& names = fleischmannParameterNames();
   for (const auto& entry : map) {
-    const std::string key = entry.first.as<std::string>();
+    if (!entry.first.IsScalar()) refuse("its keys must be names of parameters");
+    const std::string& key = entry.first.Scalar();
     if (std::find(names.begin(), names.end(), key) == names.end())
       refuse("there is no parameter " + key);
   }

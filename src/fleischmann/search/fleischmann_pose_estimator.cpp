@@ -31,8 +31,8 @@ FleischmannPoseEstimator::FleischmannPoseEstimator(const CameraRig& rig,
                                                    const FleischmannBodyShape& body,
                                                    const FleischmannMotionStatistics& statistics,
                                                    const FleischmannOptions& options)
-    : fitness_(rig, profile, body, options.appearance),
-      collision_(body, options.collision),
+    : fitness_(rig, profile, body, options.image),
+      collision_(body, options.collision_fraction),
       statistics_(statistics),
       options_(options),
       plan_(makeSearchPlan(options)) {}
@@ -52,10 +52,10 @@ void FleischmannPoseEstimator::reset() {
 }
 
 FleischmannVector FleischmannPoseEstimator::predicted(int64_t stamp_ns) const {
-  if (!before_ || options_.prediction == 0.0) return last_->v;
+  if (!before_ || options_.prediction_fraction == 0.0) return last_->v;
   const double steps = secondsBetween(last_->stamp_ns, stamp_ns) /
                        secondsBetween(before_->stamp_ns, last_->stamp_ns);
-  return withinLimits(last_->v + options_.prediction * steps * (last_->v - before_->v));
+  return withinLimits(last_->v + options_.prediction_fraction * steps * (last_->v - before_->v));
 }
 
 SearchProblem FleischmannPoseEstimator::problem() const {

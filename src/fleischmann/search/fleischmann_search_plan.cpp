@@ -50,7 +50,7 @@ class Stages {
   Stages& add(int particles, int iterations, VectorXd reach, ConeSet edges) {
     const double scaled = particles * options_.particle_factor;
     stages_.push_back({std::max(1, int(std::lround(scaled))), iterations, std::move(reach)});
-    edges_.push_back({options_.edges ? edges : 0, options_.torso_top});
+    edges_.push_back({options_.use_edges ? edges : 0, options_.use_torso_top_edge});
     return *this;
   }
   FleischmannSearchPlan plan() const {
@@ -129,7 +129,7 @@ FleischmannSearchPlan makeSearchPlan(const FleischmannOptions& o) {
     return Stages(o).add(10, 20, pelvis(), kTorsoOnly).add(20, 40, second, kAllButHead).plan();
   }
   FleischmannSearchPlan plan;
-  plan.edges = {{o.edges ? kAllButHead : 0, o.torso_top}};
+  plan.edges = {{o.use_edges ? kAllButHead : 0, o.use_torso_top_edge}};
   if (o.search == "annealed_filter")
     plan.optimiser = std::make_shared<AnnealedParticleFilter>(annealing(o));
   else

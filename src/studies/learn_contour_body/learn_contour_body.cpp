@@ -31,7 +31,7 @@ StudioOptions filmOf(const LearnOptions& options, int person, const std::string&
   StudioOptions studio;
   studio.motion = motion;
   studio.rig = "ring7_overhead";
-  studio.stage = 3.0;
+  studio.volume_half_width = 3.0;
   studio.fps = 1.0 / kSecondsBetween;
   studio.duration = options.frame_sets * kSecondsBetween;
   studio.background_frames = 0;
@@ -99,7 +99,7 @@ CharacterOptions exampleOf(int person) {
   options.male = evenly(person + 1, 3);
   options.bmi = 18.5 + 14.0 * evenly(person + 1, 5);
   options.clothes = options.male > 0.5 ? kClothes[person % 2] : kClothes[person % 4];
-  options.look_seed = person;
+  options.appearance_seed = person;
   return options;
 }
 

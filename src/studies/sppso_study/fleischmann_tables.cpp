@@ -68,13 +68,13 @@ StudyTable swarmSizes(const FleischmannOptions& base) {
 }
 
 StudyTable fitnessTerms(const FleischmannOptions& base) {
-  return {
-      "6.10",
-      "FitnessTerms terms, 20 fps",
-      {variant("silhouettes and edges", base, 20, 5, asItIs),
-       variant("silhouettes alone", base, 20, 5, [](FleischmannOptions& o) { o.edges = false; }),
-       variant("no upper edge of the torso", base, 20, 5,
-               [](FleischmannOptions& o) { o.torso_top = false; })}};
+  return {"6.10",
+          "FitnessTerms terms, 20 fps",
+          {variant("silhouettes and edges", base, 20, 5, asItIs),
+           variant("silhouettes alone", base, 20, 5,
+                   [](FleischmannOptions& o) { o.use_edges = false; }),
+           variant("no upper edge of the torso", base, 20, 5,
+                   [](FleischmannOptions& o) { o.use_torso_top_edge = false; })}};
 }
 
 StudyTable otherStarts(const FleischmannOptions& base) {
@@ -83,7 +83,7 @@ StudyTable otherStarts(const FleischmannOptions& base) {
     o.sigma_factor = 0.6;
   };
   const auto predicting = [](FleischmannOptions& o) {
-    o.prediction = 1.0 / 3.0;
+    o.prediction_fraction = 1.0 / 3.0;
     o.sigma_factor = 0.5;
   };
   return {"ours",

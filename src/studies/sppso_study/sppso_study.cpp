@@ -136,7 +136,7 @@ FitnessCurves fitnessCurves(const FleischmannSequence& film, size_t frame, int p
   constexpr int kSteps = 100;
   const FleischmannBodyModel profile(*film.body);
   FleischmannFitness fitness(film.rig, profile, FleischmannBodyShape(*film.body, profile),
-                             options.appearance);
+                             options.image);
   fitness.observe(wholeViews(film, frame));
   FitnessCurves curves;
   for (int i = 0; i <= kSteps; ++i) {
@@ -163,7 +163,7 @@ TimeByPart timeByPart(const FleischmannSequence& film,
   const size_t frame = std::min<size_t>(3, film.frames.size() - 1);
   const std::vector<FleischmannView> views = wholeViews(film, frame);
   const FleischmannVector& truth = film.frames[frame].truth;
-  FleischmannFitness fitness(film.rig, profile, body, options.appearance);
+  FleischmannFitness fitness(film.rig, profile, body, options.image);
   const auto evaluate = [&](ConeSet cones) {
     return minSeconds([&] {
       for (int i = 0; i < kEvaluations; ++i) fitness.fitness(truth.data(), {cones, true});

@@ -8,7 +8,6 @@ int main(int argc, char** argv) {
   bool yaml = false;
   app.add_flag("--yaml", yaml, "print a configuration file with all defaults instead");
   CLI11_PARSE(app, argc, argv);
-  std::cout << (yaml ? markerless_mocap::defaultConfiguration()
-                     : markerless_mocap::parameterPage());
+  std::cout << (yaml ? markerless_mocap::allOptionsPage() : markerless_mocap::parameterPage());
   return 0;
 }

@@ -4,10 +4,10 @@
 
 namespace markerless_mocap {
 
-/// docs/parameters.md: every option of every stage and of the virtual studio, one table each.
+/// docs/parameters.md: every option of every stage and of the virtual studio, a table per section.
 std::string parameterPage();
 
-/// config/default.yaml: every option of every stage with its default, its meaning as a comment.
-std::string defaultConfiguration();
+/// config/all_options.yaml: every option of every stage with its default, its meaning as a comment.
+std::string allOptionsPage();
 
 }  // namespace markerless_mocap

@@ -77,7 +77,7 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
   pipeline.processStream(
       [&] { return nextFrameSet(run, &recording); },
       [&](const FrameSet&, const PipelineResult& result) { collector.add(result); });
-  const ShapePrior prior{sources.people, statureOf(sizes), stages.fitting.person.stature_deviation};
+  const ShapePrior prior{sources.people, statureOf(sizes), stages.fitting.person.stature_sigma};
   OrientationRefinement estimate = refineOrientationsAndShape(
       recording.rig(), stages.fitting.contour, prior, sizes, collector.frame_sets(), {});
   if (estimate.status == OrientationRefinementStatus::kCorrected)
