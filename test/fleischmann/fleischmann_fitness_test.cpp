@@ -231,7 +231,7 @@ TEST(EdgeMap, isEmptyWhereNothingStandsOut) {
 TEST(FleischmannImageOptions, areCheckedByName) {
   FleischmannImageOptions options;
   options.downsampling = 0;
-  EXPECT_NE(errorTextOf([&] { options.validate(); }).find("appearance/reduction"),
+  EXPECT_NE(errorTextOf([&] { options.validate(); }).find("pose_fitting/fleischmann/downsampling"),
             std::string::npos);
 }
 

@@ -40,6 +40,8 @@ TEST(FleischmannMotionStatistics, sentencesNameTheParameter) {
   EXPECT_EQ(refused(text + "left_wing: 0.1\n"),
             "motion statistics: there is no parameter left_wing");
   EXPECT_EQ(refused("pelvis_roll: 0.1\n"), "motion statistics: pelvis_pitch is missing");
+  EXPECT_EQ(refused(text + "? [a, b]\n: 1\n"),
+            "motion statistics: its keys must be names of parameters");
   EXPECT_EQ(refused("3"), "motion statistics: a map from parameters to values is needed");
   std::string negative = text;
   negative.replace(negative.find("left_knee: 0.00000"), 18, "left_knee: -1");

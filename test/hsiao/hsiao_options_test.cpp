@@ -3,42 +3,43 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
 #include "error_text_of.h"
 
 namespace markerless_mocap {
 namespace {
 
-HsiaoOptions profileFile() {
-  const YAML::Node file = YAML::LoadFile(MOCAP_SOURCE_DIR "/config/hsiao_profile.yaml");
-  return loadOptions<HsiaoOptions>(file[HsiaoOptions::kStage]);
-}
-
-TEST(HsiaoProfileFile, HoldsTheLimitsOfTheThesis) {
-  const HsiaoLimits file = profileFile().limits, fromThesis = HsiaoLimits::fromThesis();
+TEST(HsiaoLimits, AreThoseOfTheThesis) {
+  // Hsiao 2008, Table 3-4: theta_1 to theta_16, degrees.
+  constexpr double kTable[kHsiaoAngles][2] = {{-90, 90},  {-90, 90},  {-180, 180}, {-180, 180},
+                                              {-180, 90}, {-90, 180}, {-90, 135},  {-135, 90},
+                                              {-180, 0},  {0, 180},   {-60, 90},   {-90, 60},
+                                              {-180, 90}, {-180, 90}, {0, 180},    {0, 180}};
+  const HsiaoLimits limits = HsiaoLimits::fromThesis();
   for (int k = 0; k < kHsiaoAngles; ++k) {
-    EXPECT_NEAR(file.lower[k], fromThesis.lower[k], 1e-4) << "theta " << k + 1;
-    EXPECT_NEAR(file.upper[k], fromThesis.upper[k], 1e-4) << "theta " << k + 1;
+    EXPECT_NEAR(limits.lower[k], kTable[k][0] * M_PI / 180, 1e-12) << "theta " << k + 1;
+    EXPECT_NEAR(limits.upper[k], kTable[k][1] * M_PI / 180, 1e-12) << "theta " << k + 1;
   }
 }
 
-TEST(HsiaoLimits, ElbowsAndKneesBendOneWay) {
-  const HsiaoLimits limits = HsiaoLimits::fromThesis();
-  EXPECT_EQ(limits.upper[8], 0.0);   // theta_9, left elbow: [-pi, 0]
-  EXPECT_EQ(limits.lower[9], 0.0);   // theta_10, right elbow: [0, pi]
-  EXPECT_EQ(limits.lower[14], 0.0);  // knees: [0, pi]
-  EXPECT_EQ(limits.lower[15], 0.0);
-  EXPECT_DOUBLE_EQ(limits.lower[10], -M_PI / 3);  // left hip outwards and inwards
-  EXPECT_DOUBLE_EQ(limits.upper[11], M_PI / 3);
+TEST(HsiaoOptions, LimitAboveItsOtherEndIsAnError) {
+  HsiaoOptions options;
+  options.joint_limits.lower[15] = 1.0;
+  options.joint_limits.upper[15] = 0.5;
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
+            "pose_fitting/hsiao/joint_limits/right_knee is [1, 0.5], allowed is [min, max] with a "
+            "min that is not greater than max");
 }
 
-TEST(HsiaoOptions, RefusesALimitAboveItsOtherEnd) {
-  HsiaoOptions options;
-  options.limits.lower[15] = 1.0;
-  options.limits.upper[15] = 0.5;
-  const std::string sentence = errorTextOf([&] { options.validate(); });
-  EXPECT_NE(sentence.find("pose_fitting/right_knee_lowest is 1.0"), std::string::npos) << sentence;
+TEST(HsiaoOptions, LimitsAreReadByJoint) {
+  const HsiaoOptions options = loadOptions<HsiaoOptions>(
+      YAML::Load("joint_limits: {neck_x: [-0.1, 0.2], right_knee: [0.3, 0.4]}"));
+  EXPECT_EQ(options.joint_limits.lower[0], -0.1);
+  EXPECT_EQ(options.joint_limits.upper[0], 0.2);
+  EXPECT_EQ(options.joint_limits.lower[15], 0.3);
+  EXPECT_EQ(options.joint_limits.upper[15], 0.4);
+  EXPECT_EQ(options.joint_limits.lower[1], HsiaoLimits::fromThesis().lower[1]);
 }
 
 }  // namespace

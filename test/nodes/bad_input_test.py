@@ -273,7 +273,7 @@ class FittingNode(Diagnosed):
 
 
 class NothingToFit(FittingNode):
-    method = 'skeleton'
+    method = 'hsiao'
     grid = VoxelGrid(pitch=float('nan'))
 
     def test_grid_that_is_none(self):
@@ -281,7 +281,7 @@ class NothingToFit(FittingNode):
 
 
 class FittingSkeletons(FittingNode):
-    method = 'skeleton'
+    method = 'hsiao'
 
     def test_needs_neither_cameras_nor_tree(self):
         self.expect('the hull has no voxels', stages=['hull/points', 'segmentation/points', 'segmentation/parts'])

@@ -70,8 +70,20 @@ class Refusals(unittest.TestCase):
                                 rig_text('ac'), node)
 
     def test_unknown_method(self):
-        self.expect('/pose_fitting/method is "magic", allowed is one of contour, skeleton', 'pose_fitting', cameras=['a', 'b'],
-                    method='magic')
+        self.expect('/pose_fitting/method is "magic", allowed is one of contour, hsiao',
+                    'pose_fitting', cameras=['a', 'b'], method='magic')
+
+    def test_value_of_a_nested_section(self):
+        self.expect('/pose_fitting/contour/rays is 5, allowed is 100 to 20000', 'pose_fitting',
+                    cameras=['a', 'b'], contour={'rays': 5})
+
+    def test_key_of_an_earlier_release(self):
+        self.expect('/pose_fitting/contour_rays is now /pose_fitting/contour/rays', 'pose_fitting',
+                    cameras=['a', 'b'], contour_rays=900)
+        self.expect('/pose_fitting/filter is now /pose_fitting/filter/enabled', 'pose_fitting',
+                    cameras=['a', 'b'], filter=False)
+        self.expect('/pose_fitting/method is "sppso", which is now "fleischmann"', 'pose_fitting',
+                    cameras=['a', 'b'], method='sppso')
 
     def test_unreadable_urdf_template(self):
         self.expect('cannot read /no/such/file', 'pose_fitting', cameras=['a', 'b'],

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <stdexcept>
+
 #include "error_text_of.h"
+#include "option_list.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,131 +19,171 @@ struct SampleOptions {
   std::string method = "walk";
   std::vector<std::string> cameras;
   Eigen::Vector3d corner{0, 0, 0};
+  double lower = -1, upper = 1;
 
   void visit(OptionVisitor& v) {
     v.field("pitch", pitch, 0.005, 0.2, "edge of a voxel, m");
-    v.field("views", views, 2, 32, "cameras");
+    v.field("views", views, 2, 1000000000, "cameras");
     v.field("color", color, "use colour");
     v.field("method", method, {"walk", "tree"}, "how");
     v.field("cameras", cameras, "names");
     v.field("corner", corner, -10, 10, "m");
+    v.range("knee", lower, upper, -3, 3, "rad");
   }
   void validate() const { checkFields(*this); }
 };
 
-SampleOptions load(const std::string& yaml) {
-  return loadOptions<SampleOptions>(YAML::Load(yaml));
+/// A struct with sections, one within the other.
+struct OuterOptions {
+  static constexpr const char* kStage = "outer";
+  struct Middle {
+    int count = 1;
+    SampleOptions sample;
+    void visit(OptionVisitor& v) {
+      v.field("count", count, 0, 9, "how many");
+      v.section("sample", sample, "the innermost");
+    }
+  } middle;
+  int count = 2;
+
+  void visit(OptionVisitor& v) {
+    v.field("count", count, 0, 9, "how many");
+    v.section("middle", middle, "the one between");
+  }
+  void validate() const { checkFields(*this); }
+};
+
+template <class OptionsT>
+OptionsT read(const std::string& yaml) {
+  return loadOptions<OptionsT>(YAML::Load(yaml));
 }
 
-/// The sentence a YAML text is refused with, or "" if it is taken.
-std::string refusal(const std::string& yaml) {
-  return errorTextOf([&] { load(yaml); });
+/// The error of a YAML text, or "".
+template <class OptionsT = SampleOptions>
+std::string errorOf(const std::string& yaml) {
+  return errorTextOf([&] { read<OptionsT>(yaml); });
 }
 
 TEST(Options, EmptyMapKeepsDefaults) {
-  const SampleOptions options = load("");
-  EXPECT_EQ(options.pitch, 0.03);
-  EXPECT_EQ(options.method, "walk");
+  EXPECT_EQ(valuesOf(read<SampleOptions>("")), valuesOf(SampleOptions()));
+  EXPECT_EQ(valuesOf(read<OuterOptions>("{middle: {sample: }}")), valuesOf(OuterOptions()));
 }
 
 TEST(Options, EveryTypeIsRead) {
-  const SampleOptions o = load(
-      "{pitch: 0.05, views: 4, color: false, method: tree, cameras: [a, b], corner: [1, -2, 3]}");
+  const auto o = read<SampleOptions>(
+      "{pitch: 0.05, views: 4, color: false, method: tree, cameras: [a, b], corner: [1, -2, 3], "
+      "knee: [0, 2.5]}");
   EXPECT_EQ(o.pitch, 0.05);
   EXPECT_EQ(o.views, 4);
   EXPECT_FALSE(o.color);
   EXPECT_EQ(o.method, "tree");
   EXPECT_EQ(o.cameras, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(o.corner, Eigen::Vector3d(1, -2, 3));
+  EXPECT_EQ(o.lower, 0.0);
+  EXPECT_EQ(o.upper, 2.5);
 }
 
 TEST(Options, ValueOutOfRangeNamesKeyValueAndRange) {
-  EXPECT_EQ(refusal("pitch: 0.5"), "sample/pitch is 0.5, allowed is 0.005 to 0.2");
-  EXPECT_EQ(refusal("pitch: .nan"), "sample/pitch is nan, allowed is 0.005 to 0.2");
-  EXPECT_EQ(refusal("views: 1"), "sample/views is 1, allowed is 2 to 32");
-  EXPECT_EQ(refusal("method: swim"), "sample/method is \"swim\", allowed is one of walk, tree");
+  EXPECT_EQ(errorOf("pitch: 0.5"), "sample/pitch is 0.5, allowed is 0.005 to 0.2");
+  EXPECT_EQ(errorOf("pitch: .nan"), "sample/pitch is nan, allowed is 0.005 to 0.2");
+  EXPECT_EQ(errorOf("views: 1"), "sample/views is 1, allowed is 2 to 1000000000");
+  EXPECT_EQ(errorOf("method: swim"), "sample/method is \"swim\", allowed is one of walk, tree");
+  EXPECT_EQ(errorOf("corner: [1, .nan, 2]"),
+            "sample/corner is [1, nan, 2], allowed is three numbers, each -10 to 10");
+  EXPECT_EQ(errorOf("corner: [1, 2, 11]"),
+            "sample/corner is [1, 2, 11], allowed is three numbers, each -10 to 10");
 }
 
 TEST(Options, WrongTypeNamesKeyValueAndType) {
-  EXPECT_EQ(refusal("views: two"), "sample/views is two, allowed is a whole number, 2 to 32");
-  EXPECT_EQ(refusal("views: 2.5"), "sample/views is 2.5, allowed is a whole number, 2 to 32");
-  EXPECT_EQ(refusal("pitch: [1]"), "sample/pitch is [1], allowed is a number, 0.005 to 0.2");
-  EXPECT_EQ(refusal("corner: [1, 2]"),
+  EXPECT_EQ(errorOf("views: two"),
+            "sample/views is two, allowed is a whole number, 2 to 1000000000");
+  EXPECT_EQ(errorOf("views: 2.5"),
+            "sample/views is 2.5, allowed is a whole number, 2 to 1000000000");
+  EXPECT_EQ(errorOf("pitch: [1]"), "sample/pitch is [1], allowed is a number, 0.005 to 0.2");
+  EXPECT_EQ(errorOf("pitch: {a: 1}"), "sample/pitch is {a: 1}, allowed is a number, 0.005 to 0.2");
+  EXPECT_EQ(errorOf("color: 3"), "sample/color is 3, allowed is true or false");
+  EXPECT_EQ(errorOf("cameras: a"), "sample/cameras is a, allowed is a list of texts");
+  EXPECT_EQ(errorOf("method: [walk]"), "sample/method is [walk], allowed is one of walk, tree");
+  EXPECT_EQ(errorOf("corner: [1, 2]"),
             "sample/corner is [1, 2], allowed is three numbers, each -10 to 10");
-  EXPECT_EQ(refusal("[1, 2]"), "sample is [1, 2], allowed is a map of keys to values");
+  EXPECT_EQ(errorOf("[1, 2]"), "sample is [1, 2], allowed is a map of keys to values");
+}
+
+TEST(Options, RangeIsAPairInOrder) {
+  EXPECT_EQ(errorOf("knee: 1"), "sample/knee is 1, allowed is [min, max], each -3 to 3");
+  EXPECT_EQ(errorOf("knee: [1]"), "sample/knee is [1], allowed is [min, max], each -3 to 3");
+  EXPECT_EQ(errorOf("knee: [1, 2, 3]"),
+            "sample/knee is [1, 2, 3], allowed is [min, max], each -3 to 3");
+  EXPECT_EQ(errorOf("knee: [-4, 0]"),
+            "sample/knee is [-4, 0], allowed is [min, max], each -3 to 3");
+  EXPECT_EQ(errorOf("knee: [0, .nan]"),
+            "sample/knee is [0, nan], allowed is [min, max], each -3 to 3");
+  EXPECT_EQ(
+      errorOf("knee: [1, 0.5]"),
+      "sample/knee is [1, 0.5], allowed is [min, max] with a min that is not greater than max");
+  EXPECT_EQ(errorOf("knee: [1, 1]"), "");
 }
 
 TEST(Options, UnknownKeyNamesTheNearestOne) {
-  EXPECT_EQ(refusal("pich: 0.02"),
+  EXPECT_EQ(errorOf("pich: 0.02"),
             "sample/pich is not an option (value 0.02), did you mean pitch?");
+}
+
+TEST(Options, KeyThatIsNoTextIsNamed) {
+  EXPECT_EQ(errorOf("? [a, b]\n: 1"), "sample has the key [a, b], allowed are texts");
+  EXPECT_EQ(errorOf("? {a: b}\n: 1"), "sample has the key {a: b}, allowed are texts");
+  EXPECT_EQ(errorOf("~: 1"), "sample has the key ~, allowed are texts");
+  EXPECT_EQ(errorOf<OuterOptions>("middle: {? [a, b] : 1}"),
+            "outer/middle has the key [a, b], allowed are texts");
 }
 
 TEST(Options, CheckFieldsFindsValuesSetInCode) {
   SampleOptions options;
   options.pitch = std::nan("");
-  EXPECT_THROW(options.validate(), std::invalid_argument);
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
+            "sample/pitch is nan, allowed is 0.005 to 0.2");
   options.pitch = 0.03;
   EXPECT_NO_THROW(options.validate());
+  options.lower = 2;
+  EXPECT_NE(errorTextOf([&] { options.validate(); }).find("sample/knee is [2, 1]"),
+            std::string::npos);
 }
 
-TEST(Options, DescriberWritesOneRowPerField) {
-  OptionDescriber describer;
-  SampleOptions options;
-  options.visit(describer);
-  const std::string rows = describer.rows();
-  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6);
-  EXPECT_NE(rows.find("| `pitch` | 0.03 | 0.005 to 0.2 | edge of a voxel, m |"), std::string::npos);
+TEST(OptionSections, AreReadAtAnyDepth) {
+  const auto o =
+      read<OuterOptions>("{count: 3, middle: {count: 4, sample: {pitch: 0.1, knee: [0, 1]}}}");
+  EXPECT_EQ(o.count, 3);
+  EXPECT_EQ(o.middle.count, 4);
+  EXPECT_EQ(o.middle.sample.pitch, 0.1);
+  EXPECT_EQ(o.middle.sample.lower, 0.0);
+  EXPECT_EQ(o.middle.sample.views, 2);
 }
 
-/// The fields of two structs in one section.
-struct TwinOptions {
-  static constexpr const char* kStage = "twins";
-  SampleOptions one, other;
-
-  void visit(OptionVisitor& v) {
-    one.visit(v);
-    PrefixedVisitor of_other("other_", v);
-    other.visit(of_other);
-  }
-  void validate() const { checkFields(*this); }
-};
-
-TEST(PrefixedVisitor, EveryTypeIsReadUnderThePrefix) {
-  const TwinOptions o = loadOptions<TwinOptions>(
-      YAML::Load("{pitch: 0.02, other_pitch: 0.05, other_views: 4, other_color: false, "
-                 "other_method: tree, other_cameras: [a], other_corner: [1, 2, 3]}"));
-  EXPECT_EQ(o.one.pitch, 0.02);
-  EXPECT_EQ(o.one.views, 2);
-  EXPECT_EQ(o.other.pitch, 0.05);
-  EXPECT_EQ(o.other.views, 4);
-  EXPECT_FALSE(o.other.color);
-  EXPECT_EQ(o.other.method, "tree");
-  EXPECT_EQ(o.other.cameras, std::vector<std::string>{"a"});
-  EXPECT_EQ(o.other.corner, Eigen::Vector3d(1, 2, 3));
+TEST(OptionSections, ErrorsNameTheWholePath) {
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: {sample: {pitch: 1}}}"),
+            "outer/middle/sample/pitch is 1, allowed is 0.005 to 0.2");
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: {count: many}}"),
+            "outer/middle/count is many, allowed is a whole number, 0 to 9");
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: 3}"),
+            "outer/middle is 3, allowed is a map of keys to values");
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: [3]}"),
+            "outer/middle is [3], allowed is a map of keys to values");
 }
 
-TEST(PrefixedVisitor, RefusalsNameTheWholeKey) {
-  const auto refused = [](const std::string& yaml) {
-    return errorTextOf([&] { loadOptions<TwinOptions>(YAML::Load(yaml)); });
-  };
-  EXPECT_EQ(refused("other_pitch: 0.5"), "twins/other_pitch is 0.5, allowed is 0.005 to 0.2");
-  EXPECT_EQ(refused("other_corner: [1]"),
-            "twins/other_corner is [1], allowed is three numbers, each -10 to 10");
-  EXPECT_EQ(refused("other_views: x"),
-            "twins/other_views is x, allowed is a whole number, 2 to 32");
-  EXPECT_EQ(refused("other_pich: 0.1"),
-            "twins/other_pich is not an option (value 0.1), did you mean other_pitch?");
+TEST(OptionSections, UnknownKeyNamesTheNearestOfItsOwnSection) {
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: {pitch: 0.1}}"),
+            "outer/middle/pitch is not an option (value 0.1), did you mean count?");
+  EXPECT_EQ(errorOf<OuterOptions>("{middle: {sample: {viws: 1}}}"),
+            "outer/middle/sample/viws is not an option (value 1), did you mean views?");
+  EXPECT_EQ(errorOf<OuterOptions>("{midle: {count: 1}}"),
+            "outer/midle is not an option (value {count: 1}), did you mean middle?");
 }
 
-TEST(PrefixedVisitor, CheckerAndDescriberSeeTheWholeKeyToo) {
-  TwinOptions options;
-  options.other.method = "swim";
+TEST(OptionSections, CheckerNamesTheWholePath) {
+  OuterOptions options;
+  options.middle.sample.method = "swim";
   EXPECT_EQ(errorTextOf([&] { options.validate(); }),
-            "twins/other_method is \"swim\", allowed is one of walk, tree");
-  OptionDescriber describer;
-  PrefixedVisitor outer("a_", describer), inner("b_", outer);
-  SampleOptions().visit(inner);
-  EXPECT_NE(describer.rows().find("| `a_b_views` | 2 | 2 to 32 | cameras |"), std::string::npos);
+            "outer/middle/sample/method is \"swim\", allowed is one of walk, tree");
 }
 
 }  // namespace

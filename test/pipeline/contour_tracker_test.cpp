@@ -233,7 +233,7 @@ TEST_F(ContourMethodTest, NeedsCamerasAndAUrdf) {
   rig.clear();
   EXPECT_EQ(
       errorTextOf([&] { make(); }),
-      "pose_fitting/method is contour, which needs cameras; without any, allowed is skeleton");
+      "pose_fitting/method is contour, which needs cameras; without any, allowed is hsiao");
   options.method = "hsiao";
   make();
   EXPECT_FALSE(tracker->body()->measured);

@@ -22,6 +22,29 @@ struct Stage {
   void validate() const { checkFields(*this); }
 };
 
+struct Limits {
+  double weight = 1.0, lower = -1.0, upper = 1.0;
+  void visit(OptionVisitor& v) {
+    v.field("weight", weight, 0.0, 10.0, "");
+    v.range("knee", lower, upper, -3.0, 3.0, "");
+  }
+};
+
+/// Stage with a section that holds a section.
+struct DeepStage {
+  static constexpr const char* kStage = "stage";
+  struct Method {
+    int rays = 100;
+    Limits limits;
+    void visit(OptionVisitor& v) {
+      v.field("rays", rays, 10, 1000, "");
+      v.section("limits", limits, "");
+    }
+  } method;
+  void visit(OptionVisitor& v) { v.section("method", method, ""); }
+  void validate() const { checkFields(*this); }
+};
+
 struct Node {
   static constexpr const char* kStage = "stage";
   std::vector<std::string> cameras;
@@ -71,6 +94,49 @@ TEST(Parameters, ValueOutOfRangeAndNaNAreRefused) {
         errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "stage", stage); });
     EXPECT_NE(sentence.find("stage/pitch"), std::string::npos) << sentence;
   }
+}
+
+TEST(Parameters, NestedStructsReachTheirSections) {
+  XmlRpc::XmlRpcValue value;
+  value["method"]["rays"] = 500;
+  value["method"]["limits"]["weight"] = 2;  // a whole number where a double is wanted
+  value["method"]["limits"]["knee"][0] = 0;
+  value["method"]["limits"]["knee"][1] = 1.5;
+  value["cameras"][0] = "cam0";
+  DeepStage stage;
+  Node node;
+  loadOptionsTogether(yamlFromXmlRpc(value), "/stage", stage, node);
+  EXPECT_EQ(stage.method.rays, 500);
+  EXPECT_EQ(stage.method.limits.weight, 2.0);
+  EXPECT_EQ(stage.method.limits.lower, 0.0);
+  EXPECT_EQ(stage.method.limits.upper, 1.5);
+  EXPECT_EQ(node.cameras, std::vector<std::string>{"cam0"});
+}
+
+TEST(Parameters, ErrorsInNestedStructsNameThePathBelowTheNode) {
+  const auto errorOf = [](const XmlRpc::XmlRpcValue& value) {
+    DeepStage stage;
+    return errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "/a/node", stage); });
+  };
+  XmlRpc::XmlRpcValue value;
+  value["method"]["limits"]["weight"] = 20;
+  EXPECT_EQ(errorOf(value), "/a/node/method/limits/weight is 20, allowed is 0 to 10");
+  XmlRpc::XmlRpcValue typo;
+  typo["method"]["ray"] = 20;
+  EXPECT_EQ(errorOf(typo), "/a/node/method/ray is not an option (value 20), did you mean rays?");
+}
+
+TEST(Parameters, OldKeyIsFoundUnderAnyNameOfTheNode) {
+  struct Tracker {
+    static constexpr const char* kStage = "pose_fitting";
+    bool unused = false;
+    void visit(OptionVisitor& v) { v.field("unused", unused, ""); }
+    void validate() const { checkFields(*this); }
+  } stage;
+  XmlRpc::XmlRpcValue value;
+  value["contour_rays"] = 900;
+  EXPECT_EQ(errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "/left/fit", stage); }),
+            "/left/fit/contour_rays is now /left/fit/contour/rays");
 }
 
 TEST(Parameters, NothingSetLeavesTheDefaults) {

@@ -238,7 +238,7 @@ TEST_F(PoseFilterTest, RefusesAnglesOfAnotherBodyAndOptionsOutOfRange) {
   EXPECT_NE(errorTextOf([&] { filter().filtered(0, pose); }).find("joint angles, 3 were given"),
             std::string::npos);
   options_.cutoff = 0.0;
-  EXPECT_NE(errorTextOf([&] { filter(); }).find("pose_fitting/filter_cutoff is 0"),
+  EXPECT_NE(errorTextOf([&] { filter(); }).find("pose_fitting/filter/cutoff is 0"),
             std::string::npos);
 }
 
