@@ -54,10 +54,10 @@ def descend(loss, curves, columns, ridge, bend, start=None, steps=200):
                     method='L-BFGS-B', options=dict(maxiter=steps)).x.reshape(shape)
 
 
-def curve_text(curves, weights):
-    lines, first = [], 0
-    for low, high, knots in curves:
-        values = ', '.join(f'{round(w, 2) + 0:g}' for w in weights[first:first + knots])
-        lines.append(f'{{{low:.4g}, {high:.4g}, {{{values}}}}}')
+def named_curves(curves, weights):
+    """name -> (low, high, values at the knots). curves: name -> (low, high, how many knots)"""
+    named, first = {}, 0
+    for name, (low, high, knots) in curves.items():
+        named[name] = (low, high, list(weights[first:first + knots]))
         first += knots
-    return ',\n'.join(lines)
+    return named

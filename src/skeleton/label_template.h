@@ -5,6 +5,8 @@
 
 namespace markerless_mocap {
 
+struct ExtremityLabelModel;
+
 /// Five ends that may be a body's.
 struct ExtremityLabels {
   std::array<int, kUnsidedExtremityCount> extremities{
@@ -17,12 +19,13 @@ struct ExtremityLabels {
 /// probability counts choices whose ends lie within `same` metres as one. Ends of -1: there is no
 /// choice with a body's measures.
 ExtremityLabels labelExtremities(const ExtremityCandidates& ends, const TreeGraph& graph,
-                                 double same);
+                                 const ExtremityLabelModel& model, double same);
 
 /// The ends that may be a body's.
 ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume& volume);
 
 /// Labels a graph so. \param probability as in ExtremityLabels
-LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability);
+LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume,
+                            const ExtremityLabelModel& model, double* probability);
 
 }  // namespace markerless_mocap

@@ -5,6 +5,7 @@
 
 #include "markerless_mocap/products/pose_tree.h"
 #include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/skeleton/pose_tree_model.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
 #include "skeleton/graph/tree_graph.h"
 #include "skeleton/graph/tree_parts.h"
@@ -22,8 +23,9 @@ constexpr double kTreePersistence = 0.02;
 /// One frame on its way to a pose tree.
 class Labelling {
  public:
-  /// Keeps references to the options and the hull.
-  Labelling(const PoseTreeOptions& options, const VisualHull& hull, const CurveSkeleton& skeleton);
+  /// Keeps references to the options, the model and the hull.
+  Labelling(const PoseTreeOptions& options, const PoseTreeModel& model, const VisualHull& hull,
+            const CurveSkeleton& skeleton);
 
   /// \param last ends to follow \param now set to the ends if the tree is valid
   PoseTree run(const PreviousExtremities& last, PreviousExtremities* now);
@@ -49,6 +51,7 @@ class Labelling {
   void assessValidity();
 
   const PoseTreeOptions& options_;
+  const PoseTreeModel& model_;
   const VisualHull& hull_;
   TreeVolume volume_;
   TreeGraph graph_;

@@ -23,7 +23,8 @@ PoseTree rejected(const Rejection& rejection) {
 
 class PoseTreeBuilder::State {
  public:
-  explicit State(const PoseTreeOptions& options) : options_(validated(options)) {}
+  State(const PoseTreeOptions& options, const PoseTreeModel& model)
+      : options_(validated(options)), model_(model) {}
 
   PoseTree build(const VisualHull& hull, const CurveSkeleton* skeleton) {
     PreviousExtremities now;
@@ -31,7 +32,7 @@ class PoseTreeBuilder::State {
       last_.reset();
       return rejected(*rejection);
     }
-    PoseTree tree = Labelling(options_, hull, skeleton ? *skeleton : thinner_.thin(hull))
+    PoseTree tree = Labelling(options_, model_, hull, skeleton ? *skeleton : thinner_.thin(hull))
                         .run(options_.follow_labels ? last_ : PreviousExtremities(), &now);
     last_ = now;
     return tree;
@@ -40,12 +41,13 @@ class PoseTreeBuilder::State {
 
  private:
   PoseTreeOptions options_;
+  PoseTreeModel model_;
   Thinner thinner_{kTreePersistence};
   PreviousExtremities last_;
 };
 
-PoseTreeBuilder::PoseTreeBuilder(const PoseTreeOptions& options)
-    : state_(std::make_unique<State>(options)) {}
+PoseTreeBuilder::PoseTreeBuilder(const PoseTreeOptions& options, const PoseTreeModel& model)
+    : state_(std::make_unique<State>(options, model)) {}
 PoseTreeBuilder::~PoseTreeBuilder() = default;
 PoseTreeBuilder::PoseTreeBuilder(PoseTreeBuilder&&) noexcept = default;
 PoseTreeBuilder& PoseTreeBuilder::operator=(PoseTreeBuilder&&) noexcept = default;

@@ -7,6 +7,7 @@
 
 #include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/labelling.h"
+#include "skeleton/labelling/validity_model.h"
 #include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {
@@ -19,7 +20,8 @@ struct Labelled {
 
 Labelled labelled(const VisualHull& hull) {
   const PoseTreeOptions options;
-  Labelling labelling(options, hull, Thinner(kTreePersistence).thin(hull));
+  Labelling labelling(options, PoseTreeModel::standard(), hull,
+                      Thinner(kTreePersistence).thin(hull));
   PreviousExtremities ends;
   Labelled out;
   out.tree = labelling.run({}, &ends);
@@ -39,12 +41,12 @@ TEST(ValidityFeatures, MeasuresOfAStandingFigureAreThose) {
   EXPECT_GT(features[kFeetForward], 0.02);
   EXPECT_EQ(features[kFeetAreOne], 0.0);
   EXPECT_GE(features[kLongerArm], features[kShorterArm]);
-  // In metres: what the doubts are shares of is the same for all of them.
+  // In metres: what the features are shares of is the same for all of them.
   const double longest = 0.36 / features[kFeetGap];
   EXPECT_NEAR(longest, 2.3, 0.25);
   EXPECT_NEAR(features[kHandNear] * longest, 0.66, 0.08);
   EXPECT_NEAR(features[kShankRadius] * longest, 0.055, 0.02);
-  EXPECT_EQ(found.tree.validity, validityOf(features));
+  EXPECT_EQ(found.tree.validity, PoseTreeModel::standard().validity().probability(features));
 }
 
 TEST(ValidityFeatures, MirrorChangesThemLittle) {
@@ -77,17 +79,18 @@ TEST(ValidityFeatures, LineHasNone) {
 }
 
 TEST(ValidityFeatures, SurerNamesAndAHeadOnTopMakeItMoreValid) {
+  const ValidityModel& model = PoseTreeModel::standard().validity();
   ValidityFeatures features = *labelled(personHull(FigurePose(), 0.0156)).features;
   double last = 0.0;
   for (const double odds : {-8.0, -2.0, 2.0, 6.0}) {
     features[kNamesOdds] = odds;
-    EXPECT_GT(validityOf(features), last) << odds;
-    last = validityOf(features);
+    EXPECT_GT(model.probability(features), last) << odds;
+    last = model.probability(features);
   }
   EXPECT_GT(last, 0.9);
   EXPECT_LT(last, 1.0);
   features[kHeadBelow] = 0.15;
-  EXPECT_LT(validityOf(features), last);
+  EXPECT_LT(model.probability(features), last);
 }
 
 TEST(ValidityFeatures, EachHasANameOfItsOwn) {

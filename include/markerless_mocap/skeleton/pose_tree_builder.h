@@ -5,6 +5,7 @@
 #include "markerless_mocap/products/curve_skeleton.h"
 #include "markerless_mocap/products/pose_tree.h"
 #include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/skeleton/pose_tree_model.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
 
 namespace markerless_mocap {
@@ -15,7 +16,8 @@ namespace markerless_mocap {
 class PoseTreeBuilder {
  public:
   /// Throws std::invalid_argument on options out of range.
-  explicit PoseTreeBuilder(const PoseTreeOptions& options);
+  explicit PoseTreeBuilder(const PoseTreeOptions& options,
+                           const PoseTreeModel& model = PoseTreeModel::standard());
   ~PoseTreeBuilder();
   PoseTreeBuilder(PoseTreeBuilder&&) noexcept;
   PoseTreeBuilder& operator=(PoseTreeBuilder&&) noexcept;

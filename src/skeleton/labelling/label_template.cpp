@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "skeleton/labelling/extremity_label_model.h"
 #include "skeleton/labelling/label_proportions.h"
-#include "skeleton/labelling/label_weights.h"
 #include "skeleton/labelling/loop_opening.h"
 
 namespace markerless_mocap {
@@ -17,10 +17,6 @@ constexpr double kSpur = 0.03;  // branches shorter than this share of the longe
 constexpr size_t kMostEnds = 24;
 constexpr double kSame = 0.12;       // metres
 constexpr double kMostUnlike = 0.5;  // log ratio of the ways to the feet
-
-double curve(BodyFeature which, double x) {
-  return kBodyCurves[size_t(which)](x);
-}
 
 struct Heights {
   double lowest, highest;
@@ -38,8 +34,12 @@ Heights heightsOf(const TreeGraph& graph) {
 /// Ways and log-odds of the ends of one skeleton.
 class ExtremityTable {
  public:
-  ExtremityTable(const ExtremityCandidates& candidates, const TreeGraph& graph)
-      : ends_(candidates.extremities), count_(ends_.size()), heights_(heightsOf(graph)) {
+  ExtremityTable(const ExtremityCandidates& candidates, const TreeGraph& graph,
+                 const ExtremityLabelModel& model)
+      : model_(model),
+        ends_(candidates.extremities),
+        count_(ends_.size()),
+        heights_(heightsOf(graph)) {
     for (const ExtremityCandidate& end : ends_)
       tips_.push_back(end.position + end.extent * end.direction);
     tree_ = withExtents(candidates.tree_path_lengths);
@@ -54,6 +54,7 @@ class ExtremityTable {
   double gap(int a, int b) const { return (tips_[size_t(a)] - tips_[size_t(b)]).norm(); }
   double height(int end) const { return tips_[size_t(end)].z(); }
   double lowest() const { return heights_.lowest; }
+  const BodyCurves& curve() const { return model_.body; }
   const ExtremityCandidate& end(int end) const { return ends_[size_t(end)]; }
 
   /// The most likely ends of a role.
@@ -87,12 +88,13 @@ class ExtremityTable {
                                               end.branch / longest,
                                               end.cut ? 1.0 : 0.0,
                                               reach / longest};
-    double odds = kExtremityModels[role].constant;
-    for (size_t i = 0; i < kExtremityFeatureCount; ++i)
-      odds += kExtremityModels[role].curves[i](x[i]);
+    const ExtremityModel& model = model_.extremities[role];
+    double odds = model.constant;
+    for (size_t i = 0; i < kExtremityFeatureCount; ++i) odds += model.curves[i](x[i]);
     return odds;
   }
 
+  const ExtremityLabelModel& model_;
   const std::vector<ExtremityCandidate>& ends_;
   size_t count_;
   Heights heights_;
@@ -110,6 +112,7 @@ struct Trunk {
 };
 
 double footScore(const ExtremityTable& t, int foot, double s) {
+  const BodyCurves& curve = t.curve();
   const ExtremityCandidate& end = t.end(foot);
   return curve(kFootUp, (t.height(foot) - t.lowest()) / s) +
          curve(kFootTipRadius, end.tip_radius / s) + curve(kFootLimbRadius, end.limb_radius / s) +
@@ -120,6 +123,7 @@ double footScore(const ExtremityTable& t, int foot, double s) {
 Trunk trunkOf(const ExtremityTable& t, int head, int foot1, int foot2) {
   Trunk trunk{head, foot1, foot2, 0.5 * (t.path_length(head, foot1) + t.path_length(head, foot2)),
               0.0,  0.0};
+  const BodyCurves& curve = t.curve();
   const double s = trunk.length;
   trunk.low = std::min(t.height(foot1), t.height(foot2));
   const ExtremityCandidate& top = t.end(head);
@@ -139,6 +143,7 @@ Trunk trunkOf(const ExtremityTable& t, int head, int foot1, int foot2) {
 }
 
 double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
+  const BodyCurves& curve = t.curve();
   const double s = trunk.length;
   const ExtremityCandidate& end = t.end(hand);
   double score =
@@ -165,6 +170,7 @@ double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
 }
 
 double handsScore(const ExtremityTable& t, const Trunk& trunk, int hand1, int hand2) {
+  const BodyCurves& curve = t.curve();
   const double s = trunk.length;
   const double to1 = t.treePathLength(trunk.head, hand1), to2 = t.treePathLength(trunk.head, hand2);
   const double neck = 0.5 * (to1 + to2 - t.treePathLength(hand1, hand2));
@@ -174,7 +180,8 @@ double handsScore(const ExtremityTable& t, const Trunk& trunk, int hand1, int ha
   return curve(kHandHandPath, t.path_length(hand1, hand2) / s) +
          curve(kHandHandTreePath, t.treePathLength(hand1, hand2) / s) +
          curve(kHandHandGap, t.gap(hand1, hand2) / s) + curve(kNeckLength, neck / s) +
-         curve(kTorsoLength, (hips - neck) / s) + curve(kArmsUnlike, std::abs(std::log(to1 / to2)));
+         curve(kTorsoLength, (hips - neck) / s) +
+         curve(kHandsUnlike, std::abs(std::log(to1 / to2)));
 }
 
 std::vector<Trunk> trunksOf(const ExtremityTable& t) {
@@ -216,10 +223,10 @@ void addHands(const ExtremityTable& t, const Trunk& trunk, const std::vector<int
 }  // namespace
 
 ExtremityLabels labelExtremities(const ExtremityCandidates& candidates, const TreeGraph& graph,
-                                 double same) {
+                                 const ExtremityLabelModel& model, double same) {
   ExtremityLabels names;
   if (candidates.extremities.size() < 4) return names;
-  const ExtremityTable table(candidates, graph);
+  const ExtremityTable table(candidates, graph, model);
   const std::vector<int> hands = table.best(1, kHands);
   std::vector<Choice> choices;
   for (const Trunk& trunk : trunksOf(table)) addHands(table, trunk, hands, &choices);
@@ -235,7 +242,7 @@ ExtremityLabels labelExtremities(const ExtremityCandidates& candidates, const Tr
         return false;
     return true;
   };
-  double all = std::exp(kNoBodyLogOdds - best.score), good = 0.0;
+  double all = std::exp(model.no_body_log_odds - best.score), good = 0.0;
   for (const Choice& choice : choices) {
     const double odds = std::exp(choice.score - best.score);
     all += odds;
@@ -249,10 +256,11 @@ ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume
   return findExtremityCandidates(graph, volume, kSpur, kMostEnds);
 }
 
-LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume, double* probability) {
+LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume,
+                            const ExtremityLabelModel& model, double* probability) {
   LabelChoice choice;
   const ExtremityCandidates candidates = extremityCandidates(graph, volume);
-  const ExtremityLabels names = labelExtremities(candidates, graph, kSame);
+  const ExtremityLabels names = labelExtremities(candidates, graph, model, kSame);
   *probability = names.probability;
   if (names.extremities[0] < 0) {
     choice.reason = "no five ends of the skeleton are as far apart as a body's";

@@ -8,6 +8,7 @@
 #include "skeleton/labelling/extremity_position.h"
 #include "skeleton/labelling/label_proportions.h"
 #include "skeleton/labelling/pose_joints.h"
+#include "skeleton/labelling/validity_model.h"
 #include "skeleton/plausibility_checks.h"
 
 namespace markerless_mocap {
@@ -18,9 +19,9 @@ constexpr double kLeastLoop = 0.12;  // metres
 
 }  // namespace
 
-Labelling::Labelling(const PoseTreeOptions& options, const VisualHull& hull,
-                     const CurveSkeleton& skeleton)
-    : options_(options), hull_(hull), volume_(hull) {
+Labelling::Labelling(const PoseTreeOptions& options, const PoseTreeModel& model,
+                     const VisualHull& hull, const CurveSkeleton& skeleton)
+    : options_(options), model_(model), hull_(hull), volume_(hull) {
   tree_.skeleton = skeleton;
 }
 
@@ -30,7 +31,7 @@ void Labelling::choose(const PreviousExtremities& last) {
     tree_.rank = choice_.rank;
     tree_.validity = choice_.rank;
   } else {
-    choice_ = labelByTemplate(graph_, volume_, &names_probability_);
+    choice_ = labelByTemplate(graph_, volume_, model_.extremities(), &names_probability_);
   }
 }
 
@@ -97,7 +98,8 @@ void Labelling::assessValidity() {
     return;
   validity_features_ =
       validityFeatures({graph_, volume_, choice_, rerooted_, body_, axes_, names_probability_});
-  if (options_.labelling == "template") tree_.validity = validityOf(*validity_features_);
+  if (options_.labelling == "template")
+    tree_.validity = model_.validity().probability(*validity_features_);
 }
 
 PoseTree Labelling::run(const PreviousExtremities& last, PreviousExtremities* now) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "skeleton/labelling/label_proportions.h"
-#include "skeleton/labelling/validity_weights.h"
 
 namespace markerless_mocap {
 namespace {
@@ -122,14 +121,14 @@ void fillHead(const LabelledBody& body, ValidityFeatures* features) {
 
 }  // namespace
 
-const char* toString(ValidityFeature doubt) {
+const char* toString(ValidityFeature feature) {
   constexpr const char* kNames[] = {
       "names_odds",  "arms_offset",  "legs_offset", "arms_across",   "legs_agree",   "feet_forward",
       "head_below",  "head_upright", "hand_near",   "spur_length",   "shank_radius", "shorter_arm",
       "longer_arm",  "feet_gap",     "low_foot_up", "shorter_reach", "arms_unlike",  "legs_unlike",
       "hand_radius", "foot_radius",  "head_radius", "feet_are_one"};
   static_assert(std::size(kNames) == kValidityFeatureCount);
-  return kNames[doubt];
+  return kNames[feature];
 }
 
 ValidityFeatures validityFeatures(const LabelledBody& body) {
@@ -158,12 +157,6 @@ ValidityFeatures validityFeatures(const LabelledBody& body) {
   out[kFeetGap] = (paths.legs[0].front() - paths.legs[1].front()).norm() / longest;
   out[kFeetAreOne] = together ? 1.0 : 0.0;
   return out;
-}
-
-double validityOf(const ValidityFeatures& features) {
-  double odds = kValidityIntercept;
-  for (size_t i = 0; i < features.size(); ++i) odds += kValidityCurves[i](features[i]);
-  return 1.0 / (1.0 + std::exp(-odds));
 }
 
 }  // namespace markerless_mocap

@@ -39,7 +39,7 @@ enum ValidityFeature {
 };
 using ValidityFeatures = std::array<double, kValidityFeatureCount>;
 /// "names_odds", ...
-const char* toString(ValidityFeature doubt);
+const char* toString(ValidityFeature feature);
 
 /// A body whose ends are chosen and whose axes are known.
 struct LabelledBody {
@@ -52,9 +52,5 @@ struct LabelledBody {
   double names_probability;
 };
 ValidityFeatures validityFeatures(const LabelledBody& body);
-
-/// Probability that all labels and both sides are right: an additive model of the doubts
-/// (doubt_weights.h), fitted to other people than the model of the ends.
-double validityOf(const ValidityFeatures& features);
 
 }  // namespace markerless_mocap

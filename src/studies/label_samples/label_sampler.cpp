@@ -28,18 +28,18 @@ int trueEndsAt(const ExtremityCandidate& end, const Eigen::Matrix3Xd& truth) {
 }
 
 void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Matrix3Xd& truth,
-               std::ostream& out) {
+               bool limb_cut, std::ostream& out) {
   if (graph.size() < 2) {
-    out << "frame 0 0 0 0\n";
+    out << "frame 0 0 0 0 " << limb_cut << '\n';
     return;
   }
   const ExtremityCandidates ends = extremityCandidates(graph, volume);
   const auto [low, high] = std::minmax_element(
       graph.positions.begin(), graph.positions.end(),
       [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
-  out << "frame " << ends.ends.size() << ' ' << ends.longest << ' ' << low->z() << ' ' << high->z()
-      << '\n';
-  for (const ExtremityCandidate& end : ends.ends)
+  out << "frame " << ends.extremities.size() << ' ' << ends.longest << ' ' << low->z() << ' '
+      << high->z() << ' ' << limb_cut << '\n';
+  for (const ExtremityCandidate& end : ends.extremities)
     out << "end " << end.position.transpose() << ' ' << end.direction.transpose() << ' '
         << end.extent << ' ' << end.tip_radius << ' ' << end.limb_radius << ' ' << end.branch << ' '
         << end.cut << ' ' << trueEndsAt(end, truth) << '\n';
@@ -55,10 +55,15 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
 }  // namespace
 
 LabelSampleWriter::LabelSampleWriter(std::vector<std::string> names, std::ostream* out)
-    : names_(std::move(names)), thinner_(std::make_unique<Thinner>(kTreePersistence)), out_(*out) {}
+    : names_(std::move(names)), thinner_(std::make_unique<Thinner>(kTreePersistence)), out_(*out) {
+  out_ << "validity_features";
+  for (int i = 0; i < kValidityFeatureCount; ++i) out_ << ' ' << toString(ValidityFeature(i));
+  out_ << '\n';
+}
 LabelSampleWriter::~LabelSampleWriter() = default;
 
-void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points) {
+void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points,
+                            bool limb_cut) {
   JointTrack truth;
   truth.names = names_;
   truth.add(
@@ -67,15 +72,16 @@ void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vec
   PoseTreeOptions options;
   options.min_validity = 0.0;
   const bool nobody = rejectHull(hull).has_value();
-  Labelling labelling(options, hull, nobody ? CurveSkeleton() : thinner_->thin(hull));
+  Labelling labelling(options, PoseTreeModel::standard(), hull,
+                      nobody ? CurveSkeleton() : thinner_->thin(hull));
   PreviousExtremities ends;
   const PoseTree tree = labelling.run({}, &ends);
-  writeEnds(labelling.graph(), labelling.volume(), truth.positions.front(), out_);
+  writeEnds(labelling.graph(), labelling.volume(), truth.positions.front(), limb_cut, out_);
   const LabelEvaluation verdict = labelErrors(truth, {labelsOf(tree)}).verdicts.front();
   out_ << "label " << toString(tree.status) << ' ' << verdict.kinds_correct << ' '
        << verdict.sides_correct << ' ' << verdict.right;
-  if (labelling.doubts())
-    for (const double doubt : *labelling.doubts()) out_ << ' ' << doubt;
+  if (labelling.features())
+    for (const double feature : *labelling.features()) out_ << ' ' << feature;
   out_ << '\n';
 }
 

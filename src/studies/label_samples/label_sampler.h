@@ -14,10 +14,11 @@ class Thinner;
 
 /// Writes what the pose tree's models of ends and of validity are fitted to: one hull after another
 /// with what is true of it. scripts/fit_pose_tree reads it. Lines of words:
-///   frame <number of ends> <longest way> <lowest z> <highest z>
+///   validity_features <their names>, once at the beginning
+///   frame <number of ends> <longest way> <lowest z> <highest z> <1: with a limb cut off>
 ///   end <x y z> <direction x y z> <extent> <tip radius> <limb radius> <branch> <cut> <what it is>
 ///   tree_path_lengths, shortest_path_lengths <a number for each pair of ends>
-///   label <status> <kinds right> <sides right> <all right> [<doubts by ValidityFeature>]
+///   label <status> <kinds right> <sides right> <all right> [<ValidityFeatures>]
 /// Metres; what an end is: the sum of 1 << i over the true ends i (extremityNames()) within reach.
 class LabelSampleWriter {
  public:
@@ -25,8 +26,8 @@ class LabelSampleWriter {
   LabelSampleWriter(std::vector<std::string> names, std::ostream* out);
   ~LabelSampleWriter();
 
-  /// \param points by the names, world metres
-  void add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points);
+  /// \param points by the names, world metres \param limb_cut see withLimbCut()
+  void add(const VisualHull& hull, const std::vector<Eigen::Vector3d>& points, bool limb_cut);
 
  private:
   std::vector<std::string> names_;

@@ -75,10 +75,10 @@ void writeLabelSamples(const LabelSampleOptions& film, std::ostream* out) {
     if (film.interrupted()) throw std::runtime_error("interrupted");
     const StudioFrameSet frame_set = studio.render(begin + int((i + 0.5) * all / count));
     const VisualHull hull = carver.carve(masks.of(frame_set));
-    sampler.add(hull, frame_set.points);
+    sampler.add(hull, frame_set.points, false);
     if (i % kCutEvery == 0 && !hull.voxels.empty())
       sampler.add(withLimbCut(hull, groundTruthNames(), frame_set.points, &random),
-                  frame_set.points);
+                  frame_set.points, true);
   }
 }
 

@@ -60,10 +60,17 @@ TEST(FilmLabels, EachFrameHasItsEndsWaysAndVerdict) {
   int seen = 0;
   for (const std::string& end : lines["end"]) seen |= std::stoi(end.substr(end.rfind(' ')));
   EXPECT_EQ(seen, 31);
-  size_t with_doubts = 0;
+  size_t with_features = 0;
   for (const std::string& label : lines["label"])
-    with_doubts += wordsOf(label) == 5 + size_t(kValidityFeatureCount);
-  EXPECT_GT(with_doubts, 0u);
+    with_features += wordsOf(label) == 5 + size_t(kValidityFeatureCount);
+  EXPECT_GT(with_features, 0u);
+  ASSERT_EQ(lines["validity_features"].size(), 1u);
+  EXPECT_EQ(wordsOf(lines["validity_features"].front()), 1 + size_t(kValidityFeatureCount));
+  EXPECT_EQ(lines["validity_features"].front().find("validity_features names_odds arms_offset "),
+            0u);
+  std::string cut;
+  for (const std::string& frame : lines["frame"]) cut += frame.back();
+  EXPECT_EQ(cut, "0100");  // after the first frame
 }
 
 TEST(FilmLabels, SameOptionsGiveTheSameSamples) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "skeleton/labelling/piecewise_linear.h"
 
@@ -19,11 +20,8 @@ enum ExtremityFeature {
   kEndReach,   ///< longest way to another end
   kExtremityFeatureCount
 };
-struct ExtremityModel {
-  double constant;
-  std::array<PiecewiseLinear, kExtremityFeatureCount> curves;
-};
-extern const std::array<ExtremityModel, 3> kExtremityModels;  ///< of head, hand, foot
+/// "end_up", ...
+const char* toString(ExtremityFeature feature);
 
 /// What five ends together tell about whether they are a body's. Lengths are shares of the mean way
 /// from the head to the feet. "Way" is the shortest one over all loops, "tree way" that along the
@@ -43,7 +41,7 @@ enum BodyFeature {
   kHandHandGap,     ///< straight distances
   kNeckLength,      ///< what the ways to the hands share
   kTorsoLength,     ///< what the ways to the feet share beyond the neck
-  kArmsUnlike,      ///< absolute log ratio of the ways from the head to the hands
+  kHandsUnlike,     ///< absolute log ratio of the ways from the head to the hands
   kHeadUp,          ///< above the lower foot
   kFootUp,          ///< above the lowest node
   kFeetUnevenness,  ///< difference of their heights
@@ -73,7 +71,29 @@ enum BodyFeature {
   kHandFootGap,
   kBodyFeatureCount
 };
-extern const std::array<PiecewiseLinear, kBodyFeatureCount> kBodyCurves;
-extern const double kNoBodyLogOdds;  ///< log-odds that no five ends are right
+/// "head_hand_path", ...
+const char* toString(BodyFeature feature);
+
+/// Log-odds that an end is a head (a hand, a foot) against that it is nothing.
+struct ExtremityModel {
+  double constant = 0.0;
+  std::array<PiecewiseLinear, kExtremityFeatureCount> curves;
+};
+
+/// Parts of the log-odds that five ends are a body's.
+struct BodyCurves {
+  std::array<PiecewiseLinear, kBodyFeatureCount> curves;
+  double operator()(BodyFeature feature, double x) const { return curves[size_t(feature)](x); }
+};
+
+/// The numbers by which the ends of a skeleton are named.
+struct ExtremityLabelModel {
+  std::array<ExtremityModel, 3> extremities;  ///< head, hand, foot
+  BodyCurves body;
+  double no_body_log_odds = 0.0;  ///< that no five ends are right
+
+  /// Reads models/pose_tree_extremities.yaml. Throws as PoseTreeModel::fromYaml().
+  static ExtremityLabelModel fromYaml(const std::string& yaml, const std::string& where);
+};
 
 }  // namespace markerless_mocap

@@ -3,18 +3,10 @@ import itertools
 
 import numpy as np
 
-from additive_models import curve_text, descend, spread, table
+from additive_models import descend, named_curves, spread, table
+from pose_tree_files import BODY_KNOTS, END_KNOTS, extremities_text
 
-# Knots of the curves of label_weights.h, in its order: low, high, how many.
-END_CURVES = [(0, 1.2, 8), (0, 1.2, 8), (-1, 1, 5), (0, .12, 6), (.01, .07, 7), (.01, .08, 7),
-              (0, .5, 8), (0, 1, 2), (.4, 1.1, 7)]
-BODY_CURVES = [(.1, 1, 10), (.1, 1.2, 10), (.05, 1.6, 10), (.05, 1.6, 10), (.1, 1.5, 11),
-               (.1, 1.6, 11), (.05, 1.4, 10), (.05, 1.4, 10), (.8, 2, 7), (0, .4, 6), (0, .6, 9),
-               (0, 1.2, 7), (0, .5, 9), (-.2, .8, 10), (0, .8, 7), (0, 1.2, 7), (0, .7, 8),
-               (0, .5, 6), (0, 1.2, 7), (.02, .1, 7), (.02, .1, 7), (.01, .07, 7), (.01, .08, 7),
-               (.01, .07, 7), (.01, .09, 7), (0, .5, 8), (0, .6, 9), (0, .6, 9), (0, 1, 2),
-               (0, 1, 2), (0, 1, 2), (0, .12, 6), (0, .12, 6), (0, .12, 6), (-1, 1, 5), (-1, 1, 5),
-               (-1, 1, 5), (0, 1, 2), (0, .6, 9), (0, .6, 9), (0, .8, 8), (0, 1.5, 9)]
+END_CURVES, BODY_CURVES = list(END_KNOTS.values()), list(BODY_KNOTS.values())
 HEADS, HANDS, FEET = 4, 7, 6  # candidates of each kind, as in label_template.cpp
 
 
@@ -148,14 +140,13 @@ def fit_body(frames, end_weights, weights=None, most=50):
 
 
 def fit(frames):
-    """label_weights.cpp, but for its first comment."""
+    """The text of models/pose_tree_extremities.yaml. Hulls with a limb cut off are left out."""
+    frames = [f for f in frames if not f.limb_cut]
+    hulls = len(frames)
     frames = [f for f in frames if len(f.ends) >= 4]
     ends = fit_ends(frames)
     body = fit_body(frames, ends)
     body = fit_body(frames, ends, body)
-    kinds = ',\n'.join(f'{{{ends[-1, kind]:.2f},\n{{{{{curve_text(END_CURVES, ends[:, kind])}}}}}}}'
-                       for kind in range(3))
-    return (f'const std::array<ExtremityModel, 3> kExtremityModels = {{{{{kinds}}}}};\n\n'
-            'const std::array<PiecewiseLinear, kBodyFeatureCount> kBodyCurves = '
-            f'{{{{{curve_text(BODY_CURVES, body[:, 0])}}}}};\n\n'
-            f'const double kNoBodyLogOdds = {body[-1, 0]:.2f};')
+    extremities = {name: (ends[-1, kind], named_curves(END_KNOTS, ends[:, kind]))
+                   for kind, name in enumerate(('head', 'hand', 'foot'))}
+    return extremities_text(hulls, extremities, named_curves(BODY_KNOTS, body[:, 0]), body[-1, 0])
