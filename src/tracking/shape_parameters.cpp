@@ -19,7 +19,6 @@ constexpr const char* kConeNames[] = {"pelvis",  "chest", "yoke",  "neck", "head
 constexpr const char* kValueNames[] = {"radius", "offset_x", "offset_y", "offset_z"};
 
 constexpr const char* kMeaning =
-    "# Written by learn_contour_body.\n"
     "# The body that silhouettes are fitted with: round cones about a skeleton. Every size is\n"
     "# [mean, standard deviation over people] as a share of the stature; deviation 0: never\n"
     "# estimated. Lengths are between joints, as the URDF has them. A cone's end a is the one\n"

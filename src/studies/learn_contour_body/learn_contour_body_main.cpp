@@ -8,7 +8,22 @@
 #include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
 
-// Writes models/contour_body.yaml.
+namespace {
+
+using markerless_mocap::LearnOptions;
+
+/// The first line of models/contour_body.yaml.
+std::string madeBy(const LearnOptions& options) {
+  std::string line =
+      "# Made by: rosrun markerless_mocap learn_contour_body models/contour_body.yaml";
+  line += " --people " + std::to_string(options.people) + " --instants " +
+          std::to_string(options.frame_sets) + " --motions";
+  for (const std::string& motion : options.motions) line += ' ' + motion;
+  return line + '\n';
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace markerless_mocap;
   CLI::App app(
@@ -27,7 +42,7 @@ int main(int argc, char** argv) {
     options.interrupted = catchInterruptions();
     const ShapeStatistics learned = learnContourBody(options, &std::cerr);
     std::ofstream file(output);
-    file << learned.text();
+    file << madeBy(options) << learned.text();
     if (!file.flush()) throw std::runtime_error("cannot write " + output);
   });
 }

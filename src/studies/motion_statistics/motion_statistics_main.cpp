@@ -15,10 +15,12 @@ void write(const std::string& path, const std::vector<std::string>& motions) {
   const StudioFiles files{humanUrdfTemplate(), packageFile("config/motions")};
   const FleischmannMotionStatistics statistics = statisticsOf(motions, StudioOptions(), files);
   std::ofstream out(path);
-  out << "# Largest change of each of the 31 parameters between two frames at 60 fps, rad and m,\n"
-         "# over the motions:";
+  out << "# Made by: rosrun markerless_mocap motion_statistics models/motion_statistics.yaml "
+         "--motion";
   for (const std::string& motion : motions) out << ' ' << motion;
-  out << ". Written by motion_statistics.\n" << statistics.toYaml();
+  out << "\n# Largest change of each of the 31 parameters between two frames at 60 fps over these\n"
+         "# motions, rad and m.\n"
+      << statistics.toYaml();
   if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 
