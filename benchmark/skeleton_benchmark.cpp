@@ -13,7 +13,7 @@
 #include <string>
 
 #include "markerless_mocap/hull/hull_carver.h"
-#include "markerless_mocap/skeleton/thinner.h"
+#include "skeleton/thinner.h"
 #include "skeleton/thinning/bit_volume_components.h"
 #include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thinning/cavity_filling.h"

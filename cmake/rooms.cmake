@@ -14,11 +14,15 @@ function(mocap_room name)
     add_library(mocap_${name} INTERFACE)
   endif()
   target_include_directories(mocap_${name} ${scope}
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+    ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+  set(rooms ${name})  # and all below
   foreach(room ${ROOM_DEPENDS})
     target_link_libraries(mocap_${name} ${scope} mocap_${room})
+    get_target_property(below mocap_${room} MOCAP_ROOMS)
+    list(APPEND rooms ${below})
   endforeach()
+  list(REMOVE_DUPLICATES rooms)
+  set_target_properties(mocap_${name} PROPERTIES MOCAP_ROOMS "${rooms}")
   target_link_libraries(mocap_${name} ${scope} ${ROOM_LIBRARIES})
   if(MARKERLESS_MOCAP_TESTS)
     list(TRANSFORM ROOM_TESTS_USE PREPEND mocap_)

@@ -14,7 +14,13 @@ find_package(hri_msgs QUIET)
 file(GLOB messages RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
 add_message_files(FILES ${messages})
 generate_messages(DEPENDENCIES std_msgs geometry_msgs)
-catkin_package(CATKIN_DEPENDS message_runtime std_msgs geometry_msgs sensor_msgs)
+catkin_package(INCLUDE_DIRS include CATKIN_DEPENDS message_runtime std_msgs geometry_msgs sensor_msgs
+  CFG_EXTRAS markerless_mocap-extras.cmake)
+set_target_properties(markerless_mocap PROPERTIES
+  LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
+export(EXPORT markerless_mocap NAMESPACE markerless_mocap::
+  FILE ${CATKIN_DEVEL_PREFIX}/${MOCAP_CMAKE_DESTINATION}/markerless_mocapTargets.cmake)
+install(DIRECTORY include/markerless_mocap/ros DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 
 # Everything that includes a ROS header: ROS's own headers are not held to our warnings.
 function(mocap_use_ros target)

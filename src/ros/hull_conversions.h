@@ -3,7 +3,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include "markerless_mocap/products/visual_hull.h"
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 
 namespace markerless_mocap {
 

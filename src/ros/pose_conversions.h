@@ -8,7 +8,7 @@
 
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/products/body_pose.h"
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 
 namespace markerless_mocap {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "markerless_mocap/products/pose_tree.h"
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 
 namespace markerless_mocap {
 

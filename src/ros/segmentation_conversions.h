@@ -8,7 +8,7 @@
 
 #include "markerless_mocap/products/body_parts.h"
 #include "markerless_mocap/products/visual_hull.h"
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 
 namespace markerless_mocap {
 

@@ -10,6 +10,7 @@
 #include "markerless_mocap/segmentation/part_tracker.h"
 #include "segmentation/curves/part_curve.h"
 #include "segmentation/limbs/limbs.h"
+#include "segmentation/limbs/part_memory.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,7 +30,7 @@ std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) 
   return labels;
 }
 
-void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, PartTracker* memory,
+void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, PartMemory* memory,
                std::vector<PartLabel>* labels, BodyParts* parts) {
   const auto carried = memory->carryOver(stamp_ns, voxels, limbs, labels);
   for (int part = 0; part < kPartCount; ++part) parts->parts[part].carried = carried[part];
@@ -223,7 +224,8 @@ BodyParts BodySegmenter::segment(const VisualHull& hull) const {
 }
 
 BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
-                                 PartTracker* memory) const {
+                                 PartTracker* tracker) const {
+  PartMemory* memory = tracker ? tracker->memory_.get() : nullptr;
   BodyParts result;
   result.labels.assign(hull.voxels.size(), uint8_t(PartLabel::kTorso));
   result.reason = hullFault(hull, options_);

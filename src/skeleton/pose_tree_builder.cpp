@@ -1,8 +1,8 @@
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
 
-#include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/labelling.h"
 #include "skeleton/plausibility_checks.h"
+#include "skeleton/thinner.h"
 
 namespace markerless_mocap {
 namespace {

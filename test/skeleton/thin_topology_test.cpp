@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/thin_figures.h"
+#include "skeleton/thinner.h"
 #include "skeleton/thinning/bit_volume_window.h"
 #include "skeleton/thinning/thinning_scheme.h"
 

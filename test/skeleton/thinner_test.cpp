@@ -1,4 +1,4 @@
-#include "markerless_mocap/skeleton/thinner.h"
+#include "skeleton/thinner.h"
 
 #include <gtest/gtest.h>
 

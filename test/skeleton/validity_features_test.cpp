@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/labelling.h"
 #include "skeleton/labelling/validity_model.h"
+#include "skeleton/thinner.h"
 #include "skeleton/tree_figure.h"
 
 namespace markerless_mocap {

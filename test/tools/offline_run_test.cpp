@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/tool_fixture.h"
 

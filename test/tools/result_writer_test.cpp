@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "body/body_fixture.h"
-#include "ros/messages.h"
+#include "markerless_mocap/ros/messages.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

@@ -49,8 +49,9 @@ class BodySegmenter {
   /// The same for a frame of a sequence: arms and legs keep their numbers from frame to frame, and
   /// voxels of a limb that is not seen for a moment are labelled as its where it was. Status and
   /// curves are by the frame alone.
-  /// \param memory of the frames before, which this frame is added to if a body's graph is found
-  BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartTracker* memory) const;
+  /// \param tracker of the frames before, which this frame is added to if a body's graph is found;
+  ///   null: none
+  BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartTracker* tracker) const;
 
  private:
   SegmentationOptions options_;

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
+#include "markerless_mocap/ros/messages.h"
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/camera_image.h"
 #include "nodes/common/stage_status.h"
 #include "nodes/common/stamp_cache.h"
-#include "ros/messages.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "evaluation/label_error.h"
-#include "markerless_mocap/skeleton/thinner.h"
 #include "skeleton/label_template.h"
 #include "skeleton/labelling.h"
 #include "skeleton/plausibility_checks.h"
+#include "skeleton/thinner.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {

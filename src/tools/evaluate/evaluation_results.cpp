@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "evaluation/body_points.h"
+#include "markerless_mocap/ros/messages.h"
 #include "ros/camera_conversions.h"
-#include "ros/messages.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/person_urdf.h"
 #include "tools/evaluate/evaluation_transforms.h"
