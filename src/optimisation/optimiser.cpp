@@ -6,21 +6,32 @@
 
 namespace markerless_mocap {
 
-void validateProblem(const SearchProblem& problem, const SearchStart& start) {
-  const auto size = start.center.size();
+namespace {
+std::string parameter(Eigen::Index d) {
+  return "parameter " + std::to_string(d) + " of a search";
+}
+}  // namespace
+
+void validateProblem(const SearchProblem& problem) {
   if (!problem.cost) throw std::invalid_argument("a search needs a cost");
-  if (size < 1 || start.sigma.size() != size || problem.lower.size() != size ||
-      problem.upper.size() != size)
+  if (problem.lower.size() < 1 || problem.lower.size() != problem.upper.size())
+    throw std::invalid_argument("a search needs as many lower bounds as upper ones, at least one");
+  for (Eigen::Index d = 0; d < problem.lower.size(); ++d)
+    if (!(problem.lower[d] <= problem.upper[d]))
+      throw std::invalid_argument(parameter(d) + " has a lower bound above its upper one");
+}
+
+void validateProblem(const SearchProblem& problem, const SearchStart& start) {
+  validateProblem(problem);
+  const auto size = start.center.size();
+  if (start.sigma.size() != size || problem.lower.size() != size)
     throw std::invalid_argument(
         "a search needs a centre, and as many sigmas and bounds as the centre has values");
   for (Eigen::Index d = 0; d < size; ++d) {
-    const std::string parameter = "parameter " + std::to_string(d) + " of a search";
     if (!std::isfinite(start.center[d]))
-      throw std::invalid_argument(parameter + " starts at a value that is not finite");
+      throw std::invalid_argument(parameter(d) + " starts at a value that is not finite");
     if (!(start.sigma[d] >= 0.0 && std::isfinite(start.sigma[d])))
-      throw std::invalid_argument(parameter + " needs a finite sigma of at least 0");
-    if (!(problem.lower[d] <= problem.upper[d]))
-      throw std::invalid_argument(parameter + " has a lower bound above its upper one");
+      throw std::invalid_argument(parameter(d) + " needs a finite sigma of at least 0");
   }
 }
 

@@ -41,6 +41,8 @@ class Optimiser {
                                  uint64_t seed) const = 0;
 };
 
+/// Throws std::invalid_argument if there is no cost, or bounds differ in size or cross.
+void validateProblem(const SearchProblem& problem);
 /// Throws as Optimiser::minimise() says.
 void validateProblem(const SearchProblem& problem, const SearchStart& start);
 

@@ -7,6 +7,7 @@
 
 #include "hsiao/model/hsiao_urdf_converter.h"
 #include "hsiao/synthetic_person.h"
+#include "numerics/counter_random.h"
 
 namespace markerless_mocap {
 namespace {
@@ -25,7 +26,7 @@ class HsiaoProfileTest : public testing::Test {
   HsiaoVector randomVector(int seed) const {
     const HsiaoLimits limits = HsiaoLimits::fromThesis();
     HsiaoVector v;
-    const auto uniform = [seed](int i) { return uniformRandom(seed, i); };
+    const auto uniform = [seed](int i) { return CounterRandom(seed).uniform(i); };
     for (int i = 0; i < 3; ++i) v[i] = 2.0 * uniform(i) - 1.0;
     v.segment<3>(kHsiaoNeck) =
         v.segment<3>(kHsiaoCenter) + Vector3d(uniform(3) - 0.5, uniform(4) - 0.5, 0.6);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "hsiao/synthetic_person.h"
+#include "numerics/counter_random.h"
 
 namespace markerless_mocap {
 namespace {
@@ -38,7 +39,7 @@ double sumOf(const PartMatrix& error, const PartAssignment& assignment) {
 TEST(AssignParts, AgreesWithTryingEveryOrder) {
   for (int round = 0; round < 50; ++round) {
     PartMatrix error;
-    for (int i = 0; i < 36; ++i) error(i / 6, i % 6) = uniformRandom(round, i);
+    for (int i = 0; i < 36; ++i) error(i / 6, i % 6) = CounterRandom(round).uniform(i);
     PartAssignment order;
     std::iota(order.begin(), order.end(), 0);
     double best = kInfinity;

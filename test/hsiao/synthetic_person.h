@@ -1,29 +1,18 @@
 #pragma once
 
-#include <fstream>
 #include <memory>
-#include <sstream>
-#include <string>
 
-#include "hsiao/fit/hsiao_particle_swarm.h"
+#include "body/body_fixture.h"
 #include "hsiao/fit/hsiao_skeleton_error.h"
 #include "hsiao/model/hsiao_body_model.h"
 #include "hsiao/model/hsiao_body_shape.h"
-#include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/products/body_parts.h"
 #include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
 
 inline std::shared_ptr<const BodyModel> testBody() {
-  static const auto body = [] {
-    std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-    std::stringstream text;
-    text << file.rdbuf();
-    return std::make_shared<const BodyModel>(BodyModel::fromUrdf(
-        fillUrdfTemplate(text.str(), "person1", BodyProportions::fromStature(1.75)), "person1"));
-  }();
+  static const auto body = std::make_shared<const BodyModel>(human());
   return body;
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hsiao/fit/hsiao_arm_initialization.h"
-#include "hsiao/fit/hsiao_particle_swarm.h"
+#include "optimisation/inertia_swarm.h"
 
 namespace markerless_mocap {
 namespace {
@@ -80,9 +80,9 @@ struct HsiaoHierarchicalFitter::Search {
   Parameters parameters;
   Active active;
   HsiaoBounds range;
-  int particles, iterations;
   uint64_t seed;
-  std::vector<HsiaoVector> guesses;  // besides the present vector
+  bool is_fine_tuning = false;            // of a size of its own, whatever the parameters
+  std::vector<HsiaoVector> guesses = {};  // besides the present vector
 };
 
 HsiaoHierarchicalFitter::HsiaoHierarchicalFitter(const HsiaoBodyModel& profile,
@@ -116,7 +116,10 @@ void HsiaoHierarchicalFitter::search(const HsiaoSkeletonError& error, const Sear
     for (int i = 0; i < n; ++i) some[i] = all[what.parameters[i]];
     return some;
   };
-  const auto cost = [&](const double* candidates, int count, double* costs) {
+  SearchProblem problem;
+  problem.lower = pick(what.range.lower);
+  problem.upper = pick(what.range.upper);
+  problem.cost = [&](int, const double* candidates, int count, double* costs) {
     HsiaoVector candidate = v;
     for (int c = 0; c < count; ++c) {
       for (int i = 0; i < n; ++i) candidate[what.parameters[i]] = candidates[c * n + i];
@@ -125,12 +128,13 @@ void HsiaoHierarchicalFitter::search(const HsiaoSkeletonError& error, const Sear
   };
   std::vector<VectorXd> starts = {pick(v)};
   for (const HsiaoVector& guess : what.guesses) starts.push_back(pick(guess));
-  HsiaoSwarmSettings swarm;
-  swarm.particles = what.particles;
-  swarm.iterations = what.iterations;
-  swarm.seed = what.seed;
-  const HsiaoSwarmResult found =
-      minimiseByParticleSwarm(cost, pick(what.range.lower), pick(what.range.upper), starts, swarm);
+  InertiaSwarmSettings settings;
+  settings.particles = what.is_fine_tuning ? settings_.fine_tune_particles
+                                           : int(std::ceil(settings_.particles_per_parameter * n));
+  settings.iterations = what.is_fine_tuning
+                            ? settings_.fine_tune_iterations
+                            : int(std::ceil(settings_.iterations_per_parameter * n));
+  const SearchOutcome found = InertiaSwarm(settings).minimise(problem, starts, what.seed);
   for (int i = 0; i < n; ++i) v[what.parameters[i]] = found.best[i];
   const Vector3d center = v.segment<3>(kHsiaoCenter);
   v.segment<3>(kHsiaoNeck) =
@@ -146,16 +150,7 @@ std::vector<HsiaoFit> HsiaoHierarchicalFitter::fitBasic(const HsiaoSkeletonError
   v.segment<3>(kHsiaoNeck) = v.segment<3>(kHsiaoCenter) +
                              profile_->halfTorso() * (torso.back() - torso.front()).normalized();
   const auto stage = [&](const Parameters& parameters, const HsiaoBounds& range) {
-    const int n = int(parameters.size());
-    search(error,
-           {parameters,
-            kTorsoOnly,
-            range,
-            int(std::ceil(settings_.particles_per_parameter * n)),
-            int(std::ceil(settings_.iterations_per_parameter * n)),
-            seed,
-            {}},
-           v);
+    search(error, {parameters, kTorsoOnly, range, seed}, v);
   };
   HsiaoBounds range = limits();
   narrow(range, v, kCenter, kFirstCenterReach);
@@ -186,16 +181,7 @@ HsiaoFit HsiaoHierarchicalFitter::fitFromHeading(const HsiaoSkeletonError& error
     narrow(range, v, spun, kSpinShare * M_PI / settings_.initial_headings);
     narrow(range, v, found, kAngleReach);
     parameters.insert(parameters.end(), added.begin(), added.end());
-    const int n = int(parameters.size());
-    search(error,
-           {parameters,
-            active,
-            range,
-            int(std::ceil(settings_.particles_per_parameter * n)),
-            int(std::ceil(settings_.iterations_per_parameter * n)),
-            ++seed,
-            {}},
-           v);
+    search(error, {parameters, active, range, ++seed}, v);
     found.insert(found.end(), added.begin(), added.end());
   };
   if (error.has(PartLabel::kHead)) stage(kHead, kTorsoHead);
@@ -220,15 +206,7 @@ void HsiaoHierarchicalFitter::initializeLimbs(const HsiaoSkeletonError& error, P
   for (int side = 0; side < 2; ++side) {
     Active active{};
     active[size_t(limbOfSide(error, *profile_, frames, first, side))] = true;
-    search(error,
-           {limbs[side],
-            active,
-            limits(),
-            settings_.fine_tune_particles,
-            settings_.fine_tune_iterations,
-            seed + side,
-            {}},
-           v);
+    search(error, {limbs[side], active, limits(), seed + side, true}, v);
   }
 }
 
@@ -252,11 +230,7 @@ HsiaoFit HsiaoHierarchicalFitter::fitTemporal(const HsiaoSkeletonError& error,
     for (int side = 0; side < 2; ++side)
       initializeArm(error, *profile_, settings_.limits, side, guess);
   guesses.push_back(guess);
-  const int n = int(parameters.size());
-  search(error,
-         {parameters, kAll, range, int(std::ceil(settings_.particles_per_parameter * n)),
-          int(std::ceil(settings_.iterations_per_parameter * n)), seed, guesses},
-         v);
+  search(error, {parameters, kAll, range, seed, false, guesses}, v);
   fineTune(error, range, seed + 10, v);
   return {v, errorOf(error, v, kAll)};
 }
@@ -267,15 +241,7 @@ void HsiaoHierarchicalFitter::fineTune(const HsiaoSkeletonError& error, const Hs
     HsiaoBounds near = range;
     narrow(near, v, parameters, reach);
     near.lower = near.lower.cwiseMin(near.upper);
-    search(error,
-           {parameters,
-            active,
-            near,
-            settings_.fine_tune_particles,
-            settings_.fine_tune_iterations,
-            ++seed,
-            {}},
-           v);
+    search(error, {parameters, active, near, ++seed, true}, v);
   };
   tunePart(kCenter, kAll, kPlaceReach);
   tunePart(join({kNeck, kSpin}), kAll, kPlaceReach);

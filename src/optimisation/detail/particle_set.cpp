@@ -1,9 +1,8 @@
 #include "optimisation/detail/particle_set.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
+
+#include "optimisation/detail/swarm.h"
 
 namespace markerless_mocap {
 namespace {
@@ -40,12 +39,7 @@ void ParticleSet::replace(const MatrixXd& centers, const MatrixXd& root,
         },
         next.col(i));
   };
-  tbb::parallel_for(tbb::blocked_range<int>(0, int(centers.cols()), kBatch),
-                    [&](const tbb::blocked_range<int>& r) {
-                      for (int i = r.begin(); i < r.end(); ++i) place(i);
-                      problem_.cost(0, next.col(r.begin()).data(), int(r.size()),
-                                    costs_.data() + r.begin());
-                    });
+  evaluateInBatches(problem_, 0, kBatch, place, next, costs_);
   positions_ = std::move(next);
   evaluations_ += int(centers.cols());
   rejected_moves_ += rejected_moves.sum();
