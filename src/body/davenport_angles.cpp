@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "body/rotations.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -15,16 +17,6 @@ constexpr double kSingularSine = 1e-6;
 
 // More than any two solutions lie apart (rad^2).
 constexpr double kOutsideCost = 1e3;
-
-// Angle that turns `from` to `to` about `axis`.
-double angleAbout(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
-  const Vector3d f = from - axis * axis.dot(from), t = to - axis * axis.dot(to);
-  return std::atan2(axis.dot(f.cross(t)), f.dot(t));
-}
-
-double nearestTurn(double angle, double near) {
-  return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
-}
 
 Vector3d solveOuter(const Matrix3d& R, const std::array<Vector3d, 3>& axes, double middle,
                     double sine, double held_first) {

@@ -10,8 +10,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 class HumanTest : public ::testing::Test {
  protected:
   Eigen::Isometry3d frame(const std::string& link) {
@@ -41,7 +39,7 @@ TEST_F(HumanTest, zeroPoseStandsWithHangingArms) {
 }
 
 TEST_F(HumanTest, leftArmRaisedSidewaysPointsLeft) {
-  set("l_p_shoulder", kPi / 2);
+  set("l_p_shoulder", M_PI / 2);
   const Eigen::Vector3d hand(0, lengths_.shoulder_width / 2 + lengths_.upper_arm + lengths_.forearm,
                              lengths_.torso);
   EXPECT_TRUE(origin("l_wrist").isApprox(hand, 1e-5)) << origin("l_wrist").transpose();
@@ -49,8 +47,8 @@ TEST_F(HumanTest, leftArmRaisedSidewaysPointsLeft) {
 
 TEST_F(HumanTest, shoulderYawBringsTheRaisedArmForward) {
   for (const char* side : {"l", "r"}) {
-    set(std::string(side) + "_p_shoulder", kPi / 2);
-    set(std::string(side) + "_y_shoulder", kPi / 2);
+    set(std::string(side) + "_p_shoulder", M_PI / 2);
+    set(std::string(side) + "_y_shoulder", M_PI / 2);
     const Eigen::Vector3d arm =
         origin(std::string(side) + "_wrist") - origin(std::string(side) + "_shoulder");
     EXPECT_NEAR(arm.x(), lengths_.upper_arm + lengths_.forearm, 1e-5);
@@ -58,14 +56,14 @@ TEST_F(HumanTest, shoulderYawBringsTheRaisedArmForward) {
 }
 
 TEST_F(HumanTest, elbowOfTheHangingArmBendsForward) {
-  set("r_elbow", kPi / 2);
+  set("r_elbow", M_PI / 2);
   const Eigen::Vector3d forearm = origin("r_wrist") - origin("r_elbow");
   EXPECT_TRUE(forearm.isApprox(Eigen::Vector3d(lengths_.forearm, 0, 0), 1e-5));
 }
 
 TEST_F(HumanTest, sittingLiftsTheThighForwardAndTheShankHangs) {
-  set("l_r_hip", kPi / 2);
-  set("l_knee", -kPi / 2);
+  set("l_r_hip", M_PI / 2);
+  set("l_knee", -M_PI / 2);
   const Eigen::Vector3d knee(lengths_.thigh, lengths_.hip_width / 2, 0);
   EXPECT_TRUE(origin("l_knee").isApprox(knee, 1e-5));
   EXPECT_TRUE(origin("l_ankle").isApprox(knee - Eigen::Vector3d(0, 0, lengths_.shank), 1e-5));

@@ -27,12 +27,11 @@ inline Camera sideCamera(std::vector<double> D = {}) {
 inline const std::vector<double> kLens = {-0.25, 0.06, 0.002, -0.001};
 
 inline ColoredMesh ball(int rings, const Eigen::Vector3f& color) {
-  constexpr double kPi = 3.14159265358979323846;
   ColoredMesh mesh;
   const int around = 2 * rings;
   for (int i = 0; i <= rings; ++i)
     for (int j = 0; j < around; ++j) {
-      const double up = kPi * (double(i) / rings - 0.5), turn = 2.0 * kPi * j / around;
+      const double up = M_PI * (double(i) / rings - 0.5), turn = 2.0 * M_PI * j / around;
       const Eigen::Vector3d vertex(std::cos(up) * std::cos(turn), std::cos(up) * std::sin(turn),
                                    std::sin(up));
       mesh.vertices.push_back(vertex.cast<float>());

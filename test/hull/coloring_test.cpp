@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "hull/color/surface_visibility.h"
@@ -9,7 +10,6 @@
 namespace markerless_mocap {
 namespace {
 
-const double kPi = std::acos(-1.0);
 using Rgb = std::array<uint8_t, 3>;
 
 /// Six cameras around the origin, at its height; the first one on the x axis.
@@ -17,7 +17,7 @@ CameraRig makeHorizontalRig() {
   CameraRig rig;
   for (int i = 0; i < 6; ++i)
     rig.push_back(makeCamera("cam" + std::to_string(i),
-                             {3 * std::cos(i * kPi / 3), 3 * std::sin(i * kPi / 3), 0},
+                             {3 * std::cos(i * M_PI / 3), 3 * std::sin(i * M_PI / 3), 0},
                              Eigen::Vector3d::Zero()));
   return rig;
 }
@@ -51,7 +51,7 @@ TEST(HullColors, MeanIsRgbOfTheCamerasThatSeeTheVoxel) {
   views[0].image = flat({30, 20, 10});
   views[1].image = cv::Mat(120, 160, CV_8UC1, cv::Scalar(40));
   const VisualHull hull = HullCarver(rig, makeOptions()).carve(views);
-  const Eigen::Vector3d between(std::cos(kPi / 6), std::sin(kPi / 6), 0);
+  const Eigen::Vector3d between(std::cos(M_PI / 6), std::sin(M_PI / 6), 0);
   EXPECT_EQ(furthest(hull, between).rgb, (Rgb{25, 30, 35}));
 }
 

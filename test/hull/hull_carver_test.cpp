@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <random>
@@ -13,8 +14,6 @@
 namespace markerless_mocap {
 namespace {
 
-const double kPi = std::acos(-1.0);
-
 TEST(HullCarver, SphereHasItsVolume) {
   for (const std::vector<double>& D :
        {std::vector<double>{}, std::vector<double>{-0.37, 0.2, 0.001, -0.002, -0.07}}) {
@@ -22,7 +21,7 @@ TEST(HullCarver, SphereHasItsVolume) {
     const VisualHull hull = HullCarver(rig, makeOptions()).carve(renderViews(rig, {Sphere()}));
     ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
     EXPECT_EQ(hull.reason, "");
-    const double litres = 4.0 / 3 * kPi * 4 * 4 * 4;
+    const double litres = 4.0 / 3 * M_PI * 4 * 4 * 4;
     EXPECT_NEAR(hull.litres(), litres, 0.05 * litres) << D.size();
     for (const HullVoxel& voxel : hull.voxels)
       ASSERT_LT(hull.lattice.center(voxel.index).norm(), 0.4 + 0.04);

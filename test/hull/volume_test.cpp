@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "hull/hull_scene.h"
@@ -7,14 +8,12 @@
 namespace markerless_mocap {
 namespace {
 
-const double kPi = std::acos(-1.0);
-
 /// Eight cameras around the origin, 1.2 m above the floor, that look down a little.
 CameraRig makeRoom() {
   CameraRig rig;
   for (int i = 0; i < 8; ++i)
     rig.push_back(makeCamera("cam" + std::to_string(i),
-                             {3 * std::cos(i * kPi / 4), 3 * std::sin(i * kPi / 4), 1.2},
+                             {3 * std::cos(i * M_PI / 4), 3 * std::sin(i * M_PI / 4), 1.2},
                              {0, 0, 0.8}));
   return rig;
 }
@@ -22,7 +21,7 @@ CameraRig makeRoom() {
 TEST(KnownVolumes, ErrorOfASphereShrinksWithThePitch) {
   const CameraRig rig = makeRig(32);
   const std::vector<HullView> views = renderViews(rig, {Sphere()});
-  const double litres = 4.0 / 3 * kPi * 4 * 4 * 4;
+  const double litres = 4.0 / 3 * M_PI * 4 * 4 * 4;
   std::vector<double> errors;
   for (const double pitch : {0.16, 0.04, 0.015}) {
     HullOptions options = makeOptions();

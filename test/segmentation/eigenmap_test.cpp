@@ -9,8 +9,6 @@
 namespace markerless_mocap {
 namespace {
 
-const double kPi = std::acos(-1.0);
-
 WeightedGraph path(uint32_t nodes) {
   std::vector<Edge> edges;
   for (uint32_t i = 0; i + 1 < nodes; ++i) edges.push_back({i, i + 1, 1.0});
@@ -47,12 +45,12 @@ TEST_P(PathSpectrum, IsThatOfTheChain) {
   const Eigenmap map = laplacianEigenmap(path(nodes), 4);
   ASSERT_EQ(map.values.size(), 4);
   for (int k = 1; k <= 4; ++k) {
-    EXPECT_NEAR(map.values[k - 1], 1.0 - std::cos(kPi * k / (nodes - 1)), 1e-8);
+    EXPECT_NEAR(map.values[k - 1], 1.0 - std::cos(M_PI * k / (nodes - 1)), 1e-8);
   }
   const double sign = map.vectors(0, 0) > 0.0 ? 1.0 : -1.0;
   const double scale = std::abs(map.vectors(0, 0));
   for (uint32_t i = 0; i < nodes; ++i) {
-    EXPECT_NEAR(map.vectors(i, 0) * sign, scale * std::cos(kPi * i / (nodes - 1)), 1e-3);
+    EXPECT_NEAR(map.vectors(i, 0) * sign, scale * std::cos(M_PI * i / (nodes - 1)), 1e-3);
   }
 }
 
@@ -65,7 +63,7 @@ TEST(Eigenmap, FindsTheDoubleValuesOfACycle) {
   for (uint32_t i = 0; i < nodes; ++i) edges.push_back({i, (i + 1) % nodes, 3.0});
   const Eigenmap map = laplacianEigenmap(graphOfEdges(nodes, edges), 4);
   for (int k = 0; k < 4; ++k) {
-    EXPECT_NEAR(map.values[k], 1.0 - std::cos(2.0 * kPi * (k / 2 + 1) / nodes), 1e-8);
+    EXPECT_NEAR(map.values[k], 1.0 - std::cos(2.0 * M_PI * (k / 2 + 1) / nodes), 1e-8);
   }
 }
 

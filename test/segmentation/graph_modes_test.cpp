@@ -13,8 +13,6 @@
 namespace markerless_mocap {
 namespace {
 
-const double kPi = std::acos(-1.0);
-
 struct Weights {
   const char* name;
   bool votes;
@@ -84,7 +82,7 @@ TEST(CoarseToFineModes, FindTheSpectrumOfAPath) {
   const auto found = coarseToFineModes(box(400, 1, 1), 4, 2e-3);
   ASSERT_TRUE(found.has_value());
   for (int k = 1; k <= 4; ++k) {
-    const double expected = 1.0 - std::cos(kPi * k / 399);
+    const double expected = 1.0 - std::cos(M_PI * k / 399);
     EXPECT_NEAR(found->values[k - 1], expected, 1e-4 * expected);
   }
 }

@@ -10,7 +10,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kVolumeRadius = 1.3, kVolumeHeight = 2.4;
 constexpr double kRingRadius = 4.2, kRingHeight = 1.9, kOverhead = 4.6;
 constexpr double kCeilingCorner = 2.6, kCeilingHeight = 2.7;
@@ -71,7 +70,7 @@ CameraCalibration placed(const RigPlan& plan, const Eigen::Isometry3d& T_world_c
 }
 
 Eigen::Vector3d onCircle(double turns, double radius, double height) {
-  return {radius * std::cos(2.0 * kPi * turns), radius * std::sin(2.0 * kPi * turns), height};
+  return {radius * std::cos(2.0 * M_PI * turns), radius * std::sin(2.0 * M_PI * turns), height};
 }
 
 using Places = std::vector<Eigen::Vector3d>;

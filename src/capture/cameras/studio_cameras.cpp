@@ -12,8 +12,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// What random numbers are for; each purpose has its own.
 enum Purpose : uint64_t { kNoise = 1, kFlicker, kMask, kDrop, kOffset, kCalibration };
 
@@ -38,7 +36,7 @@ CameraRig perturbedRig(const CameraRig& rig, double pixels, uint64_t seed) {
   CameraRig reported;
   for (size_t i = 0; i < rig.size(); ++i) {
     CameraCalibration camera = rig[i].calibration();
-    const double direction = 2.0 * kPi * splitMixUniform(combinedHash(seed, kCalibration) + i);
+    const double direction = 2.0 * M_PI * splitMixUniform(combinedHash(seed, kCalibration) + i);
     const double angle = pixels / std::sqrt(camera.K(0, 0) * camera.K(1, 1));
     const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0.0);
     if (pixels > 0.0) camera.T_world_camera.rotate(Eigen::AngleAxisd(angle, axis));

@@ -9,7 +9,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kBeatHz = 0.7;  // of the mains' frequency with a multiple of the frames'
 constexpr size_t kTableSize = size_t(1) << 16;
 constexpr size_t kChunk = 128;  // values that read the table in one go
@@ -40,7 +39,7 @@ void applyToChunk(float noise_stddev, float gain, const float* noise, size_t cou
 
 double flickerGain(double amount, double seconds, uint64_t stream) {
   const double phase = splitMixUniform(splitMix64(stream));
-  const double beat = std::sqrt(2.0) * std::sin(2.0 * kPi * (kBeatHz * seconds + phase));
+  const double beat = std::sqrt(2.0) * std::sin(2.0 * M_PI * (kBeatHz * seconds + phase));
   const auto frame_set = uint64_t(std::llround(seconds * 1e6));
   const double random = nearNormal(splitMix64(splitMix64(stream + 1) ^ frame_set));
   return std::max(0.0, 1.0 + amount * std::sqrt(0.5) * (beat + random));

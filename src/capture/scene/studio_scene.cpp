@@ -13,9 +13,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Directions, seen from the centre, in which the other person and the chair are.
-constexpr double kOtherBearing = 2.2, kChairBearing = kPi;
+constexpr double kOtherBearing = 2.2, kChairBearing = M_PI;
 constexpr double kOtherPhase = 0.43;  // of the motion's period
 
 /// Somebody else: another sex, stature and look.
@@ -101,7 +100,7 @@ void StudioScene::drive(double fps) {
 /// Its seat faces the centre.
 void StudioScene::placeChair(double distance) {
   chair_ = std::make_unique<const ColoredMesh>(chairMesh());
-  const Eigen::Isometry3d place = placeAt(distance, kChairBearing, kChairBearing + kPi);
+  const Eigen::Isometry3d place = placeAt(distance, kChairBearing, kChairBearing + M_PI);
   for (const Eigen::Vector3f& v : chair_->vertices)
     furniture_.vertices.push_back((place * v.cast<double>()).cast<float>());
   furniture_.mesh = chair_.get();

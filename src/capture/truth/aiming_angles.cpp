@@ -1,19 +1,13 @@
 #include "capture/truth/aiming_angles.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "body/rotations.h"
+
 namespace markerless_mocap {
-namespace {
 
 using Eigen::Vector3d;
-
-double angleAbout(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
-  return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
-}
-
-}  // namespace
 
 Eigen::Vector2d aimingAngles(const Vector3d& first, const Vector3d& second, const Vector3d& rest,
                              const Vector3d& wanted) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "body/rotations.h"
+#include "body/zero_pose.h"
 
 namespace markerless_mocap {
 namespace {
@@ -46,16 +48,6 @@ constexpr std::array<FleischmannSegment, 15> kMarkerSegments = {
     kLeftLowerArm,  kRightUpperArm, kRightLowerArm, kRightLowerArm, kLeftThigh,
     kLeftCalf,      kLeftCalf,      kRightThigh,    kRightCalf,     kRightCalf};
 
-Matrix3d rotX(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Matrix3d() << 1, 0, 0, 0, c, -s, 0, s, c).finished();
-}
-
-Matrix3d rotY(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Matrix3d() << c, 0, s, 0, 1, 0, -s, 0, c).finished();
-}
-
 /// Rx(x) Ry(y) Rz(z), multiplied out.
 Matrix3d rotXYZ(double x, double y, double z) {
   const double cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y),
@@ -64,10 +56,6 @@ Matrix3d rotXYZ(double x, double y, double z) {
           cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy,  //
           sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy)
       .finished();
-}
-
-double nearestTurn(double angle, double near) {
-  return angle + 2.0 * M_PI * std::round((near - angle) / (2.0 * M_PI));
 }
 
 /// Angles t with R = Rx(t0) Ry(t1) Rz(t2), the nearest to `near`; where only the sum of the outer
@@ -119,13 +107,7 @@ FleischmannLimits FleischmannLimits::anatomical() {
 }
 
 FleischmannBodyModel::FleischmannBodyModel(const BodyModel& model) {
-  LinkPoses zero;
-  model.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(model.angleCount()),
-                          zero);
-  for (size_t i = 0; i < zero.size(); ++i)
-    if (!zero[i].linear().isIdentity(1e-9))
-      throw std::invalid_argument("body " + model.id() + ": link " + model.links()[i] +
-                                  " is rotated in the zero pose, all must have the root's axes");
+  const LinkPoses zero = uprightZeroPose(model);
   for (int s = 0; s < kFleischmannSegments; ++s) {
     link_[s] = model.linkIndex(kSegments[s].link);
     joint_[s] = zero[link_[s]].translation() - zero[link_[kSegments[s].parent]].translation();

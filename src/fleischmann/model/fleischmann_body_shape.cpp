@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "body/zero_pose.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -27,10 +29,7 @@ struct ConePlan {
 /// The model's shape in the zero pose.
 class ZeroShape {
  public:
-  explicit ZeroShape(const BodyModel& model) : model_(model) {
-    model.forwardKinematics(Eigen::Isometry3d::Identity(),
-                            Eigen::VectorXd::Zero(model.angleCount()), links_);
-  }
+  explicit ZeroShape(const BodyModel& model) : model_(model), links_(zeroPose(model)) {}
 
   Vector3d at(const char* link) const { return links_[model_.linkIndex(link)].translation(); }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "body/rotations.h"
+#include "body/zero_pose.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -11,21 +14,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const std::array<std::string, 2> kSides = {"l_", "r_"};
-
-Matrix3d rotX(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Matrix3d() << 1, 0, 0, 0, c, -s, 0, s, c).finished();
-}
-
-Matrix3d rotY(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Matrix3d() << c, 0, s, 0, 1, 0, -s, 0, c).finished();
-}
-
-Matrix3d rotZ(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
-}
 
 // Rotation that turns `from` to `to` (unit vectors) the short way.
 Matrix3d shortestRotation(const Vector3d& from, const Vector3d& to) {
@@ -61,20 +49,10 @@ Vector3d extremePoint(const BodyModel& model, const std::string& link_name,
   return extreme;
 }
 
-void requireUprightLinks(const BodyModel& model, const LinkPoses& zero) {
-  for (size_t i = 0; i < zero.size(); ++i)
-    if (!zero[i].linear().isIdentity(1e-9))
-      throw std::invalid_argument("body " + model.id() + ": link " + model.links()[i] +
-                                  " is rotated in the zero pose, all must have the root's axes");
-}
-
 }  // namespace
 
 HsiaoBodyModel::HsiaoBodyModel(const BodyModel& model) {
-  LinkPoses zero;
-  model.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(model.angleCount()),
-                          zero);
-  requireUprightLinks(model, zero);
+  const LinkPoses zero = uprightZeroPose(model);
   const auto at = [&](const std::string& name) -> Vector3d {
     return zero[model.linkIndex(name)].translation();
   };

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "markerless_mocap/body/body_model.h"
+
+namespace markerless_mocap {
+
+/// Frames of all links with the root at the origin and all angles zero.
+LinkPoses zeroPose(const BodyModel& model);
+
+/// The same. Throws std::invalid_argument if a link's axes are not the root's.
+LinkPoses uprightZeroPose(const BodyModel& model);
+
+}  // namespace markerless_mocap
