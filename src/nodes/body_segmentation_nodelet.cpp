@@ -6,11 +6,10 @@
 
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/segmentation/part_tracker.h"
-#include "nodes/common/callback_gate.h"
 #include "nodes/common/guarded_start.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
-#include "nodes/common/stage_status.h"
+#include "nodes/common/stage_inputs.h"
 #include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/segmentation_conversions.h"
@@ -33,13 +32,11 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     parts_ = handle.advertise<BodyPartsMsg>("segmentation/parts", kPublisherQueue);
     points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", kPublisherQueue);
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
-    grid_subscriber_ = handle.subscribe<VoxelGrid>(
-        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
-        lowLatencyTransport());
-    hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
-        "hull/points", 2,
-        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
-        lowLatencyTransport());
+    inputs_.emplace(handle, status_.get());
+    inputs_->listen<VoxelGrid>("hull/grid", 1,
+                               [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+    inputs_->listen<sensor_msgs::PointCloud2>(
+        "hull/points", 2, [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
@@ -72,8 +69,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
   VoxelGridConstPtr grid_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher parts_, points_, curves_;
-  ros::Subscriber grid_subscriber_, hull_subscriber_;
-  CallbackGate gate_;
+  std::optional<StageInputs> inputs_;
 };
 
 }  // namespace markerless_mocap

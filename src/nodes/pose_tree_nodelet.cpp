@@ -5,11 +5,10 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
-#include "nodes/common/callback_gate.h"
 #include "nodes/common/guarded_start.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
-#include "nodes/common/stage_status.h"
+#include "nodes/common/stage_inputs.h"
 #include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/pose_tree_conversions.h"
@@ -33,13 +32,11 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     trees_ = handle.advertise<PoseTreeMsg>("pose_tree", kPublisherQueue);
     markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose_tree/markers", 4);
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
-    grid_subscriber_ = handle.subscribe<VoxelGrid>(
-        "hull/grid", 1, gate_.guarded([this](const VoxelGridConstPtr& grid) { grid_ = grid; }), {},
-        lowLatencyTransport());
-    hull_subscriber_ = handle.subscribe<sensor_msgs::PointCloud2>(
-        "hull/points", 2,
-        gate_.guarded([this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); }), {},
-        lowLatencyTransport());
+    inputs_.emplace(handle, status_.get());
+    inputs_->listen<VoxelGrid>("hull/grid", 1,
+                               [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+    inputs_->listen<sensor_msgs::PointCloud2>(
+        "hull/points", 2, [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
@@ -83,8 +80,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
   ros::Time last_stamp_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher trees_, markers_, skeletons_;
-  ros::Subscriber grid_subscriber_, hull_subscriber_;
-  CallbackGate gate_;
+  std::optional<StageInputs> inputs_;
 };
 
 }  // namespace markerless_mocap

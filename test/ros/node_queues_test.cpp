@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "nodes/common/catch_up_queue.h"
+#include "nodes/common/holding_queue.h"
 #include "nodes/common/latency_meter.h"
 #include "nodes/common/stamp_cache.h"
 
@@ -63,6 +65,36 @@ TEST(StampCache, WhatIsALittleBehindMayStillCome) {
   EXPECT_FALSE(store.mayStillCome(0, 151, 5, 50));  // the camera has stopped
   EXPECT_FALSE(store.mayStillCome(0, 90, 5, 50));   // it was left out
   EXPECT_FALSE(store.mayStillCome(1, 106, 5, 50));
+}
+
+TEST(StampCache, WithoutALimitTheNextMayAlwaysStillCome) {
+  StampCache<Item> store(1, 8);
+  EXPECT_FALSE(store.mayStillCome(0, 100));
+  store.add(0, 100, item(0));
+  EXPECT_FALSE(store.mayStillCome(0, 100));
+  EXPECT_TRUE(store.mayStillCome(0, 101));
+  EXPECT_TRUE(store.mayStillCome(0, 2'000'000'000'000'000'000));
+}
+
+TEST(HoldingQueue, OneThatWaitsHoldsThoseBehindItUntilTooManyWait) {
+  HoldingQueue<Item> queue(2);
+  std::vector<int> out;
+  const auto release = [&](int waiting) {
+    queue.release([&](const Item& i) { return *i == waiting; },
+                  [&](const Item& i) { out.push_back(*i); });
+  };
+  for (const int i : {1, 2}) queue.push(item(i));
+  release(1);
+  EXPECT_EQ(out, std::vector<int>());
+  release(2);
+  EXPECT_EQ(out, std::vector<int>({1}));
+  for (const int i : {3, 4}) queue.push(item(i));
+  release(2);
+  EXPECT_EQ(out, std::vector<int>({1, 2, 3, 4}));
+  queue.push(item(5));
+  queue.clear();
+  release(0);
+  EXPECT_EQ(out.size(), 4u);
 }
 
 TEST(CatchUpQueue, ItemsBehindASlowOneWait) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,15 +27,15 @@ class StampCache {
 
   /// Whether the camera's last item is earlier than this stamp, but by so little that its next one
   /// may be on its way. Items of a camera come in the order of their stamps.
-  bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns,
-                    int64_t most_behind_ns) const {
+  bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns = 0,
+                    int64_t max_behind_ns = std::numeric_limits<int64_t>::max()) const {
     const std::optional<int64_t>& last = last_ns_.at(camera);
-    return last && *last < stamp_ns - tolerance_ns && *last >= stamp_ns - most_behind_ns;
+    return last && *last < stamp_ns - tolerance_ns && *last >= stamp_ns - max_behind_ns;
   }
 
   /// The item of the nearest stamp within the tolerance, an empty one if there is none. It goes
   /// out, and with it those that came before it: nobody asks for them any more.
-  Item take(size_t camera, int64_t stamp_ns, int64_t tolerance_ns) {
+  Item take(size_t camera, int64_t stamp_ns, int64_t tolerance_ns = 0) {
     auto& waiting = waiting_.at(camera);
     auto nearest = waiting.end();
     for (auto it = waiting.begin(); it != waiting.end(); ++it) {

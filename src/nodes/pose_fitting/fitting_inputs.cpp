@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 
-#include "nodes/common/low_latency_transport.h"
 #include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
@@ -14,7 +13,6 @@ constexpr uint32_t kQueue = 64;    // callbacks only put messages in their place
 constexpr double kDeadline = 2.0;  // seconds that a stage may lag behind the hulls
 constexpr int kMostPending = 60;   // instants, at 30 a second as long as the deadline
 constexpr size_t kMostViews = 64;  // of a camera: what the stages lag behind the cameras
-constexpr double kSilence = 5.0;   // seconds
 // Between processes a silhouette can be behind the hull that was carved from it.
 constexpr size_t kMostHeld = 3;               // instants
 constexpr int64_t kMostBehind = 100'000'000;  // nanoseconds; a camera further behind has stopped
@@ -33,8 +31,7 @@ AssemblerOptions joinOptions(FittingNeeds needs) {
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
                              FittingNeeds needs, StageStatus* status,
                              std::function<void(FittingMessages)> sink)
-    : handle_(handle),
-      options_(options),
+    : options_(options),
       needs_(needs),
       status_(status),
       sink_(std::move(sink)),
@@ -42,65 +39,67 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       collector_(options.cameras, options.world_frame, options.rig_file),
       assembler_(needs.masks ? 4 : 3, joinOptions(needs)),
       masks_(options.cameras.size(), kMostViews),
-      images_(options.cameras.size(), kMostViews) {
-  silence_timer_ = handle_.createWallTimer(
-      ros::WallDuration(kSilence),
-      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
+      images_(options.cameras.size(), kMostViews),
+      pending_(kMostHeld),
+      inputs_(handle, status) {
   if (!needs_.masks) rig_ = std::make_shared<const CameraRig>();
   for (size_t i = 0; needs_.masks && i < options_.cameras.size(); ++i) listenToCamera(i);
   listenToStages();
 }
 
-template <class MessageT, class CallbackT>
-void FittingInputs::listen(const std::string& topic, uint32_t queue, CallbackT callback) {
-  const std::string name = handle_.resolveName(topic);
-  silent_[name] = ros::message_traits::DataType<MessageT>::value();
-  subscribers_.push_back(handle_.subscribe<MessageT>(
-      name, queue,
-      gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
-        silent_.erase(name);
-        callback(message);
-      }),
-      {}, lowLatencyTransport()));
-}
-
 void FittingInputs::listenToStages() {
   using sensor_msgs::PointCloud2;
-  listen<VoxelGrid>("hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
-  listen<PointCloud2>("hull/points", kQueue, [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
-    receive(kHull, hull->header, {hull, nullptr, nullptr});
-  });
-  listen<BodyPartsMsg>("segmentation/parts", kQueue, [this](const BodyPartsMsg::ConstPtr& parts) {
-    receive(kParts, parts->header, {nullptr, parts, nullptr});
-  });
-  listen<PointCloud2>("segmentation/points", kQueue,
-                      [this](const sensor_msgs::PointCloud2ConstPtr& labels) {
-                        receive(kLabels, labels->header, {labels, nullptr, nullptr});
-                      });
+  inputs_.listen<VoxelGrid>(
+      "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; },
+      StageInputs::kRequired);
+  inputs_.listen<PointCloud2>(
+      "hull/points", kQueue,
+      [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
+        receive(kHull, hull->header, {hull, nullptr, nullptr});
+      },
+      StageInputs::kRequired);
+  inputs_.listen<BodyPartsMsg>(
+      "segmentation/parts", kQueue,
+      [this](const BodyPartsMsg::ConstPtr& parts) {
+        receive(kParts, parts->header, {nullptr, parts, nullptr});
+      },
+      StageInputs::kRequired);
+  inputs_.listen<PointCloud2>(
+      "segmentation/points", kQueue,
+      [this](const sensor_msgs::PointCloud2ConstPtr& labels) {
+        receive(kLabels, labels->header, {labels, nullptr, nullptr});
+      },
+      StageInputs::kRequired);
   if (!needs_.masks) return;
-  listen<PoseTreeMsg>("pose_tree", kQueue, [this](const PoseTreeMsg::ConstPtr& tree) {
-    receive(kTree, tree->header, {nullptr, nullptr, tree});
-  });
+  inputs_.listen<PoseTreeMsg>(
+      "pose_tree", kQueue,
+      [this](const PoseTreeMsg::ConstPtr& tree) {
+        receive(kTree, tree->header, {nullptr, nullptr, tree});
+      },
+      StageInputs::kRequired);
 }
 
 void FittingInputs::listenToCamera(size_t camera) {
   const std::string& name = options_.cameras[camera];
   if (!collector_.isFromFile())
-    listen<sensor_msgs::CameraInfo>(name + "/camera_info", kQueue,
-                                    [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
-                                      if (collector_.add(camera, *info)) rig_.reset();
-                                    });
-  listen<sensor_msgs::Image>(name + "/silhouette", kQueue,
-                             [this, camera](const sensor_msgs::ImageConstPtr& mask) {
-                               masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
-                               dispatchReady();
-                             });
+    inputs_.listen<sensor_msgs::CameraInfo>(
+        name + "/camera_info", kQueue,
+        [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
+          if (collector_.add(camera, *info)) rig_.reset();
+        },
+        StageInputs::kRequired);
+  inputs_.listen<sensor_msgs::Image>(
+      name + "/silhouette", kQueue,
+      [this, camera](const sensor_msgs::ImageConstPtr& mask) {
+        masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
+        dispatchReady();
+      },
+      StageInputs::kRequired);
   if (!needs_.images) return;
-  subscribers_.push_back(subscribeImages(handle_, name, options_.image_transport, kQueue,
-                                         gate_.guarded([this, camera](const CameraImage& image) {
-                                           images_.add(camera, nanosecondsOf(image.header().stamp),
-                                                       image);
-                                         })));
+  inputs_.listenToImages(name, options_.image_transport, kQueue,
+                         [this, camera](const CameraImage& image) {
+                           images_.add(camera, nanosecondsOf(image.header().stamp), image);
+                         });
 }
 
 void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
@@ -123,19 +122,17 @@ void FittingInputs::join(Assembler::FrameSet instant) {
   input.labels = instant.items[kLabels].cloud;
   input.complete = std::count(instant.present.begin(), instant.present.end(), false) == 0;
   if (needs_.masks) input.tree = instant.items[kTree].tree;
-  pending_.push_back(std::move(input));
+  pending_.push(std::move(input));
 }
 
 void FittingInputs::dispatchReady() {
-  while (!pending_.empty()) {
-    FittingMessages& input = pending_.front();
-    if (pending_.size() <= kMostHeld && waitsForMasks(input)) return;
-    if (needs_.masks) addViews(&input);
-    input.error = grid_ ? prepareRig() : "no hull/grid has come yet";
-    input.rig = rig_;
-    sink_(std::move(input));
-    pending_.pop_front();
-  }
+  pending_.release([this](const FittingMessages& input) { return waitsForMasks(input); },
+                   [this](FittingMessages input) {
+                     if (needs_.masks) addViews(&input);
+                     input.error = grid_ ? prepareRig() : "no hull/grid has come yet";
+                     input.rig = rig_;
+                     sink_(std::move(input));
+                   });
 }
 
 bool FittingInputs::waitsForMasks(const FittingMessages& input) const {
@@ -157,7 +154,7 @@ void FittingInputs::addViews(FittingMessages* input) {
     const sensor_msgs::ImageConstPtr& mask = input->masks.back();
     if (!mask) status_->count("instants without the silhouette of " + options_.cameras[i]);
     if (needs_.images)
-      input->images.push_back(mask ? images_.take(i, nanosecondsOf(mask->header.stamp), 0)
+      input->images.push_back(mask ? images_.take(i, nanosecondsOf(mask->header.stamp))
                                    : CameraImage());
   }
 }
@@ -179,14 +176,6 @@ void FittingInputs::reportCounts() {
   status_->set("abandoned instants", counts.abandoned + counts.overflow);
   status_->set("duplicate or late", counts.duplicate + counts.late);
   status_->set("time went back", counts.time_jumps_back);
-}
-
-void FittingInputs::reportSilence() {
-  if (silent_.empty()) {
-    silence_timer_.stop();
-    return;
-  }
-  status_->waiting(silentTopic(silent_.begin()->first, silent_.begin()->second));
 }
 
 }  // namespace markerless_mocap

@@ -5,18 +5,15 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/ros/messages.h"
-#include "nodes/common/callback_gate.h"
-#include "nodes/common/camera_image.h"
-#include "nodes/common/stage_status.h"
+#include "nodes/common/holding_queue.h"
+#include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
@@ -61,8 +58,6 @@ class FittingInputs {
   };
   using Assembler = FrameSetAssembler<Item>;
 
-  template <class MessageT, class CallbackT>
-  void listen(const std::string& topic, uint32_t queue, CallbackT callback);
   void listenToStages();
   void listenToCamera(size_t camera);
   void receive(Stream stream, const std_msgs::Header& header, Item item);
@@ -75,9 +70,7 @@ class FittingInputs {
   /// Finds out the rig; one sentence on what is missing, empty once it is known.
   std::string prepareRig();
   void reportCounts();
-  void reportSilence();
 
-  ros::NodeHandle handle_;
   FittingNodeOptions options_;
   FittingNeeds needs_;
   StageStatus* status_;
@@ -89,12 +82,9 @@ class FittingInputs {
   Assembler assembler_;
   StampCache<sensor_msgs::ImageConstPtr> masks_;
   StampCache<CameraImage> images_;
-  std::deque<FittingMessages> pending_;  ///< joined, but for the views
+  HoldingQueue<FittingMessages> pending_;  ///< joined, but for the views
   VoxelGridConstPtr grid_;
-  std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
-  ros::WallTimer silence_timer_;
-  std::vector<ros::Subscriber> subscribers_;
-  CallbackGate gate_;
+  StageInputs inputs_;
 };
 
 }  // namespace markerless_mocap

@@ -56,8 +56,7 @@ std::vector<cv::Mat> masksOf(const FittingMessages& input) {
 
 std::vector<cv::Mat> imagesOf(const FittingMessages& input) {
   std::vector<cv::Mat> images(input.masks.size());
-  for (size_t i = 0; i < input.images.size(); ++i)
-    if (input.images[i].raw || input.images[i].compressed) images[i] = input.images[i].mat();
+  for (size_t i = 0; i < input.images.size(); ++i) images[i] = input.images[i].mat();
   return images;
 }
 

@@ -31,20 +31,16 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       node_options_(node_options),
       extractor_(options),
       order_(1, singleStream()),
-      status_(handle, private_handle, "silhouette of " + camera) {
+      status_(handle, private_handle, "silhouette of " + camera),
+      inputs_(handle, &status_) {
   loadBackground();
-  topic_ = handle.resolveName(imageTopic(camera, node_options.image_transport));
   publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", kPublisherQueue);
-  silence_timer_ = handle.createWallTimer(
-      ros::WallDuration(5.0),
-      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
-  subscriber_ =
-      subscribeImages(handle, camera, node_options.image_transport, kQueue,
-                      gate_.guarded([this](const CameraImage& image) { receive(image); }));
+  inputs_.listenToImages(
+      camera, node_options.image_transport, kQueue,
+      [this](const CameraImage& image) { receive(image); }, StageInputs::kRequired);
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {
-  silence_timer_.stop();
   const std::lock_guard<std::mutex> lock(mutex_);
   const uint64_t jumps = order_.counts().time_jumps_back;
   const auto instants = order_.add(0, nanosecondsOf(image.header().stamp), image);
@@ -124,12 +120,6 @@ std::string SilhouetteCamera::backgroundFile() const {
 void SilhouetteCamera::checkInput() const {
   if (node_options_.input != "image")
     throw std::invalid_argument("the images are masks already, they have no background");
-}
-
-void SilhouetteCamera::reportSilence() {
-  const bool compressed = node_options_.image_transport == "compressed";
-  status_.waiting(
-      silentTopic(topic_, compressed ? "sensor_msgs/CompressedImage" : "sensor_msgs/Image"));
 }
 
 }  // namespace markerless_mocap

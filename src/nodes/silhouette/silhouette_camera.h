@@ -7,9 +7,7 @@
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
-#include "nodes/common/callback_gate.h"
-#include "nodes/common/camera_image.h"
-#include "nodes/common/stage_status.h"
+#include "nodes/common/stage_inputs.h"
 #include "ros/node_options.h"
 
 namespace markerless_mocap {
@@ -33,19 +31,15 @@ class SilhouetteCamera {
   void loadBackground();
   std::string backgroundFile() const;
   void checkInput() const;
-  void reportSilence();
 
   std::string camera_;
-  std::string topic_;
   SilhouetteNodeOptions node_options_;
   std::mutex mutex_;  ///< of the extractor: services come beside images
   SilhouetteExtractor extractor_;
   FrameSetAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
   StageStatus status_;
   ros::Publisher publisher_;
-  ros::WallTimer silence_timer_;
-  ros::Subscriber subscriber_;
-  CallbackGate gate_;
+  StageInputs inputs_;
 };
 
 }  // namespace markerless_mocap

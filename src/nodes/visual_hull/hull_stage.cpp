@@ -17,6 +17,7 @@ namespace {
 
 constexpr uint32_t kQueue = 16;     // messages per topic while another stage has the cores
 constexpr size_t kMostWaiting = 3;  // instants held back for their images
+constexpr size_t kMostImages = 16;  // per camera: what the masks may lag behind
 constexpr double kMarkerDepth = 0.5;
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node) {
@@ -48,37 +49,32 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       tf_listener_(tf_),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options)),
-      images_(node_options.cameras.size()),
-      silent_(node_options.cameras.size(), true),
-      status_(handle, private_handle, "visual hull") {
+      images_(node_options.cameras.size(), kMostImages),
+      waiting_(kMostWaiting),
+      status_(handle, private_handle, "visual hull"),
+      inputs_(handle, &status_) {
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
-  silence_timer_ = handle.createWallTimer(
-      ros::WallDuration(5.0),
-      gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
   if (!rig_.remark().empty()) ROS_WARN_STREAM("visual hull: " << rig_.remark());
   if (rig_.isFromFile()) prepareBeforehand(ros::Time());
-  subscribe(handle);
+  subscribe();
 }
 
-void HullStage::subscribe(ros::NodeHandle& handle) {
+void HullStage::subscribe() {
   for (size_t i = 0; i < node_options_.cameras.size(); ++i) {
     const std::string& camera = node_options_.cameras[i];
     if (!rig_.isFromFile())
-      subscribers_.push_back(handle.subscribe<sensor_msgs::CameraInfo>(
+      inputs_.listen<sensor_msgs::CameraInfo>(
           camera + "/camera_info", kQueue,
-          gate_.guarded(
-              [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); }),
-          {}, lowLatencyTransport()));
+          [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
     if (node_options_.color)
-      subscribers_.push_back(subscribeImages(
-          handle, camera, node_options_.image_transport, kQueue,
-          gate_.guarded([this, i](const CameraImage& image) { receiveImage(i, image); })));
-    subscribers_.push_back(handle.subscribe<sensor_msgs::Image>(
+      inputs_.listenToImages(camera, node_options_.image_transport, kQueue,
+                             [this, i](const CameraImage& image) { receiveImage(i, image); });
+    inputs_.listen<sensor_msgs::Image>(
         camera + "/silhouette", kQueue,
-        gate_.guarded([this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); }),
-        {}, lowLatencyTransport()));
+        [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); },
+        StageInputs::kRequired);
   }
 }
 
@@ -103,27 +99,22 @@ void HullStage::prepareBeforehand(const ros::Time& stamp) {
 }
 
 void HullStage::receiveImage(size_t camera, const CameraImage& image) {
-  images_.add(camera, image);
+  images_.add(camera, nanosecondsOf(image.header().stamp), image);
   drain();
 }
 
 void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask) {
-  silent_[camera] = false;
   const uint64_t jumps = assembler_.counts().time_jumps_back;
   auto instants = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
   if (assembler_.counts().time_jumps_back != jumps) waiting_.clear();
-  std::move(instants.begin(), instants.end(), std::back_inserter(waiting_));
+  for (auto& instant : instants) waiting_.push(std::move(instant));
   drain();
   reportCounts();
 }
 
 void HullStage::drain() {
-  while (!waiting_.empty()) {
-    if (waiting_.size() <= kMostWaiting && waitsForImages(waiting_.front())) return;
-    const Assembler::FrameSet instant = std::move(waiting_.front());
-    waiting_.pop_front();
-    process(instant);
-  }
+  waiting_.release([this](const Assembler::FrameSet& instant) { return waitsForImages(instant); },
+                   [this](const Assembler::FrameSet& instant) { process(instant); });
 }
 
 bool HullStage::waitsForImages(const Assembler::FrameSet& instant) const {
@@ -141,7 +132,8 @@ void HullStage::process(const Assembler::FrameSet& instant) {
   VisualHull hull;
   try {
     prepareCarver(header);
-    hull = carver_->carve(viewsOf(instant));
+    const std::vector<CameraImage> images = takeImages(instant);
+    hull = carver_->carve(viewsOf(instant, images));
     reportHull(hull);
   } catch (const std::exception& error) {
     hull = VisualHull();
@@ -176,7 +168,16 @@ void HullStage::prepareCarver(const std_msgs::Header& header) {
   markers_.publish(cameraMarkers(carver_->rig(), header, kMarkerDepth));
 }
 
-std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant) const {
+std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& instant) {
+  std::vector<CameraImage> images(instant.items.size());
+  for (size_t i = 0; i < images.size(); ++i)
+    if (instant.present[i])
+      images[i] = images_.take(i, nanosecondsOf(instant.items[i]->header.stamp));
+  return images;
+}
+
+std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant,
+                                         const std::vector<CameraImage>& images) const {
   const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
   if (present < node_options_.requiredCameras())
     throw std::invalid_argument("the instant has the masks of " + std::to_string(present) + " of " +
@@ -187,8 +188,7 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant) con
   for (size_t i = 0; i < views.size(); ++i) {
     if (!instant.present[i]) continue;
     views[i].mask = maskFromMessage(*instant.items[i]);
-    const CameraImage* image = images_.find(i, nanosecondsOf(instant.items[i]->header.stamp));
-    if (image != nullptr) views[i].image = image->mat();
+    views[i].image = images[i].mat();
   }
   return views;
 }
@@ -203,16 +203,6 @@ void HullStage::reportCounts() {
   status_.set("masks far in the future", counts.far_future);
   status_.set("instants dropped from a full queue", counts.overflow);
   status_.set("time went back", counts.time_jumps_back);
-}
-
-void HullStage::reportSilence() {
-  const auto silent = std::find(silent_.begin(), silent_.end(), true);
-  if (silent == silent_.end()) {
-    silence_timer_.stop();
-    return;
-  }
-  const std::string& camera = node_options_.cameras[silent - silent_.begin()];
-  status_.waiting(silentTopic(ros::names::resolve(camera + "/silhouette"), "sensor_msgs/Image"));
 }
 
 }  // namespace markerless_mocap

@@ -3,7 +3,6 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,9 +10,9 @@
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
-#include "nodes/common/callback_gate.h"
-#include "nodes/common/image_cache.h"
-#include "nodes/common/stage_status.h"
+#include "nodes/common/holding_queue.h"
+#include "nodes/common/stage_inputs.h"
+#include "nodes/common/stamp_cache.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
 
@@ -28,7 +27,7 @@ class HullStage {
  private:
   using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
 
-  void subscribe(ros::NodeHandle& handle);
+  void subscribe();
   void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   void receiveImage(size_t camera, const CameraImage& image);
@@ -41,9 +40,11 @@ class HullStage {
   void prepareBeforehand(const ros::Time& stamp);
   /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
   void prepareCarver(const std_msgs::Header& header);
-  std::vector<HullView> viewsOf(const Assembler::FrameSet& instant) const;
+  std::vector<CameraImage> takeImages(const Assembler::FrameSet& instant);
+  /// The images must outlive what it returns.
+  std::vector<HullView> viewsOf(const Assembler::FrameSet& instant,
+                                const std::vector<CameraImage>& images) const;
   void reportCounts();
-  void reportSilence();
 
   HullOptions options_;
   HullNodeOptions node_options_;
@@ -51,16 +52,13 @@ class HullStage {
   tf2_ros::TransformListener tf_listener_;
   RigCollector rig_;
   Assembler assembler_;
-  ImageCache images_;
-  std::deque<Assembler::FrameSet> waiting_;
+  StampCache<CameraImage> images_;
+  HoldingQueue<Assembler::FrameSet> waiting_;
   std::optional<HullCarver> carver_;
   std::string carver_error_;  ///< why this rig cannot be carved with; until the rig changes
-  std::vector<bool> silent_;  ///< cameras of which no mask has come
   StageStatus status_;
   ros::Publisher points_, grid_, markers_;
-  ros::WallTimer silence_timer_;
-  std::vector<ros::Subscriber> subscribers_;
-  CallbackGate gate_;
+  StageInputs inputs_;
 };
 
 }  // namespace markerless_mocap

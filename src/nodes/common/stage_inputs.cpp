@@ -1,0 +1,63 @@
+#include "nodes/common/stage_inputs.h"
+
+#include <ros/master.h>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kSilence = 5.0;  // seconds
+
+/// One sentence for a topic on which nothing comes: its name and the graph's topics of that type.
+std::string silentTopic(const std::string& topic, const std::string& type) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  std::string others;
+  for (const ros::master::TopicInfo& info : topics)
+    if (info.datatype == type && info.name != topic)
+      others += (others.empty() ? "" : ", ") + info.name;
+  return "nothing comes on " + topic + " (" + type + "); topics of that type are " +
+         (others.empty() ? "none" : others);
+}
+
+}  // namespace
+
+void StageInputs::listenToImages(const std::string& camera, const std::string& transport,
+                                 uint32_t queue,
+                                 const std::function<void(const CameraImage&)>& callback,
+                                 Need need) {
+  using sensor_msgs::CompressedImage;
+  const std::string topic = camera + "/image_raw";
+  if (transport == "compressed")
+    listen<CompressedImage>(
+        topic + "/compressed", queue,
+        [callback](const CompressedImage::ConstPtr& image) {
+          callback({nullptr, image});
+        },
+        need);
+  else
+    listen<sensor_msgs::Image>(
+        topic, queue,
+        [callback](const sensor_msgs::ImageConstPtr& image) {
+          callback({image, nullptr});
+        },
+        need);
+}
+
+void StageInputs::require(const std::string& topic, const std::string& type) {
+  // Topics that are listened to already may have callbacks running.
+  gate_.guarded([&] { silent_[topic] = type; })();
+  if (!silence_timer_.isValid())
+    silence_timer_ = handle_.createWallTimer(
+        ros::WallDuration(kSilence),
+        gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
+}
+
+void StageInputs::reportSilence() {
+  if (silent_.empty()) {
+    silence_timer_.stop();
+    return;
+  }
+  status_->waiting(silentTopic(silent_.begin()->first, silent_.begin()->second));
+}
+
+}  // namespace markerless_mocap

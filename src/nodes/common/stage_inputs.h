@@ -1,0 +1,57 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "nodes/common/callback_gate.h"
+#include "nodes/common/camera_image.h"
+#include "nodes/common/low_latency_transport.h"
+#include "nodes/common/stage_status.h"
+
+namespace markerless_mocap {
+
+/// A stage's subscriptions; their callbacks come one at a time. The status names a topic that is
+/// required every five seconds until something has come on it. Declare it last in its owner: it
+/// closes first.
+class StageInputs {
+ public:
+  enum Need { kOptional, kRequired };
+
+  /// \param status must outlive this
+  StageInputs(const ros::NodeHandle& handle, StageStatus* status)
+      : handle_(handle), status_(status) {}
+
+  /// \param callback takes a shared pointer to the message
+  template <class MessageT, class CallbackT>
+  void listen(const std::string& topic, uint32_t queue, CallbackT callback, Need need = kOptional) {
+    const std::string name = handle_.resolveName(topic);
+    if (need == kRequired) require(name, ros::message_traits::DataType<MessageT>::value());
+    subscribers_.push_back(handle_.subscribe<MessageT>(
+        name, queue,
+        gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
+          silent_.erase(name);
+          callback(message);
+        }),
+        {}, lowLatencyTransport()));
+  }
+  /// \param transport raw or compressed
+  void listenToImages(const std::string& camera, const std::string& transport, uint32_t queue,
+                      const std::function<void(const CameraImage&)>& callback,
+                      Need need = kOptional);
+
+ private:
+  void require(const std::string& topic, const std::string& type);
+  void reportSilence();
+
+  ros::NodeHandle handle_;
+  StageStatus* status_;
+  std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
+  ros::WallTimer silence_timer_;
+  std::vector<ros::Subscriber> subscribers_;
+  CallbackGate gate_;
+};
+
+}  // namespace markerless_mocap
