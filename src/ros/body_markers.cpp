@@ -1,5 +1,7 @@
 #include "ros/body_markers.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,11 +50,7 @@ void addTriangles(const Eigen::Isometry3d& T_world_link, const RoundCone& cone, 
     const double angle = 2.0 * M_PI * sector / kSectors;
     const Eigen::Vector3d p =
         ring.center + ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
-    geometry_msgs::Point point;
-    point.x = p.x();
-    point.y = p.y();
-    point.z = p.z();
-    marker->points.push_back(point);
+    marker->points.push_back(tf2::toMsg(p));
   };
   for (size_t r = 0; r + 1 < rings.size(); ++r) {
     for (int s = 0; s < kSectors; ++s) {

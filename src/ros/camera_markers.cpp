@@ -1,17 +1,11 @@
 #include "ros/camera_markers.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <array>
 
 namespace markerless_mocap {
 namespace {
-
-geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
-  geometry_msgs::Point message;
-  message.x = p.x();
-  message.y = p.y();
-  message.z = p.z();
-  return message;
-}
 
 visualization_msgs::Marker marker(const std_msgs::Header& header, const char* ns, int id) {
   visualization_msgs::Marker m;
@@ -48,17 +42,18 @@ visualization_msgs::MarkerArray cameraMarkers(const CameraRig& rig, const std_ms
     lines.scale.x = 0.01;
     const auto far = corners(rig[i], depth);
     for (size_t c = 0; c < 4; ++c) {
-      lines.points.push_back(pointMessage(rig[i].position()));
-      lines.points.push_back(pointMessage(far[c]));
-      lines.points.push_back(pointMessage(far[c]));
-      lines.points.push_back(pointMessage(far[(c + 1) % 4]));
+      lines.points.push_back(tf2::toMsg(rig[i].position()));
+      lines.points.push_back(tf2::toMsg(far[c]));
+      lines.points.push_back(tf2::toMsg(far[c]));
+      lines.points.push_back(tf2::toMsg(far[(c + 1) % 4]));
     }
     markers.markers.push_back(lines);
     visualization_msgs::Marker name = marker(header, "names", static_cast<int>(i));
     name.type = name.TEXT_VIEW_FACING;
     name.text = rig[i].name();
     name.scale.z = 0.15;
-    name.pose.position = pointMessage(rig[i].position() + 0.15 * Eigen::Vector3d::UnitZ());
+    name.pose.position =
+        tf2::toMsg(Eigen::Vector3d(rig[i].position() + 0.15 * Eigen::Vector3d::UnitZ()));
     markers.markers.push_back(name);
   }
   return markers;

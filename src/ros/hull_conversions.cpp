@@ -1,6 +1,7 @@
 #include "ros/hull_conversions.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,9 +94,7 @@ sensor_msgs::PointCloud2 emptyCloud(const std_msgs::Header& header, size_t point
 VoxelGrid messageFromLattice(const VoxelLattice& lattice, const std_msgs::Header& header) {
   VoxelGrid grid;
   grid.header = header;
-  grid.origin.x = lattice.origin.x();
-  grid.origin.y = lattice.origin.y();
-  grid.origin.z = lattice.origin.z();
+  grid.origin = tf2::toMsg(lattice.origin);
   grid.pitch = lattice.pitch;
   for (int axis = 0; axis < 3; ++axis) grid.size[axis] = static_cast<uint32_t>(lattice.size[axis]);
   return grid;

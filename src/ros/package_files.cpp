@@ -27,6 +27,13 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
+void writeText(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
 PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
                                     const std::string& body_file) {
   PersonResources sources = PersonResources::standard();

@@ -12,6 +12,8 @@ std::string packageFile(const std::string& relative_path);
 
 /// Text of a file. Throws std::runtime_error if it cannot be read.
 std::string readText(const std::string& path);
+/// Throws std::runtime_error if the file cannot be written.
+void writeText(const std::string& path, const std::string& text);
 
 /// What is known of the person. Throws std::runtime_error if a file cannot be read,
 /// std::invalid_argument if it does not hold what it should.

@@ -1,6 +1,7 @@
 #include "ros/pose_tree_conversions.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +28,6 @@ static_assert(int(TreePart::kNone) == PoseTreeMsg::NONE &&
               int(TreePart::kRightArm) == PoseTreeMsg::RIGHT_ARM &&
               int(TreePart::kLeftLeg) == PoseTreeMsg::LEFT_LEG &&
               int(TreePart::kRightLeg) == PoseTreeMsg::RIGHT_LEG);
-
-/// Points and vectors alike.
-template <class XyzT>
-XyzT messageOf(const Eigen::Vector3d& p) {
-  XyzT message;
-  message.x = p.x();
-  message.y = p.y();
-  message.z = p.z();
-  return message;
-}
 
 void require(bool usable, const std::string& fault) {
   if (!usable) throw std::invalid_argument("PoseTree has " + fault);
@@ -114,7 +105,7 @@ PoseTreeMsg messageFromPoseTree(const PoseTree& tree, const std_msgs::Header& he
   message.rank = tree.rank;
   message.validity = tree.validity;
   for (const TreeNode& node : tree.nodes) {
-    message.nodes.push_back(messageOf<Point>(node.position));
+    message.nodes.push_back(tf2::toMsg(node.position));
     message.parents.push_back(node.parent);
     message.parts.push_back(uint8_t(node.part));
   }
@@ -124,17 +115,17 @@ PoseTreeMsg messageFromPoseTree(const PoseTree& tree, const std_msgs::Header& he
     if (tip.node < 0) continue;
     message.tip_names.emplace_back(toString(Extremity(i)));
     message.tip_nodes.push_back(tip.node);
-    message.tip_skeleton_ends.push_back(messageOf<Point>(tip.skeleton_end));
-    message.tip_positions.push_back(messageOf<Point>(tip.position));
+    message.tip_skeleton_ends.push_back(tf2::toMsg(tip.skeleton_end));
+    message.tip_positions.push_back(tf2::toMsg(tip.position));
   }
   for (int i = 0; i < kTreeJointCount; ++i) {
     const auto& joint = tree.joints[size_t(i)];
     if (!joint) continue;
     message.joint_names.emplace_back(toString(TreeJoint(i)));
-    message.joint_positions.push_back(messageOf<Point>(*joint));
+    message.joint_positions.push_back(tf2::toMsg(*joint));
   }
-  message.forward = messageOf<geometry_msgs::Vector3>(tree.forward);
-  message.left = messageOf<geometry_msgs::Vector3>(tree.left);
+  tf2::toMsg(tree.forward, message.forward);
+  tf2::toMsg(tree.left, message.left);
   return message;
 }
 

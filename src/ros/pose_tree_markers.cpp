@@ -1,3 +1,5 @@
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <string>
 
 #include "ros/pose_tree_conversions.h"
@@ -13,14 +15,6 @@ constexpr double kEdgeWidth = 0.012, kTipSize = 0.07, kTextAbove = 0.09;
 constexpr double kNameSize = 0.07, kReasonSize = 0.05;
 constexpr double kArrowLength = 0.4, kArrowWidth = 0.025, kArrowHead = 0.06;
 constexpr float kFaint = 0.3f;
-
-geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
-  geometry_msgs::Point message;
-  message.x = p.x();
-  message.y = p.y();
-  message.z = p.z();
-  return message;
-}
 
 std_msgs::ColorRGBA colorMessage(const std::array<uint8_t, 3>& rgb, float alpha) {
   std_msgs::ColorRGBA color;
@@ -49,8 +43,8 @@ class MarkerSet {
     edges.scale.x = kEdgeWidth;
     for (const TreeNode& node : tree_.nodes) {
       if (node.parent < 0) continue;
-      edges.points.push_back(pointMessage(tree_.nodes[size_t(node.parent)].position));
-      edges.points.push_back(pointMessage(node.position));
+      edges.points.push_back(tf2::toMsg(tree_.nodes[size_t(node.parent)].position));
+      edges.points.push_back(tf2::toMsg(node.position));
       edges.colors.insert(edges.colors.end(), 2, colorMessage(treeColor(node.part), alpha_));
     }
   }
@@ -60,7 +54,7 @@ class MarkerSet {
     const int id = int(extremity);
     const auto color = treeColor(partAt(extremity));
     Marker& ball = add("tips", id, Marker::SPHERE, tip.node >= 0);
-    ball.pose.position = pointMessage(tip.position);
+    ball.pose.position = tf2::toMsg(tip.position);
     ball.scale.x = ball.scale.y = ball.scale.z = kTipSize;
     ball.color = colorMessage(color, alpha_);
     std::string name = toString(extremity);
@@ -76,7 +70,8 @@ class MarkerSet {
     Marker& arrow = add("forward", 0, Marker::ARROW, known);
     if (!known) return;
     const Eigen::Vector3d& from = tree_.nodes[size_t(tree_.origin)].position;
-    arrow.points = {pointMessage(from), pointMessage(from + kArrowLength * tree_.forward)};
+    const Eigen::Vector3d to = from + kArrowLength * tree_.forward;
+    arrow.points = {tf2::toMsg(from), tf2::toMsg(to)};
     arrow.scale.x = kArrowWidth;
     arrow.scale.y = arrow.scale.z = kArrowHead;
     arrow.color = colorMessage({255, 255, 255}, alpha_);
@@ -110,7 +105,7 @@ class MarkerSet {
                   bool shown) {
     Marker& text = add(group, id, Marker::TEXT_VIEW_FACING, shown);
     text.text = words;
-    text.pose.position = pointMessage(below + Eigen::Vector3d(0.0, 0.0, kTextAbove));
+    text.pose.position = tf2::toMsg(Eigen::Vector3d(below + Eigen::Vector3d(0.0, 0.0, kTextAbove)));
     return text;
   }
 

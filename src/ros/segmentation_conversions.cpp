@@ -1,6 +1,7 @@
 #include "ros/segmentation_conversions.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -35,14 +36,6 @@ SegmentationStatus statusFromMessage(uint8_t status) {
       throw std::invalid_argument("BodyParts has the status " + std::to_string(status) +
                                   ", allowed are 0 to 2");
   }
-}
-
-geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
-  geometry_msgs::Point message;
-  message.x = p.x();
-  message.y = p.y();
-  message.z = p.z();
-  return message;
 }
 
 PartCurve curveFromMessage(const BodyPart& message) {
@@ -106,7 +99,7 @@ BodyPartsMsg messageFromParts(const BodyParts& parts, const std_msgs::Header& he
     if (curve.seen) {
       part.whole = curve.whole;
       part.voxel_count = curve.voxel_count;
-      for (const Eigen::Vector3d& p : curve.points) part.points.push_back(pointMessage(p));
+      for (const Eigen::Vector3d& p : curve.points) part.points.push_back(tf2::toMsg(p));
       part.site_values = curve.site_values;
     }
     message.parts.push_back(part);
@@ -195,7 +188,7 @@ visualization_msgs::MarkerArray curveMarkers(const BodyParts& parts,
     marker.color.b = color[2] / 255.0f;
     marker.color.a = 1.0f;
     if (marker.action == marker.ADD)
-      for (const Eigen::Vector3d& p : curve.points) marker.points.push_back(pointMessage(p));
+      for (const Eigen::Vector3d& p : curve.points) marker.points.push_back(tf2::toMsg(p));
     markers.markers.push_back(marker);
   }
   return markers;

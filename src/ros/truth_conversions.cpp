@@ -1,5 +1,7 @@
 #include "ros/truth_conversions.h"
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include <stdexcept>
 
 namespace markerless_mocap {
@@ -13,12 +15,7 @@ JointPositions messageFromPoints(const std::vector<std::string>& names,
   JointPositions message;
   message.header = header;
   message.names = names;
-  message.positions.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i) {
-    message.positions[i].x = points[i].x();
-    message.positions[i].y = points[i].y();
-    message.positions[i].z = points[i].z();
-  }
+  for (const Eigen::Vector3d& point : points) message.positions.push_back(tf2::toMsg(point));
   return message;
 }
 

@@ -1,9 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 
 #include "resources/resources.h"
+#include "ros/package_files.h"
 #include "studies/learn_contour_body/learn_contour_body.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
@@ -40,9 +39,6 @@ int main(int argc, char** argv) {
   return runTool("learn_contour_body", [&] {
     options.files = {humanUrdfTemplate(), packageFile("config/motions")};
     options.interrupted = catchInterruptions();
-    const ShapeStatistics learned = learnContourBody(options, &std::cerr);
-    std::ofstream file(output);
-    file << madeBy(options) << learned.text();
-    if (!file.flush()) throw std::runtime_error("cannot write " + output);
+    writeText(output, madeBy(options) + learnContourBody(options, &std::cerr).text());
   });
 }

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
 #include "resources/resources.h"
+#include "ros/package_files.h"
 #include "studies/common/true_parameters.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
@@ -14,14 +14,17 @@ using namespace markerless_mocap;
 void write(const std::string& path, const std::vector<std::string>& motions) {
   const StudioFiles files{humanUrdfTemplate(), packageFile("config/motions")};
   const FleischmannMotionStatistics statistics = statisticsOf(motions, StudioOptions(), files);
-  std::ofstream out(path);
+  std::ostringstream out;
   out << "# Made by: rosrun markerless_mocap motion_statistics models/motion_statistics.yaml "
          "--motion";
   for (const std::string& motion : motions) out << ' ' << motion;
-  out << "\n# Largest change of each of the 31 parameters between two frames at 60 fps over these\n"
-         "# motions, rad and m.\n"
+  out << "
+# Largest change of each of the 31 parameters between two frames at 60 fps over these
+"
+         "# motions, rad and m.
+"
       << statistics.toYaml();
-  if (!out.flush()) throw std::runtime_error("cannot write " + path);
+  writeText(path, out.str());
 }
 
 }  // namespace

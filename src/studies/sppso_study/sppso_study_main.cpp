@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "resources/resources.h"
+#include "ros/package_files.h"
 #include "studies/sppso_study/fleischmann_report.h"
 #include "tools/common/number_format.h"
 #include "tools/common/person_urdf.h"
@@ -87,12 +87,6 @@ std::vector<StudiedTable> studied(const FleischmannSequence& film,
   return out;
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 void run(const Arguments& arguments) {
   const FleischmannOptions search = searchOf(arguments);
   const std::vector<StudyTable> tables = wantedTables(arguments, search);
@@ -116,8 +110,8 @@ void run(const Arguments& arguments) {
   report.curves = fitnessCurves(film, film.frames.size() / 3, kSwing,
                                 statistics.over(1.0 / 20.0)[kSwing], search);
   report.time = timeByPart(film, statistics, search);
-  write(std::filesystem::path(arguments.folder) / "index.html", studyPage(report));
-  write(std::filesystem::path(arguments.folder) / "runs.csv", studyCsv(report.tables));
+  writeText(std::filesystem::path(arguments.folder) / "index.html", studyPage(report));
+  writeText(std::filesystem::path(arguments.folder) / "runs.csv", studyCsv(report.tables));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 
+#include "ros/package_files.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/evaluate/evaluation.h"
@@ -38,13 +38,6 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("--quiet", arguments->quiet, "no progress and no table");
 }
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
-}
-
 void run(Arguments* arguments) {
   EvaluationRequest& request = arguments->request;
   request.images = !arguments->no_images;
@@ -53,8 +46,8 @@ void run(Arguments* arguments) {
   const Evaluation evaluation =
       evaluate(request, [&](double fraction) { progress.update(fraction); });
   progress.finish();
-  if (!arguments->json.empty()) write(arguments->json, evaluationJson(evaluation));
-  if (!arguments->html.empty()) write(arguments->html, evaluationPage(evaluation));
+  if (!arguments->json.empty()) writeText(arguments->json, evaluationJson(evaluation));
+  if (!arguments->html.empty()) writeText(arguments->html, evaluationPage(evaluation));
   if (!arguments->quiet) printEvaluation(evaluation, std::cout);
 }
 

@@ -4,12 +4,12 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "ros/hull_conversions.h"
+#include "ros/package_files.h"
 #include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
@@ -31,13 +31,6 @@ std::string positionText(const Eigen::Vector3f& p) {
 std::string fileOf(const VisualHull& hull, const HullExportOptions& what) {
   const std::string kind = std::filesystem::path(what.output).extension();
   return kind == ".pcd" ? pcdOf(hull, what.ascii) : plyOf(hull, what.ascii);
-}
-
-void writeFile(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
 }
 
 /// "hull.ply" -> "hull_12.034000000.ply"
@@ -114,7 +107,7 @@ std::vector<std::string> exportHulls(const HullExportOptions& what) {
     const VisualHull hull = hullFromMessage(*cloud, grid);
     if (hull.voxels.empty()) continue;
     files.push_back(what.all ? withStamp(output, cloud->header.stamp) : what.output);
-    writeFile(files.back(), fileOf(hull, what));
+    writeText(files.back(), fileOf(hull, what));
     if (!what.all) break;
   }
   if (files.empty())

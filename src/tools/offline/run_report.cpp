@@ -3,13 +3,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "evaluation/body_silhouette.h"
+#include "ros/package_files.h"
 #include "ros/pose_conversions.h"
 #include "tools/common/overlay.h"
 
@@ -114,10 +114,7 @@ void RunReport::write(const std::string& title, const std::vector<std::string>& 
     if (!cv::imwrite(folder_ + name, content_.pictures[i].image))
       throw std::runtime_error("cannot write " + folder_ + name);
   }
-  std::ofstream file(folder_ + "/report.html");
-  file << reportPage(content_);
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + folder_ + "/report.html");
+  writeText(folder_ + "/report.html", reportPage(content_));
 }
 
 }  // namespace markerless_mocap
