@@ -16,12 +16,13 @@ inline std::string humanTemplate() {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-inline std::string humanUrdf(double stature_m = 1.75) {
-  return fillUrdfTemplate(humanTemplate(), "person1", BodyProportions::fromStature(stature_m));
+inline std::string humanUrdf(
+    const BodyProportions& proportions = BodyProportions::fromStature(1.75)) {
+  return fillUrdfTemplate(humanTemplate(), "person1", proportions);
 }
 
-inline BodyModel human(double stature_m = 1.75) {
-  return BodyModel::fromUrdf(humanUrdf(stature_m), "person1");
+inline BodyModel human(const BodyProportions& proportions = BodyProportions::fromStature(1.75)) {
+  return BodyModel::fromUrdf(humanUrdf(proportions), "person1");
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

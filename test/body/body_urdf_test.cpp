@@ -50,7 +50,7 @@ TEST(BodyUrdfTest, statureIsTheSumOfItsParts) {
   for (const double stature : {0.5, 1.2, 1.75, 2.5}) {
     const BodyProportions p = BodyProportions::fromStature(stature);
     EXPECT_NEAR(p.ankle_height + p.shank + p.thigh + p.torso + p.neck + p.head, stature, 1e-9);
-    const BodyModel model = human(stature);
+    const BodyModel model = human(p);
     EXPECT_NEAR(model.joint("l_elbow").T_parent_joint.translation().z(), -p.upper_arm, 1e-5);
   }
 }

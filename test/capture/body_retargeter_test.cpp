@@ -16,10 +16,7 @@ using Eigen::Vector3d;
 
 class DrivenBodyTest : public ::testing::Test {
  protected:
-  DrivenBodyTest() {
-    const std::string urdf = fillUrdfTemplate(humanTemplate(), "person1", proportionsOf(skeleton_));
-    model_ = std::make_shared<BodyModel>(BodyModel::fromUrdf(urdf, "person1"));
-  }
+  DrivenBodyTest() { model_ = std::make_shared<BodyModel>(human(proportionsOf(skeleton_))); }
 
   /// Stands with arms hanging and turns bones, each against its parent, on top of that.
   HumanPose posed(const std::vector<std::pair<Bone, Quaterniond>>& turns) const {

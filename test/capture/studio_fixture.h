@@ -1,28 +1,13 @@
 #pragma once
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "body/body_fixture.h"
 #include "capture/virtual_studio.h"
-#include "error_text_of.h"
-#include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/body/body_urdf.h"
 
 namespace markerless_mocap {
-
-inline std::string humanTemplate() {
-  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-inline std::shared_ptr<const BodyModel> human() {
-  const BodyProportions proportions = BodyProportions::fromStature(1.75);
-  return std::make_shared<BodyModel>(
-      BodyModel::fromUrdf(fillUrdfTemplate(humanTemplate(), "person1", proportions), "person1"));
-}
 
 inline StudioFiles packageFiles() {
   return {humanTemplate(), std::string(MOCAP_SOURCE_DIR) + "/config/motions"};

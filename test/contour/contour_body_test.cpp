@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "body/body_fixture.h"
 #include "contour/drawn_body.h"
 #include "contour/model/contour_kinematics.h"
 #include "error_text_of.h"
@@ -16,12 +15,6 @@ namespace {
 
 ShapeParameters plainSizes() {
   return ShapeStatistics::handMade().sizes(1.75);
-}
-
-BodyModel urdfOf(const ShapeParameters& sizes) {
-  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return BodyModel::fromUrdf(fillUrdfTemplate(text, "p", proportionsOf(sizes)), "p");
 }
 
 TEST(ContourPose, StepsLeadFromPoseToPose) {
@@ -40,7 +33,7 @@ TEST(ContourPose, TurnsByItsVector) {
 
 TEST(ContourBody, StandsAsTheUrdfDoes) {
   const ShapeParameters sizes = plainSizes();
-  const BodyModel urdf = urdfOf(sizes);
+  const BodyModel urdf = human(proportionsOf(sizes));
   LinkPoses T_world_link;
   urdf.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(urdf.angleCount()),
                          T_world_link);

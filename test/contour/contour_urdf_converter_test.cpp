@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
+#include "body/body_fixture.h"
 #include "contour/drawn_body.h"
 
 namespace markerless_mocap {
@@ -14,10 +11,7 @@ namespace {
 class ContourConversionTest : public ::testing::Test {
  protected:
   ContourConversionTest() : sizes(ShapeStatistics::handMade().sizes(1.75)), body(sizes) {
-    std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/urdf/human.urdf.in");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    model = std::make_shared<BodyModel>(
-        BodyModel::fromUrdf(fillUrdfTemplate(text, "p", proportionsOf(sizes)), "p"));
+    model = std::make_shared<BodyModel>(human(proportionsOf(sizes)));
   }
   /// Greatest distance between the URDF's joints and the contour body's, metres.
   double farthest(ContourUrdfConverter& conversion, const ContourPose& pose) {

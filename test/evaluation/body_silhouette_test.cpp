@@ -2,23 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <opencv2/imgproc.hpp>
-#include <sstream>
-#include <stdexcept>
 
-#include "markerless_mocap/body/body_urdf.h"
+#include "body/body_fixture.h"
 
 namespace markerless_mocap {
 namespace {
-
-BodyModel person() {
-  std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return BodyModel::fromUrdf(
-      fillUrdfTemplate(text.str(), "person1", BodyProportions::fromStature(1.75)), "person1");
-}
 
 /// Looks along the world's +x from (-distance, 0, 0), upright, 500 px focal length.
 CameraCalibration frontCamera(double distance) {
@@ -57,7 +46,7 @@ bool rayHitsBody(const BodyModel& model, const LinkPoses& poses, const Camera& c
 }
 
 TEST(BodySilhouette, AgreesWithRaysThroughADistortingLens) {
-  const BodyModel model = person();
+  const BodyModel model = human();
   CameraCalibration calibration = frontCamera(3.0);
   calibration.D = {-0.25, 0.08, 0.001, -0.001};
   const Camera camera(calibration);
@@ -78,14 +67,14 @@ TEST(BodySilhouette, AgreesWithRaysThroughADistortingLens) {
 }
 
 TEST(BodySilhouette, BodyBehindTheCameraIsNotSeen) {
-  const BodyModel model = person();
+  const BodyModel model = human();
   const Camera camera(frontCamera(3.0));
   const LinkPoses poses = standing(model, {-8, 0, 0});
   EXPECT_EQ(cv::countNonZero(bodySilhouette(model, poses, camera)), 0);
 }
 
 TEST(BodySilhouette, OnlyShownLinksAreDrawn) {
-  const BodyModel model = person();
+  const BodyModel model = human();
   const Camera camera(frontCamera(3.0));
   const LinkPoses poses = standing(model, {0, 0, 0});
   std::vector<bool> head_only(model.links().size(), false);
@@ -98,7 +87,7 @@ TEST(BodySilhouette, OnlyShownLinksAreDrawn) {
 }
 
 TEST(BodySilhouette, CameraInsideTheBodySeesTheRestOfIt) {
-  const BodyModel model = person();
+  const BodyModel model = human();
   const Camera camera(frontCamera(0.0));
   EXPECT_NO_THROW(bodySilhouette(model, standing(model, {0, 0, 0}), camera));
 }

@@ -1,26 +1,17 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "body/body_fixture.h"
 #include "fleischmann/fleischmann_body_model.h"
 #include "fleischmann/model/fleischmann_body_shape.h"
-#include "markerless_mocap/body/body_model.h"
-#include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
 inline const BodyModel& sampleBody() {
-  static const BodyModel body = [] {
-    std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-    std::stringstream text;
-    text << file.rdbuf();
-    return BodyModel::fromUrdf(
-        fillUrdfTemplate(text.str(), "person1", BodyProportions::fromStature(1.75)), "person1");
-  }();
+  static const BodyModel body = human();
   return body;
 }
 

@@ -200,31 +200,26 @@ class OtherStages(Diagnosed):
             images.publish(message)
         self.send_until('cannot be decoded', send)
 
-    def test_hull_without_grid(self):
+    def answers_without_grid(self, node, topic, answer_type):
         points = rospy.Publisher('hull/points', PointCloud2, queue_size=5)
         answers = []
-        rospy.Subscriber('segmentation/parts', BodyParts, answers.append)
-        self.run_node('body_segmentation')
+        rospy.Subscriber(topic, answer_type, answers.append)
+        self.run_node(node)
 
         def send(stamp):
             message = PointCloud2()
             message.header.stamp = stamp
             points.publish(message)
         self.send_until('no hull/grid has come yet', send)
-        self.assertEqual({BodyParts.INVALID}, {a.status for a in answers})
+        return {a.status for a in answers}
+
+    def test_hull_without_grid(self):
+        found = self.answers_without_grid('body_segmentation', 'segmentation/parts', BodyParts)
+        self.assertEqual({BodyParts.INVALID}, found)
 
     def test_tree_without_grid(self):
-        points = rospy.Publisher('hull/points', PointCloud2, queue_size=5)
-        answers = []
-        rospy.Subscriber('pose_tree', PoseTree, answers.append)
-        self.run_node('pose_tree')
-
-        def send(stamp):
-            message = PointCloud2()
-            message.header.stamp = stamp
-            points.publish(message)
-        self.send_until('no hull/grid has come yet', send)
-        self.assertEqual({PoseTree.NO_SKELETON}, {a.status for a in answers})
+        found = self.answers_without_grid('pose_tree', 'pose_tree', PoseTree)
+        self.assertEqual({PoseTree.NO_SKELETON}, found)
 
 
 class FittingNode(Diagnosed):

@@ -53,7 +53,7 @@ PoseTree rightTree(int frame) {
 class ContourStartTest : public testing::Test {
  protected:
   ContourStartTest() {
-    sources.urdf_template = urdfTemplate();
+    sources.urdf_template = humanTemplate();
     sources.measured = truth();
     options.contour.rays = 400;
     options.person.shape_poses = 6;

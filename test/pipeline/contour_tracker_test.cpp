@@ -21,7 +21,7 @@ TrackerOptions contourOptions() {
 
 class ContourMethodTest : public testing::Test {
  protected:
-  ContourMethodTest() { sources.urdf_template = urdfTemplate(); }
+  ContourMethodTest() { sources.urdf_template = humanTemplate(); }
 
   void make() { tracker = makeBodyTracker(rig, sources, options); }
   void makeMeasured() {

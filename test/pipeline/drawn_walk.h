@@ -1,23 +1,16 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "body/body_fixture.h"
 #include "contour/drawn_body.h"
-#include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/products/body_pose.h"
 #include "markerless_mocap/products/pose_tree.h"
 
 namespace markerless_mocap {
-
-inline std::string urdfTemplate() {
-  std::ifstream file(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Someone smaller than believed.
 inline ShapeParameters truth() {

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
-#include "markerless_mocap/body/body_urdf.h"
+#include "body/body_fixture.h"
 
 namespace markerless_mocap {
 namespace {
@@ -15,12 +12,7 @@ using visualization_msgs::Marker;
 constexpr size_t kLeftArm = size_t(PartLabel::kArm1);
 
 const BodyModel& person() {
-  static const BodyModel model = [] {
-    std::ifstream in(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return BodyModel::fromUrdf(
-        fillUrdfTemplate(text, "person1", BodyProportions::fromStature(1.75)), "person1");
-  }();
+  static const BodyModel model = human();
   return model;
 }
 

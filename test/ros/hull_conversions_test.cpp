@@ -7,16 +7,10 @@
 #include <stdexcept>
 
 #include "error_text_of.h"
+#include "ros/world_header.h"
 
 namespace markerless_mocap {
 namespace {
-
-std_msgs::Header worldHeader() {
-  std_msgs::Header header;
-  header.frame_id = "world";
-  header.stamp = ros::Time(1000, 7);
-  return header;
-}
 
 VisualHull sampleHull() {
   VisualHull hull;

@@ -6,31 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
-#include "markerless_mocap/body/body_urdf.h"
+#include "body/body_fixture.h"
+#include "ros/world_header.h"
 
 namespace markerless_mocap {
 namespace {
 
 const BodyModel& person() {
-  static const BodyModel model = [] {
-    std::ifstream in(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return BodyModel::fromUrdf(
-        fillUrdfTemplate(text, "person1", BodyProportions::fromStature(1.75)), "person1");
-  }();
+  static const BodyModel model = human();
   return model;
-}
-
-std_msgs::Header worldHeader() {
-  std_msgs::Header header;
-  header.frame_id = "world";
-  header.stamp = ros::Time(1000, 7);
-  return header;
 }
 
 BodyPose samplePose() {

@@ -9,18 +9,12 @@
 #include <string>
 
 #include "error_text_of.h"
+#include "ros/world_header.h"
 
 namespace markerless_mocap {
 namespace {
 
 using visualization_msgs::Marker;
-
-std_msgs::Header worldHeader() {
-  std_msgs::Header header;
-  header.frame_id = "world";
-  header.stamp = ros::Time(1000, 7);
-  return header;
-}
 
 /// A head, a left hand and five nodes between them; the rest is not found.
 PoseTree sampleTree() {

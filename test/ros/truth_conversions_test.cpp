@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
-#include "error_text_of.h"
-#include "markerless_mocap/body/body_urdf.h"
+#include "body/body_fixture.h"
 
 namespace markerless_mocap {
 namespace {
@@ -25,10 +21,7 @@ TEST(TruthConversions, everyPointHasItsName) {
 }
 
 TEST(TruthConversions, everyAngleHasItsJoint) {
-  std::ifstream in(MOCAP_SOURCE_DIR "/urdf/human.urdf.in");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const BodyModel model = BodyModel::fromUrdf(
-      fillUrdfTemplate(text, "truth", BodyProportions::fromStature(1.75)), "truth");
+  const BodyModel model = human();
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(model.angleCount());
   angles[model.angleIndex("l_elbow")] = 0.7;
   const auto state = messageFromAngles(model, angles, std_msgs::Header());

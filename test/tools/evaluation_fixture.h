@@ -2,6 +2,7 @@
 
 #include <markerless_mocap/JointPositions.h>
 #include <sensor_msgs/JointState.h>
+#include <tf2_eigen/tf2_eigen.h>
 
 #include <cmath>
 #include <functional>
@@ -69,12 +70,8 @@ class EvaluationTest : public ToolTest {
       joints.header.frame_id = world;
       joints.names = bodyPointNames();
       const Eigen::Matrix3Xd points = bodyPoints(model_, linksOf(pose));
-      for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        joints.positions.emplace_back();
-        joints.positions.back().x = points(0, i);
-        joints.positions.back().y = points(1, i);
-        joints.positions.back().z = points(2, i);
-      }
+      for (Eigen::Index i = 0; i < points.cols(); ++i)
+        joints.positions.push_back(tf2::toMsg(Eigen::Vector3d(points.col(i))));
       bag.write("/ground_truth/joints", joints.header.stamp, joints);
       sensor_msgs::JointState angles;
       angles.header = joints.header;
@@ -87,18 +84,10 @@ class EvaluationTest : public ToolTest {
   }
 
   static geometry_msgs::TransformStamped cameraTransform(const Camera& camera) {
-    const Eigen::Isometry3d& T = camera.calibration().T_world_camera;
-    const Eigen::Quaterniond q(T.linear());
-    geometry_msgs::TransformStamped out;
+    geometry_msgs::TransformStamped out =
+        tf2::eigenToTransform(camera.calibration().T_world_camera);
     out.header.frame_id = "world";
     out.child_frame_id = camera.name() + "_optical";
-    out.transform.translation.x = T.translation().x();
-    out.transform.translation.y = T.translation().y();
-    out.transform.translation.z = T.translation().z();
-    out.transform.rotation.x = q.x();
-    out.transform.rotation.y = q.y();
-    out.transform.rotation.z = q.z();
-    out.transform.rotation.w = q.w();
     return out;
   }
 
@@ -141,6 +130,22 @@ class EvaluationTest : public ToolTest {
       change(f, &result.pose);
       writer.write(stampOf(f) + later_ns, result);
       writer.writeMasks(stampOf(f) + later_ns, cameras, result.masks);
+    }
+    bag.commit();
+  }
+
+  /// The same without hulls and masks; the change may say anything else of a frame.
+  void writeStages(const std::function<void(int frame, PipelineResult* result)>& change,
+                   const std::string& world) const {
+    writeTruth("world", false);
+    BagWriter bag(request_.results);
+    ResultWriter writer(&bag, model_, world);
+    writer.writeDescription(kBegin, humanUrdf());
+    for (int f = 0; f < kFrames; ++f) {
+      PipelineResult result;
+      result.pose = poseOf(f);
+      change(f, &result);
+      writer.write(stampOf(f), result);
     }
     bag.commit();
   }

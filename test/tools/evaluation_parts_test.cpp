@@ -56,18 +56,12 @@ class EvaluationPartsTest : public EvaluationTest {
   }
 
   void writeParts(const PartsChange& change, const std::string& world = "world") const {
-    writeTruth("world", false);
-    BagWriter bag(request_.results);
-    ResultWriter writer(&bag, model_, world);
-    writer.writeDescription(kBegin, humanUrdf());
-    for (int f = 0; f < kFrames; ++f) {
-      PipelineResult result;
-      result.pose = poseOf(f);
-      segment(f, &result);
-      change(f, &result.parts);
-      writer.write(stampOf(f), result);
-    }
-    bag.commit();
+    writeStages(
+        [&](int frame, PipelineResult* result) {
+          segment(frame, result);
+          change(frame, &result->parts);
+        },
+        world);
   }
 };
 

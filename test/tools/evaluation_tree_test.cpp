@@ -46,18 +46,12 @@ class EvaluationTreeTest : public EvaluationTest {
   }
 
   void writeTrees(const TreeChange& change, const std::string& world = "world") const {
-    writeTruth("world", false);
-    BagWriter bag(request_.results);
-    ResultWriter writer(&bag, model_, world);
-    writer.writeDescription(kBegin, humanUrdf());
-    for (int f = 0; f < kFrames; ++f) {
-      PipelineResult result;
-      result.pose = poseOf(f);
-      result.tree = treeOf(f);
-      change(f, &result.tree);
-      writer.write(stampOf(f), result);
-    }
-    bag.commit();
+    writeStages(
+        [&](int frame, PipelineResult* result) {
+          result->tree = treeOf(frame);
+          change(frame, &result->tree);
+        },
+        world);
   }
 };
 

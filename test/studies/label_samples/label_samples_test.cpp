@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "capture/studio_fixture.h"
 #include "error_text_of.h"
 #include "skeleton/labelling/validity_features.h"
 #include "tools/common/person_urdf.h"
@@ -15,8 +16,7 @@ namespace {
 
 LabelSampleOptions shortFilm() {
   LabelSampleOptions film;
-  film.files = {readText(MOCAP_SOURCE_DIR "/urdf/human.urdf.in"),
-                MOCAP_SOURCE_DIR "/config/motions"};
+  film.files = packageFiles();
   film.studio.motion = "whirling_dance";
   film.studio.width = 160;
   film.studio.height = 120;

@@ -1,20 +1,19 @@
 #include "studies/learn_contour_body/learn_contour_body.h"
 
+#include "capture/studio_fixture.h"
 #include "motion/human_skeleton.h"
+#include "ros/package_files.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
 namespace {
 
 LearnOptions fewInstants() {
-  const std::string package = MOCAP_SOURCE_DIR;
-  std::ifstream urdf(package + "/urdf/human.urdf.in");
   LearnOptions options;
   options.people = 1;
   options.frame_sets = 3;
   options.motions = {"melee"};
-  options.files = {std::string(std::istreambuf_iterator<char>(urdf), {}),
-                   package + "/config/motions"};
+  options.files = packageFiles();
   return options;
 }
 
@@ -29,8 +28,7 @@ TEST(LearnContourBody, FindsThePersonsOwnLengths) {
 }
 
 TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
-  std::ifstream file(std::string(MOCAP_SOURCE_DIR) + "/models/contour_body.yaml");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = readText(MOCAP_SOURCE_DIR "/models/contour_body.yaml");
   const ShapeStatistics learned = ShapeStatistics::fromYaml(text, "contour_body.yaml");
   const ShapeStatistics made = ShapeStatistics::handMade();
   for (int i = 0; i < ContourLength::kCount; ++i)

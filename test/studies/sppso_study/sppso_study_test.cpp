@@ -2,30 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <opencv2/core.hpp>
 #include <set>
 #include <sstream>
 
+#include "capture/studio_fixture.h"
 #include "error_text_of.h"
+#include "ros/package_files.h"
 #include "studies/common/true_parameters.h"
 #include "studies/sppso_study/fleischmann_report.h"
 
 namespace markerless_mocap {
 namespace {
 
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-StudioFiles studioFiles() {
-  return {textOf(MOCAP_SOURCE_DIR "/urdf/human.urdf.in"), MOCAP_SOURCE_DIR "/config/motions"};
-}
-
-StudioOptions smallStudio() {
+StudioOptions studioOfTheStudy() {
   StudioOptions studio;
   studio.rig = "ring4";
   studio.width = 322;
@@ -38,17 +28,18 @@ StudioOptions smallStudio() {
 }
 
 const FleischmannSequence& film() {
-  static const FleischmannSequence film = filmOf(smallStudio(), studioFiles(), 13, [](int) {});
+  static const FleischmannSequence film =
+      filmOf(studioOfTheStudy(), packageFiles(), 13, [](int) {});
   return film;
 }
 
 FleischmannMotionStatistics packageStatistics() {
   return FleischmannMotionStatistics::fromYaml(
-      textOf(MOCAP_SOURCE_DIR "/models/motion_statistics.yaml"));
+      readText(MOCAP_SOURCE_DIR "/models/motion_statistics.yaml"));
 }
 
 TEST(FleischmannSequence, keepsAllThatIsNearThePerson) {
-  const VirtualStudio stage(smallStudio(), studioFiles(), "person1");
+  const VirtualStudio stage(studioOfTheStudy(), packageFiles(), "person1");
   const StudioFrameSet frame_set = stage.render(5);
   const std::vector<FleischmannView> views = wholeViews(film(), 5);
   ASSERT_EQ(views.size(), 4u);
@@ -76,12 +67,12 @@ TEST(TrueParameters, statisticsAreOfRealisticWalks) {
   StudioOptions studio;
   studio.duration = 0.5;
   studio.motion_start = 2.0;
-  const FleischmannMotionStatistics statistics = statisticsOf({"walk"}, studio, studioFiles());
+  const FleischmannMotionStatistics statistics = statisticsOf({"walk"}, studio, packageFiles());
   EXPECT_GT(statistics.max_change[kLeftKnee], 0.01);
   EXPECT_LT(statistics.max_change.maxCoeff(), 0.3);
   EXPECT_TRUE(
       (statistics.max_change.array() <= 1.3 * packageStatistics().max_change.array() + 0.02).all());
-  EXPECT_EQ(errorTextOf([&] { statisticsOf({}, studio, studioFiles()); }),
+  EXPECT_EQ(errorTextOf([&] { statisticsOf({}, studio, packageFiles()); }),
             "statistics need at least one motion");
 }
 
