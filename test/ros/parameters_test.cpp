@@ -45,6 +45,13 @@ struct DeepStage {
   void validate() const { checkFields(*this); }
 };
 
+struct OldStage {
+  static constexpr const char* kStage = "pose_fitting";
+  bool unused = false;
+  void visit(OptionVisitor& v) { v.field("unused", unused, ""); }
+  void validate() const { checkFields(*this); }
+};
+
 struct Node {
   static constexpr const char* kStage = "stage";
   std::vector<std::string> cameras;
@@ -127,12 +134,7 @@ TEST(Parameters, ErrorsInNestedStructsNameThePathBelowTheNode) {
 }
 
 TEST(Parameters, OldKeyIsFoundUnderAnyNameOfTheNode) {
-  struct Tracker {
-    static constexpr const char* kStage = "pose_fitting";
-    bool unused = false;
-    void visit(OptionVisitor& v) { v.field("unused", unused, ""); }
-    void validate() const { checkFields(*this); }
-  } stage;
+  OldStage stage;
   XmlRpc::XmlRpcValue value;
   value["contour_rays"] = 900;
   EXPECT_EQ(errorTextOf([&] { loadOptionsTogether(yamlFromXmlRpc(value), "/left/fit", stage); }),

@@ -9,8 +9,8 @@ namespace markerless_mocap {
 /// Settings of the method of Fleischmann (2012).
 struct FleischmannOptions {
   static constexpr const char* kStage = "pose_fitting/fleischmann";
-  /// search for the parameters; *_soft, *_global, *_hard: particle swarm in so many soft or hard
-  /// partitions; annealed_filter, interacting_annealing: the particle filters it is compared with
+  /// how the parameters are searched; annealed_filter, interacting_annealing: particle filters; the
+  /// others: a particle swarm, as a whole or in soft or hard partitions (Fleischmann 2012, 6.6)
   std::string search = "two_soft";
   /// factor of the number of particles of every stage
   double particle_factor = 1.0;

@@ -6,9 +6,9 @@ void FleischmannOptions::visit(OptionVisitor& v) {
   v.field("search", search,
           {"two_soft", "one_global", "two_hard", "three_soft", "twelve_hard", "annealed_filter",
            "interacting_annealing"},
-          "search for the parameters; *_soft, *_global, *_hard: particle swarm in so many soft or "
-          "hard partitions; annealed_filter, interacting_annealing: the particle filters it is "
-          "compared with");
+          "how the parameters are searched; annealed_filter, interacting_annealing: particle "
+          "filters; the others: a particle swarm, as a whole or in soft or hard partitions "
+          "(Fleischmann 2012, 6.6)");
   v.field("particle_factor", particle_factor, 0.1, 100.0,
           "factor of the number of particles of every stage");
   v.field("final_stage_particles", final_stage_particles, 1, 10000,
