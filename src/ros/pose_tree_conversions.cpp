@@ -97,7 +97,6 @@ void readJoints(const PoseTreeMsg& message, PoseTree* tree) {
 }  // namespace
 
 PoseTreeMsg messageFromPoseTree(const PoseTree& tree, const std_msgs::Header& header) {
-  using Point = geometry_msgs::Point;
   PoseTreeMsg message;
   message.header = header;
   message.status = uint8_t(tree.status);
