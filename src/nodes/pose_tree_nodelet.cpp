@@ -33,10 +33,11 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose_tree/markers", 4);
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     inputs_.emplace(handle, status_.get());
-    inputs_->listen<VoxelGrid>("hull/grid", 1,
+    inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
                                [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
     inputs_->listen<sensor_msgs::PointCloud2>(
-        "hull/points", 2, [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
+        "hull/points", 2, StageInputs::kOptional,
+        [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {

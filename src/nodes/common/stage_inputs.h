@@ -26,7 +26,7 @@ class StageInputs {
 
   /// \param callback takes a shared pointer to the message
   template <class MessageT, class CallbackT>
-  void listen(const std::string& topic, uint32_t queue, CallbackT callback, Need need = kOptional) {
+  void listen(const std::string& topic, uint32_t queue, Need need, CallbackT callback) {
     const std::string name = handle_.resolveName(topic);
     if (need == kRequired) require(name, ros::message_traits::DataType<MessageT>::value());
     subscribers_.push_back(handle_.subscribe<MessageT>(
@@ -39,8 +39,7 @@ class StageInputs {
   }
   /// \param transport raw or compressed
   void listenToImages(const std::string& camera, const std::string& transport, uint32_t queue,
-                      const std::function<void(const CameraImage&)>& callback,
-                      Need need = kOptional);
+                      Need need, const std::function<void(const CameraImage&)>& callback);
 
  private:
   void require(const std::string& topic, const std::string& type);

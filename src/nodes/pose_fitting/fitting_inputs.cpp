@@ -49,54 +49,42 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
 
 void FittingInputs::listenToStages() {
   using sensor_msgs::PointCloud2;
-  inputs_.listen<VoxelGrid>(
-      "hull/grid", 1, [this](const VoxelGridConstPtr& grid) { grid_ = grid; },
-      StageInputs::kRequired);
-  inputs_.listen<PointCloud2>(
-      "hull/points", kQueue,
-      [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
-        receive(kHull, hull->header, {hull, nullptr, nullptr});
-      },
-      StageInputs::kRequired);
-  inputs_.listen<BodyPartsMsg>(
-      "segmentation/parts", kQueue,
-      [this](const BodyPartsMsg::ConstPtr& parts) {
-        receive(kParts, parts->header, {nullptr, parts, nullptr});
-      },
-      StageInputs::kRequired);
-  inputs_.listen<PointCloud2>(
-      "segmentation/points", kQueue,
-      [this](const sensor_msgs::PointCloud2ConstPtr& labels) {
-        receive(kLabels, labels->header, {labels, nullptr, nullptr});
-      },
-      StageInputs::kRequired);
+  inputs_.listen<VoxelGrid>("hull/grid", 1, StageInputs::kRequired,
+                            [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+  inputs_.listen<PointCloud2>("hull/points", kQueue, StageInputs::kRequired,
+                              [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
+                                receive(kHull, hull->header, {hull, nullptr, nullptr});
+                              });
+  inputs_.listen<BodyPartsMsg>("segmentation/parts", kQueue, StageInputs::kRequired,
+                               [this](const BodyPartsMsg::ConstPtr& parts) {
+                                 receive(kParts, parts->header, {nullptr, parts, nullptr});
+                               });
+  inputs_.listen<PointCloud2>("segmentation/points", kQueue, StageInputs::kRequired,
+                              [this](const sensor_msgs::PointCloud2ConstPtr& labels) {
+                                receive(kLabels, labels->header, {labels, nullptr, nullptr});
+                              });
   if (!needs_.masks) return;
-  inputs_.listen<PoseTreeMsg>(
-      "pose_tree", kQueue,
-      [this](const PoseTreeMsg::ConstPtr& tree) {
-        receive(kTree, tree->header, {nullptr, nullptr, tree});
-      },
-      StageInputs::kRequired);
+  inputs_.listen<PoseTreeMsg>("pose_tree", kQueue, StageInputs::kRequired,
+                              [this](const PoseTreeMsg::ConstPtr& tree) {
+                                receive(kTree, tree->header, {nullptr, nullptr, tree});
+                              });
 }
 
 void FittingInputs::listenToCamera(size_t camera) {
   const std::string& name = options_.cameras[camera];
   if (!collector_.isFromFile())
     inputs_.listen<sensor_msgs::CameraInfo>(
-        name + "/camera_info", kQueue,
+        name + "/camera_info", kQueue, StageInputs::kRequired,
         [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
           if (collector_.add(camera, *info)) rig_.reset();
-        },
-        StageInputs::kRequired);
-  inputs_.listen<sensor_msgs::Image>(
-      name + "/silhouette", kQueue,
-      [this, camera](const sensor_msgs::ImageConstPtr& mask) {
-        masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
-        dispatchReady();
-      },
-      StageInputs::kRequired);
+        });
+  inputs_.listen<sensor_msgs::Image>(name + "/silhouette", kQueue, StageInputs::kRequired,
+                                     [this, camera](const sensor_msgs::ImageConstPtr& mask) {
+                                       masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
+                                       dispatchReady();
+                                     });
   if (!needs_.images) return;
-  inputs_.listenToImages(name, options_.image_transport, kQueue,
+  inputs_.listenToImages(name, options_.image_transport, kQueue, StageInputs::kOptional,
                          [this, camera](const CameraImage& image) {
                            images_.add(camera, nanosecondsOf(image.header().stamp), image);
                          });

@@ -35,9 +35,8 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       inputs_(handle, &status_) {
   loadBackground();
   publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", kPublisherQueue);
-  inputs_.listenToImages(
-      camera, node_options.image_transport, kQueue,
-      [this](const CameraImage& image) { receive(image); }, StageInputs::kRequired);
+  inputs_.listenToImages(camera, node_options.image_transport, kQueue, StageInputs::kRequired,
+                         [this](const CameraImage& image) { receive(image); });
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {

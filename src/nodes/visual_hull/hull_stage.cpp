@@ -66,15 +66,14 @@ void HullStage::subscribe() {
     const std::string& camera = node_options_.cameras[i];
     if (!rig_.isFromFile())
       inputs_.listen<sensor_msgs::CameraInfo>(
-          camera + "/camera_info", kQueue,
+          camera + "/camera_info", kQueue, StageInputs::kOptional,
           [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
     if (node_options_.color)
-      inputs_.listenToImages(camera, node_options_.image_transport, kQueue,
+      inputs_.listenToImages(camera, node_options_.image_transport, kQueue, StageInputs::kOptional,
                              [this, i](const CameraImage& image) { receiveImage(i, image); });
     inputs_.listen<sensor_msgs::Image>(
-        camera + "/silhouette", kQueue,
-        [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); },
-        StageInputs::kRequired);
+        camera + "/silhouette", kQueue, StageInputs::kRequired,
+        [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); });
   }
 }
 
