@@ -19,6 +19,36 @@ double uniformRandom(uint64_t seed, uint64_t counter) {
   return splitMixUniform(seed * 0xD1342543DE82EF95ull + counter * 0x9E3779B97F4A7C15ull);
 }
 
+/// Particle i at its start, or anywhere inside the bounds.
+void scatter(const SearchProblem& problem, const std::vector<VectorXd>& starts, uint64_t seed,
+             int i, Swarm& swarm) {
+  const auto dimensions = problem.lower.size();
+  for (Eigen::Index d = 0; d < dimensions; ++d) {
+    const double lower = problem.lower[d], upper = problem.upper[d];
+    swarm.position(d, i) =
+        size_t(i) < starts.size()
+            ? std::clamp(starts[i][d], lower, upper)
+            : lower + uniformRandom(seed, uint64_t(i * dimensions + d)) * (upper - lower);
+  }
+}
+
+void move(const SearchProblem& problem, const InertiaSwarmSettings& settings, uint64_t seed,
+          int iteration, int i, Swarm& swarm) {
+  const auto dimensions = problem.lower.size();
+  for (Eigen::Index d = 0; d < dimensions; ++d) {
+    const uint64_t counter =
+        2 * ((uint64_t(iteration) * settings.particles + i) * dimensions + uint64_t(d));
+    double &p = swarm.position(d, i), &v = swarm.velocity(d, i);
+    v = settings.inertia * v +
+        settings.cognitive_weight * uniformRandom(seed, counter) * (swarm.personal_best(d, i) - p) +
+        settings.social_weight * uniformRandom(seed, counter + 1) * (swarm.globalBest()[d] - p);
+    p += v;
+    if (p >= problem.lower[d] && p <= problem.upper[d]) continue;
+    p = std::clamp(p, problem.lower[d], problem.upper[d]);
+    v = 0.0;
+  }
+}
+
 }  // namespace
 
 InertiaSwarm::InertiaSwarm(const InertiaSwarmSettings& settings) : settings_(settings) {
@@ -31,36 +61,11 @@ InertiaSwarm::InertiaSwarm(const InertiaSwarmSettings& settings) : settings_(set
 SearchOutcome InertiaSwarm::minimise(const SearchProblem& problem,
                                      const std::vector<VectorXd>& starts, uint64_t seed) const {
   validateProblem(problem);
-  const VectorXd &lower = problem.lower, &upper = problem.upper;
-  const auto dimensions = lower.size();
-  const VectorXd fallback =
-      starts.empty() ? lower : VectorXd(starts.front().cwiseMax(lower).cwiseMin(upper));
-  Swarm swarm(fallback, settings_.particles);
-  swarm.step(problem, 0, kBatch, [&](int i) {
-    for (Eigen::Index d = 0; d < dimensions; ++d) {
-      const double share = uniformRandom(seed, uint64_t(i) * dimensions + d);
-      swarm.position(d, i) = size_t(i) < starts.size()
-                                 ? std::clamp(starts[i][d], lower[d], upper[d])
-                                 : lower[d] + share * (upper[d] - lower[d]);
-    }
-  });
+  const VectorXd fallback = starts.empty() ? problem.lower : starts.front();
+  Swarm swarm(fallback.cwiseMax(problem.lower).cwiseMin(problem.upper), settings_.particles);
+  swarm.step(problem, 0, kBatch, [&](int i) { scatter(problem, starts, seed, i, swarm); });
   for (int k = 1; k <= settings_.iterations; ++k)
-    swarm.step(problem, 0, kBatch, [&](int i) {
-      const uint64_t counter =
-          (uint64_t(k) * settings_.particles + uint64_t(i)) * uint64_t(2 * dimensions);
-      for (Eigen::Index d = 0; d < dimensions; ++d) {
-        double &p = swarm.position(d, i), &v = swarm.velocity(d, i);
-        v = settings_.inertia * v +
-            settings_.cognitive_weight * uniformRandom(seed, counter + 2 * d) *
-                (swarm.personal_best(d, i) - p) +
-            settings_.social_weight * uniformRandom(seed, counter + 2 * d + 1) *
-                (swarm.globalBest()[d] - p);
-        p += v;
-        if (p >= lower[d] && p <= upper[d]) continue;
-        p = std::clamp(p, lower[d], upper[d]);
-        v = 0.0;
-      }
-    });
+    swarm.step(problem, 0, kBatch, [&](int i) { move(problem, settings_, seed, k, i, swarm); });
   return swarm.outcome;
 }
 
