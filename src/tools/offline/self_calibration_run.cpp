@@ -67,7 +67,7 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
   if (!sources.measured) measureBody(run, &sources, nullptr);
   PipelineOptions stages = run.pipeline;
   stages.fitting.method = "contour";
-  stages.fitting.measure = false;
+  stages.fitting.person.measure = false;
   RecordingOptions beginning = run.recording;
   beginning.duration = std::min(beginning.duration, kMaxSeconds);
   Recording recording(run.input, beginning);
