@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 StudioOptions optionsAt(double fps) {
   StudioOptions options;
-  options.rig = "ring7_overhead";
+  options.rig = "ring4";
   options.width = 320;
   options.height = 240;
   options.fps = fps;
-  options.duration = 5.0;
+  options.duration = 6.0;
   return options;
 }
 
