@@ -14,7 +14,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kMaxTableEntries = 512u << 20;
-constexpr int kMostPixels = 65535;  // along an edge of an image
+constexpr int kMaxPixels = 65535;  // along an edge of an image
 
 void checkRig(const CameraRig& rig, const HullOptions& options) {
   if (rig.size() < 2 || rig.size() > 32)
@@ -24,9 +24,9 @@ void checkRig(const CameraRig& rig, const HullOptions& options) {
   for (const Camera& camera : rig) {
     if (!names.insert(camera.name()).second)
       throw std::invalid_argument("two cameras of the rig are named '" + camera.name() + "'");
-    if (std::max(camera.width(), camera.height()) > kMostPixels)
+    if (std::max(camera.width(), camera.height()) > kMaxPixels)
       throw std::invalid_argument("camera '" + camera.name() + "' has more than " +
-                                  std::to_string(kMostPixels) + " pixels in a row or column");
+                                  std::to_string(kMaxPixels) + " pixels in a row or column");
   }
   if (size_t(options.min_views) > rig.size())
     throw std::invalid_argument("visual_hull/min_views is " + std::to_string(options.min_views) +
@@ -34,7 +34,7 @@ void checkRig(const CameraRig& rig, const HullOptions& options) {
                                 std::to_string(rig.size()));
 }
 
-/// The lattice of a rig that has been checked.
+/// Checks the rig and returns its lattice.
 VoxelLattice latticeOf(const CameraRig& rig, const HullOptions& options) {
   options.validate();
   checkRig(rig, options);
@@ -91,11 +91,11 @@ class HullCarver::State {
 
  private:
   VisualHull carveIn(const VoxelBox& window, const std::vector<HullView>& views);
-  FaultFinder::Result carveComponents(const MaskSummary& masks, const VoxelBox& window);
+  FaultyCameraFinder::Result carveComponents(const MaskSummary& masks, const VoxelBox& window);
   /// Fills the hull's voxels: indices, views, colours and colour votes.
   void describe(const VoxelComponent& person, CameraSet voters, const std::vector<HullView>& views,
                 VisualHull* hull);
-  /// How many cameras see all of a cell, and which others see some of it.
+  /// Number of cameras that see all of a cell, and the cameras that see a part of it.
   struct CellViews {
     uint8_t whole;
     CameraSet in_part;
@@ -106,9 +106,9 @@ class HullCarver::State {
   HullOptions options_;
   VoxelLattice lattice_;
   VoxelVoting voting_;
-  FaultFinder faults_;
+  FaultyCameraFinder faults_;
   VoxelColoring coloring_;
-  std::optional<VoxelBox> followed_;  ///< around the last person
+  std::optional<VoxelBox> followed_;  ///< box around the last person
 };
 
 VisualHull HullCarver::State::carve(const std::vector<HullView>& views) {
@@ -122,8 +122,8 @@ VisualHull HullCarver::State::carve(const std::vector<HullView>& views) {
   return carveIn(voting_.bounds(), views);
 }
 
-FaultFinder::Result HullCarver::State::carveComponents(const MaskSummary& masks,
-                                                       const VoxelBox& window) {
+FaultyCameraFinder::Result HullCarver::State::carveComponents(const MaskSummary& masks,
+                                                              const VoxelBox& window) {
   if (options_.leave_out_bad_cameras) return faults_.carve(masks, window);
   return {voting_.carve(masks.present, window), masks.present, {}};
 }
@@ -132,7 +132,7 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
   VisualHull hull;
   hull.lattice = lattice_;
   const MaskSummary masks = summariseMasks(rig_, voting_);
-  FaultFinder::Result found;
+  FaultyCameraFinder::Result found;
   found.voters = masks.present;
   if (masks.count() >= options_.min_views && masks.empty != masks.present)
     found = carveComponents(masks, window);

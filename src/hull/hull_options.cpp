@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hull/voting/seen_volume.h"
+#include "hull/voting/viewing_volume.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
 namespace markerless_mocap {
@@ -84,7 +84,7 @@ VoxelLattice HullOptions::lattice() const {
 
 VoxelLattice HullOptions::lattice(const CameraRig& rig) const {
   if (volume == "explicit") return lattice();
-  const Eigen::AlignedBox3d seen = seenVolume(rig, min_views, floor_height);
+  const Eigen::AlignedBox3d seen = viewingVolume(rig, min_views, floor_height);
   if (seen.isEmpty())
     throw std::invalid_argument(std::string(kStage) +
                                 "/volume is auto, but most of the cameras see no place above the "

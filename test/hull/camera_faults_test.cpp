@@ -32,7 +32,7 @@ TEST(CameraFaults, EmptyMaskBeforeAPerson) {
     const CameraRig rig = makeRig(cameras);
     std::vector<HullView> views = renderViews(rig, {Sphere()});
     views[2].mask.setTo(0);
-    expectLeftOut(rig, views, 2, "its mask is empty, the others see somebody before it");
+    expectLeftOut(rig, views, 2, "its mask is empty, but other cameras see a person in its view");
   }
 }
 
@@ -48,10 +48,10 @@ TEST(CameraFaults, MaskThatLacksThePerson) {
   const CameraRig rig = makeRig(6);
   std::vector<HullView> views = renderViews(rig, {Sphere()});
   views[4].mask = 255 - views[4].mask;
-  expectLeftOut(rig, views, 4, "its mask lacks what the others agree on");
+  expectLeftOut(rig, views, 4, "its mask lacks a person on whom the other cameras agree");
   views[4].mask.setTo(0);  // something stands in a corner of the image, the person is not there
   views[4].mask(cv::Rect(0, 0, 40, 30)).setTo(255);
-  expectLeftOut(rig, views, 4, "its mask lacks what the others agree on");
+  expectLeftOut(rig, views, 4, "its mask lacks a person on whom the other cameras agree");
 }
 
 TEST(CameraFaults, EmptyMaskOfACameraThatLooksElsewhereIsRight) {

@@ -43,8 +43,9 @@ TEST(HullStatus, FullMaskNamesTheCameras) {
   views[0].mask.setTo(255);
   views[3].mask.setTo(255);
   views[3].mask.rowRange(0, 5).setTo(0);
-  expectUnusable(carve(views), HullStatus::kFullMask,
-                 "the mask of 'cam0', 'cam3' is full: nobody stands out from the background there");
+  expectUnusable(
+      carve(views), HullStatus::kFullMask,
+      "the mask of 'cam0', 'cam3' is full: no person can be separated from the background");
 }
 
 TEST(HullStatus, SmallComponentIsNobody) {

@@ -43,7 +43,7 @@ struct RandomVote {
     for (size_t c = 0; c < masks.size(); ++c) {
       bits[c].pack(masks[c]);
       rule.masks.push_back(integer(0, 7) == 0 ? nullptr : &bits[c]);
-      rule.weights.push_back(plain ? 1 : uint32_t(integer(0, int(VoteRule::kMostWeight))));
+      rule.weights.push_back(plain ? 1 : uint32_t(integer(0, int(VoteRule::kMaxWeight))));
     }
     rule.limit = plain ? uint32_t(integer(1, 3)) : uint32_t(integer(1, 50));
     rule.min_views = integer(1, 4);
@@ -70,7 +70,7 @@ struct RandomVote {
   }
 
   /// The definition.
-  bool stands(uint32_t voxel) const {
+  bool isForeground(uint32_t voxel) const {
     const Eigen::Vector3i at = lattice.coordinates(voxel);
     if (!rule.window.contains(at, (at.array() + 1).matrix())) return false;
     int views = 0;
@@ -104,7 +104,7 @@ TEST(Vote, IsTheLoopOverAllVoxelsAndCameras) {
     vote(table, v.rule, &volume);
     size_t counted = 0, wrong = 0;
     for (uint32_t i = 0; i < v.lattice.count(); ++i) {
-      const bool expected = v.stands(i);
+      const bool expected = v.isForeground(i);
       wrong += has(volume, v.lattice.coordinates(i)) != expected;
       counted += expected;
     }

@@ -14,8 +14,8 @@ struct Twist {
   }
 };
 
-/// Rigid motion exp(twist * angle): Rodrigues' formula for the rotation, and for the translation
-/// (I - R)(w x v) of a pure rotation (Hsiao 2008, Eq. 3-18). \param angle radians
+/// Rigid motion exp(twist * angle). The rotation R is given by Rodrigues' formula, the translation
+/// by (I - R)(w x v) (Hsiao 2008, Eq. 3-18). \param angle radians
 Eigen::Isometry3d exponential(const Twist& twist, double angle);
 
 }  // namespace markerless_mocap

@@ -7,27 +7,27 @@
 
 namespace markerless_mocap {
 
-/// A calibrated camera as users give it: pinhole with lens distortion, pose in the world.
+/// Calibration of one camera: pinhole model with lens distortion, and pose in the world.
 struct CameraCalibration {
   std::string name;
   int width = 0;                                ///< pixels
   int height = 0;                               ///< pixels
-  Eigen::Matrix3d K = Eigen::Matrix3d::Zero();  ///< pixels; integer coordinates are pixel centres
+  Eigen::Matrix3d K = Eigen::Matrix3d::Zero();  ///< pixels; pixel centres have integer coordinates
   /// Distortion, OpenCV order k1 k2 p1 p2 [k3 [k4 k5 k6]]; empty, 4, 5 or 8 values
   /// (sensor_msgs plumb_bob and rational_polynomial).
   std::vector<double> D;
   /// Optical frame (x right, y down, z forward; REP-103) to world, metres.
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 
-  /// Throws std::invalid_argument: empty size, zero or non-finite K, D of a wrong length, a pose
-  /// that is not a rigid transform. The sentence names the camera.
+  /// Throws std::invalid_argument on an empty size, a zero or non-finite K, a D of a wrong length,
+  /// or a pose that is not a rigid transform. The message names the camera.
   void validate() const;
 };
 
-/// Projects with the full lens model. Immutable; safe to share between threads.
+/// Projects points with the full lens model. Immutable; may be shared by threads.
 class Camera {
  public:
-  /// Validates the calibration.
+  /// Throws std::invalid_argument as CameraCalibration::validate().
   explicit Camera(CameraCalibration calibration);
 
   const CameraCalibration& calibration() const { return calibration_; }
@@ -36,21 +36,23 @@ class Camera {
   int height() const { return calibration_.height; }
   Eigen::Vector3d position() const { return calibration_.T_world_camera.translation(); }
 
-  /// World point (m) to pixel. Empty when the point is behind the camera or so far off-axis that
-  /// the distortion polynomial has folded back. The pixel may lie outside the image.
+  /// Projects a world point (metres) to a pixel. Empty if the point is behind the camera, or so far
+  /// from the optical axis that the distortion polynomial is no longer monotonic. The pixel may lie
+  /// outside the image.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_world) const;
 
-  /// As project(), but empty outside the image too (nearest pixel must exist).
+  /// As project(), but also empty if the nearest pixel is not in the image.
   std::optional<Eigen::Vector2d> projectInside(const Eigen::Vector3d& point_world) const;
 
-  /// Unit direction (world) of the viewing ray through a pixel, distortion removed.
+  /// Unit direction in the world of the viewing ray through a pixel, with distortion removed.
   Eigen::Vector3d rayDirection(const Eigen::Vector2d& pixel) const;
 
  private:
   CameraCalibration calibration_;
   Eigen::Isometry3d T_camera_world_;
   double k_[8] = {};           ///< OpenCV order, missing coefficients zero
-  double max_radius_squared_;  ///< of undistorted image-plane points, before the model folds back
+  double max_radius_squared_;  ///< of undistorted image-plane points, up to which the model is
+                               ///< monotonic
 };
 
 using CameraRig = std::vector<Camera>;

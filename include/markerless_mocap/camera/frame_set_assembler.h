@@ -8,41 +8,45 @@
 
 namespace markerless_mocap {
 
-/// Counts kept by FrameSetAssembler since construction or the last reset.
+/// Counts of a FrameSetAssembler since its construction or last reset().
 struct AssemblerCounts {
-  uint64_t complete = 0;         ///< instants given out with every stream
-  uint64_t incomplete = 0;       ///< given out after the deadline with enough streams
-  uint64_t abandoned = 0;        ///< dropped: too few streams at the deadline, or time jumped
-  uint64_t duplicate = 0;        ///< item whose stream already had this instant
-  uint64_t late = 0;             ///< item older than the last instant given out or the deadline
-  uint64_t far_future = 0;       ///< item more than `max_jump` ahead of the newest
-  uint64_t overflow = 0;         ///< oldest pending instant dropped because the queue was full
-  uint64_t time_jumps_back = 0;  ///< resets because time went backwards
+  uint64_t complete = 0;    ///< frame sets returned with all streams
+  uint64_t incomplete = 0;  ///< frame sets returned after the deadline with enough streams
+  uint64_t abandoned = 0;   ///< frame sets dropped: too few streams at the deadline, or time jumped
+  uint64_t duplicate = 0;   ///< items whose stream already had an item in this frame set
+  uint64_t late = 0;        ///< items older than the last returned frame set or than the deadline
+  uint64_t far_future = 0;  ///< items more than `max_jump` ahead of the newest
+  uint64_t overflow = 0;    ///< pending frame sets dropped because the queue was full
+  uint64_t time_jumps_back = 0;  ///< restarts because time went backwards
 };
 
 /// Settings of FrameSetAssembler; times in seconds of capture stamps.
 struct AssemblerOptions {
-  double tolerance = 0.005;  ///< stamps closer than this belong to one instant
-  double deadline = 0.1;     ///< an instant older than the newest stamp by this is closed
-  double max_jump = 5.0;     ///< a stamp further ahead than this is not believed at first
+  double tolerance = 0.005;  ///< stamps closer than this belong to one frame set
+  double deadline = 0.1;     ///< a frame set older than the newest stamp by this is closed
+  double max_jump = 5.0;     ///< a stamp further ahead than this is not accepted at first
   int min_streams = 2;
-  int max_pending = 16;  ///< instants waiting at most
+  int max_pending = 16;  ///< maximum number of frame sets that wait
 
-  /// Throws std::invalid_argument: a value out of range, or `min_streams` above `streams`.
+  /// Throws std::invalid_argument if a value is out of range or `min_streams` is above `streams`.
   void validate(size_t streams) const;
 };
 
-/// Joins N streams into instants by stamp. Knows no clock: time is what the stamps say.
-/// Items of one stream come in the order of their stamps, so a complete instant closes the older
-/// ones. A stamp that is far ahead or older than the deadline is not believed, until more streams
-/// send such stamps (twice running) than do not: then time has really jumped (a bag that loops, a
-/// clock that was set), all state but the counts is forgotten, and those items start the new time.
-/// `Item` is cheap to move (a shared pointer).
+/// Joins the items of N streams into frame sets by their stamps. It uses no clock: time is given by
+/// the stamps. Items of one stream come in the order of their stamps, so a complete frame set
+/// closes the older ones.
+///
+/// A stamp that is far ahead, or older than the deadline, is not accepted at first. If more streams
+/// send such stamps (twice in a row) than plausible ones, time has jumped: a bag loops, or a clock
+/// was set. Then all state but the counts is discarded, and the assembler continues with those
+/// items.
+///
+/// `Item` must be cheap to move, for example a shared pointer.
 template <class Item>
 class FrameSetAssembler {
  public:
   struct FrameSet {
-    int64_t stamp_ns = 0;     ///< of the first item that came
+    int64_t stamp_ns = 0;     ///< of the first item that arrived
     std::vector<Item> items;  ///< one per stream; default-constructed where missing
     std::vector<bool> present;
   };
@@ -50,12 +54,12 @@ class FrameSetAssembler {
   /// Throws std::invalid_argument as AssemblerOptions::validate().
   FrameSetAssembler(size_t streams, const AssemblerOptions& options);
 
-  /// Adds one item; returns the instants that it completed or closed, oldest first. Throws
+  /// Adds one item and returns the frame sets that it completed or closed, oldest first. Throws
   /// std::invalid_argument if there is no such stream.
   std::vector<FrameSet> add(size_t stream, int64_t stamp_ns, Item item);
-  /// Gives out what is pending and has enough streams (end of a recording).
+  /// Returns all pending frame sets that have enough streams (at the end of a recording).
   std::vector<FrameSet> flush();
-  /// Forgets all, counts included.
+  /// Discards all state and sets the counts to 0.
   void reset();
   const AssemblerCounts& counts() const { return counts_; }
 
@@ -64,7 +68,7 @@ class FrameSetAssembler {
 
   enum class StampCheck { kPlausible, kTooOld, kFarFuture };
 
-  /// A recent item; kept whole only while it is not believed.
+  /// A recent arrival. `item` is kept only if the stamp was not plausible.
   struct Arrival {
     size_t stream;
     StampCheck check;
@@ -74,17 +78,17 @@ class FrameSetAssembler {
 
   StampCheck checkStamp(int64_t stamp_ns) const;
   void remember(Arrival arrival);
-  /// Puts the item where it belongs, or counts why it is dropped.
+  /// Adds the item to its frame set, or counts it as dropped.
   void insert(size_t stream, int64_t stamp_ns, Item item);
   typename Pending::iterator findPending(int64_t stamp_ns);
-  bool isLastOut(size_t stream, int64_t stamp_ns) const;
+  bool wasInLastFrameSet(size_t stream, int64_t stamp_ns) const;
   std::vector<FrameSet> takeReady();
-  /// Removes the oldest pending instant; appends it to `out` if it has enough streams.
+  /// Removes the oldest pending frame set; appends it to `out` if it has enough streams.
   void closeOldest(std::vector<FrameSet>* out);
-  /// Whether the streams agree that time is now where `doubt` says.
-  bool timeHasJumped(StampCheck doubt) const;
-  std::vector<FrameSet> restartAtJump(StampCheck doubt);
-  /// Forgets all but the counts.
+  /// Whether enough streams agree that time jumped back (kTooOld) or forward (kFarFuture).
+  bool timeHasJumped(StampCheck jump_kind) const;
+  std::vector<FrameSet> restartAtJump(StampCheck jump_kind);
+  /// Discards all state but the counts.
   void forget();
 
   size_t streams_;
@@ -95,7 +99,7 @@ class FrameSetAssembler {
   std::optional<int64_t> newest_ns_;
   std::optional<int64_t> last_out_ns_;
   std::vector<bool> last_out_present_;
-  std::deque<Arrival> recent_;  ///< at most three per stream
+  std::deque<Arrival> recent_;  ///< up to three per stream
 };
 
 }  // namespace markerless_mocap

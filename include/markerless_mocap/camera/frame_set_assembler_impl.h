@@ -56,7 +56,7 @@ void FrameSetAssembler<Item>::insert(size_t stream, int64_t stamp_ns, Item item)
   auto found = findPending(stamp_ns);
   if (found == pending_.end()) {
     if (last_out_ns_ && stamp_ns <= *last_out_ns_ + tolerance_ns_) {
-      ++(isLastOut(stream, stamp_ns) ? counts_.duplicate : counts_.late);
+      ++(wasInLastFrameSet(stream, stamp_ns) ? counts_.duplicate : counts_.late);
       return;
     }
     FrameSet frame_set{stamp_ns, std::vector<Item>(streams_), std::vector<bool>(streams_, false)};
@@ -85,7 +85,7 @@ auto FrameSetAssembler<Item>::findPending(int64_t stamp_ns) -> typename Pending:
 }
 
 template <class Item>
-bool FrameSetAssembler<Item>::isLastOut(size_t stream, int64_t stamp_ns) const {
+bool FrameSetAssembler<Item>::wasInLastFrameSet(size_t stream, int64_t stamp_ns) const {
   return std::abs(stamp_ns - *last_out_ns_) <= tolerance_ns_ && last_out_present_[stream];
 }
 
@@ -137,27 +137,29 @@ void FrameSetAssembler<Item>::remember(Arrival arrival) {
 }
 
 template <class Item>
-bool FrameSetAssembler<Item>::timeHasJumped(StampCheck doubt) const {
-  std::vector<int> doubts(streams_, 0);  // running, up to the stream's last item
-  std::vector<bool> believed(streams_, false);
+bool FrameSetAssembler<Item>::timeHasJumped(StampCheck jump_kind) const {
+  std::vector<int> implausible_run(streams_, 0);  // in a row, up to the stream's last item
+  std::vector<bool> plausible(streams_, false);
   for (const Arrival& arrival : recent_) {
-    doubts[arrival.stream] = arrival.check == doubt ? doubts[arrival.stream] + 1 : 0;
-    believed[arrival.stream] = arrival.check == StampCheck::kPlausible;
+    implausible_run[arrival.stream] =
+        arrival.check == jump_kind ? implausible_run[arrival.stream] + 1 : 0;
+    plausible[arrival.stream] = arrival.check == StampCheck::kPlausible;
   }
-  const auto jumped = std::count_if(doubts.begin(), doubts.end(), [](int n) { return n >= 2; });
+  const auto jumped =
+      std::count_if(implausible_run.begin(), implausible_run.end(), [](int n) { return n >= 2; });
   return jumped >= options_.min_streams &&
-         jumped > std::count(believed.begin(), believed.end(), true);
+         jumped > std::count(plausible.begin(), plausible.end(), true);
 }
 
 template <class Item>
-auto FrameSetAssembler<Item>::restartAtJump(StampCheck doubt) -> std::vector<FrameSet> {
+auto FrameSetAssembler<Item>::restartAtJump(StampCheck jump_kind) -> std::vector<FrameSet> {
   counts_.abandoned += pending_.size();
-  if (doubt == StampCheck::kTooOld) ++counts_.time_jumps_back;
+  if (jump_kind == StampCheck::kTooOld) ++counts_.time_jumps_back;
   std::deque<Arrival> arrivals = std::move(recent_);
   forget();
   std::vector<FrameSet> out;
   for (Arrival& a : arrivals) {
-    if (a.check != doubt) continue;
+    if (a.check != jump_kind) continue;
     std::vector<FrameSet> ready = add(a.stream, a.stamp_ns, std::move(a.item));
     std::move(ready.begin(), ready.end(), std::back_inserter(out));
   }

@@ -62,34 +62,39 @@ struct HullOptions {
   std::vector<double> trust(const CameraRig& rig) const;
 };
 
-/// One camera's share of an instant. Empty mats: the camera is missing at this instant.
+/// What one camera adds to a frame set. Both mats are empty if the camera's frame is missing.
 struct HullView {
   cv::Mat mask;   ///< CV_8UC1, 0 | 255, size of the camera
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
 };
 
-/// Carves the visual hull of one rig in one volume (Hsiao 2008, 3.1.3; Bakken & Hilton 2012, 3.2).
-/// A voxel is foreground when at least `min_views` cameras see it (in an automatic volume also
-/// three quarters of those with a mask) and those of them that have it outside their silhouette are
-/// trusted with less than 1 + `missing_votes_allowed` together. With full trust in all cameras
-/// these are `missing_votes_allowed` cameras. A camera that does not see a voxel (behind it, or
-/// outside its image) has no vote, nor has one that is trusted with 0. Where a silhouette with a
-/// gap has cut the body in pieces, they are joined by voxels that lack up to `bridging_votes` more
-/// votes. Cameras whose mask is full, or empty or without a part of a person whom the other cameras
-/// agree on, are left out and reported.
+/// Carves the visual hull of one rig in one volume by voxel voting (Hsiao 2008, 3.1.3; Bakken &
+/// Hilton 2012, 3.2).
+///
+/// A voxel is foreground under two conditions. At least `min_views` cameras see it; in an automatic
+/// volume also three quarters of the cameras that have a mask. And the cameras that have it outside
+/// their silhouette have together less trust than 1 + `missing_votes_allowed`. If all cameras have
+/// trust 1, these are at most `missing_votes_allowed` cameras. A camera does not vote on a voxel
+/// that it does not see (behind the camera or outside its image). A camera with trust 0 never
+/// votes.
+///
+/// A gap in a silhouette may cut the body into several components. They are joined by voxels that
+/// lack up to `bridging_votes` more votes. A camera is left out and reported if its mask is full,
+/// or if it is empty or lacks a part of a person on whom the other cameras agree.
 class HullCarver {
  public:
-  /// Finds where each camera sees each voxel. Throws std::invalid_argument: fewer than 2 or more
-  /// than 32 cameras, two cameras of one name, `min_views` above the number of cameras, more than
-  /// 512 million pairs of voxel and camera, or a volume of which no voxel is seen by `min_views`.
+  /// Computes the projection of each voxel into each camera. Throws std::invalid_argument if there
+  /// are fewer than 2 or more than 32 cameras, two cameras of one name, `min_views` above the
+  /// number of cameras, more than 512 million pairs of voxel and camera, or a volume in which no
+  /// voxel is seen by `min_views` cameras.
   HullCarver(CameraRig rig, const HullOptions& options);
   ~HullCarver();
   HullCarver(HullCarver&&) noexcept;
   HullCarver& operator=(HullCarver&&) noexcept;
 
-  /// Depends on earlier calls only where `follow` is on. Not for two threads at once.
-  /// \param views one per camera of the rig, in its order; throws std::invalid_argument on a wrong
-  ///   count, size or type
+  /// Carves one frame set. Depends on earlier calls only if `follow` is on. Not thread-safe.
+  /// \param views one per camera of the rig, in the rig's order; throws std::invalid_argument on a
+  ///   wrong count, size or type
   VisualHull carve(const std::vector<HullView>& views);
 
   const CameraRig& rig() const;

@@ -9,11 +9,12 @@
 
 namespace markerless_mocap {
 
-/// kTracked: follows the last pose. kReinitialized: found from this frame alone. kLost: no pose.
+/// kTracked: tracked from the last pose. kReinitialized: found from this frame alone. kLost: no
+/// pose.
 enum class PoseStatus { kLost, kTracked, kReinitialized };
 const char* toString(PoseStatus status);
 
-/// Nothing but NaN.
+/// An array of NaN.
 template <size_t kCount>
 constexpr std::array<double, kCount> allNaN() {
   std::array<double, kCount> values{};
@@ -21,23 +22,25 @@ constexpr std::array<double, kCount> allNaN() {
   return values;
 }
 
-/// What `pose_fitting` says about one instant. Meaningful beyond status and reason only when the
-/// status is not kLost.
+/// Result of `pose_fitting` for one frame set. If the status is kLost, only `status` and `reason`
+/// are valid.
 struct BodyPose {
   PoseStatus status = PoseStatus::kLost;
-  std::string reason;  ///< one sentence when lost, or when a part is not seen
+  std::string reason;  ///< one sentence if the pose is lost or a part is not seen, else empty
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
-  Eigen::VectorXd angles;                    ///< radians, in the order of BodyModel::angleNames()
-  std::array<bool, kPartCount> part_seen{};  ///< by PartLabel; the model's left limb is 1, right 2
-  /// Expected error of each part's end (neck, head, wrists, ankles), metres, one standard
-  /// deviation; NaN when the method does not tell.
+  Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()
+  std::array<bool, kPartCount>
+      part_seen{};  ///< by PartLabel; limb 1 is the model's left, limb 2 its right
+  /// Standard deviation of the position of each part's end (neck, head, wrists, ankles), metres, by
+  /// PartLabel; NaN if the method does not estimate it.
   std::array<double, kPartCount> part_sigma_m = allNaN<kPartCount>();
-  // Fitness; what the method does not go by is NaN.
-  double silhouette_overlap = NAN;  ///< half the share of the body in the masks plus half the share
-                                    ///< of the masks in the body, mean over the views, 0..1
-  double skeleton_error_m = NAN;    ///< mean distance between part curves and model (Eq. 3-27)
-  double hull_explained = NAN;      ///< share of hull voxels inside the body's shape, 0..1
-  double body_in_hull = NAN;        ///< share of the body's volume inside the hull, 0..1
+  // Quality of the fit. Measures that the method does not use are NaN.
+  double silhouette_overlap =
+      NAN;  ///< mean of two fractions, that of the body inside the masks and that of the masks
+            ///< inside the body; mean over the views, 0 to 1
+  double skeleton_error_m = NAN;  ///< mean distance between part curves and model (Eq. 3-27)
+  double hull_explained = NAN;    ///< fraction of hull voxels inside the body's shape, 0 to 1
+  double body_in_hull = NAN;      ///< fraction of the body's volume inside the hull, 0 to 1
 };
 
 }  // namespace markerless_mocap

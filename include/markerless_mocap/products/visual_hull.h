@@ -9,8 +9,8 @@
 
 namespace markerless_mocap {
 
-/// Votes of the cameras that one voxel and its neighbour at +x, +y, +z have the same colour
-/// (Hsiao 2008, Eq. 3-13 and 3-15). `votes` of `possible` cameras; 0 of 0 where the neighbour is
+/// Votes of the cameras that a voxel and its neighbours at +x, +y and +z have the same colour
+/// (Hsiao 2008, Eq. 3-13 and 3-15): `votes` of `possible` cameras. Both are 0 if the neighbour is
 /// not in the hull or no colour is known.
 struct ColorVotes {
   std::array<uint8_t, 3> votes{};
@@ -20,42 +20,44 @@ struct ColorVotes {
 /// One voxel of the hull.
 struct HullVoxel {
   uint32_t index = 0;            ///< linear index in the lattice
-  uint8_t views = 0;             ///< cameras that see the voxel
-  std::array<uint8_t, 3> rgb{};  ///< mean colour over the cameras; grey where none is known
+  uint8_t views = 0;             ///< number of cameras that see the voxel
+  std::array<uint8_t, 3> rgb{};  ///< mean colour over the cameras; grey if no colour is known
   ColorVotes color_votes;
 };
 
 enum class HullStatus {
   kOk,
   kNoCameras,     ///< fewer cameras present than min_views
-  kEmptyMasks,    ///< no camera sees anybody
+  kEmptyMasks,    ///< no camera sees a person
   kFullMask,      ///< a mask is (nearly) all foreground
-  kNobody,        ///< the silhouettes meet in no component that is large enough
+  kNobody,        ///< no component is large enough
   kSeveralBodies  ///< a second component is as large as a body
 };
 
 /// A 26-connected component of the foreground.
 struct HullComponent {
   double litres = 0;
-  double mean_views = 0;       ///< cameras that see a voxel of it, mean
-  bool poorly_seen = false;    ///< few cameras see it, far fewer than another component
-  bool suspect_ghost = false;  ///< without it the others would explain every silhouette as well
+  double mean_views = 0;       ///< number of cameras that see a voxel, mean over its voxels
+  bool poorly_seen = false;    ///< far fewer cameras see it than another component
+  bool suspect_ghost = false;  ///< without it, the other components explain all silhouettes as well
 };
 
-/// A camera whose mask was found wrong and was not obeyed.
+/// A camera whose mask was found to be wrong and was not used.
 struct LeftOutCamera {
   std::string name;
-  std::string reason;  ///< "its mask is empty, the others see somebody before it"
+  std::string
+      reason;  ///< for example "its mask is empty, but other cameras see a person in its view"
 };
 
-/// What `visual_hull` makes of one instant. Voxels are sorted by index.
+/// Result of `visual_hull` for one frame set. Voxels are sorted by index.
 struct VisualHull {
   VoxelLattice lattice;
-  std::vector<HullVoxel> voxels;  ///< the person's component(s); empty unless usable
+  std::vector<HullVoxel>
+      voxels;  ///< of the person's component or components; empty if there is no usable hull
   HullStatus status = HullStatus::kNobody;
   std::string reason;  ///< one sentence; empty when kOk
   std::vector<HullComponent>
-      components;  ///< before selection: largest first, poorly seen ones and suspects last
+      components;  ///< all components, largest first; poorly seen and suspected ghosts last
   std::vector<LeftOutCamera> cameras_left_out;
 
   double litres() const {

@@ -5,12 +5,12 @@
 
 namespace markerless_mocap {
 
-/// Regular lattice of cubic voxels, axes along the world's. Voxel (i, j, k) has its centre at
-/// origin + pitch * (i + 1/2, j + 1/2, k + 1/2); x runs fastest in the linear index.
+/// Regular lattice of cubic voxels with the axes of the world. Voxel (i, j, k) has its centre at
+/// origin + pitch * (i + 1/2, j + 1/2, k + 1/2). In the linear index, x varies fastest.
 struct VoxelLattice {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< lowest corner, metres
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner with the minimum x, y and z, metres
   double pitch = 0.03;                               ///< metres
-  Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< voxels along x, y, z
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< number of voxels along x, y, z
 
   uint32_t count() const { return uint32_t(size.x()) * size.y() * size.z(); }
   uint32_t index(int i, int j, int k) const { return (uint32_t(k) * size.y() + j) * size.x() + i; }

@@ -35,15 +35,15 @@ struct SegmentationOptions {
   void validate() const;
 };
 
-/// Segments a hull into six parts by its Laplacian eigenmap (Hsiao 2008, 3.1.4) and extracts each
-/// part's curve (3.1.5.2).
+/// Segments a hull into six body parts in its Laplacian eigenspace (Hsiao 2008, 3.1.4) and fits a
+/// curve to each part (3.1.5.2).
 class BodySegmenter {
  public:
   explicit BodySegmenter(const SegmentationOptions& options);
-  /// Never throws on a bad hull: the status says what is wrong. kOk: all six parts are there,
-  /// the arms whole, and legs that touch shared out alike; kPartial: torso, head, a leg and one
-  /// more limb, the reason names the parts that are not seen, whose voxels are labelled torso, and
-  /// those that are merged with others.
+  /// Does not throw on a bad hull; status and reason say what is wrong. kOk: all six parts are
+  /// found, the arms are whole, and legs that touch are divided equally. kPartial: torso, head, one
+  /// leg and one more limb are found; the reason names the parts that are not seen, whose voxels
+  /// are labelled torso, and those that are merged with others.
   BodyParts segment(const VisualHull& hull) const;
 
   /// The same for a frame of a sequence: arms and legs keep their numbers from frame to frame, and

@@ -8,16 +8,18 @@
 
 namespace markerless_mocap {
 
-/// kStale: masks still come, but for a while the background has explained too little of the image
-/// (the camera was moved, the room rearranged, the light switched): it should be learned anew.
+/// kLearning: no mask yet. kReady: masks are valid. kStale: masks are still computed, but for some
+/// time too much of the image has differed from the background (the camera was moved, furniture was
+/// moved, the light was switched); the background should be learned again.
 enum class SilhouetteState { kLearning, kReady, kStale };
 
 /// Result of one frame.
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
-  cv::Mat mask;                 ///< CV_8UC1, 0 | 255, empty while learning
-  double changed_fraction = 0;  ///< of the pixels, unlike the background, shadows included
-  double light_gain = 1;        ///< brightness relative to the background's
+  cv::Mat mask;  ///< CV_8UC1, 0 | 255, empty while learning
+  double changed_fraction =
+      0;  ///< fraction of pixels that differ from the background, with shadows, 0 to 1
+  double light_gain = 1;  ///< brightness of the image divided by the background's
 };
 
 /// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up.
@@ -30,21 +32,21 @@ class SilhouetteExtractor {
   SilhouetteExtractor(SilhouetteExtractor&&) noexcept;
   SilhouetteExtractor& operator=(SilhouetteExtractor&&) noexcept;
 
-  /// \param image CV_8UC1 or CV_8UC3 (BGR), same size and type every time; throws
-  ///   std::invalid_argument otherwise. The first `background_frames` images are learned from:
-  ///   the empty scene, or one that people cross.
+  /// \param image CV_8UC1 or CV_8UC3 (BGR), same size and type in every call; throws
+  ///   std::invalid_argument otherwise. The background is learned from the first
+  ///   `background_frames` images, which show the empty scene or people who cross it.
   SilhouetteResult update(const cv::Mat& image);
-  /// Back to how it began: the loaded background as it was loaded, or learning.
+  /// Returns to the initial state: the background as it was loaded, or learning.
   void reset();
-  /// Forgets the background, also a loaded one; learning starts anew.
+  /// Discards the background, also a loaded one, and starts learning.
   void relearn();
   int framesLearned() const;
 
-  /// Throws std::invalid_argument, in one sentence that names the file, while learning, if it
+  /// Throws std::invalid_argument with a message that names the file: while learning, if the file
   /// cannot be written, or if `model` is OpenCV's, which cannot be saved.
   void saveBackground(const std::string& path) const;
-  /// Replaces learning. Throws std::invalid_argument, in one sentence that names the file, if it
-  /// holds no background of this `model`.
+  /// Loads a background instead of learning one. Throws std::invalid_argument with a message that
+  /// names the file if it holds no background of this `model`.
   void loadBackground(const std::string& path);
 
  private:
@@ -52,7 +54,8 @@ class SilhouetteExtractor {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Opens, closes, fills holes up to `max_hole_px` and removes blobs under `min_blob_px`.
+/// Cleans a mask: opening, closing, filling of holes of up to `max_hole_px` pixels, removal of
+/// blobs of less than `min_blob_px` pixels.
 /// \param mask CV_8UC1, non-zero = person; returns 0 | 255
 cv::Mat cleanMask(const cv::Mat& mask, const SilhouetteOptions& options);
 

@@ -10,9 +10,9 @@
 
 namespace markerless_mocap {
 
-/// Thins a hull to its curve skeleton and labels that as a body (Bakken & Hilton 2012, 3.3). Every
-/// frame stands alone unless `follow_labels` is on. Never throws on a bad hull: the status says
-/// what is wrong. Not for two threads at once.
+/// Thins a hull to its curve skeleton and labels the skeleton as a body (Bakken & Hilton 2012,
+/// 3.3). Frames are independent of each other unless `follow_labels` is on. Does not throw on a bad
+/// hull; status and reason say what is wrong. Not thread-safe.
 class PoseTreeBuilder {
  public:
   /// Throws std::invalid_argument on options out of range.
@@ -23,9 +23,9 @@ class PoseTreeBuilder {
   PoseTreeBuilder& operator=(PoseTreeBuilder&&) noexcept;
 
   PoseTree build(const VisualHull& hull);
-  /// Of a skeleton that somebody else made of the hull.
+  /// Labels a given skeleton of the hull.
   PoseTree build(const VisualHull& hull, const CurveSkeleton& skeleton);
-  /// Forgets the last valid frame.
+  /// Discards the last valid frame.
   void reset();
 
  private:

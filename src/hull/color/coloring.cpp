@@ -15,7 +15,7 @@ int squaredDistance(const Rgb& a, const Rgb& b) {
   return sum;
 }
 
-/// 2^19 / count and one more, for up to 32 cameras.
+/// 2^19 / count + 1, for up to 32 cameras.
 constexpr std::array<uint32_t, 33> inverses() {
   std::array<uint32_t, 33> table{};
   for (uint32_t count = 1; count < table.size(); ++count) table[count] = (1u << 19) / count + 1;
@@ -33,7 +33,7 @@ void forEachSlot(uint64_t voxels, size_t cell, Visit visit) {
 
 VoxelColoring::VoxelColoring(const CameraRig& rig, const ProjectionTable& table,
                              double color_vote_distance)
-    // An integer below a square that may have a fraction is below its ceiling.
+    // For an integer n and a real x, n < x is the same as n < ceil(x).
     : limit_(int(std::ceil(color_vote_distance * color_vote_distance))),
       visibility_(rig, table),
       views_(rig.size()) {}
@@ -44,7 +44,7 @@ void VoxelColoring::ColorSum::add(const Rgb& color) {
 }
 
 Rgb VoxelColoring::ColorSum::mean() const {
-  // Rounded division by multiplication: sums stay below 2^13 and counts below 2^6.
+  // Rounded division by multiplication: sums are below 2^13, counts below 2^6.
   const uint32_t inverse = kInverse[count];
   Rgb color;
   for (int c = 0; c < 3; ++c) color[c] = uint8_t((rgb[c] + count / 2u) * inverse >> 19);
@@ -79,7 +79,7 @@ void VoxelColoring::setColors(const std::vector<ComponentVoxel>& order,
 }
 
 void VoxelColoring::addVotes(const SurfaceView& view, int axis) {
-  using namespace leaf_words;
+  using namespace brick_words;
   const int step = kStep[axis], far = (kBrickSide - 1) * step;
   for (size_t cell = 0; cell < view.seen.size(); ++cell) {
     const uint64_t seen = view.seen[cell];
@@ -93,7 +93,7 @@ void VoxelColoring::addVotes(const SurfaceView& view, int axis) {
                 [&](size_t slot) { compare(slot, slot + size_t(step)); });
     const int after = visibility_.cellAfter(cell, axis);
     if (after < 0) continue;
-    const uint64_t across = seen & (view.seen[size_t(after)] & kLowest[axis]) << far;
+    const uint64_t across = seen & (view.seen[size_t(after)] & kLowFace[axis]) << far;
     forEachSlot(across, cell,
                 [&](size_t slot) { compare(slot, 64 * size_t(after) + slot % 64 - size_t(far)); });
   }

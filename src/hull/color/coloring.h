@@ -7,17 +7,17 @@
 
 namespace markerless_mocap {
 
-/// Gives the voxels of a hull their mean colour over the cameras that see them, and their colour
-/// votes, by the cameras that see both voxels. Voxels that no camera sees take the colour of the
-/// voxel before them along x, the first ones that of the next, grey where there is none.
+/// Computes for each voxel of a hull its mean colour over the cameras that see it, and its colour
+/// votes from the cameras that see both voxels. A voxel that no camera sees gets the colour of the
+/// previous voxel along x, or, at the start, of the next one; grey if there is none.
 class VoxelColoring {
  public:
   VoxelColoring(const CameraRig& rig, const ProjectionTable& table, double color_vote_distance);
 
-  /// Memory of the last call is used again.
-  /// \param order the piece's voxels in lattice order
-  /// \param images one per camera; empty where there is none
-  /// \param voxels in the same order
+  /// Reuses the memory of the last call.
+  /// \param order the component's voxels in lattice order
+  /// \param images one per camera; empty if the camera has none
+  /// \param voxels output, in the same order
   void paint(const VoxelComponent& component, const std::vector<ComponentVoxel>& order,
              const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels);
 
@@ -35,7 +35,7 @@ class VoxelColoring {
   void setColors(const std::vector<ComponentVoxel>& order, std::vector<HullVoxel>* voxels) const;
   void addVotes(const SurfaceView& view, int axis);
 
-  int limit_;  ///< squared distance from which on colours differ
+  int limit_;  ///< colours differ from this squared distance on
   SurfaceVisibility visibility_;
   std::vector<SurfaceView> views_;
   std::vector<ColorSum> sums_;     ///< per slot

@@ -7,11 +7,11 @@
 namespace markerless_mocap {
 namespace {
 
-/// A face looks at a camera when the cosine between its normal and the ray is at least this.
-constexpr double kLeastCosine = 0.3;
-/// Voxels this far behind the nearest one of their cell are still seen, in voxels.
+/// A face is turned to a camera if the cosine between its normal and the ray is at least this.
+constexpr double kMinCosine = 0.3;
+/// Voxels up to this far behind the nearest one of their cell are visible; in voxels.
 constexpr double kBehind = 2.0;
-/// BrickVoxels of the depth buffer, in voxels as they appear where the piece is nearest.
+/// Side of a depth buffer cell, in voxels at the component's smallest distance.
 constexpr double kCell = 1.25;
 constexpr float kFar = std::numeric_limits<float>::max();
 
@@ -48,7 +48,7 @@ void SurfaceVisibility::set(const VoxelComponent& component) {
 }
 
 void SurfaceVisibility::findNeighbors(size_t cell) {
-  using namespace leaf_words;
+  using namespace brick_words;
   const uint64_t word = component_.cells[cell].voxels;
   const Eigen::Vector3i& size = volume_.size();
   const size_t stride[3] = {1, size_t(size.x()), size_t(size.x()) * size_t(size.y())};
@@ -57,8 +57,8 @@ void SurfaceVisibility::findNeighbors(size_t cell) {
     const int at = corners_[cell][axis] / kBrickSide, far = (kBrickSide - 1) * kStep[axis];
     const uint64_t below = at > 0 ? volume_.word(brick - stride[axis]) : 0;
     const uint64_t above = at + 1 < size[axis] ? volume_.word(brick + stride[axis]) : 0;
-    free_[cell][2 * axis] = word & ~(up(word, axis) | (below & kHighest[axis]) >> far);
-    free_[cell][2 * axis + 1] = word & ~(down(word, axis) | (above & kLowest[axis]) << far);
+    free_[cell][2 * axis] = word & ~(up(word, axis) | (below & kHighFace[axis]) >> far);
+    free_[cell][2 * axis + 1] = word & ~(down(word, axis) | (above & kLowFace[axis]) << far);
     after_[cell][axis] = above != 0 ? int(cell_of_brick_[brick + stride[axis]]) : -1;
   }
 }
@@ -69,20 +69,20 @@ uint64_t SurfaceVisibility::facing(const Viewpoint& viewpoint, size_t cell) cons
       lattice.origin +
       lattice.pitch * (corners_[cell].cast<double>().array() + kBrickSide / 2.0).matrix();
   const Eigen::Vector3d to_camera = viewpoint.position - middle;
-  const double least = kLeastCosine * to_camera.norm();
+  const double min_distance = kMinCosine * to_camera.norm();
   uint64_t voxels = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (to_camera[axis] < -least) voxels |= free_[cell][2 * axis];
-    if (to_camera[axis] > least) voxels |= free_[cell][2 * axis + 1];
+    if (to_camera[axis] < -min_distance) voxels |= free_[cell][2 * axis];
+    if (to_camera[axis] > min_distance) voxels |= free_[cell][2 * axis + 1];
   }
   return voxels;
 }
 
 float SurfaceVisibility::depthOf(const Viewpoint& viewpoint, size_t cell) const {
   const VoxelLattice& lattice = table_.lattice();
-  const Eigen::Vector3d lowest =
+  const Eigen::Vector3d first_voxel =
       lattice.origin + lattice.pitch * (corners_[cell].cast<double>().array() + 0.5).matrix();
-  return float(viewpoint.forward.dot(lowest - viewpoint.position));
+  return float(viewpoint.forward.dot(first_voxel - viewpoint.position));
 }
 
 void SurfaceVisibility::findCandidates(size_t camera, SurfaceView* view) const {
@@ -109,7 +109,7 @@ void SurfaceVisibility::findCandidates(size_t camera, SurfaceView* view) const {
                    uint16_t(w->y + (codes[bit] >> 4)), depth + viewpoint.depth_in_brick[bit]};
       }
   }
-  // A camera may face voxels that it does not see.
+  // A face may be turned to a camera and lie outside its image.
   view->candidates.resize(size_t(next - view->candidates.data()));
 }
 
@@ -125,7 +125,7 @@ void SurfaceVisibility::fillDepths(const Viewpoint& viewpoint, const cv::Mat& im
   view->depths.assign(size_t(columns) * size_t(rows), kFar);
   view->places.resize(view->candidates.size());
   const size_t pixel_bytes = image.elemSize();
-  // Division of 16 bit by multiplication.
+  // Division of 16 bit numbers by multiplication.
   const uint64_t inverse = (uint64_t(1) << 32) / cell_px + 1;
   for (size_t i = 0; i < view->candidates.size(); ++i) {
     const SurfaceView::Candidate& c = view->candidates[i];
@@ -140,13 +140,13 @@ void SurfaceVisibility::findVisible(size_t camera, const cv::Mat& image, Surface
   findCandidates(camera, view);
   fillDepths(viewpoints_[camera], image, view);
   if (image.channels() == 3)
-    paintSeen<3>(image, view);
+    colorVisible<3>(image, view);
   else
-    paintSeen<1>(image, view);
+    colorVisible<1>(image, view);
 }
 
 template <int kChannels>
-void SurfaceVisibility::paintSeen(const cv::Mat& image, SurfaceView* view) const {
+void SurfaceVisibility::colorVisible(const cv::Mat& image, SurfaceView* view) const {
   view->seen.assign(corners_.size(), 0);
   view->rgb.resize(corners_.size() * 64);
   const float behind = float(kBehind * table_.lattice().pitch);

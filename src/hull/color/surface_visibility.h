@@ -11,12 +11,12 @@ namespace markerless_mocap {
 
 using Rgb = std::array<uint8_t, 3>;
 
-/// What one camera sees of a piece's surface.
+/// The surface of a component as one camera sees it.
 struct SurfaceView {
-  std::vector<uint64_t> seen;  ///< voxels per cell
-  std::vector<Rgb> rgb;        ///< per slot, valid where seen
+  std::vector<uint64_t> seen;  ///< visible voxels per cell
+  std::vector<Rgb> rgb;        ///< per slot, valid for visible voxels
 
-  /// Whether the voxel's surface looks at the camera, and where.
+  /// A voxel with a face that is turned to the camera, and its pixel.
   struct Candidate {
     uint32_t slot;
     uint16_t x, y;
@@ -28,40 +28,40 @@ struct SurfaceView {
   std::vector<uint32_t> places;  ///< cell of the depth buffer, per candidate
 };
 
-/// Which cameras see the surface of a hull: a camera sees a voxel when a free face of it looks at
-/// the camera and nothing of the hull lies in front of it, by a depth buffer whose cells are about
-/// as large as a voxel appears.
+/// Finds which cameras see the surface voxels of a hull. A camera sees a voxel if a free face of
+/// the voxel is turned to it and no other voxel of the hull occludes it. Occlusion is tested with a
+/// depth buffer whose cells are about as large as a voxel in the image.
 class SurfaceVisibility {
  public:
   SurfaceVisibility(const CameraRig& rig, const ProjectionTable& table);
 
-  /// The hull that the following looks are at.
+  /// Sets the hull for the following calls.
   void set(const VoxelComponent& component);
-  /// Memory of the last view is used again.
+  /// Reuses the memory of `view`.
   void findVisible(size_t camera, const cv::Mat& image, SurfaceView* view) const;
-  /// Position in the piece of the cell one leaf further along the axis; -1: it has none there.
+  /// Index of the component's cell one brick further along the axis; -1: none.
   int cellAfter(size_t cell, int axis) const { return after_[cell][axis]; }
 
  private:
-  /// A camera's place, and what turns a voxel's place into its depth.
+  /// Position of a camera, and what is needed to compute the depth of voxels.
   struct Viewpoint {
     Eigen::Vector3d position, forward;
     double focal;              ///< px
-    float depth_in_brick[64];  ///< m, over that of the leaf's lowest voxel
+    float depth_in_brick[64];  ///< m, relative to the brick's first voxel
   };
   void findNeighbors(size_t cell);
   uint64_t facing(const Viewpoint& viewpoint, size_t cell) const;
-  float depthOf(const Viewpoint& viewpoint, size_t cell) const;  ///< m, of the lowest voxel
+  float depthOf(const Viewpoint& viewpoint, size_t cell) const;  ///< m, of the first voxel
   void findCandidates(size_t camera, SurfaceView* view) const;
   void fillDepths(const Viewpoint& viewpoint, const cv::Mat& image, SurfaceView* view) const;
   template <int kChannels>
-  void paintSeen(const cv::Mat& image, SurfaceView* view) const;
+  void colorVisible(const cv::Mat& image, SurfaceView* view) const;
 
   const ProjectionTable& table_;
   std::vector<Viewpoint> viewpoints_;
   BrickVolume volume_;
   VoxelComponent component_;
-  std::vector<uint32_t> cell_of_brick_;  ///< valid where volume_ holds voxels
+  std::vector<uint32_t> cell_of_brick_;  ///< valid for bricks of volume_ with voxels
   std::vector<Eigen::Vector3i> corners_;
   std::vector<std::array<int, 3>> after_;
   std::vector<std::array<uint64_t, 6>> free_;  ///< faces without neighbour: -x, +x, -y, +y, -z, +z

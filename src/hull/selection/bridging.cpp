@@ -6,8 +6,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLongestBridge = 0.5;  // m
-/// A bridge is as thick as ways longer than the shortest by this make it, m.
+constexpr double kMaxBridgeLength = 0.5;  // m
+/// A bridge consists of the voxels on paths that are longer than the shortest by up to this, m.
 constexpr double kDetour = 0.12;
 constexpr int16_t kOutside = -2, kUnreached = -1;
 
@@ -25,11 +25,11 @@ class BoxGrid {
   size_t count() const { return size_t(size_.prod()); }
   const std::vector<int>& neighbors() const { return neighbors_; }
 
-  /// Calls visit(place in the grid, bit) for the cell's voxels in the box.
+  /// Calls visit(index in the grid, bit) for the cell's voxels in the box.
   template <class Visit>
   void forEach(const BrickVoxels& cell, Visit visit) const {
     const Eigen::Vector3i corner = cornerOf(lattice_, cell.brick);
-    for (uint64_t left = cell.voxels & leaf_words::inside(box_, corner); left != 0;
+    for (uint64_t left = cell.voxels & brick_words::inside(box_, corner); left != 0;
          left &= left - 1) {
       const int bit = __builtin_ctzll(left);
       const Eigen::Vector3i at =
@@ -45,9 +45,10 @@ class BoxGrid {
   std::vector<int> neighbors_;
 };
 
-/// Steps over 26-neighbours on the ground from the nearest voxel of `from`, at most `most`.
+/// Number of steps between 26-neighbours from the nearest voxel of `from`, within `ground`; up to
+/// `max_steps`.
 std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<BrickVoxels>& ground,
-                               const VoxelComponent& from, int most) {
+                               const VoxelComponent& from, int max_steps) {
   std::vector<int16_t> steps(grid.count(), kOutside);
   std::vector<size_t> front, next;
   for (const BrickVoxels& cell : ground)
@@ -57,7 +58,7 @@ std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<BrickVoxel
       steps[at] = 0;
       front.push_back(at);
     });
-  for (int step = 1; step <= most && !front.empty(); ++step, front.swap(next), next.clear())
+  for (int step = 1; step <= max_steps && !front.empty(); ++step, front.swap(next), next.clear())
     for (const size_t voxel : front)
       for (const int neighbor : grid.neighbors()) {
         int16_t& there = steps[size_t(int64_t(voxel) + neighbor)];
@@ -73,11 +74,11 @@ std::vector<int16_t> stepsFrom(const BoxGrid& grid, const std::vector<BrickVoxel
 VoxelComponent ComponentBridging::joined(const std::vector<VoxelComponent>& components,
                                          const VoxelComponent& body,
                                          const VoxelComponent& component) const {
-  const int most = int(std::lround((kLongestBridge + kDetour) / lattice_.pitch));
-  // No way of a bridge leads further from the piece than its length.
+  const int max_steps = int(std::lround((kMaxBridgeLength + kDetour) / lattice_.pitch));
+  // A path of a bridge does not lead further away from the component than its length.
   VoxelBox box = boxOf(component, lattice_);
-  box.low = (box.low.array() - most).max(0);
-  box.high = (box.high.array() + most).min(lattice_.size.array());
+  box.low = (box.low.array() - max_steps).max(0);
+  box.high = (box.high.array() + max_steps).min(lattice_.size.array());
   std::vector<BrickVoxels> ground = body.cells;
   for (const VoxelComponent& other : components)
     ground.insert(ground.end(), other.cells.begin(), other.cells.end());
@@ -87,14 +88,14 @@ VoxelComponent ComponentBridging::joined(const std::vector<VoxelComponent>& comp
   });
 
   const BoxGrid grid(box, lattice_);
-  const std::vector<int16_t> from_body = stepsFrom(grid, ground, body, most);
-  const std::vector<int16_t> from_component = stepsFrom(grid, ground, component, most);
-  int shortest = most + 1;
+  const std::vector<int16_t> from_body = stepsFrom(grid, ground, body, max_steps);
+  const std::vector<int16_t> from_component = stepsFrom(grid, ground, component, max_steps);
+  int shortest = max_steps + 1;
   for (const BrickVoxels& cell : component.cells)
     grid.forEach(cell, [&](size_t at, int) {
       if (from_body[at] >= 0) shortest = std::min<int>(shortest, from_body[at]);
     });
-  if (shortest * lattice_.pitch > kLongestBridge) return {};
+  if (shortest * lattice_.pitch > kMaxBridgeLength) return {};
   const int longest = shortest + int(std::lround(kDetour / lattice_.pitch));
   std::vector<BrickVoxels> both = body.cells;
   both.insert(both.end(), component.cells.begin(), component.cells.end());

@@ -5,17 +5,18 @@
 namespace markerless_mocap {
 namespace {
 
-/// An empty mask is wrong when its camera sees at least this share of the person.
+/// An empty mask is wrong if its camera sees at least this fraction of the person.
 constexpr double kSeesPerson = 0.05;
-/// More unexplained foreground than this calls for a look at each camera.
-constexpr double kDoubt = 0.3;
-/// A wrong mask leaves the silhouettes of all other cameras unexplained: a few show it.
-constexpr int kCamerasAtAGlance = 3;
-/// A camera is to blame when without it the unexplained share falls below this part of what it was,
-/// and by this much further than without any other camera.
-constexpr double kCured = 0.5;
-constexpr double kLead = 0.1;
-/// Leaves with so many voxels of 64 reach all their tiles, others those of their voxels.
+/// If more of the foreground than this is unexplained, each camera is tested.
+constexpr double kMaxUnexplained = 0.3;
+/// A wrong mask leaves the silhouettes of all other cameras unexplained, so a few cameras suffice.
+constexpr int kQuickTestCameras = 3;
+/// A camera is faulty if without it the unexplained fraction falls below kBlameRatio of its value,
+/// and is smaller by kBlameMargin than without any other camera.
+constexpr double kBlameRatio = 0.5;
+constexpr double kBlameMargin = 0.1;
+/// A brick with at least this many of its 64 voxels covers all its tiles, any other brick those of
+/// its voxels.
 constexpr int kReachesAll = 48;
 
 int columnsOf(const Camera& camera) {
@@ -37,7 +38,7 @@ double fractionSeen(const VoxelComponent& component, const ProjectionTable& tabl
 
 }  // namespace
 
-FaultFinder::FaultFinder(const CameraRig& rig, int min_views, VoxelVoting* voting)
+FaultyCameraFinder::FaultyCameraFinder(const CameraRig& rig, int min_views, VoxelVoting* voting)
     : rig_(rig), min_views_(min_views), voting_(voting) {
   const ProjectionTable& table = voting->table();
   const BlockLevel& bricks = table.level(0);
@@ -51,18 +52,20 @@ FaultFinder::FaultFinder(const CameraRig& rig, int min_views, VoxelVoting* votin
   }
 }
 
-bool FaultFinder::mayLeaveOut(CameraSet cameras, CameraSet present) const {
+bool FaultyCameraFinder::mayLeaveOut(CameraSet cameras, CameraSet present) const {
   const int left_out = __builtin_popcount(cameras), all = __builtin_popcount(present);
   return 2 * left_out < all && all - left_out >= min_views_;
 }
 
-void FaultFinder::leaveOut(CameraSet cameras, const std::string& reason, Result* result) const {
+void FaultyCameraFinder::leaveOut(CameraSet cameras, const std::string& reason,
+                                  Result* result) const {
   result->voters &= ~cameras;
   for (size_t c = 0; c < rig_.size(); ++c)
     if (cameras >> c & 1) result->faults.push_back({c, reason});
 }
 
-FaultFinder::Result FaultFinder::carve(const MaskSummary& masks, const VoxelBox& window) {
+FaultyCameraFinder::Result FaultyCameraFinder::carve(const MaskSummary& masks,
+                                                     const VoxelBox& window) {
   Result result;
   result.voters = masks.present;
   if (masks.full != 0 && mayLeaveOut(masks.full, masks.present))
@@ -73,7 +76,8 @@ FaultFinder::Result FaultFinder::carve(const MaskSummary& masks, const VoxelBox&
   return result;
 }
 
-void FaultFinder::leaveOutEmpty(const MaskSummary& masks, const VoxelBox& window, Result* result) {
+void FaultyCameraFinder::leaveOutEmpty(const MaskSummary& masks, const VoxelBox& window,
+                                       Result* result) {
   const CameraSet gone = masks.present & ~result->voters;
   CameraSet wrong = 0;
   if (!result->components.empty())
@@ -82,20 +86,22 @@ void FaultFinder::leaveOutEmpty(const MaskSummary& masks, const VoxelBox& window
           fractionSeen(result->components[0], voting_->table(), c) >= kSeesPerson)
         wrong |= 1u << c;
   if (mayLeaveOut(wrong | gone, masks.present))
-    leaveOut(wrong, "its mask is empty, the others see somebody before it", result);
+    leaveOut(wrong, "its mask is empty, but other cameras see a person in its view", result);
   if ((result->voters & masks.empty) != 0)
     result->components = voting_->carve(result->voters, window);
 }
 
-void FaultFinder::leaveOutContradicted(const MaskSummary& masks, const VoxelBox& window,
-                                       Result* result) {
-  // What reaches too few tiles finds too much unexplained: where that is little, all is well.
+void FaultyCameraFinder::leaveOutContradicted(const MaskSummary& masks, const VoxelBox& window,
+                                              Result* result) {
+  // The rough test overestimates what is unexplained. If its result is small, the exact one is not
+  // needed.
   for (const Reach how : {Reach::kRoughly, Reach::kExactly})
-    if (unexplained(result->components, result->voters, kCamerasAtAGlance, how) < kDoubt) return;
+    if (unexplained(result->components, result->voters, kQuickTestCameras, how) < kMaxUnexplained)
+      return;
   const int all = int(rig_.size());
   const double with_all = unexplained(result->components, result->voters, all, Reach::kExactly);
   const CameraSet gone = masks.present & ~result->voters;
-  double least = 1, second = 1;
+  double min_fraction = 1, second = 1;
   CameraSet suspect = 0;
   std::vector<VoxelComponent> without_suspect;
   for (size_t c = 0; c < rig_.size(); ++c) {
@@ -103,37 +109,38 @@ void FaultFinder::leaveOutContradicted(const MaskSummary& masks, const VoxelBox&
     if ((result->voters & one) == 0 || !mayLeaveOut(gone | one, masks.present)) continue;
     std::vector<VoxelComponent> components = voting_->carve(result->voters & ~one, window);
     const double fraction = unexplained(components, result->voters & ~one, all, Reach::kExactly);
-    second = std::min(second, std::max(fraction, least));
-    if (fraction >= least) continue;
-    least = fraction;
+    second = std::min(second, std::max(fraction, min_fraction));
+    if (fraction >= min_fraction) continue;
+    min_fraction = fraction;
     suspect = one;
     without_suspect = std::move(components);
   }
-  if (least > kCured * with_all || second - least < kLead) return;
-  leaveOut(suspect, "its mask lacks what the others agree on", result);
+  if (min_fraction > kBlameRatio * with_all || second - min_fraction < kBlameMargin) return;
+  leaveOut(suspect, "its mask lacks a person on whom the other cameras agree", result);
   result->components = std::move(without_suspect);
 }
 
-double FaultFinder::unexplained(const std::vector<VoxelComponent>& components, CameraSet voters,
-                                int most, Reach how) {
+double FaultyCameraFinder::unexplained(const std::vector<VoxelComponent>& components,
+                                       CameraSet voters, int max_cameras, Reach how) {
   std::vector<size_t> cameras;
   for (size_t c = 0; c < rig_.size(); ++c)
     if (voters >> c & 1) cameras.push_back(c);
   if (cameras.empty()) return 0;
-  // The order of cameras in the rig must not matter: those with the largest silhouettes tell.
+  // The cameras with the largest silhouettes are used, so that their order in the rig does not
+  // matter.
   std::stable_sort(cameras.begin(), cameras.end(), [&](size_t a, size_t b) {
     return voting_->mask(a).setPixels() > voting_->mask(b).setPixels();
   });
-  cameras.resize(std::min(cameras.size(), size_t(most)));
-  std::vector<double> shares;
-  for (const size_t c : cameras) shares.push_back(unexplainedIn(c, components, how));
-  const auto middle = shares.begin() + int(shares.size() / 2);
-  std::nth_element(shares.begin(), middle, shares.end());
+  cameras.resize(std::min(cameras.size(), size_t(max_cameras)));
+  std::vector<double> fractions;
+  for (const size_t c : cameras) fractions.push_back(unexplainedIn(c, components, how));
+  const auto middle = fractions.begin() + int(shares.size() / 2);
+  std::nth_element(fractions.begin(), middle, shares.end());
   return *middle;
 }
 
-double FaultFinder::unexplainedIn(size_t camera, const std::vector<VoxelComponent>& components,
-                                  Reach how) {
+double FaultyCameraFinder::unexplainedIn(size_t camera,
+                                         const std::vector<VoxelComponent>& components, Reach how) {
   const int columns = columnsOf(rig_[camera]), rows = int(looks_in_[camera].size()) / columns;
   reached_.assign(looks_in_[camera].size(), 0);
   for (const VoxelComponent& component : components)
@@ -151,13 +158,13 @@ double FaultFinder::unexplainedIn(size_t camera, const std::vector<VoxelComponen
   return set == 0 ? 0 : double(left) / double(set);
 }
 
-void FaultFinder::reachRoughly(size_t camera, const BrickVoxels& cell) {
+void FaultyCameraFinder::reachRoughly(size_t camera, const BrickVoxels& cell) {
   const TileBox& brick = voting_->table().level(0).tiles[cell.brick * rig_.size() + camera];
   if (__builtin_popcountll(cell.voxels) < kReachesAll && brick.count() != 1) return;
   forEachTile(brick, columnsOf(rig_[camera]), [&](size_t tile) { reached_[tile] = 1; });
 }
 
-void FaultFinder::reach(size_t camera, const BrickVoxels& cell) {
+void FaultyCameraFinder::reach(size_t camera, const BrickVoxels& cell) {
   const ProjectionTable& table = voting_->table();
   const int columns = columnsOf(rig_[camera]), rows = int(reached_.size()) / columns;
   const TileBox& brick = table.level(0).tiles[cell.brick * rig_.size() + camera];
@@ -165,7 +172,7 @@ void FaultFinder::reach(size_t camera, const BrickVoxels& cell) {
     forEachTile(brick, columns, [&](size_t tile) { reached_[tile] = 1; });
     return;
   }
-  // Half the way to the next voxel, where that is more than a tile.
+  // Half the distance to the next voxel, if that is more than a tile.
   const int half =
       brick.x1 == 0 ? 0 : std::max(brick.x1 - brick.x0, brick.y1 - brick.y0) / kBrickSide / 2;
   const uint8_t* codes = table.codes(cell.brick, camera);

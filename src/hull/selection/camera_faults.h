@@ -13,15 +13,16 @@ struct CameraFault {
   std::string reason;
 };
 
-/// Finds cameras whose masks the others prove wrong, always fewer than half of the present ones:
-/// full masks; empty ones, or ones that lack the person, of cameras that see a person whom the
-/// others agree on. Costs little while the hull explains the silhouettes.
-class FaultFinder {
+/// Finds cameras whose masks contradict the masks of the others; always fewer than half of the
+/// present cameras. A mask is wrong if it is full, or if the other cameras agree on a person in the
+/// camera's view and the mask is empty or lacks that person. The test is cheap if the hull explains
+/// the silhouettes.
+class FaultyCameraFinder {
  public:
-  FaultFinder(const CameraRig& rig, int min_views, VoxelVoting* voting);
+  FaultyCameraFinder(const CameraRig& rig, int min_views, VoxelVoting* voting);
 
   struct Result {
-    std::vector<VoxelComponent> components;  ///< of the cameras that are left
+    std::vector<VoxelComponent> components;  ///< carved with the cameras that are left
     CameraSet voters;
     std::vector<CameraFault> faults;
   };
@@ -32,12 +33,13 @@ class FaultFinder {
   void leaveOut(CameraSet cameras, const std::string& reason, Result* result) const;
   void leaveOutEmpty(const MaskSummary& masks, const VoxelBox& window, Result* result);
   void leaveOutContradicted(const MaskSummary& masks, const VoxelBox& window, Result* result);
-  /// How the tiles are found that a cell reaches. kRoughly finds some of them, never another.
+  /// How to find the tiles that a cell covers. kRoughly finds a subset of them.
   enum class Reach { kRoughly, kExactly };
-  /// Share of the tiles with foreground, of those that look into the volume, that the pieces do not
-  /// reach; the median over at most `most` of the cameras, those with the largest silhouettes.
-  double unexplained(const std::vector<VoxelComponent>& components, CameraSet voters, int most,
-                     Reach how);
+  /// Fraction of the tiles with foreground that the components do not cover, among the tiles that
+  /// see a part of the volume; median over up to `max_cameras` cameras, those with the largest
+  /// silhouettes.
+  double unexplained(const std::vector<VoxelComponent>& components, CameraSet voters,
+                     int max_cameras, Reach how);
   double unexplainedIn(size_t camera, const std::vector<VoxelComponent>& components, Reach how);
   void reachRoughly(size_t camera, const BrickVoxels& cell);
   void reach(size_t camera, const BrickVoxels& cell);
@@ -45,7 +47,8 @@ class FaultFinder {
   const CameraRig& rig_;
   int min_views_;
   VoxelVoting* voting_;
-  std::vector<std::vector<uint8_t>> looks_in_;  ///< [camera][tile]: into the volume
+  std::vector<std::vector<uint8_t>>
+      looks_in_;  ///< [camera][tile]: whether it sees a part of the volume
   std::vector<uint8_t> reached_;
 };
 

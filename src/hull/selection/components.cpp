@@ -31,7 +31,7 @@ void ComponentFinder::listParts(const BrickVolume& volume) {
   volume.forEachBrick([&](int, int, int, size_t brick) {
     first_part_[brick] = uint32_t(parts_.size());
     for (uint64_t left = volume.word(brick); left != 0; left &= ~parts_.back().voxels)
-      parts_.push_back({uint32_t(brick), leaf_words::firstComponent(left)});
+      parts_.push_back({uint32_t(brick), brick_words::firstComponent(left)});
   });
   parent_.resize(parts_.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
@@ -41,14 +41,14 @@ void ComponentFinder::joinTouching(uint32_t brick, uint32_t other, const int (&s
   for (uint32_t a = first_part_[brick]; a < parts_.size() && parts_[a].brick == brick; ++a)
     for (uint32_t b = first_part_[other]; parts_[b].brick == other; ++b) {
       const uint32_t of_a = root(a), of_b = root(b);
-      if (of_a != of_b && (leaf_words::touched(parts_[a].voxels, step) & parts_[b].voxels) != 0)
+      if (of_a != of_b && (brick_words::touched(parts_[a].voxels, step) & parts_[b].voxels) != 0)
         parent_[std::max(of_a, of_b)] = std::min(of_a, of_b);
     }
 }
 
 void ComponentFinder::joinBackwards(const BrickVolume& volume, const Eigen::Vector3i& at,
                                     size_t brick) {
-  // Neighbours across faces come first: what they join needs no look across edges and corners.
+  // Neighbours across faces come first: parts that they join need no test across edges and corners.
   static constexpr int kSteps[13][3] = {
       {-1, 0, 0},  {0, -1, 0}, {0, 0, -1},   {-1, -1, 0}, {1, -1, 0},  {-1, 0, -1}, {1, 0, -1},
       {0, -1, -1}, {0, 1, -1}, {-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}};
@@ -82,7 +82,8 @@ std::vector<VoxelComponent> ComponentFinder::find(const BrickVolume& volume,
     else
       cells.push_back(parts_[part]);
   }
-  std::vector<std::pair<std::pair<size_t, uint32_t>, size_t>> order;  // most voxels, lowest voxel
+  std::vector<std::pair<std::pair<size_t, uint32_t>, size_t>>
+      order;  // most voxels first, then first voxel
   for (size_t i = 0; i < components.size(); ++i)
     order.push_back({{~components[i].voxels, lowestVoxel(components[i], lattice)}, i});
   std::sort(order.begin(), order.end());

@@ -8,10 +8,10 @@ namespace {
 
 constexpr size_t kJudged = 8;
 constexpr int kWindowSide = 16;  // pixels of a PixelWindow
-/// Share of a piece's silhouette pixels that rounding may leave uncovered.
+/// Fraction of a component's silhouette pixels that rounding may leave uncovered.
 constexpr double kRounding = 0.02;
 
-/// Rectangle of pixels, ends exclusive.
+/// Rectangle of pixels; the upper bounds are exclusive.
 struct PixelBox {
   int x0, y0, x1, y1;
 
@@ -22,14 +22,14 @@ struct PixelBox {
   bool isEmpty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-/// What pieces cover of a part of one camera's image.
+/// The pixels that components cover in a part of one camera's image.
 class Coverage {
  public:
   Coverage(const Camera& camera, size_t index, const ProjectionTable& table)
       : camera_(camera), index_(index), table_(table) {}
 
-  /// Calls visit(rectangle) with the pixels of a part that each voxel of the piece covers; some may
-  /// be empty.
+  /// Calls visit(rectangle) with the pixels of a part that each voxel of the component covers; a
+  /// rectangle may be empty.
   template <class Visit>
   void forEachVoxel(const VoxelComponent& component, const PixelBox& part, Visit visit) const {
     const VoxelLattice& lattice = table_.lattice();
@@ -73,7 +73,7 @@ class Coverage {
     part_ = part;
     pixels_.assign(size_t(part.x1 - part.x0) * size_t(part.y1 - part.y0), 0);
   }
-  /// Sets `bit` in what the piece covers of the part.
+  /// Sets `bit` in the pixels of the part that the component covers.
   void add(const VoxelComponent& component, uint8_t bit) {
     forEachVoxel(component, part_, [&](const PixelBox& p) {
       for (int y = p.y0; y < p.y1; ++y)
@@ -92,7 +92,8 @@ class Coverage {
   std::vector<uint8_t> pixels_;
 };
 
-/// Whether pieces[suspect] covers silhouette pixels of the camera that no other piece covers.
+/// Whether components[suspect] covers silhouette pixels of the camera that no other component
+/// covers.
 bool isNeeded(const std::vector<VoxelComponent>& components, size_t suspect, const Camera& camera,
               size_t index, const ProjectionTable& table, const TileMask& mask) {
   constexpr uint8_t kItself = 1, kOthers = 2;

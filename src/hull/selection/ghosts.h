@@ -7,11 +7,10 @@
 
 namespace markerless_mocap {
 
-/// Sets `suspect_ghost` of the pieces that could be taken away without uncovering a silhouette
-/// pixel in any camera: what such a piece covers, the others cover too. Voxels cover the pixels
-/// around that of their centre as far as half a voxel reaches. The first eight pieces are judged,
-/// the others are not suspect; nor is a piece that is alone. \param masks one per camera, valid for
-/// voters
+/// Sets `suspect_ghost` of each component that covers no silhouette pixel that the other components
+/// do not cover, in any camera. A voxel covers the pixels within half a voxel of its centre. Only
+/// the first eight components are tested; the others are not suspected, nor is a single component.
+/// \param masks one per camera, valid for voters
 void markGhosts(const CameraRig& rig, const ProjectionTable& table,
                 const std::vector<TileMask>& masks, CameraSet voters,
                 std::vector<VoxelComponent>* components);

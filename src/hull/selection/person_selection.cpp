@@ -7,13 +7,14 @@
 namespace markerless_mocap {
 namespace {
 
-/// A silhouette that covers more of its image shows no outline to carve with.
+/// A silhouette that covers more of its image has no outline to carve with.
 constexpr double kFullMaskFraction = 0.95;
-/// A second component is a second body when it is at least this large.
+/// A second component counts as a second body if its size is at least this fraction of the first
+/// one's.
 constexpr double kSecondBodyFraction = 0.4;
 constexpr double kSecondBodyLitres = 15.0;
-/// A component that is seen by no more than this share of the cameras that see another one is not
-/// carved well enough to be compared with it.
+/// A component is poorly seen if the number of cameras that see it is at most this fraction of the
+/// number that see another component. Its size is then not comparable.
 constexpr double kPoorlySeenFraction = 0.5;
 
 std::string oneDecimal(double value) {
@@ -34,7 +35,7 @@ double meanViews(const VoxelComponent& component, const ProjectionTable& table, 
   return double(views) / double(component.voxels);
 }
 
-/// Whether nothing speaks against taking the component for a body.
+/// Whether the component may be a body.
 bool isTrusted(const HullComponent& component) {
   return !component.poorly_seen && !component.suspect_ghost;
 }
@@ -72,7 +73,7 @@ bool rejectMasks(const MaskSummary& masks, CameraSet usable, const CameraRig& ri
   } else if ((masks.full & usable) != 0) {
     hull->status = HullStatus::kFullMask;
     hull->reason = "the mask of " + namesOf(masks.full, rig) +
-                   " is full: nobody stands out from the background there";
+                   " is full: no person can be separated from the background";
   } else {
     return false;
   }

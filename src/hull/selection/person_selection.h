@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// What is remarkable about the masks of the present cameras.
+/// Which masks are present, empty or full.
 struct MaskSummary {
   CameraSet present = 0, empty = 0, full = 0;
 
@@ -19,19 +19,19 @@ MaskSummary summariseMasks(const CameraRig& rig, const VoxelVoting& voting);
 /// 'a', 'b'
 std::string namesOf(CameraSet cameras, const CameraRig& rig);
 
-/// Sets status and reason, and returns true, where the masks alone tell that there is nothing to
-/// carve. \param usable cameras whose masks can be carved with
+/// Sets status and reason and returns true if the masks alone show that there is nothing to carve.
+/// \param usable cameras whose masks can be carved with
 bool rejectMasks(const MaskSummary& masks, CameraSet usable, const CameraRig& rig, int min_views,
                  VisualHull* hull);
 
-/// Measures the pieces, puts poorly seen ones and suspects behind the others, and fills
-/// `components`.
+/// Measures the components, moves poorly seen ones and suspected ghosts behind the others, and
+/// fills the hull's `components`.
 std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> components,
                                            const ProjectionTable& table, CameraSet voters,
                                            double min_component_litres, VisualHull* hull);
 
-/// Chooses the person, the first of ranked pieces, and sets status and reason; nullptr unless the
-/// status is kOk.
+/// Selects the person, the first of the ranked components, and sets status and reason. Returns
+/// nullptr unless the status is kOk.
 const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components,
                                    double min_component_litres, const MaskSummary& masks,
                                    const CameraRig& rig, VisualHull* hull);

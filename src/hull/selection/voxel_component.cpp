@@ -7,7 +7,7 @@ namespace markerless_mocap {
 
 std::vector<CellRow> rowsOf(const VoxelComponent& component, const Eigen::Vector3i& bricks) {
   std::vector<CellRow> rows;
-  uint32_t row_end = 0;  // first leaf of the next row
+  uint32_t row_end = 0;  // first brick of the next row
   for (size_t i = 0; i < component.cells.size(); ++i) {
     const uint32_t brick = component.cells[i].brick;
     if (rows.empty() || brick >= row_end) {
@@ -44,7 +44,7 @@ VoxelBox boxOf(const VoxelComponent& component, const VoxelLattice& lattice) {
     const Eigen::Vector3i corner = cornerOf(lattice, cell.brick);
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < kBrickSide; ++i)
-        if (cell.voxels & leaf_words::slab(axis, i, i + 1)) {
+        if (cell.voxels & brick_words::slab(axis, i, i + 1)) {
           box.low[axis] = std::min(box.low[axis], corner[axis] + i);
           box.high[axis] = std::max(box.high[axis], corner[axis] + i + 1);
         }

@@ -7,13 +7,13 @@
 
 namespace markerless_mocap {
 
-/// Voxels of one leaf.
+/// Voxels of one brick.
 struct BrickVoxels {
   uint32_t brick;
   uint64_t voxels;
 };
 
-/// A set of voxels: its leaves in ascending order, none of them empty.
+/// A set of voxels: its bricks in ascending order, none of them empty.
 struct VoxelComponent {
   std::vector<BrickVoxels> cells;
   size_t voxels = 0;
@@ -25,23 +25,24 @@ struct VoxelComponent {
   }
 };
 
-/// A voxel of a piece.
+/// A voxel of a component.
 struct ComponentVoxel {
   uint32_t index;  ///< linear, in the lattice
   uint32_t slot;   ///< 64 * cell + bit
 };
 
-/// Lattice coordinates of the lowest voxel of a leaf.
+/// Lattice coordinates of the first voxel of a brick.
 Eigen::Vector3i cornerOf(const VoxelLattice& lattice, uint32_t brick);
 
-/// Cells [begin, end) of a piece whose leaves are of one row along x, and that row's place.
+/// Cells [begin, end) of a component whose bricks lie in one row along x, and the position of that
+/// row.
 struct CellRow {
   size_t begin, end;
-  int y, z;  ///< leaves
+  int y, z;  ///< bricks
 };
 std::vector<CellRow> rowsOf(const VoxelComponent& component, const Eigen::Vector3i& bricks);
 
-/// Calls visit(linear index, slot) for the piece's voxels in the order of their indices.
+/// Calls visit(linear index, slot) for the component's voxels in the order of their indices.
 template <class Visit>
 void forEachInLatticeOrder(const VoxelComponent& component, const VoxelLattice& lattice,
                            Visit visit) {
@@ -55,7 +56,7 @@ void forEachInLatticeOrder(const VoxelComponent& component, const VoxelLattice& 
       const uint32_t first = line + kBrickSide * (component.cells[c].brick - row_start);
       const uint32_t slot = uint32_t(64 * c) + shift;
       const uint32_t bits = uint32_t(component.cells[c].voxels >> shift) & 15;
-      if (bits == 15)  // as nearly everywhere
+      if (bits == 15)  // the most common case
         for (uint32_t i = 0; i < kBrickSide; ++i) visit(first + i, slot + i);
       else
         for (uint32_t i = 0; i < kBrickSide; ++i)
@@ -70,14 +71,14 @@ void forEachInLatticeOrder(const VoxelComponent& component, const VoxelLattice& 
   }
 }
 
-/// The piece's voxels sorted by linear index.
+/// The component's voxels sorted by linear index.
 std::vector<ComponentVoxel> inLatticeOrder(const VoxelComponent& component,
                                            const VoxelLattice& lattice);
 
-/// The least box around the piece.
+/// The bounding box of the component.
 VoxelBox boxOf(const VoxelComponent& component, const VoxelLattice& lattice);
 
-/// The union of cells in any order, leaves in any number of cells.
+/// The union of cells, given in any order; a brick may have several cells.
 VoxelComponent unionOf(std::vector<BrickVoxels> cells);
 
 }  // namespace markerless_mocap

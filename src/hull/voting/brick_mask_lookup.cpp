@@ -18,7 +18,7 @@ MOCAP_AVX2 inline WindowHalves loadWindow(const TileMask& mask, int x, int y) {
   };
   const __m128i a = load(0), b = load(1), c = load(2);
   const __m128i right_by = _mm_cvtsi32_si128(x & 7), left_by = _mm_cvtsi32_si128(8 - (x & 7));
-  // There are no shifts of bytes: shift 16 bits and drop what came from the neighbour.
+  // There is no shift of bytes: shift 16 bits and clear the bits that came from the neighbour.
   const __m128i low = _mm_set1_epi8(char(0xff >> (x & 7)));
   const auto joined = [&](__m128i first, __m128i second) MOCAP_AVX2 {
     return _mm_or_si128(_mm_and_si128(_mm_srl_epi16(first, right_by), low),
@@ -39,7 +39,7 @@ MOCAP_AVX2 inline uint64_t setInWindowAvx2(const TileMask& mask, int x, int y,
     const __m256i code = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(codes + half * 32));
     const __m256i column = _mm256_and_si256(code, nibble);
     const __m256i row = _mm256_and_si256(_mm256_srli_epi16(code, 4), nibble);
-    // Bit 3 of the column says which half; as the highest bit it is what blendv asks for.
+    // Bit 3 of the column selects the half; blendv takes it as the top bit.
     const __m256i pixels =
         _mm256_blendv_epi8(_mm256_shuffle_epi8(left, row), _mm256_shuffle_epi8(right, row),
                            _mm256_slli_epi16(column, 4));

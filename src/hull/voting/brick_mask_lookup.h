@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// Which of the voxels of the windows have their pixel set: voxel v's is at column codes[v] % 16
+/// The voxels of the windows whose pixel is set. The pixel of voxel v is at column codes[v] % 16
 /// and row codes[v] / 16 of its window.
 uint64_t setInWindows(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
                       const uint8_t* codes);
@@ -12,7 +12,7 @@ uint64_t setInWindows(const TileMask& mask, const PixelWindow* begin, const Pixe
 uint64_t setInWindowsPlainly(const TileMask& mask, const PixelWindow* begin, const PixelWindow* end,
                              const uint8_t* codes);
 
-/// The leaf's voxels whose pixels in the camera are set; none that it does not see.
+/// The brick's voxels that the camera sees and whose pixels are set.
 uint64_t setInBrick(const ProjectionTable& table, const TileMask& mask, size_t brick,
                     size_t camera);
 

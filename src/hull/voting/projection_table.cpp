@@ -12,7 +12,7 @@ struct Pixel {
   int voxel, x, y;
 };
 
-/// The pixels of the leaf's voxels that the camera sees.
+/// The pixels of the brick's voxels that the camera sees.
 int projectBrick(const Camera& camera, const VoxelLattice& lattice, const Eigen::Vector3i& corner,
                  Pixel (&pixels)[64]) {
   int count = 0;
@@ -28,7 +28,7 @@ int projectBrick(const Camera& camera, const VoxelLattice& lattice, const Eigen:
   return count;
 }
 
-/// Windows on a raster of 16 x 16 pixels that starts at the lowest pixel; no more than are needed.
+/// Adds the windows that hold pixels, of a raster of 16 x 16 pixels that starts at (x0, y0).
 void addWindows(const Pixel* pixels, int count, int x0, int y0, std::vector<PixelWindow>* windows,
                 uint8_t* codes) {
   const size_t first = windows->size();

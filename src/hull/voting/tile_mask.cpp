@@ -36,7 +36,7 @@ void TileMask::sumTiles(int width, int height) {
   const uint64_t below = height % 8 == 0 ? 0 : ~uint64_t(0) << (height % 8 * 8);
   const uint64_t right = 0x0101010101010101u * (width % 8 == 0 ? 0 : 0xffu << (width % 8) & 0xffu);
   for (int column = 0; column < columns_; ++column) {
-    // A tile that the image's edge cuts is full when all of its pixels in the image are set.
+    // A tile at the edge of the image is full if all of its pixels in the image are set.
     const uint64_t beside = column == columns_ - 1 ? right : 0;
     const Sum* before = &sums_[sumAt(column, 0)];
     set_pixels_ += sumTileColumn(&words_[size_t(column) * stride_], rows_, beside, below, before,

@@ -14,17 +14,17 @@ struct TileBox {
   uint32_t count() const { return uint32_t(x1 - x0) * uint32_t(y1 - y0); }
 };
 
-/// How many of the tiles of a rectangle have any pixel set, and how many have all.
+/// Number of tiles of a rectangle with any pixel set, and with all pixels set.
 struct TileCount {
   uint32_t any, all;
 };
 
-/// A silhouette in bits: one 64-bit word per tile of 8 x 8 pixels (bit 8 * row + column), tiles of
-/// one column one after the other, and the number of tiles with any and with all pixels set in any
-/// rectangle of tiles by a summed-area table.
+/// A silhouette as bits: one 64-bit word per tile of 8 x 8 pixels (bit 8 * row + column), stored
+/// column by column. A summed-area table gives the number of tiles with any and with all pixels set
+/// in any rectangle of tiles.
 class TileMask {
  public:
-  /// \param mask CV_8UC1, not 0 where set. Memory of the last mask is used again.
+  /// \param mask CV_8UC1, not 0 where set. Reuses the memory of the last mask.
   void pack(const cv::Mat& mask);
 
   size_t setPixels() const { return set_pixels_; }
@@ -35,8 +35,9 @@ class TileMask {
   }
   bool at(int x, int y) const { return pixels(x >> 3, y)[0] >> (x & 7) & 1; }
   uint64_t tile(int column, int row) const { return words_[size_t(column) * stride_ + row]; }
-  /// Eight pixels a byte, lowest bit leftmost: of rows y, y + 1 ... of one column of tiles. At
-  /// least 16 rows and two further columns can be read, clear where they leave the image.
+  /// Rows y, y + 1, ... of one column of tiles, one byte for eight pixels; the lowest bit is the
+  /// leftmost pixel. At least 16 rows and two further columns can be read; pixels outside the image
+  /// are clear.
   const uint8_t* pixels(int tile_column, int y) const {
     return reinterpret_cast<const uint8_t*>(words_.data()) + size_t(tile_column) * columnBytes() +
            y;

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "hull/voting/bit_counter.h"
+#include "hull/voting/bit_sliced_counter.h"
 #include "hull/voting/brick_mask_lookup.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// Without the processor's own instruction, which not every one has.
+/// Population count without the processor's instruction, which not every processor has.
 int countOf(CameraSet set) {
   set -= set >> 1 & 0x55555555u;
   set = (set & 0x33333333u) + (set >> 2 & 0x33333333u);
@@ -28,7 +28,7 @@ class Octree {
       voters_ |= 1u << c;
       order_.push_back(uint8_t(c));
     }
-    // Small silhouettes first: they decide most.
+    // Small silhouettes first: they decide the most blocks.
     std::stable_sort(order_.begin(), order_.end(), [&](uint8_t a, uint8_t b) {
       return rule.masks[a]->setPixels() < rule.masks[b]->setPixels();
     });
@@ -64,8 +64,8 @@ class Octree {
       descend(level_index - 1, at, open, against);
   }
 
-  /// Asks the open cameras about a block as a whole; takes those that decide out of `open`. False
-  /// if no voxel of the block stands.
+  /// Lets the open cameras vote on a block as a whole, and removes those that decide from `open`.
+  /// Returns false if no voxel of the block is foreground.
   bool castBlockVotes(const BlockLevel& level, size_t block, CameraSet* open,
                       uint32_t* against) const {
     const TileBox* tiles = &level.tiles[block * table_.cameras()];
@@ -86,12 +86,12 @@ class Octree {
 
   void decideBrick(const Eigen::Vector3i& at, size_t brick, CameraSet open, uint32_t against,
                    bool views_known) const {
-    uint64_t word = leaf_words::inside(window_, at * kBrickSide);
+    uint64_t word = brick_words::inside(window_, at * kBrickSide);
     word &= rule_.limit - against == 1 ? withoutVoteAgainst(brick, open, word)
                                        : belowVoteLimit(brick, open, against);
     if (word == 0) return;
     if (!views_known) {
-      BitCounter views(0);
+      BitSlicedCounter views(0);
       for (const uint8_t c : order_) views.add(table_.seen(brick, c), 1);
       word &= views.atLeast(uint32_t(rule_.min_views));
     }
@@ -99,7 +99,7 @@ class Octree {
   }
 
   uint64_t withoutVoteAgainst(size_t brick, CameraSet open, uint64_t word) const {
-    // Memory takes longer than a camera's test.
+    // Loading from memory takes longer than the test of one camera.
     for (const uint8_t c : order_)
       if (open >> c & 1) __builtin_prefetch(table_.codes(brick, c));
     for (const uint8_t c : order_) {
@@ -111,7 +111,7 @@ class Octree {
   }
 
   uint64_t belowVoteLimit(size_t brick, CameraSet open, uint32_t against) const {
-    BitCounter counter(against);
+    BitSlicedCounter counter(against);
     for (const uint8_t c : order_)
       if (open >> c & 1) counter.add(votesAgainst(brick, c), rule_.weights[c]);
     return ~counter.atLeast(rule_.limit);
@@ -145,7 +145,7 @@ class Octree {
     for (int z = low.z(); z < high.z(); ++z)
       for (int y = low.y(); y < high.y(); ++y)
         for (int x = low.x(); x < high.x(); ++x) {
-          const uint64_t word = leaf_words::inside(window_, kBrickSide * Eigen::Vector3i(x, y, z));
+          const uint64_t word = brick_words::inside(window_, kBrickSide * Eigen::Vector3i(x, y, z));
           if (word != 0) volume_->set(x, y, z, word);
         }
   }

@@ -8,18 +8,18 @@
 
 #include "hull/selection/bridging.h"
 #include "hull/selection/ghosts.h"
-#include "hull/voting/seen_volume.h"
+#include "hull/voting/viewing_volume.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// Pieces of more than this are several bodies and are not bridged.
-constexpr double kMostLitresOfOneBody = 120;
+/// Components of more than this in total are several bodies and are not bridged.
+constexpr double kMaxLitresOfOneBody = 120;
 
 VoxelBox boundsOf(const HullOptions& options, const VoxelLattice& lattice) {
   VoxelBox box{Eigen::Vector3i::Zero(), lattice.size};
   if (!options.cut_at_floor) return box;
-  // The lowest voxel whose centre is not below the floor.
+  // The first layer whose centres are not below the floor.
   const double layers = (options.floor_height - lattice.origin.z()) / lattice.pitch - 0.5;
   box.low.z() = int(std::clamp(std::ceil(layers), 0.0, double(lattice.size.z())));
   return box;
@@ -37,7 +37,7 @@ VoxelVoting::VoxelVoting(const CameraRig& rig, const HullOptions& options,
       volume_(lattice) {
   const std::vector<double> trust = options.trust(rig);
   const bool equal = std::all_of(trust.begin(), trust.end(), [](double t) { return t == 1; });
-  unit_ = equal ? 1 : VoteRule::kMostWeight;
+  unit_ = equal ? 1 : VoteRule::kMaxWeight;
   for (const double t : trust) weights_.push_back(uint32_t(std::lround(t * unit_)));
   if (!isSeenEnough())
     throw std::invalid_argument("no voxel of the volume is seen by " +
@@ -77,9 +77,9 @@ const BrickVolume& VoxelVoting::vote(CameraSet voters, int more_missing, const V
   if (options_.volume == "auto") {
     const auto voting =
         rule.masks.size() - size_t(std::count(rule.masks.begin(), rule.masks.end(), nullptr));
-    min_views = std::max(min_views, enoughViews(int(voting)));
+    min_views = std::max(min_views, minViewsOf(int(voting)));
   }
-  // As many more cameras must see a voxel as may miss it.
+  // The number of cameras that must see a voxel grows by the number of votes that may be missing.
   rule.min_views = min_views + more_missing;
   rule.limit = unit_ * uint32_t(1 + options_.missing_votes_allowed + more_missing);
   rule.window.low = window.low.cwiseMax(bounds_.low);
@@ -91,7 +91,7 @@ const BrickVolume& VoxelVoting::vote(CameraSet voters, int more_missing, const V
 std::vector<VoxelComponent> VoxelVoting::carve(CameraSet voters, const VoxelBox& window) {
   const VoxelLattice& lattice = table_.lattice();
   const double voxel_litres = std::pow(lattice.pitch * 10, 3);
-  const size_t least =
+  const size_t min_voxels =
       std::max<size_t>(1, size_t(std::ceil(options_.min_component_litres / voxel_litres)));
   std::vector<VoxelComponent> components = components_.find(vote(voters, 0, window), lattice);
   markGhosts(rig_, table_, masks_, voters & present_, &components);
@@ -100,13 +100,14 @@ std::vector<VoxelComponent> VoxelVoting::carve(CameraSet voters, const VoxelBox&
   double litres = 0;
   for (const VoxelComponent& component : components)
     litres += double(component.voxels) * voxel_litres;
-  if (litres > kMostLitresOfOneBody) return components;
+  if (litres > kMaxLitresOfOneBody) return components;
   for (int more = 1; more <= options_.bridging_votes; ++more) {
-    if (components.size() < 2 || components[1].suspect_ghost || components[1].voxels < least) break;
+    if (components.size() < 2 || components[1].suspect_ghost || components[1].voxels < min_voxels)
+      break;
     const ComponentBridging bridging(lattice, [&](const VoxelBox& box) -> const BrickVolume& {
       return vote(voters, more, {box.low.cwiseMax(window.low), box.high.cwiseMin(window.high)});
     });
-    components = bridging.bridge(std::move(components), least);
+    components = bridging.bridge(std::move(components), min_voxels);
   }
   return components;
 }

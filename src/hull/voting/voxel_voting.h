@@ -8,18 +8,18 @@
 
 namespace markerless_mocap {
 
-/// Holds the masks of one instant and carves pieces with any of the cameras.
+/// Holds the masks of one frame set, and carves components with any subset of the cameras.
 class VoxelVoting {
  public:
-  /// Throws std::invalid_argument as HullCarver(). The rig must live as long.
+  /// Throws std::invalid_argument as HullCarver(). The rig must outlive this object.
   VoxelVoting(const CameraRig& rig, const HullOptions& options, const VoxelLattice& lattice);
 
   void setMasks(const std::vector<HullView>& views);
 
-  /// Components of the foreground by the votes of `voters`, largest first, suspect ghosts last,
-  /// pieces of one body joined. Cameras without a mask or trust have no vote in any case.
+  /// Components of the foreground by the votes of `voters`: largest first, suspected ghosts last,
+  /// components of one body joined. Cameras without a mask or without trust never vote.
   std::vector<VoxelComponent> carve(CameraSet voters, const VoxelBox& window);
-  /// The box in which anything may stand.
+  /// The box outside of which all voxels are background.
   const VoxelBox& bounds() const { return bounds_; }
 
   const ProjectionTable& table() const { return table_; }
@@ -33,7 +33,7 @@ class VoxelVoting {
   const CameraRig& rig_;
   HullOptions options_;
   ProjectionTable table_;
-  std::vector<uint32_t> weights_;  ///< trust of each camera in units
+  std::vector<uint32_t> weights_;  ///< trust of each camera, in integer units
   uint32_t unit_;                  ///< weight of full trust
   VoxelBox bounds_;
   std::vector<TileMask> masks_;

@@ -1,4 +1,4 @@
-#include "hull/voting/seen_volume.h"
+#include "hull/voting/viewing_volume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,15 @@ bool isSeen(const CameraRig& rig, const Eigen::Vector3d& place, int wanted) {
 
 }  // namespace
 
-int enoughViews(int cameras) {
+int minViewsOf(int cameras) {
   return int(std::ceil(0.75 * cameras));
 }
 
-Eigen::AlignedBox3d seenVolume(const CameraRig& rig, int min_views, double floor_height) {
+Eigen::AlignedBox3d viewingVolume(const CameraRig& rig, int min_views, double floor_height) {
   Eigen::AlignedBox3d cameras;
   for (const Camera& camera : rig) cameras.extend(camera.position());
   const Eigen::Vector2d middle = cameras.center().head<2>();
-  const int wanted = std::max(min_views, enoughViews(int(rig.size())));
+  const int wanted = std::max(min_views, minViewsOf(int(rig.size())));
   const int reach = int(kReach / kStep), layers = int(std::lround(kHeight / kStep));
   Eigen::AlignedBox3d seen;
   for (int k = 0; k < layers; ++k)

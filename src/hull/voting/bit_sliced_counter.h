@@ -6,10 +6,11 @@
 
 namespace markerless_mocap {
 
-/// Sixty-four counters up to 1023, one per voxel of a leaf; bit v of plane p is bit p of voxel v's.
-class BitCounter {
+/// Sixty-four counters up to 1023, one per voxel of a brick: bit v of plane p is bit p of the
+/// counter of voxel v.
+class BitSlicedCounter {
  public:
-  explicit BitCounter(uint32_t start) {
+  explicit BitSlicedCounter(uint32_t start) {
     for (int p = 0; p < kPlanes; ++p) planes_[p] = start >> p & 1 ? kAllVoxels : 0;
   }
 
