@@ -33,7 +33,7 @@ class SilhouetteExtractor::Impl {
 
   void reset() {
     subtractor_.reset();
-    frames_learned_ = misfits_ = 0;
+    frames_learned_ = stale_run_ = 0;
     size_ = loaded_.size();
     type_ = loaded_.empty() ? -1 : loaded_.type();
   }
@@ -77,10 +77,10 @@ class SilhouetteExtractor::Impl {
   }
 
   SilhouetteOptions options_;
-  std::unique_ptr<Subtractor> subtractor_;  ///< from the first image on
-  Background loaded_;                       ///< from a file, as it was there; else empty
+  std::unique_ptr<Subtractor> subtractor_;  ///< created at the first image
+  Background loaded_;                       ///< background from a file, as loaded; else empty
   int frames_learned_ = 0;
-  int misfits_ = 0;  ///< images in a row that the background does not explain
+  int stale_run_ = 0;  ///< number of images in a row that differ too much from the background
   cv::Size size_;
   int type_ = -1;  ///< of the images; -1 before the first
 };
@@ -97,8 +97,8 @@ void SilhouetteExtractor::Impl::checkImage(const cv::Mat& image) const {
 
 SilhouetteState SilhouetteExtractor::Impl::stateAfter(const Extraction& found) {
   const bool at_limit = found.light_gain <= kDarkestGain || found.light_gain >= kBrightestGain;
-  misfits_ = found.changed_fraction > options_.stale_fraction || at_limit ? misfits_ + 1 : 0;
-  return misfits_ >= options_.stale_frames ? SilhouetteState::kStale : SilhouetteState::kReady;
+  stale_run_ = found.changed_fraction > options_.stale_fraction || at_limit ? stale_run_ + 1 : 0;
+  return stale_run_ >= options_.stale_frames ? SilhouetteState::kStale : SilhouetteState::kReady;
 }
 
 SilhouetteExtractor::SilhouetteExtractor(const SilhouetteOptions& options)

@@ -37,7 +37,7 @@ class ChangedBits : public testing::TestWithParam<int> {
 
   /// Loop by loop.
   std::vector<uint64_t> expected(int modes, int16_t gain) {
-    splitThree(bgr_.ptr(), width_, int(stride_), now_.data());
+    deinterleaveBgr(bgr_.ptr(), width_, int(stride_), now_.data());
     const uint8_t* now[] = {&now_[0], &now_[stride_], &now_[2 * stride_]};
     std::vector<uint16_t> least(stride_, 65535), squared(stride_);
     for (int mode = 0; mode < modes; ++mode) {

@@ -23,7 +23,7 @@ class Missed : public testing::TestWithParam<int> {
   }
 
   /// How much of `part` is set afterwards, if the person is so much brighter than the wall.
-  double filledShare(const cv::Rect& part, int brighter, int max_hole_px = kMaxHole) {
+  double filledFraction(const cv::Rect& part, int brighter, int max_hole_px = kMaxHole) {
     cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
     image_(kPerson).setTo(cv::Scalar::all(kWall + brighter));
     mask(kPerson).setTo(255);
@@ -44,26 +44,26 @@ INSTANTIATE_TEST_SUITE_P(GreyAndColor, Missed, testing::Values(1, 3));
 
 TEST_P(Missed, HoleIsFilledWhereThePersonLooksLikeTheWall) {
   const cv::Rect hole(70, 40, 20, 15);
-  EXPECT_EQ(filledShare(hole, 20), 1);
-  EXPECT_EQ(filledShare(hole, 60), 0) << "one looks through it";
+  EXPECT_EQ(filledFraction(hole, 20), 1);
+  EXPECT_EQ(filledFraction(hole, 60), 0) << "one looks through it";
 }
 
 TEST_P(Missed, LargeHoleIsAGap) {
-  EXPECT_LT(filledShare({60, 40, 30, 20}, 20), 0.05) << "but for its corners";
+  EXPECT_LT(filledFraction({60, 40, 30, 20}, 20), 0.05) << "but for its corners";
 }
 
 TEST_P(Missed, TinyHoleIsFilledAnyhow) {
-  EXPECT_EQ(filledShare({70, 40, 5, 2}, 60), 1);
+  EXPECT_EQ(filledFraction({70, 40, 5, 2}, 60), 1);
 }
 
 TEST_P(Missed, NotchIsFilledWhereThePersonLooksLikeTheWall) {
   const cv::Rect notch(kPerson.x, 50, 30, 4);
-  EXPECT_GT(filledShare(notch, 20), 0.9);
-  EXPECT_EQ(filledShare(notch, 60), 0);
+  EXPECT_GT(filledFraction(notch, 20), 0.9);
+  EXPECT_EQ(filledFraction(notch, 60), 0);
 }
 
 TEST_P(Missed, NothingIsFilledUnlessAskedFor) {
-  EXPECT_EQ(filledShare({70, 40, 2, 2}, 20, 0), 0);
+  EXPECT_EQ(filledFraction({70, 40, 2, 2}, 20, 0), 0);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class MattingKernels : public testing::TestWithParam<int> {
   }
   bool isChosen(int x, int y) const { return chosen_ >> (kSide * y + x) & 1; }
 
-  /// Pixel by pixel; `old` where nothing can be told.
+  /// Pixel by pixel; `old` where alpha cannot be estimated.
   int alpha(int x, int y, const MattingColors& colors, int old) const {
     float apart = 0, contrast = 0;
     for (int c = 0; c < 3; ++c) {
@@ -66,13 +66,13 @@ TEST_P(MattingKernels, AddTheChosenPixelsColors) {
 
 TEST_P(MattingKernels, TellTheSharesThatAreAskedFor) {
   const MattingColors colors{{60, 110, 200}, 0.9f, 48, 9000};
-  std::array<uint8_t, 4 * kStep> shares;
-  shares.fill(77);
-  estimateAlpha(block(), colors, chosen_, kStep, shares.data());
+  std::array<uint8_t, 4 * kStep> alphas;
+  alphas.fill(77);
+  estimateAlpha(block(), colors, chosen_, kStep, alphas.data());
   for (int i = 0; i < 4 * kStep; ++i) {
     const int x = i % kStep, y = i / kStep;
     const bool is_asked = x < kSide && isChosen(x, y);
-    EXPECT_NEAR(shares[i], is_asked ? alpha(x, y, colors, 77) : 77, is_asked ? 1 : 0) << x << y;
+    EXPECT_NEAR(alphas[i], is_asked ? alpha(x, y, colors, 77) : 77, is_asked ? 1 : 0) << x << y;
   }
 }
 

@@ -23,7 +23,7 @@ constexpr BlockShadowThresholds kColor{false, 1, 0.02f, 0}, kGrey{true, 1, 0.02f
 
 using Texture = std::function<cv::Vec3b(int x, int y)>;
 
-/// Blocks of an area whose pixels are shades of grey 100; the shades go into `shade`.
+/// Blocks of an area whose pixels are darker versions of grey 100; the pixels are set in `shadow`.
 ShadowBlocks blocksOf(const cv::Rect& area, const Texture& texture, BitMask* shadow) {
   ShadowBlocks blocks;
   blocks.resize(kSize);
@@ -49,7 +49,7 @@ ShadowBlocks blocksOf(const cv::Rect& area, const Texture& texture, BitMask* sha
   return blocks;
 }
 
-/// What becomes of the body when `area` is full of such shades.
+/// The body after restoreFalseShadows() if `area` is full of such pixels.
 BitMask restored(const cv::Rect& area, const BlockShadowThresholds& limits,
                  const Texture& texture) {
   BitMask shadow(kSize), mask = bodyWithGap();
@@ -84,7 +84,7 @@ TEST(ShadowBlocks, SumsAreOverNineBlocks) {
   EXPECT_EQ(all.count, 4);
   EXPECT_EQ(all.now[2], 2 * (80 + 60));
   EXPECT_EQ(all.expected[1], 400);
-  EXPECT_EQ(all.freedom, 0) << "one pixel of each block cannot vary";
+  EXPECT_EQ(all.degrees_of_freedom, 0) << "one pixel of each block cannot vary";
   EXPECT_TRUE(blocks.isEmpty(17, 1));
 }
 
@@ -94,7 +94,7 @@ TEST(ShadowBlocks, UnevennessIsWithinBlocks) {
   EXPECT_EQ(blocksOf({40, 8, 8, 4}, steps, &shadow).around(10, 2).uneven, 0);
   const ShadowBlocks::Sums folds = blocksOf({40, 8, 8, 4}, stripes(10), &shadow).around(10, 2);
   EXPECT_NEAR(folds.uneven / 32, 0.1 * 0.1, 5e-4);
-  EXPECT_EQ(folds.freedom, 30);
+  EXPECT_EQ(folds.degrees_of_freedom, 30);
 }
 
 TEST(EnclosedBlocks, NeedForegroundBelowAndOnOneMoreSide) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCols = ShadowColumns::kCols;
 
-/// Two rows of pixels of which most are a darker shade of their background, give or take noise.
+/// Two rows of pixels of which most are a shadow on their background, with noise.
 class ShadowKernels : public testing::TestWithParam<int> {
  protected:
   ShadowKernels() : random_(uint64_t(GetParam() + 1)) {

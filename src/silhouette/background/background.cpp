@@ -11,10 +11,11 @@
 namespace markerless_mocap {
 namespace {
 
-/// First bytes of a file; numbers follow as the machine has them, little endian on all of ours.
+/// First bytes of a file. The numbers that follow are in the machine's byte order, little endian on
+/// all supported ones.
 constexpr char kMagic[] = "markerless_mocap background 1\n";
 constexpr int kLargestSide = 16384;
-/// One pixel in so many is asked for the usual noise.
+/// The noise is the median over one pixel in this many.
 constexpr int kNoiseStep = 61;
 
 struct FileHead {
@@ -23,10 +24,10 @@ struct FileHead {
 };
 
 bool isUsable(const FileHead& head) {
-  const auto within = [](int value, int most) { return value >= 1 && value <= most; };
+  const auto within = [](int value, int max) { return value >= 1 && value <= max; };
   return std::memcmp(head.magic, kMagic, sizeof(kMagic)) == 0 && within(head.width, kLargestSide) &&
          within(head.height, kLargestSide) && (head.channels == 1 || head.channels == 3) &&
-         within(head.modes, Background::kMostModes);
+         within(head.modes, Background::kMaxModes);
 }
 
 template <class VectorT>
@@ -43,17 +44,17 @@ Background::Background(const cv::Size& size, int channels, int modes)
       stride_((size.width + 63) / 64 * 64),
       mean_(size_t(modes) * size.height * stride_ * channels, 0),
       sigma_(size_t(modes) * size.height * stride_, 0),
-      coarse_(sigma_.size() * (channels + 1), 0) {}
+      quantised_(sigma_.size() * (channels + 1), 0) {}
 
-ModeRow Background::coarse(int mode, int y) const {
-  const uint8_t* row = &coarse_[coarseOffset(mode, y)];
-  ModeRow coarse{{}, row + size_t(channels_) * stride_, int16_t(weight_unit_)};
-  for (int c = 0; c < channels_; ++c) coarse.mean[c] = row + size_t(c) * stride_;
-  return coarse;
+ModeRow Background::quantised(int mode, int y) const {
+  const uint8_t* row = &quantised_[quantisedOffset(mode, y)];
+  ModeRow quantised{{}, row + size_t(channels_) * stride_, int16_t(weight_unit_)};
+  for (int c = 0; c < channels_; ++c) quantised.mean[c] = row + size_t(c) * stride_;
+  return quantised;
 }
 
-void Background::renewCoarse(int mode, int y) {
-  roundMeans(mean(mode, y, 0), channels_ * stride_, &coarse_[coarseOffset(mode, y)]);
+void Background::updateQuantised(int mode, int y) {
+  roundMeans(mean(mode, y, 0), channels_ * stride_, &quantised_[quantisedOffset(mode, y)]);
 }
 
 void Background::setThreshold(double threshold_sigmas, double min_sigma) {
@@ -65,8 +66,8 @@ void Background::setThreshold(double threshold_sigmas, double min_sigma) {
   std::vector<uint16_t> sample;
   for (int mode = 0; mode < modes_; ++mode)
     for (int y = 0; y < size_.height; ++y) {
-      renewCoarse(mode, y);
-      uint8_t* weights = &coarse_[coarseOffset(mode, y) + size_t(channels_) * stride_];
+      updateQuantised(mode, y);
+      uint8_t* weights = &quantised_[quantisedOffset(mode, y) + size_t(channels_) * stride_];
       for (int x = 0; x < size_.width; ++x)
         weights[x] =
             uint8_t(std::lround(weight_of(sigma(mode, y)[x] / double(kMeanScale)) / weight_unit_));

@@ -8,23 +8,25 @@
 
 namespace markerless_mocap {
 
-/// One row of a usual colour of each pixel.
+/// One row of a mode (expected colour) of each pixel.
 struct ModeRow {
-  std::array<const uint8_t*, 3> mean;  ///< grey levels, a channel each
-  /// Times weight_unit: Background::kLimit * kWeightScale over the threshold in grey levels; 0
-  /// right of the image.
+  std::array<const uint8_t*, 3> mean;  ///< grey levels, one pointer per channel
+  /// weight * weight_unit is Background::kLimit * kWeightScale divided by the threshold in grey
+  /// levels; 0 right of the image.
   const uint8_t* weight;
   int16_t weight_unit;
 };
 
-/// What each pixel of the empty scene looks like: one or several usual colours and how far the
-/// image may be from them. Fixed point, planar by row, padded to whole words of 64 pixels.
+/// Background model: for each pixel of the empty scene one or several expected colours (modes), and
+/// how far the image may differ from them. Fixed point; planar by row; padded to whole words of 64
+/// pixels.
 class Background {
  public:
-  static constexpr int kMeanScale = 128;       ///< of a mean's grey level
-  static constexpr int kMostModes = 3;         ///< usual colours of a pixel
-  static constexpr int kLimit = 60;            ///< the threshold in units of scaled distance
-  static constexpr double kWeightScale = 512;  ///< of kLimit over the threshold in grey levels
+  static constexpr int kMeanScale = 128;  ///< a mean is kMeanScale * grey level
+  static constexpr int kMaxModes = 3;     ///< maximum number of modes of a pixel
+  static constexpr int kLimit = 60;       ///< the threshold, in units of scaled distance
+  static constexpr double kWeightScale =
+      512;  ///< of kLimit divided by the threshold in grey levels
 
   Background() = default;
   Background(const cv::Size& size, int channels, int modes);
@@ -36,46 +38,46 @@ class Background {
   bool empty() const { return mean_.empty(); }
   int stride() const { return stride_; }
 
-  /// Means of row y, channel c; `stride()` values of which those right of the image are 0.
+  /// Means of row y, channel c: `stride()` values; those right of the image are 0.
   uint16_t* mean(int mode, int y, int c) {
     return &mean_[offset(mode, y) * channels_ + c * stride_];
   }
   const uint16_t* mean(int mode, int y, int c) const {
     return &mean_[offset(mode, y) * channels_ + c * stride_];
   }
-  /// Standard deviations of row y, of all channels together, kMeanScale to a grey level.
+  /// Standard deviations of row y over all channels, in kMeanScale * grey level.
   uint16_t* sigma(int mode, int y) { return &sigma_[offset(mode, y)]; }
   const uint16_t* sigma(int mode, int y) const { return &sigma_[offset(mode, y)]; }
-  /// What every pixel of every image is compared with, in a byte each, as memory is what that loop
-  /// waits for: row y's means in grey levels, and its weights.
-  ModeRow coarse(int mode, int y) const;
-  /// From a row of those to the next, bytes.
-  ptrdiff_t coarseStep() const { return ptrdiff_t(stride_) * (channels_ + 1); }
-  /// Row y's means have changed.
-  void renewCoarse(int mode, int y);
+  /// Row y's means in grey levels and its weights, as bytes. Each pixel of each image is compared
+  /// with these; that loop is limited by memory, so they are small.
+  ModeRow quantised(int mode, int y) const;
+  /// Bytes from one quantised row to the next.
+  ptrdiff_t quantisedStep() const { return ptrdiff_t(stride_) * (channels_ + 1); }
+  /// Call this after a change of row y's means.
+  void updateQuantised(int mode, int y);
 
-  /// Usual standard deviation of a pixel, all channels together, at least `min_sigma`, grey levels.
+  /// Median standard deviation of a pixel over all channels, at least `min_sigma`, grey levels.
   double noise() const { return noise_; }
 
-  /// Makes the weights, the noise and the coarse means from the standard deviations.
+  /// Computes the weights, the noise and the quantised means from means and standard deviations.
   void setThreshold(double threshold_sigmas, double min_sigma);
 
-  /// Throws std::invalid_argument, in one sentence that names the file, if it cannot be written.
+  /// Throws std::invalid_argument with a message that names the file if it cannot be written.
   void save(const std::string& path) const;
-  /// Without weights. Throws std::invalid_argument, in one sentence that names the file, if it is
-  /// missing or no background.
+  /// The weights are not set: call setThreshold(). Throws std::invalid_argument with a message that
+  /// names the file if it is missing or holds no background.
   static Background load(const std::string& path);
 
  private:
   size_t offset(int mode, int y) const { return (size_t(mode) * size_.height + y) * stride_; }
-  size_t coarseOffset(int mode, int y) const { return offset(mode, y) * (channels_ + 1); }
+  size_t quantisedOffset(int mode, int y) const { return offset(mode, y) * (channels_ + 1); }
 
   cv::Size size_;
   int channels_ = 0, modes_ = 0, stride_ = 0;
   double noise_ = 0;
   int weight_unit_ = 1;
   std::vector<uint16_t> mean_, sigma_;
-  std::vector<uint8_t> coarse_;  ///< row after row: a mean per channel, then the weights
+  std::vector<uint8_t> quantised_;  ///< per row: the means, channel by channel, then the weights
 };
 
 }  // namespace markerless_mocap

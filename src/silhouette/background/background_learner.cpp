@@ -12,8 +12,8 @@ namespace {
 constexpr size_t kMostBytes = size_t(200) << 20;
 constexpr int kMostKept = 60, kFewestKept = 9;
 
-/// How many of `frames` images of this size are kept.
-int affordable(const cv::Mat& image, int frames) {
+/// Number of images of this size that are kept, up to `frames`.
+int affordableImages(const cv::Mat& image, int frames) {
   const int fitting = int(kMostBytes / (image.total() * image.elemSize()));
   return std::min({frames, kMostKept, std::max(kFewestKept, fitting)});
 }
@@ -22,7 +22,7 @@ uint16_t fixed(double grey) {
   return uint16_t(std::lround(std::clamp(grey, 0.0, 255.0) * Background::kMeanScale));
 }
 
-/// Pixels with fewer modes than there is room for repeat their first.
+/// A pixel with fewer modes than the background has repeats its first.
 void store(const std::vector<ColorMode>& modes, int x, int y, Background* background) {
   for (int k = 0; k < background->modes(); ++k) {
     const ColorMode& mode = modes[size_t(k) < modes.size() ? k : 0];
@@ -35,7 +35,7 @@ void store(const std::vector<ColorMode>& modes, int x, int y, Background* backgr
 }  // namespace
 
 void BackgroundLearner::add(const cv::Mat& image) {
-  const int64_t budget = affordable(image, frames_);
+  const int64_t budget = affordableImages(image, frames_);
   if ((seen_ + 1) * budget / frames_ > seen_ * budget / frames_) {
     kept_.push_back(image.clone());
     gains_.push_back(compensate_flicker_ ? float(estimateLightGain(image, kept_.front()).gain) : 1);
@@ -46,7 +46,7 @@ void BackgroundLearner::add(const cv::Mat& image) {
 Background BackgroundLearner::learn(int modes, double min_sigma) const {
   const cv::Mat& first = kept_.front();
   const int channels = first.channels(), n = int(kept_.size());
-  // The first image's light is as good as any; the usual light is better.
+  // The background gets the median light of all kept images, not the light of the first.
   std::vector<float> sorted = gains_;
   std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
   const float expected = sorted[n / 2];

@@ -6,19 +6,20 @@
 
 namespace markerless_mocap {
 
-/// Gathers images and makes a background of them: of each pixel the most usual colours, so people
-/// may cross the scene as long as every pixel shows the scene more often than anything else.
+/// Collects images and learns a background from them: the most frequent colours of each pixel.
+/// People may cross the scene if each pixel shows the scene more often than anything else.
 class BackgroundLearner {
  public:
-  /// \param frames images to look at; of more than memory allows, an even choice is kept
+  /// \param frames number of images to learn from; if there are too many for the memory, an evenly
+  ///   spaced selection is kept
   BackgroundLearner(int frames, bool compensate_flicker)
       : frames_(frames), compensate_flicker_(compensate_flicker) {}
 
-  /// \param image CV_8UC1 or CV_8UC3, all alike
+  /// \param image CV_8UC1 or CV_8UC3, always the same size and type
   void add(const cv::Mat& image);
   int seen() const { return seen_; }
   bool isDone() const { return seen_ >= frames_; }
-  /// \param modes usual colours per pixel, 1 to Background::kMostModes
+  /// \param modes number of modes per pixel, 1 to Background::kMaxModes
   Background learn(int modes, double min_sigma) const;
 
  private:

@@ -6,10 +6,10 @@
 namespace markerless_mocap {
 namespace {
 
-/// Of the noise.
+/// Width of the mean shift kernel, in standard deviations of the noise.
 constexpr float kKernelSigmas = 4;
-/// Share of the samples that a further mode needs: people who cross have less.
-constexpr double kFewestShare = 0.3;
+/// Fraction of the samples that a further mode needs; people who cross the scene have less.
+constexpr double kMinModeFraction = 0.3;
 constexpr int kMostShifts = 10;
 
 float squaredDistance(const float* a, const float* b, int channels) {
@@ -26,7 +26,7 @@ class Samples {
   int count() const { return int(values_.size()) / channels_; }
   const float* at(int i) const { return &values_[size_t(i) * channels_]; }
 
-  /// Mean and spread of the samples within the square root of `reach` of a colour.
+  /// Mean and standard deviation of the samples within the square root of `reach` of a colour.
   ColorMode meanNear(const float* center, float reach) const {
     ColorMode mode{{}, 0, 0};
     float squares = 0;
@@ -43,18 +43,18 @@ class Samples {
       mode.mean[c] /= float(std::max(1, mode.count));
       shift += (mode.mean[c] - center[c]) * (mode.mean[c] - center[c]);
     }
-    const float freedom = float(channels_) * std::max(1, mode.count - 1);
-    mode.sigma = std::sqrt(std::max(0.0f, squares - mode.count * shift) / freedom);
+    const float degrees_of_freedom = float(channels_) * std::max(1, mode.count - 1);
+    mode.sigma = std::sqrt(std::max(0.0f, squares - mode.count * shift) / degrees_of_freedom);
     return mode;
   }
 
   int densest(float reach) const {
-    int best = 0, most = 0;
+    int best = 0, best_count = 0;
     for (int i = 0; i < count(); ++i) {
       int near = 0;
       for (int j = 0; j < count(); ++j) near += squaredDistance(at(i), at(j), channels_) <= reach;
-      if (near > most) {
-        most = near;
+      if (near > best_count) {
+        best_count = near;
         best = i;
       }
     }
@@ -69,13 +69,13 @@ class Samples {
     values_ = std::move(rest);
   }
 
-  /// Median step from one sample to the next, as a standard deviation of noise per channel.
+  /// Noise per channel (standard deviation), from the median step from one sample to the next.
   float noise() const {
     std::vector<float> steps;
     for (int i = 1; i < count(); ++i) steps.push_back(squaredDistance(at(i), at(i - 1), channels_));
     std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-    // Median of chi squared with n degrees of freedom: about n (1 - 2 / (9 n))^3; a step has twice
-    // the variance of a sample.
+    // Median of chi squared with n degrees of degrees_of_freedom: about n (1 - 2 / (9 n))^3; a step
+    // has twice the variance of a sample.
     const float n = float(channels_), shrink = 1 - 2 / (9 * n);
     return std::sqrt(steps[steps.size() / 2] / (2 * n * shrink * shrink * shrink));
   }
@@ -98,22 +98,22 @@ ColorMode shifted(const Samples& samples, int start, float reach) {
 }  // namespace
 
 std::vector<ColorMode> findColorModes(std::vector<float> values, int channels, double min_sigma,
-                                      int most) {
+                                      int max_modes) {
   Samples samples(std::move(values), channels);
   const int all = samples.count();
   const ColorMode whole = samples.meanNear(samples.at(0), 1e30f);
   const auto reach_of = [=](float noise) {
     return kKernelSigmas * kKernelSigmas * noise * noise * float(channels) / 2;
   };
-  // Nearly all pixels of a scene without people: one colour.
+  // The most common case, a scene without people: one colour.
   float reach = reach_of(float(min_sigma));
   if (samples.meanNear(whole.mean, reach).count == all) return {whole};
   reach = std::max(reach, reach_of(samples.noise()));
   if (samples.meanNear(whole.mean, reach).count == all) return {whole};
   std::vector<ColorMode> modes;
-  while (int(modes.size()) < most && samples.count() > 0) {
+  while (int(modes.size()) < max_modes && samples.count() > 0) {
     const ColorMode mode = shifted(samples, samples.densest(reach), reach);
-    if (!modes.empty() && mode.count < std::max(2.0, kFewestShare * all)) break;
+    if (!modes.empty() && mode.count < std::max(2.0, kMinModeFraction * all)) break;
     modes.push_back(mode);
     samples.remove(mode.mean, reach);
   }

@@ -4,18 +4,19 @@
 
 namespace markerless_mocap {
 
-/// A colour that a pixel often has.
+/// A mode of the colours of a pixel.
 struct ColorMode {
   float mean[3];
-  float sigma;  ///< standard deviation, root mean square over the channels
-  int count;    ///< samples that belong to it
+  float sigma;  ///< standard deviation; root mean square over the channels
+  int count;    ///< number of samples that belong to it
 };
 
-/// The modes of a pixel's colours over time, the most frequent first: each is where a mean shift
-/// with a flat kernel, begun at the densest sample, comes to rest; its samples are then taken away.
-/// \param samples channel after channel, `channels` floats a sample, grey levels
-/// \param min_sigma grey levels; with the samples' own noise it gives the kernel's width
+/// The modes of a pixel's colours over time, the most frequent first. Each is the limit of a mean
+/// shift with a flat kernel that starts at the densest sample. The samples of a mode are removed
+/// before the next is searched.
+/// \param samples `channels` floats per sample, one channel after the other, grey levels
+/// \param min_sigma grey levels; the kernel's width depends on it and on the noise of the samples
 std::vector<ColorMode> findColorModes(std::vector<float> samples, int channels, double min_sigma,
-                                      int most);
+                                      int max_modes);
 
 }  // namespace markerless_mocap

@@ -8,17 +8,18 @@
 namespace markerless_mocap {
 namespace {
 
-/// Compared pixels; enough for a thousandth.
+/// Number of compared pixels; gives a precision of about 0.001.
 constexpr double kSamples = 1000;
 constexpr int kFewest = 50;
-/// So many times further apart than on a square grid are its rows, and nearer its columns.
+/// The rows of the sample grid are this many times further apart than on a square grid, its columns
+/// this many times nearer.
 constexpr int kRowsApart = 2;
-// Dark pixels are mostly noise, bright ones clip.
+// Dark pixels are mostly noise, bright ones are clipped.
 constexpr int kDarkest = 25, kBrightest = 230;
-/// Ratios further from the median are people and shadows.
+/// Ratios further from the median belong to people and shadows.
 constexpr float kInlierBand = 0.05f;
 
-/// To half a bin, which is far less than the band of the inliers.
+/// Precise to half a bin, which is far less than the width of the inlier band.
 float median(const std::vector<float>& ratios) {
   constexpr int kBins = 1000, kBinsPerOne = 400;
   std::array<uint32_t, kBins> counts{};
@@ -29,11 +30,11 @@ float median(const std::vector<float>& ratios) {
   return (float(bin) + 0.5f) / kBinsPerOne;
 }
 
-/// \param expected_row what gives row y's grey level of (x, channel)
-template <class UsualT>
-std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& expected_row) {
+/// \param expected_row gives for row y a function of (x, channel) that returns a grey level
+template <class ExpectedT>
+std::vector<float> brightnessRatios(const cv::Mat& image, const ExpectedT& expected_row) {
   const int channels = image.channels();
-  // Few rows of many pixels: memory comes in rows.
+  // Few rows with many pixels each, as memory is contiguous along rows.
   const int step = std::max(2, int(std::sqrt(image.total() / kSamples) / kRowsApart));
   const int row_step = step * kRowsApart * kRowsApart;
   std::vector<float> ratios;
@@ -56,7 +57,7 @@ std::vector<float> brightnessRatios(const cv::Mat& image, const UsualT& expected
   return ratios;
 }
 
-LightGain mostUsual(const std::vector<float>& ratios) {
+LightGain robustMeanRatio(const std::vector<float>& ratios) {
   LightGain result;
   if (ratios.size() < kFewest) return result;
   const float middle = median(ratios);
@@ -75,14 +76,14 @@ LightGain mostUsual(const std::vector<float>& ratios) {
 }  // namespace
 
 LightGain estimateLightGain(const cv::Mat& image, const Background& expected) {
-  return mostUsual(brightnessRatios(image, [&](int y) {
-    return [mean = expected.coarse(0, y).mean](int x, int c) { return int(mean[c][x]); };
+  return robustMeanRatio(brightnessRatios(image, [&](int y) {
+    return [mean = expected.quantised(0, y).mean](int x, int c) { return int(mean[c][x]); };
   }));
 }
 
 LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& expected) {
   const int channels = expected.channels();
-  return mostUsual(brightnessRatios(image, [&](int y) {
+  return robustMeanRatio(brightnessRatios(image, [&](int y) {
     return [=, row = expected.ptr(y)](int x, int c) { return int(row[x * channels + c]); };
   }));
 }

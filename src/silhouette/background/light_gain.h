@@ -6,16 +6,17 @@
 
 namespace markerless_mocap {
 
-/// How many times brighter an image is than what it is compared with, and how surely.
+/// Brightness of an image relative to a reference, and how many pixels agree with it.
 struct LightGain {
-  double gain = 1;             ///< within kDarkestGain..kBrightestGain
-  double inlier_fraction = 1;  ///< of the compared pixels whose own ratio is near the gain
+  double gain = 1;             ///< clamped to kDarkestGain..kBrightestGain
+  double inlier_fraction = 1;  ///< fraction of the compared pixels whose ratio is near the gain
 };
 
 constexpr double kDarkestGain = 0.5, kBrightestGain = 1.99;
 
-/// The most usual ratio over a sparse grid, so people may cover less than half of the image.
-/// \param image CV_8UC(n), as `usual`
+/// Robust mean of the brightness ratio over a sparse grid: the median, then the mean of the
+/// inliers. People may cover less than half of the image.
+/// \param image CV_8UC1 or CV_8UC3, like `expected`
 LightGain estimateLightGain(const cv::Mat& image, const Background& expected);
 LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& expected);
 

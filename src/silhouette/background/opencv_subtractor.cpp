@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// OpenCV's subtractors, for comparison, with our clean-up.
+/// OpenCV's background subtractors with this room's clean-up, for comparison.
 class OpenCvSubtractor : public Subtractor {
  public:
   explicit OpenCvSubtractor(const SilhouetteOptions& options) : options_(options) {
@@ -27,7 +27,7 @@ class OpenCvSubtractor : public Subtractor {
   void finishLearning() override {}
 
   Extraction extract(const cv::Mat& image) override {
-    constexpr double kForeground = 255;  // shadows are 127
+    constexpr double kForeground = 255;  // OpenCV marks shadows as 127
     subtractor_->apply(image, classes_, options_.update_rate);
     Extraction found;
     found.changed_fraction = double(cv::countNonZero(classes_)) / double(image.total());

@@ -13,8 +13,8 @@
 namespace markerless_mocap {
 namespace {
 
-/// A shade's squared distance from its background's colour that noise may cause, in variances: two
-/// of the three channels' directions are free, of which nine in ten stay within.
+/// Squared distance of a shadow's colour from the background's that noise may cause, in variances.
+/// It has two degrees of freedom; nine in ten values are below this.
 constexpr float kNoiseVariances = 4.6f;
 
 BlockShadowThresholds makeLimits(const SilhouetteOptions& options, const Background& background,
@@ -27,7 +27,7 @@ BlockShadowThresholds makeLimits(const SilhouetteOptions& options, const Backgro
 
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes) {
   if (image.channels() == 3)
-    splitThree(image.ptr(y) + 3 * size_t(first), count, stride, planes);
+    deinterleaveBgr(image.ptr(y) + 3 * size_t(first), count, stride, planes);
   else
     std::memcpy(planes, image.ptr(y) + first, count);
 }
@@ -50,7 +50,7 @@ const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const 
   options_ = options;
   prepare(background);
   findChanged(image, background, gain);
-  // Noise is not worth a closer look: it would not outlive the opening that follows.
+  // Noise that the following opening will remove is not examined.
   const int radius = options_.open_radius_px;
   classes_.foreground = dilated(eroded(classes_.foreground, radius), radius);
   classes_.changed = classes_.foreground.count();
@@ -77,20 +77,21 @@ void PixelTest::findChanged(const cv::Mat& image, const Background& background, 
 void PixelTest::findChangedRows(const cv::Mat& image, const Background& background, double gain,
                                 int first, int step) {
   for (int y = first; y < image.rows; y += step) {
-    if (first > 0) wantFor(y, step / 2);
+    if (first > 0) selectWords(y, step / 2);
     findChanged(image, background, gain, y, y + step < image.rows ? step : 0);
   }
 }
 
-void PixelTest::wantFor(int y, int apart) {
+void PixelTest::selectWords(int y, int apart) {
   const BitMask& mask = classes_.foreground;
   const int words = mask.rowWords();
   const uint64_t* above = mask.row(y - apart);
   const uint64_t* below = y + apart < mask.rows() ? mask.row(y + apart) : above;
   const uint64_t last_column = mask.tailBits() & ~(mask.tailBits() >> 1);
-  // What outlives the opening is made of crosses; those that touch this row are centred in it, and
-  // then seen above and below, or there, and then seen as three in a row. Further apart only three
-  // in a row count, as noise is often seen twice.
+  // What remains after the opening consists of crosses. A cross that touches this row has its
+  // centre here, and then pixels above and below, or its centre in the row above or below, and then
+  // three pixels in a row there. For rows that are further apart only three in a row count, as
+  // noise often occurs twice.
   const auto centers = [&](int i) {
     if (i >= words) return uint64_t(0);
     const auto three = [&](const uint64_t* row) {
@@ -116,9 +117,11 @@ void PixelTest::findChanged(const cv::Mat& image, const Background& background, 
   constexpr uint16_t kSquaredLimit = Background::kLimit * Background::kLimit;
   uint64_t* bits = classes_.foreground.row(y);
   if (channels == 3) {
-    std::array<ModeRow, Background::kMostModes> modes;
-    for (int mode = 0; mode < background.modes(); ++mode) modes[mode] = background.coarse(mode, y);
-    const RowsAhead ahead{ptrdiff_t(image.step) * rows_ahead, background.coarseStep() * rows_ahead};
+    std::array<ModeRow, Background::kMaxModes> modes;
+    for (int mode = 0; mode < background.modes(); ++mode)
+      modes[mode] = background.quantised(mode, y);
+    const RowsAhead ahead{ptrdiff_t(image.step) * rows_ahead,
+                          background.quantisedStep() * rows_ahead};
     if (changedBits(image.ptr(y), image.cols, modes.data(), background.modes(), fixed_gain,
                     kSquaredLimit, ahead, wanted_.data(), bits))
       return;
@@ -126,7 +129,7 @@ void PixelTest::findChanged(const cv::Mat& image, const Background& background, 
   splitRow(image, y, 0, image.cols, n, now_.data());
   const uint8_t* now[] = {&now_[0], &now_[n], &now_[2 * size_t(n)]};
   for (int mode = 0; mode < background.modes(); ++mode) {
-    squaredDistances(now, background.coarse(mode, y), channels, fixed_gain, n,
+    squaredDistances(now, background.quantised(mode, y), channels, fixed_gain, n,
                      mode == 0 ? squared_.data() : other_.data());
     if (mode > 0) keepSmaller(other_.data(), n, squared_.data());
   }
@@ -158,7 +161,7 @@ bool PixelTest::findShadows(const cv::Mat& image, const Background& background, 
   const PixelShadowThresholds limits{float(options_.min_shadow_brightness), chroma * chroma,
                                      kNoiseVariances * noise * noise};
   const int x = kWord * word, width = std::min(kWord, image.cols - x);
-  const ModeRow mode = background.coarse(0, y);
+  const ModeRow mode = background.quantised(0, y);
   uint64_t* shadow = &classes_.shadow.row(y)[word];
   uint8_t* ratio = &classes_.ratio[size_t(y) * background.stride() + x];
   if (background.channels() == 3) {

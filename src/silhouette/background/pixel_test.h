@@ -10,51 +10,52 @@
 
 namespace markerless_mocap {
 
-/// What a test says about each pixel.
+/// Result of the test of each pixel.
 struct PixelClasses {
-  BitMask foreground;          ///< far from the background and no shadow
-  BitMask shadow;              ///< a darker shade of the background
-  std::vector<uint8_t> ratio;  ///< where `shade`: brightness relative to the background's, 255 = 1
-  size_t changed = 0;          ///< pixels far from the background, without specks
+  BitMask foreground;  ///< differs from the background and is no shadow
+  BitMask shadow;      ///< a shadow: a darker version of the background
+  std::vector<uint8_t>
+      ratio;           ///< for pixels of `shadow`: brightness relative to the background's, 255 = 1
+  size_t changed = 0;  ///< number of pixels that differ from the background, without specks
 };
 
-/// Tells foreground from background and shadow. A shadow is darker than its background, of the same
-/// colour, and of the same texture; in a grey image texture alone tells.
+/// Classifies pixels as foreground, background or shadow. A shadow is darker than the background
+/// and has its colour and texture; in a grey image only its texture.
 class PixelTest {
  public:
-  /// \param gain light of the image relative to the background's. The result stays until the next
-  ///   call.
+  /// \param gain light of the image relative to the background's. The result is valid until the
+  ///   next call.
   const PixelClasses& classify(const SilhouetteOptions& options, const cv::Mat& image,
                                const Background& background, double gain);
 
  private:
   void prepare(const Background& background);
   void findChanged(const cv::Mat& image, const Background& background, double gain);
-  /// Of every `step`th row from `first` on, which is 0 or half of that: then the rows between are
-  /// known.
+  /// Tests every `step`-th row from `first` on. `first` is 0, or half of `step`: then the rows
+  /// between have been tested.
   void findChangedRows(const cv::Mat& image, const Background& background, double gain, int first,
                        int step);
-  /// Of row y, only in words that are wanted; row y + rows_ahead will follow.
+  /// Tests the selected words of row y. Row y + rows_ahead comes next and is prefetched.
   void findChanged(const cv::Mat& image, const Background& background, double gain, int y,
                    int rows_ahead);
-  /// In which words of row y an opening may leave anything, judged by the rows so far above and
-  /// below.
-  void wantFor(int y, int apart);
-  /// Of the rows of blocks' row `row`.
+  /// Selects the words of row y in which pixels may remain after the opening, from the rows `apart`
+  /// above and below.
+  void selectWords(int y, int apart);
+  /// Finds the shadows in the pixel rows of the row of blocks `row`.
   void findShadows(const cv::Mat& image, const Background& background, double gain, int row);
-  /// Of a word of row y; whether there are any.
+  /// Finds the shadows in one word of row y; returns whether there are any.
   bool findShadows(const cv::Mat& image, const Background& background, double gain, int y, int word,
                    ShadowColumns* columns);
 
   SilhouetteOptions options_;
   PixelClasses classes_;
   ShadowBlocks blocks_;
-  std::vector<uint8_t> now_, flags_;  ///< one row, channel after channel
+  std::vector<uint8_t> now_, flags_;  ///< one row, one channel after the other
   std::vector<uint16_t> squared_, other_;
-  std::vector<uint64_t> wanted_;  ///< of a row, 0 where nothing is
+  std::vector<uint64_t> wanted_;  ///< of a row; 0 where no pixel differs
 };
 
-/// `count` pixels of a row, channel after channel, `stride` bytes apart.
+/// Splits `count` pixels of a row into planes of one channel each, `stride` bytes apart.
 void splitRow(const cv::Mat& image, int y, int first, int count, int stride, uint8_t* planes);
 
 }  // namespace markerless_mocap

@@ -10,11 +10,11 @@
 namespace markerless_mocap {
 namespace {
 
-/// Half of kMeanScale: what the product with a gain leaves.
+/// Half of kMeanScale: the scale of a mean after the product with a gain.
 constexpr int kPredictedScale = Background::kMeanScale / 2;
 static_assert(kPredictedScale == 1 << kPredictedBits);
 
-/// a b / 32768, rounded: one instruction for 16 pixels with AVX2.
+/// a * b / 32768, rounded: one instruction for 16 pixels with AVX2.
 __attribute__((always_inline)) inline int16_t product(int16_t a, int16_t b) {
   return int16_t(((int32_t(a) * b >> 14) + 1) >> 1);
 }
@@ -25,7 +25,7 @@ __attribute__((always_inline)) inline uint16_t square(uint8_t now, uint8_t mean,
   const int16_t off = int16_t(now * kPredictedScale - expected);
   const int16_t apart = int16_t(off < 0 ? -off : off);
   const int16_t far = product(apart, weight);
-  const int16_t near = far < kFarthest ? far : int16_t(kFarthest);
+  const int16_t near = far < kMaxDistance ? far : int16_t(kMaxDistance);
   return uint16_t(near * near);
 }
 
@@ -69,8 +69,8 @@ __attribute__((always_inline)) inline float shadowRatio(float cross, float expec
   const float ratio = cross / (expected + 1e-6f);
   const float off = now - ratio * cross;
   const float allowed = limits.squared_chroma * ratio * ratio * expected + limits.squared_noise;
-  // As numbers, not branches: those would keep the loop from being vectorised.
-  const int is_shade = (ratio >= limits.darkest) & (ratio < 1) & (off < allowed);
+  // Numbers instead of branches, so that the loop can be vectorised.
+  const int is_shade = (ratio >= limits.min_brightness) & (ratio < 1) & (off < allowed);
   return ratio * 255 * float(is_shade);
 }
 
@@ -103,11 +103,12 @@ MOCAP_VECTORISED void shadowsOfOne(const uint8_t* __restrict now, const uint8_t*
   for (int i = 0; i < 64; ++i) ratio[i] = uint8_t(int(shadow[i]));
 }
 
-/// Ratios that are not asked for become 0. \param chosen out, 255 for the shades that are, else 0
-MOCAP_VECTORISED void addRatios(const uint8_t* __restrict asked, uint8_t* __restrict ratio,
+/// Clears ratios that are not selected, and adds the others to the columns.
+/// \param chosen output, 255 for selected shadows, else 0
+MOCAP_VECTORISED void addRatios(const uint8_t* __restrict selected, uint8_t* __restrict ratio,
                                 uint8_t* __restrict chosen, ShadowColumns* __restrict columns) {
   for (int i = 0; i < ShadowColumns::kCols; ++i) {
-    ratio[i] &= asked[i];
+    ratio[i] &= selected[i];
     chosen[i] = ratio[i] > 0 ? 255 : 0;
   }
   for (int i = 0; i < ShadowColumns::kCols; ++i) {
@@ -126,8 +127,9 @@ MOCAP_VECTORISED void addColors(const uint8_t* __restrict values, const uint8_t*
 
 }  // namespace
 
-// OpenCV's split writes past the cache, from where the next loop would have to wait for it.
-void splitThree(const uint8_t* row, int n, int stride, uint8_t* planes) {
+// Used instead of OpenCV's split, which bypasses the cache, so that the next loop would have to
+// wait.
+void deinterleaveBgr(const uint8_t* row, int n, int stride, uint8_t* planes) {
   splitInto(row, n, planes, planes + stride, planes + 2 * size_t(stride));
 }
 
@@ -151,7 +153,7 @@ void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uin
 }
 
 void shadowRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                  const PixelShadowThresholds& limits, const uint8_t* asked, uint8_t* ratio,
+                  const PixelShadowThresholds& limits, const uint8_t* selected, uint8_t* ratio,
                   ShadowColumns* columns) {
   const uint8_t* mean = mode.mean[0] + x;
   if (channels == 3)
@@ -160,7 +162,7 @@ void shadowRatios(const uint8_t* const* now, const ModeRow& mode, int x, int cha
   else
     shadowsOfOne(now[0], mean, gain, limits, ratio);
   uint8_t chosen[ShadowColumns::kCols];
-  addRatios(asked, ratio, chosen, columns);
+  addRatios(selected, ratio, chosen, columns);
   for (int c = 0; c < channels; ++c) {
     addColors(now[c], chosen, columns->now[c]);
     addColors(mode.mean[c] + x, chosen, columns->expected[c]);

@@ -14,9 +14,10 @@
 namespace markerless_mocap {
 namespace {
 
-/// Each image renews one row in this many, by so many times the rate.
+/// Each image updates one row in this many, with this many times the rate.
 constexpr int kUpdateStride = 16;
-/// The background is not renewed this near the person, px: what a mask misses must not melt.
+/// The background is not updated this near the person, px, so that parts missing in the mask are
+/// not learned as background.
 constexpr int kGuardX = 16, kGuardY = 8;
 
 class ModelSubtractor : public Subtractor {
@@ -38,39 +39,40 @@ class ModelSubtractor : public Subtractor {
   }
 
   Extraction extract(const cv::Mat& image) override {
-    // What a thread's cameras have in common stays in the cache.
+    // The buffers are shared by all cameras of a thread, so that they stay in the cache.
     static thread_local PixelTest test;
-    static thread_local BoundaryMatting rim;
+    static thread_local BoundaryMatting matting;
     Extraction found;
     if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
     const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
     found.mask = openedAndClosed(classes.foreground, options_);
-    rim.refine(image, background_, found.light_gain, classes, &found.mask);
-    // Last, as the new rim has pinholes and crumbs.
+    matting.refine(image, background_, found.light_gain, classes, &found.mask);
+    // This comes last, as the new boundary has pinholes and specks.
     fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
     removeBlobs(options_.min_blob_px, &found.mask);
-    renew(image, found.light_gain, found.mask, classes.shadow);
+    updateBackground(image, found.light_gain, found.mask, classes.shadow);
     return found;
   }
 
   const Background* background() const override { return &background_; }
 
  private:
-  void renew(const cv::Mat& image, double gain, const BitMask& mask, const BitMask& shadow);
+  void updateBackground(const cv::Mat& image, double gain, const BitMask& mask,
+                        const BitMask& shadow);
 
   SilhouetteOptions options_;
   BackgroundLearner learner_;
   Background background_;
-  int next_row_ = 0;  ///< first row that the next image renews
+  int next_row_ = 0;  ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
 };
 
-/// Means follow the image, so slow drift of the light is learned. Behind the person and in shadows
-/// they follow the light of the whole scene instead.
-void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& mask,
-                            const BitMask& shadow) {
+/// Moves the means towards the image, so that a slow change of the light is learned. Behind the
+/// person and in shadows they follow the light of the whole scene instead.
+void ModelSubtractor::updateBackground(const cv::Mat& image, double gain, const BitMask& mask,
+                                       const BitMask& shadow) {
   if (options_.update_rate == 0) return;
   const int n = background_.stride(), channels = background_.channels();
   const auto rate = int16_t(std::min(1.0, options_.update_rate * kUpdateStride) * 32767 + 0.5);
@@ -89,7 +91,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
     for (int c = 0; c < channels; ++c)
       moveMeans(&now_[size_t(c) * n], held_.data(), fixed_gain, rate, image.cols,
                 background_.mean(0, y, c));
-    background_.renewCoarse(0, y);
+    background_.updateQuantised(0, y);
   }
   next_row_ = (next_row_ + 1) % kUpdateStride;
 }
@@ -98,7 +100,7 @@ void ModelSubtractor::renew(const cv::Mat& image, double gain, const BitMask& ma
 
 int modesOf(const SilhouetteOptions& options) {
   if (options.model == "gaussian") return 1;
-  return options.model == "mean_shift" ? Background::kMostModes : 0;
+  return options.model == "mean_shift" ? Background::kMaxModes : 0;
 }
 
 std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,

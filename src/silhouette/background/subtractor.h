@@ -9,30 +9,30 @@
 
 namespace markerless_mocap {
 
-/// A clean mask, and how well the background fits its image.
+/// A clean mask, and how well the background fits the image.
 struct Extraction {
   BitMask mask;
   double changed_fraction = 0;
   double light_gain = 1;
 };
 
-/// A background model at work on one camera's images, which are all alike.
+/// Background subtraction of one camera's images, which all have the same size and type.
 class Subtractor {
  public:
   virtual ~Subtractor() = default;
   virtual void learn(const cv::Mat& image) = 0;
-  /// After the last image to learn from.
+  /// Call this after the last image to learn from.
   virtual void finishLearning() = 0;
   virtual Extraction extract(const cv::Mat& image) = 0;
-  /// nullptr if the model cannot be taken out.
+  /// nullptr if the model has no background that can be saved.
   virtual const Background* background() const { return nullptr; }
 };
 
-/// \param background empty: it is learned
+/// \param background empty: the background is learned
 std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,
                                            const Background& background);
 std::unique_ptr<Subtractor> makeOpenCvSubtractor(const SilhouetteOptions& options);
-/// Usual colours per pixel that a model keeps; 0 if it is OpenCV's.
+/// Number of modes per pixel of a model; 0 for OpenCV's models.
 int modesOf(const SilhouetteOptions& options);
 
 }  // namespace markerless_mocap

@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// The eight bytes, 0 | 255, of each value of eight bits.
+/// The eight bytes, 0 | 255, for each value of eight bits.
 constexpr std::array<uint64_t, 256> makeByteTable() {
   std::array<uint64_t, 256> table{};
   for (int bits = 0; bits < 256; ++bits)
@@ -18,7 +18,7 @@ constexpr std::array<uint64_t, 256> makeByteTable() {
 
 constexpr std::array<uint64_t, 256> kBytes = makeByteTable();
 
-/// Without the processor's own instruction, which not every one has.
+/// Population count without the processor's instruction, which not every processor has.
 uint64_t countBits(uint64_t word) {
   word -= word >> 1 & 0x5555555555555555u;
   word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
@@ -37,7 +37,7 @@ uint64_t packFlags(const uint8_t* flags) {
   for (int i = 0; i < 8; ++i) {
     uint64_t eight;
     std::memcpy(&eight, flags + 8 * i, 8);
-    // The product brings flag k, at bit 8k, to bit 56 + k.
+    // The product moves flag k from bit 8k to bit 56 + k.
     word |= (eight * 0x0102040810204080u >> 56) << (8 * i);
   }
   return word;
@@ -58,7 +58,7 @@ void unpackBits(const uint64_t* bits, int n, uint8_t* bytes) {
   const auto eight = [&](int i) { return &kBytes[bits[i >> 6] >> (i & 63) & 255]; };
   int i = 0;
   for (; i + 64 <= n; i += 64) {
-    if (bits[i >> 6] == 0)  // as nearly everywhere
+    if (bits[i >> 6] == 0)  // the most common case
       std::memset(bytes + i, 0, 64);
     else
       for (int k = 0; k < 64; k += 8) std::memcpy(bytes + i + k, eight(i + k), 8);

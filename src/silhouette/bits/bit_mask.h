@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// An image of bits, 64 pixels of a row in a word, the leftmost in the lowest bit. Bits right of
-/// the last column are 0.
+/// A binary image: 64 pixels of a row per word, the leftmost in the lowest bit. Bits right of the
+/// last column are 0.
 class BitMask {
  public:
   BitMask() = default;
@@ -17,7 +17,7 @@ class BitMask {
   /// CV_8UC1, 0 | 255
   cv::Mat toMat() const;
 
-  /// All bits are 0 afterwards.
+  /// Sets the size and clears all bits.
   void resize(const cv::Size& size);
   void clear() { words_.assign(words_.size(), 0); }
   int cols() const { return cols_; }
@@ -30,7 +30,7 @@ class BitMask {
   bool at(int x, int y) const { return row(y)[x >> 6] >> (x & 63) & 1; }
   void set(int x, int y) { row(y)[x >> 6] |= uint64_t(1) << (x & 63); }
   void flip(int x, int y) { row(y)[x >> 6] ^= uint64_t(1) << (x & 63); }
-  /// Sets pixels first..last of a row, both included, to `value`.
+  /// Sets the pixels first..last of a row, both inclusive, to `value`.
   void fill(int y, int first, int last, bool value);
   /// The valid bits of a row's last word.
   uint64_t tailBits() const;
@@ -41,10 +41,10 @@ class BitMask {
   std::vector<uint64_t> words_;
 };
 
-/// Packs 64 flags, 0 | 1, into a word.
+/// Packs 64 flags (0 or 1) into a word.
 uint64_t packFlags(const uint8_t* flags);
 
-/// The reverse: n bytes, 0 | 255.
+/// Unpacks n bits to bytes, 0 | 255.
 void unpackBits(const uint64_t* bits, int n, uint8_t* bytes);
 
 /// Calls `visit(x)` for each set bit of a word whose lowest bit is pixel `x0`.

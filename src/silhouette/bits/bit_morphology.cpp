@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Rows and words of a row that hold anything; empty if last < first.
+/// Rows, and words of a row, that contain set pixels; empty if last < first.
 struct Box {
   int first_row, last_row, first_word, last_word;
 };
@@ -43,7 +43,8 @@ Box grown(Box box, int pixels, const BitMask& mask) {
   return box;
 }
 
-/// row |= itself moved right and left by `step` < 64 pixels; a word lies before and behind it.
+/// row |= row shifted right and left by `step` < 64 pixels; there is one more word before and after
+/// it.
 void orMoved(int words, int step, uint64_t* row) {
   uint64_t left = row[-1];
   for (int i = 0; i < words; ++i) {
@@ -55,7 +56,8 @@ void orMoved(int words, int step, uint64_t* row) {
 
 /// Dilates a row by `width` pixels to both sides.
 void widenRow(int width, int words, uint64_t* row) {
-  // Moving by one more than the reach leaves no gap, also where the image's border cut half off.
+  // Shifting by one more than the reach leaves no gap, also where the image border cuts off one
+  // half.
   for (int reach = 0; reach < width;) {
     const int step = std::min({reach + 1, width - reach, 63});
     orMoved(words, step, row);
@@ -73,7 +75,7 @@ std::vector<int> diskWidths(int radius) {
 }
 
 /// Calls `apply(y + dy, words of row y widened by the disk's row dy)` for every row of the box.
-/// \param inverse whether the background is widened instead
+/// \param inverse whether the unset pixels are widened instead
 template <class ApplyT>
 void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const Box& box,
                     bool inverse, const ApplyT& apply) {
@@ -86,7 +88,7 @@ void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const B
     for (int i = 0; i < words; ++i) wide[i] = inverse ? ~row[i] : row[i];
     if (inverse && box.last_word == mask.rowWords() - 1) wide[words - 1] &= mask.tailBits();
     if (std::all_of(wide, wide + words, [](uint64_t word) { return word == 0; })) continue;
-    // From the tips inward the disk only becomes wider.
+    // From its top and bottom inwards the disk only becomes wider.
     for (int dy = radius, reach = 0; dy >= 0; --dy) {
       widenRow(widths[dy + radius] - reach, words, wide);
       reach = widths[dy + radius];
@@ -96,15 +98,18 @@ void forEachWidened(const BitMask& mask, const std::vector<int>& widths, const B
   }
 }
 
-/// The disk of radius 1 is a cross. \param outside what the pixels beyond the image count as
-/// \param join_words eroding or dilating many words, \param join one
+/// Morphology with the disk of radius 1, which is a cross.
+/// \param outside value of the pixels outside the image
+/// \param join_words erodes or dilates many words
+/// \param join erodes or dilates one word
 template <class JoinWordsT, class JoinT>
 BitMask crossed(const BitMask& mask, uint64_t outside, const JoinWordsT& join_words,
                 const JoinT& join) {
   const int words = mask.rowWords(), last = mask.rows() - 1;
   const uint64_t tail = mask.tailBits(), beyond_tail = outside & ~tail;
   BitMask out(cv::Size(mask.cols(), mask.rows()));
-  // Inner rows are one long row, except where that goes on from one row's end to the next.
+  // The inner rows are processed as one long row; the words at the ends of rows are corrected
+  // afterwards.
   if (last > 1) join_words(mask.row(0), mask.row(1), mask.row(2), (last - 1) * words, out.row(1));
   for (int y = 0; y <= last; ++y) {
     const uint64_t* row = mask.row(y);

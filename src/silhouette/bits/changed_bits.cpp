@@ -16,11 +16,11 @@ namespace {
 constexpr int kStep = 16, kWord = 64, kMeanBits = 7;
 static_assert(Background::kMeanScale == 1 << kMeanBits);
 
-/// As squaredDistances().
+/// The same as squaredDistances().
 MOCAP_AVX2 inline __m256i squared(const WidePixels& now, const ModeRow& mode, int x, __m256i gain) {
   const __m256i weight =
       _mm256_mullo_epi16(widened(mode.weight + x), _mm256_set1_epi16(mode.weight_unit));
-  const __m256i farthest = _mm256_set1_epi16(kFarthest);
+  const __m256i farthest = _mm256_set1_epi16(kMaxDistance);
   __m256i sum = _mm256_setzero_si256();
   for (int c = 0; c < 3; ++c) {
     const __m256i expected =
@@ -34,7 +34,7 @@ MOCAP_AVX2 inline __m256i squared(const WidePixels& now, const ModeRow& mode, in
   return sum;
 }
 
-/// 16 words of 0 or ~0.
+/// 16 values of 0 or ~0.
 MOCAP_AVX2 inline __m256i isNear(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
                                  __m256i gain, __m256i limit) {
   const WidePixels now = splitPixels(bgr);
@@ -51,14 +51,14 @@ MOCAP_AVX2 uint64_t changedWord(const uint8_t* bgr, const ModeRow* modes, int mo
     const __m256i low = isNear(bgr + 3 * i, modes, mode_count, x + i, gain, limit);
     const __m256i high =
         isNear(bgr + 3 * (i + kStep), modes, mode_count, x + i + kStep, gain, limit);
-    // Packing works within halves: the middle quarters change places.
+    // Packing works within halves, so the two middle quarters are exchanged.
     const __m256i flags = _mm256_permute4x64_epi64(_mm256_packs_epi16(low, high), 0xd8);
     word |= uint64_t(~uint32_t(_mm256_movemask_epi8(flags))) << i;
   }
   return word;
 }
 
-/// The same word of another row.
+/// Prefetches the same word of another row.
 MOCAP_AVX2_INLINE void prefetchWord(const uint8_t* bgr, const ModeRow* modes, int mode_count, int x,
                                     const RowsAhead& ahead) {
   prefetch(bgr + ahead.image, 3 * kWord);

@@ -5,7 +5,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Pixels first..last of row y, and what is known of the component that it represents.
+/// Pixels first..last of row y, and the state of the component whose root it is.
 struct Run {
   int y, first, last;
   int parent;
@@ -40,14 +40,14 @@ class RunComponents {
     }
   }
 
-  /// Paints every run whose component `chosen` picks.
+  /// Fills each run whose component is selected by `chosen`.
   template <class ChosenT>
   void paint(bool value, const ChosenT& chosen, BitMask* mask) {
     for (size_t i = 0; i < runs_.size(); ++i)
       if (chosen(runs_[root(int(i))])) mask->fill(runs_[i].y, runs_[i].first, runs_[i].last, value);
   }
 
-  /// The runs of each component that `chosen` picks.
+  /// The runs of each component that is selected by `chosen`.
   template <class ChosenT>
   std::vector<std::vector<MaskRun>> collect(const ChosenT& chosen) {
     std::vector<std::vector<MaskRun>> found;

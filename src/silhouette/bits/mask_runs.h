@@ -7,20 +7,20 @@
 
 namespace markerless_mocap {
 
-/// A run of pixels of a row, both ends included.
+/// A run of pixels of a row, both ends inclusive.
 struct MaskRun {
   int y, first, last;
 };
 
-/// Sets the 4-connected holes of at most `max_area` pixels that do not touch the image's border.
+/// Fills the 4-connected holes of up to `max_area` pixels that do not touch the image border.
 void fillHoles(int max_area, BitMask* mask);
 
-/// The same for holes of at most `always` pixels, and for those of at most `max_area` pixels that
-/// `is_filled` picks by their runs.
+/// Fills holes of up to `always` pixels, and holes of up to `max_area` pixels for whose runs
+/// `is_filled` returns true.
 void fillHoles(int always, int max_area,
                const std::function<bool(const std::vector<MaskRun>&)>& is_filled, BitMask* mask);
 
-/// The 4-connected components of at most `max_area` pixels, by their runs.
+/// The runs of each 4-connected component of up to `max_area` pixels.
 std::vector<std::vector<MaskRun>> findBlobs(int max_area, const BitMask& mask);
 
 void fillRuns(const std::vector<MaskRun>& runs, BitMask* mask);

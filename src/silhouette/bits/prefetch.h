@@ -7,8 +7,8 @@ namespace markerless_mocap {
 
 constexpr int kCacheLine = 64;
 
-/// Asks memory for what is needed soon, as it takes longer than the work before. Inline, as calls
-/// of a function without effect are left out.
+/// Prefetches data that is needed soon. Inline, as the compiler drops calls of a function without
+/// side effects.
 __attribute__((always_inline)) inline void prefetch(const void* from, size_t bytes) {
   const auto* line = static_cast<const uint8_t*>(from);
   for (size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(line + i);

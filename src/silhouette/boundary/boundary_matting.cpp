@@ -10,9 +10,9 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kSide = kMattingBlock;
-/// Squared contrast of person and background, per channel, under which noise would decide.
-constexpr float kLeastContrast = 15;
-/// Where a block lies.
+/// Minimum squared contrast of person and background, per channel; below it noise would decide.
+constexpr float kMinContrast = 15;
+/// Position of a block relative to the boundary.
 constexpr uint8_t kFar = 0, kNearBoundary = 1, kOnBoundary = 2;
 
 /// The four bits of a block's row.
@@ -26,7 +26,7 @@ int countOf(BlockBits bits) {
          kCounts[bits >> 12];
 }
 
-/// A block whose upper left pixel is x, y. Beyond the image all is 0.
+/// The mask's bits of the block whose upper left pixel is x, y; 0 outside the image.
 BlockBits blockOf(const BitMask& mask, int x, int y) {
   unsigned bits = 0;
   for (int i = std::min(kSide, mask.rows() - y) - 1; i >= 0; --i)
@@ -34,7 +34,7 @@ BlockBits blockOf(const BitMask& mask, int x, int y) {
   return BlockBits(bits);
 }
 
-/// The pixels of such a block that are the image's.
+/// The pixels of such a block that are inside the image.
 BlockBits validBits(const cv::Mat& image, int x, int y) {
   const int beyond_x = std::max(0, x + kSide - image.cols);
   const int beyond_y = std::max(0, y + kSide - image.rows);
@@ -57,7 +57,7 @@ void BoundaryMatting::refine(const cv::Mat& image, const Background& background,
   stride_ = columns_ * kSide;
   alpha_.resize(size_t(stride_) * image.rows);
   core_ = eroded(*mask, 1);
-  // What is decided anew is four pixels wide: blur and chroma subsampling reach so far.
+  // The band that is decided again is four pixels wide, the reach of blur and chroma subsampling.
   outer_ = dilated(dilated(*mask, 1), 1);
   band_ = eroded(core_, 1);
   for (size_t i = 0; i < band_.words().size(); ++i)
@@ -98,24 +98,24 @@ void BoundaryMatting::findBlocks() {
 
 void BoundaryMatting::presetBlock(const BitMask& mask, int column, int row) {
   for (int y = row * kSide; y < std::min((row + 1) * kSide, mask.rows()); ++y) {
-    // The product brings each bit to a byte of its own.
+    // The product moves each bit to a byte of its own.
     const uint32_t flags = nibble(mask, column * kSide, y) * 0x00204081u & 0x01010101u;
     const uint32_t bytes = flags * 255;
     std::memcpy(&alpha_[size_t(y) * stride_ + column * kSide], &bytes, kSide);
   }
 }
 
-bool BoundaryMatting::isQuick(const Scene& scene, int x, int y) {
+bool BoundaryMatting::canUseKernels(const Scene& scene, int x, int y) {
   return hasMattingKernels() && scene.image.channels() == 3 &&
          validBits(scene.image, x, y) == 0xffffu;
 }
 
 ColorBlock BoundaryMatting::colorBlock(const Scene& scene, int x, int y) {
-  const ModeRow mode = scene.background.coarse(0, y);
+  const ModeRow mode = scene.background.quantised(0, y);
   return {scene.image.ptr(y) + 3 * size_t(x),
           ptrdiff_t(scene.image.step),
           {mode.mean[0] + x, mode.mean[1] + x, mode.mean[2] + x},
-          scene.background.coarseStep()};
+          scene.background.quantisedStep()};
 }
 
 void BoundaryMatting::sumBlock(const Scene& scene, int column, int row) {
@@ -132,7 +132,7 @@ void BoundaryMatting::sumBlock(const Scene& scene, int column, int row) {
     sums.light += scene.classes.ratio[size_t(y) * scene.background.stride() + x];
   });
   if (!inside) return;
-  if (isQuick(scene, x0, y0))
+  if (canUseKernels(scene, x0, y0))
     addColors(colorBlock(scene, x0, y0), inside, sums.color);
   else
     forEachPixel(inside, x0, y0, [&](int x, int y) {
@@ -160,19 +160,19 @@ void BoundaryMatting::estimateBlock(const Scene& scene, const Sums& around, int 
       around.outside > 0 ? float(around.light) / (255 * float(around.outside)) : 1.0f;
   const float noise = float(scene.background.noise());
   MattingColors colors{
-      {}, scene.gain * light, noise * noise * float(channels), kLeastContrast * float(channels)};
+      {}, scene.gain * light, noise * noise * float(channels), kMinContrast * float(channels)};
   for (int c = 0; c < channels; ++c) colors.person[c] = float(around.color[c]) / around.inside;
-  const BlockBits asked = blockOf(band_, x0, y0);
-  if (isQuick(scene, x0, y0))
-    estimateAlpha(colorBlock(scene, x0, y0), colors, asked, stride_,
+  const BlockBits selected = blockOf(band_, x0, y0);
+  if (canUseKernels(scene, x0, y0))
+    estimateAlpha(colorBlock(scene, x0, y0), colors, selected, stride_,
                   &alpha_[size_t(y0) * stride_ + x0]);
   else
-    forEachPixel(asked, x0, y0, [&](int x, int y) { estimatePixel(scene, colors, x, y); });
+    forEachPixel(selected, x0, y0, [&](int x, int y) { estimatePixel(scene, colors, x, y); });
 }
 
 void BoundaryMatting::estimatePixel(const Scene& scene, const MattingColors& colors, int x, int y) {
   const int channels = scene.image.channels();
-  const ModeRow mode = scene.background.coarse(0, y);
+  const ModeRow mode = scene.background.quantised(0, y);
   float apart = 0, contrast = 0;
   for (int c = 0; c < channels; ++c) {
     const float lit = float(mode.mean[c][x]) * colors.light;
@@ -187,7 +187,7 @@ void BoundaryMatting::estimatePixel(const Scene& scene, const MattingColors& col
   alpha_[size_t(y) * stride_ + x] = uint8_t(int(255 * alpha));
 }
 
-/// The outline is smooth: a pixel is the person's if more than half of its surroundings are.
+/// Smooths the boundary: a pixel is set if more than half of the alpha around it is the person's.
 void BoundaryMatting::smooth(BitMask* mask) const {
   constexpr int kHalf = 255 * 25 / 2;
   const auto line = [](const uint8_t* at) { return at[-1] + 3 * at[0] + at[1]; };

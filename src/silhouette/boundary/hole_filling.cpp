@@ -6,25 +6,26 @@
 namespace markerless_mocap {
 namespace {
 
-/// A larger hole is no miss, times the largest that is filled anyhow.
-constexpr int kLargestMiss = 50;
-/// Mean difference of a channel, grey levels, from which on a person is not missed.
+/// A hole can be false up to this many times the area of holes that are always filled.
+constexpr int kMaxHoleFactor = 50;
+/// If person and background differ by this (mean over channels, grey levels), a hole is real.
 constexpr double kClear = 28;
-/// Radius of the closing that shows gaps, px.
+/// Radius of the closing that finds gaps, px.
 constexpr int kGapReach = 3;
-/// How far from a hole the person is looked at, px: nearer the outline is smeared.
+/// Distance from a hole at which the person's colour is taken, px; nearer, blur mixes the colours.
 constexpr int kAway = 2;
 
 struct Contrast {
-  double squares = 0;  ///< of the channels' differences, grey levels
-  int count = 0;       ///< of channels
+  double squares = 0;  ///< sum of squared differences of channels, grey levels
+  int count = 0;       ///< number of channels added
 };
 
-/// Of the person at x and the background in its hole at `hole_x`, if the mask has x.
+/// Adds the contrast of the person at x with the background in the hole at `hole_x`, if the mask
+/// has x.
 void addContrast(const cv::Mat& image, const Background& background, double gain,
                  const BitMask& mask, int y, int x, int hole_x, Contrast* sum) {
   if (x < 0 || x >= image.cols || !mask.at(x, y)) return;
-  const ModeRow expected = background.coarse(0, y);
+  const ModeRow expected = background.quantised(0, y);
   const int channels = image.channels();
   for (int c = 0; c < channels; ++c) {
     const double off = image.ptr(y)[x * channels + c] - gain * expected.mean[c][hole_x];
@@ -37,9 +38,9 @@ void addContrast(const cv::Mat& image, const Background& background, double gain
 
 void fillFalseHoles(const cv::Mat& image, const Background& background, double gain,
                     int max_hole_px, BitMask* mask) {
-  const int largest = kLargestMiss * max_hole_px;
+  const int largest = kMaxHoleFactor * max_hole_px;
   if (largest == 0) return;
-  const auto is_missed = [&](const std::vector<MaskRun>& hole) {
+  const auto is_false_hole = [&](const std::vector<MaskRun>& hole) {
     Contrast sum;
     for (const MaskRun& run : hole) {
       addContrast(image, background, gain, *mask, run.y, run.first - kAway, run.first, &sum);
@@ -50,8 +51,8 @@ void fillFalseHoles(const cv::Mat& image, const Background& background, double g
   BitMask gaps = eroded(dilated(*mask, kGapReach), kGapReach);
   for (size_t i = 0; i < gaps.words().size(); ++i) gaps.words()[i] &= ~mask->words()[i];
   for (const std::vector<MaskRun>& gap : findBlobs(largest, gaps))
-    if (is_missed(gap)) fillRuns(gap, mask);
-  fillHoles(max_hole_px, largest, is_missed, mask);
+    if (is_false_hole(gap)) fillRuns(gap, mask);
+  fillHoles(max_hole_px, largest, is_false_hole, mask);
 }
 
 }  // namespace markerless_mocap

@@ -7,11 +7,12 @@
 
 namespace markerless_mocap {
 
-/// Fills what a test of each pixel has missed of the person: narrow gaps and holes around which the
-/// person looks like the background inside. Where it does not, one looks through a real gap.
+/// Fills false holes, which the test of single pixels leaves where the person looks like the
+/// background: narrow gaps and holes whose surroundings have the colour of the background inside.
+/// If the colours differ, the hole is real.
 /// \param gain light of the image relative to the background's
-/// \param max_hole_px holes up to this area are filled anyhow, those up to fifty times that if
-/// missed
+/// \param max_hole_px holes up to this area are always filled; those up to fifty times that if they
+///   are false
 void fillFalseHoles(const cv::Mat& image, const Background& background, double gain,
                     int max_hole_px, BitMask* mask);
 

@@ -7,23 +7,23 @@
 namespace markerless_mocap {
 namespace {
 
-/// Standard deviation of the brightness ratio above which a shade is taken for clothes: where the
-/// person encloses it, and elsewhere. In a grey image no colour tells, and folds have to.
+/// A candidate shadow whose brightness ratio has a larger standard deviation is taken for clothes.
+/// There is one limit for pixels that the person encloses and one for others. Grey images have
+/// limits of their own, as texture is then the only evidence.
 struct Unevenness {
   float enclosed, open;
 };
 constexpr Unevenness kUneven{0.09f, 0.1f}, kUnevenGrey{0.04f, 0.06f};
-/// Where the person encloses a shade it may differ in colour by this share of what it may
-/// elsewhere.
-constexpr float kEnclosedShare = 0.55f;
-/// A mean colour's squared distance that noise may cause, in variances of the mean.
+/// Factor on the permitted difference in colour for candidates that the person encloses.
+constexpr float kEnclosedFraction = 0.55f;
+/// Squared distance of a mean colour that noise may cause, in variances of the mean.
 constexpr float kMeanVariances = 3;
-/// How far the person may be from an enclosed pixel, in image widths.
+/// Maximum distance of the person from an enclosed pixel, in image widths.
 constexpr double kReach = 0.1;
-/// Full brightness in ShadowColumns.
+/// A brightness ratio of 1 in ShadowColumns.
 constexpr float kFullRatio = 127;
 
-/// One bit for each four: whether any of them is set.
+/// One bit for each four bits, set if any of them is set.
 uint64_t quartered(uint64_t word) {
   word |= word >> 1;
   word = (word | word >> 2) & 0x1111111111111111u;
@@ -33,7 +33,7 @@ uint64_t quartered(uint64_t word) {
   return (word | word >> 24) & 0xffffu;
 }
 
-/// Four bits for each of the lowest 16.
+/// Four equal bits for each of the lowest 16 bits.
 uint64_t quadrupled(uint64_t word) {
   word = (word & 0xffffu);
   word = (word | word << 24) & 0x000000ff000000ffu;
@@ -57,7 +57,7 @@ BitMask blocksWithAny(const BitMask& mask) {
   return blocks;
 }
 
-/// Moves all bits by one block and keeps those that leave a word for the next.
+/// Shifts all bits of a row by `step` blocks; bits shifted out of a word are carried to the next.
 void orShiftedRow(const BitMask& from, int y, int step, bool right, BitMask* to) {
   const int words = from.rowWords(), far = step >> 6, near = step & 63;
   for (int i = 0; i < words; ++i) {
@@ -71,7 +71,7 @@ void orShiftedRow(const BitMask& from, int y, int step, bool right, BitMask* to)
   }
 }
 
-/// Every bit smeared by up to `reach` blocks to one side.
+/// The mask extended by up to `reach` blocks to one side.
 BitMask smearedSideways(BitMask mask, int reach, bool right) {
   for (int covered = 0; covered < reach;) {
     const int step = std::min(covered + 1, reach - covered);
@@ -96,7 +96,7 @@ BitMask smearedVertically(BitMask mask, int reach, bool down) {
   return mask;
 }
 
-/// How strongly shades speak for clothes; more than 1 is enough.
+/// Evidence that candidate shadow pixels are clothes; above 1 they are taken for clothes.
 float clothesEvidence(const ShadowBlocks::Sums& sums, const BlockShadowThresholds& limits,
                       bool enclosed) {
   float cross = 0, expected = 0, now = 0;
@@ -106,15 +106,15 @@ float clothesEvidence(const ShadowBlocks::Sums& sums, const BlockShadowThreshold
     expected += lit * lit;
     now += sums.now[c] * sums.now[c];
   }
-  if (cross <= 0) return 0;  // black: nothing to tell by
+  if (cross <= 0) return 0;  // black: no evidence
   const float ratio = cross / expected, noise = limits.squared_noise * sums.count;
   const float off = std::max(0.0f, now - ratio * cross - kMeanVariances * noise);
-  const float chroma = limits.chroma * (enclosed ? kEnclosedShare : 1);
-  const float variance = sums.freedom > 0 ? sums.uneven / sums.freedom : 0;
+  const float chroma = limits.chroma * (enclosed ? kEnclosedFraction : 1);
+  const float variance = sums.degrees_of_freedom > 0 ? sums.uneven / sums.degrees_of_freedom : 0;
   const float uneven = std::max(0.0f, variance - noise * sums.count / expected);
-  const Unevenness& most = limits.is_grey ? kUnevenGrey : kUneven;
-  const float most_uneven = enclosed ? most.enclosed : most.open;
-  return off / (chroma * chroma * ratio * cross) + uneven / (most_uneven * most_uneven);
+  const Unevenness& max = limits.is_grey ? kUnevenGrey : kUneven;
+  const float max_uneven = enclosed ? max.enclosed : max.open;
+  return off / (chroma * chroma * ratio * cross) + uneven / (max_uneven * max_uneven);
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ void ShadowBlocks::resize(const cv::Size& size) {
   const cv::Size blocks = blocksOf(size);
   cols_ = blocks.width;
   rows_ = blocks.height;
-  for (const size_t i : filled_) sums_[i] = {};  // most have stayed empty
+  for (const size_t i : filled_) sums_[i] = {};  // most of them are empty already
   filled_.clear();
   sums_.resize(size_t(cols_) * rows_);
 }
@@ -147,7 +147,7 @@ void ShadowBlocks::add(const ShadowColumns& columns, int word, int row) {
     }
     const float ratio = sum(columns.ratio);
     sums.uneven = (sum(columns.squares) - ratio * ratio / count) / (kFullRatio * kFullRatio);
-    sums.freedom = count - 1;
+    sums.degrees_of_freedom = count - 1;
   }
 }
 
@@ -162,7 +162,7 @@ ShadowBlocks::Sums ShadowBlocks::around(int column, int row) const {
         sum.expected[c] += one.expected[c];
       }
       sum.uneven += one.uneven;
-      sum.freedom += one.freedom;
+      sum.degrees_of_freedom += one.degrees_of_freedom;
     }
   return sum;
 }
@@ -180,7 +180,7 @@ BitMask enclosedBlocks(const BitMask& mask, int reach) {
 
 void restoreFalseShadows(const ShadowBlocks& blocks, const BlockShadowThresholds& limits,
                          BitMask* shadow, BitMask* foreground) {
-  // Without specks, which would enclose shadows.
+  // Specks are removed, as they would enclose shadows.
   const BitMask solid = eroded(*foreground, 1);
   const int reach = int(kReach * shadow->cols()) / ShadowBlocks::kSide;
   const BitMask enclosed = enclosedBlocks(solid, reach);
@@ -191,12 +191,12 @@ void restoreFalseShadows(const ShadowBlocks& blocks, const BlockShadowThresholds
   });
   for (int y = 0; y < shadow->rows(); ++y)
     for (int i = 0; i < shadow->rowWords(); ++i) {
-      uint64_t& shades = shadow->row(y)[i];
-      if (!shades) continue;
+      uint64_t& shadows = shadow->row(y)[i];
+      if (!shadows) continue;
       const uint64_t restored =
-          shades & quadrupled(clothes.row(y / ShadowBlocks::kSide)[i / 4] >> (16 * (i % 4)));
+          shadows & quadrupled(clothes.row(y / ShadowBlocks::kSide)[i / 4] >> (16 * (i % 4)));
       foreground->row(y)[i] |= restored;
-      shades &= ~restored;
+      shadows &= ~restored;
     }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kStep = 16;
 
-/// Sums over the channels of 16 pixels: eight of them and eight of them, not in order, as the
+/// Sums over the channels of 16 pixels, in two registers of eight; not in order, as the
 /// instructions give them.
 struct Sums {
   __m256i low, high;
@@ -32,18 +32,20 @@ MOCAP_AVX2_INLINE Sums productsOf(const WidePixels& a, const WidePixels& b) {
           _mm256_unpackhi_epi16(a.channel[2], zero), _mm256_unpackhi_epi16(b.channel[2], zero))};
 }
 
-/// As in shadowRatios(): the ratio of eight shades, 255 for 1; 0 for what is none.
-MOCAP_AVX2_INLINE __m256i shadowsOf(__m256i crosses, __m256i usuals, __m256i nows, float gain,
-                                    const PixelShadowThresholds& limits) {
+/// As in shadowRatios(): the brightness ratio of eight pixels, 255 for 1; 0 if a pixel is no
+/// shadow.
+MOCAP_AVX2_INLINE __m256i shadowsOf(__m256i crosses, __m256i expected_squares, __m256i nows,
+                                    float gain, const PixelShadowThresholds& limits) {
   const __m256 cross = _mm256_mul_ps(_mm256_cvtepi32_ps(crosses), _mm256_set1_ps(gain));
-  const __m256 expected = _mm256_mul_ps(_mm256_cvtepi32_ps(usuals), _mm256_set1_ps(gain * gain));
+  const __m256 expected =
+      _mm256_mul_ps(_mm256_cvtepi32_ps(expected_squares), _mm256_set1_ps(gain * gain));
   const __m256 ratio = _mm256_div_ps(cross, _mm256_add_ps(expected, _mm256_set1_ps(1e-6f)));
   const __m256 off = _mm256_sub_ps(_mm256_cvtepi32_ps(nows), _mm256_mul_ps(ratio, cross));
   const __m256 chroma = _mm256_mul_ps(_mm256_set1_ps(limits.squared_chroma), ratio);
   const __m256 allowed = _mm256_add_ps(_mm256_mul_ps(_mm256_mul_ps(chroma, ratio), expected),
                                        _mm256_set1_ps(limits.squared_noise));
   const __m256 is_dark_enough =
-      _mm256_and_ps(_mm256_cmp_ps(ratio, _mm256_set1_ps(limits.darkest), _CMP_GE_OQ),
+      _mm256_and_ps(_mm256_cmp_ps(ratio, _mm256_set1_ps(limits.min_brightness), _CMP_GE_OQ),
                     _mm256_cmp_ps(ratio, _mm256_set1_ps(1), _CMP_LT_OQ));
   const __m256 is_shade = _mm256_and_ps(is_dark_enough, _mm256_cmp_ps(off, allowed, _CMP_LT_OQ));
   const __m256 scaled = _mm256_mul_ps(ratio, _mm256_set1_ps(255));
@@ -55,36 +57,37 @@ MOCAP_AVX2_INLINE void add(__m256i values, uint16_t* sums) {
   _mm256_storeu_si256(at, _mm256_add_epi16(_mm256_loadu_si256(at), values));
 }
 
-/// A word of 0 | ~0 for each of the lowest 16 bits.
+/// A value of 0 | ~0 for each of the lowest 16 bits.
 MOCAP_AVX2_INLINE __m256i wordsOf(unsigned bits) {
   const __m256i bit = _mm256_setr_epi16(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096,
                                         8192, 16384, int16_t(-32768));
   return _mm256_cmpeq_epi16(_mm256_and_si256(_mm256_set1_epi16(int16_t(bits)), bit), bit);
 }
 
-/// Sixteen pixels. \return a bit for each shade
+/// Adds the shadow pixels of sixteen pixels.
+/// \return one bit per pixel, set for shadows
 MOCAP_AVX2_INLINE unsigned addShadows(const uint8_t* bgr, const ModeRow& mode, int x, int column,
                                       float gain, const PixelShadowThresholds& limits,
-                                      unsigned asked, uint8_t* ratio, ShadowColumns* columns) {
+                                      unsigned selected, uint8_t* ratio, ShadowColumns* columns) {
   const WidePixels now = splitPixels(bgr);
   const WidePixels expected = {
       {widened(mode.mean[0] + x), widened(mode.mean[1] + x), widened(mode.mean[2] + x)}};
-  const Sums crosses = productsOf(now, expected), usuals = productsOf(expected, expected),
+  const Sums crosses = productsOf(now, expected), expected_squares = productsOf(expected, expected),
              nows = productsOf(now, now);
-  // Packing undoes the disorder.
+  // Packing restores the order.
   const __m256i all =
-      _mm256_packus_epi32(shadowsOf(crosses.low, usuals.low, nows.low, gain, limits),
-                          shadowsOf(crosses.high, usuals.high, nows.high, gain, limits));
-  const __m256i shades = _mm256_and_si256(all, wordsOf(asked));
-  const __m256i is_none = _mm256_cmpeq_epi16(shades, _mm256_setzero_si256());
+      _mm256_packus_epi32(shadowsOf(crosses.low, expected_squares.low, nows.low, gain, limits),
+                          shadowsOf(crosses.high, expected_squares.high, nows.high, gain, limits));
+  const __m256i shadows = _mm256_and_si256(all, wordsOf(selected));
+  const __m256i is_none = _mm256_cmpeq_epi16(shadows, _mm256_setzero_si256());
   const __m128i flags =
       _mm_packs_epi16(_mm256_castsi256_si128(is_none), _mm256_extracti128_si256(is_none, 1));
   const unsigned found = 0xffffu & ~unsigned(_mm_movemask_epi8(flags));
   if (!found) return 0;
   const __m128i bytes =
-      _mm_packus_epi16(_mm256_castsi256_si128(shades), _mm256_extracti128_si256(shades, 1));
+      _mm_packus_epi16(_mm256_castsi256_si128(shadows), _mm256_extracti128_si256(shadows, 1));
   _mm_storeu_si128(reinterpret_cast<__m128i*>(ratio), bytes);
-  const __m256i half = _mm256_srli_epi16(shades, 1);  // four squares fit 16 bits
+  const __m256i half = _mm256_srli_epi16(shadows, 1);  // four squares fit 16 bits
   add(_mm256_add_epi16(_mm256_set1_epi16(1), is_none), columns->count + column);
   add(half, columns->ratio + column);
   add(_mm256_mullo_epi16(half, half), columns->squares + column);
@@ -96,11 +99,11 @@ MOCAP_AVX2_INLINE unsigned addShadows(const uint8_t* bgr, const ModeRow& mode, i
 }
 
 MOCAP_AVX2 uint64_t shadowsAvx2(const uint8_t* bgr, const ModeRow& mode, int x, float gain,
-                                const PixelShadowThresholds& limits, uint64_t asked, uint8_t* ratio,
-                                ShadowColumns* columns) {
+                                const PixelShadowThresholds& limits, uint64_t selected,
+                                uint8_t* ratio, ShadowColumns* columns) {
   uint64_t shadow = 0;
   for (int i = 0; i < ShadowColumns::kCols; i += kStep)
-    if (const unsigned some = asked >> i & 0xffffu)
+    if (const unsigned some = selected >> i & 0xffffu)
       shadow |=
           uint64_t(addShadows(bgr + 3 * i, mode, x + i, i, gain, limits, some, ratio + i, columns))
           << i;
@@ -110,7 +113,7 @@ MOCAP_AVX2 uint64_t shadowsAvx2(const uint8_t* bgr, const ModeRow& mode, int x, 
 }  // namespace
 
 bool shadowRatiosOfBgr(const uint8_t* bgr, const ModeRow& mode, int x, float gain,
-                       const PixelShadowThresholds& limits, uint64_t asked, uint8_t* ratio,
+                       const PixelShadowThresholds& limits, uint64_t selected, uint8_t* ratio,
                        uint64_t* shadow, ShadowColumns* columns) {
   if (kHasAvx2) *shadow = shadowsAvx2(bgr, mode, x, gain, limits, asked, ratio, columns);
   return kHasAvx2;
