@@ -10,18 +10,18 @@ struct ExtremityLabelModel;
 /// Five ends that may be a body's.
 struct ExtremityLabels {
   std::array<int, kUnsidedExtremityCount> extremities{
-      -1, -1, -1, -1, -1};   ///< by UnsidedExtremity; the feet may share one
-  double probability = 0.0;  ///< that they are, by the fitted model
+      -1, -1, -1, -1, -1};   ///< indices of candidates, by UnsidedExtremity; the feet may share one
+  double probability = 0.0;  ///< that they are, by the learned model
 };
 
-/// Names ends by how likely a body has such ways between its ends, such thicknesses and heights: a
-/// log-linear model over all choices of five ends, fitted to people of the virtual studio. The
-/// probability counts choices whose ends lie within `same` metres as one. Ends of -1: there is no
-/// choice with a body's measures.
+/// Labels extremities by the likelihood of their path lengths, thicknesses and heights: a
+/// log-linear model over all choices of five ends, learned from people of the virtual studio.
+/// Choices whose ends lie within `same` metres count as one in the probability. If no choice has
+/// the measures of a body, all extremities are -1.
 ExtremityLabels labelExtremities(const ExtremityCandidates& ends, const TreeGraph& graph,
                                  const ExtremityLabelModel& model, double same);
 
-/// The ends that may be a body's.
+/// Candidates for the extremities of a body.
 ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume& volume);
 
 /// Labels a graph so. \param probability as in ExtremityLabels

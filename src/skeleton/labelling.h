@@ -16,21 +16,22 @@
 
 namespace markerless_mocap {
 
-/// Of the curves of the skeleton that is labelled, metres (Thinner): feet that touch stand out
-/// little.
+/// Persistence of the thinning before labelling, metres (see Thinner). It is small, as feet that
+/// touch stand out little.
 constexpr double kTreePersistence = 0.02;
 
-/// One frame on its way to a pose tree.
+/// Labelling of one frame.
 class Labelling {
  public:
   /// Keeps references to the options, the model and the hull.
   Labelling(const PoseTreeOptions& options, const PoseTreeModel& model, const VisualHull& hull,
             const CurveSkeleton& skeleton);
 
-  /// \param last ends to follow \param now set to the ends if the tree is valid
+  /// \param last extremities of the last valid frame
+  /// \param now output, the extremities if the tree is valid
   PoseTree run(const PreviousExtremities& last, PreviousExtremities* now);
 
-  /// What the validity was told by; nothing where the labelling did not come so far.
+  /// Inputs of the validity estimate; empty if the labelling was rejected earlier.
   const std::optional<ValidityFeatures>& features() const { return validity_features_; }
   const TreeGraph& graph() const { return graph_; }
   const TreeVolume& volume() const { return volume_; }
@@ -56,7 +57,7 @@ class Labelling {
   TreeVolume volume_;
   TreeGraph graph_;
   LabelChoice choice_;
-  double names_probability_ = 0.0;
+  double labels_probability_ = 0.0;
   RerootedTree rerooted_;
   BodyPaths body_;
   BodyAxes axes_;

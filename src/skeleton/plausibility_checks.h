@@ -14,14 +14,14 @@ struct Rejection {
   std::string reason;  ///< one sentence
 };
 
-/// Whether a hull can be one person at all, before anything is made of it.
+/// Rejects hulls that cannot be one person, before thinning.
 std::optional<Rejection> rejectHull(const VisualHull& hull);
 
-/// Whether a skeleton is small enough to be looked into.
+/// Rejects skeletons that are too large to be processed.
 std::optional<Rejection> rejectSkeleton(const CurveSkeleton& skeleton);
 
-/// Whether a skeleton can be one person's: it has not hundreds of branches, and next to no part of
-/// the hull is out of the skeleton's reach.
+/// Rejects skeletons that cannot be one person's: those with hundreds of branches, or with a
+/// noticeable part of the hull far away from the skeleton.
 std::optional<Rejection> rejectSkeleton(const VisualHull& hull, const TreeGraph& graph);
 
 }  // namespace markerless_mocap

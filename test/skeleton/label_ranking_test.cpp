@@ -10,7 +10,7 @@ namespace {
 
 using namespace label_ratio;
 
-std::array<ExtremityPathLengths, kUnsidedExtremityCount> idealWays(double longest) {
+std::array<ExtremityPathLengths, kUnsidedExtremityCount> idealPathLengths(double longest) {
   const ExtremityPathLengths neck{kNeck * longest, kNeck * longest},
       arm{kArm * longest, kArm * longest};
   const ExtremityPathLengths leg{(kLeg + kTorso) * longest, kLeg * longest};
@@ -35,19 +35,19 @@ TEST(LabelRanking, RatiosOfTheLongestPathSumToOne) {
 }
 
 TEST(LabelRanking, IdealTreeRanksOne) {
-  EXPECT_NEAR(originRank(idealWays(2.0), 4, 2.0), 1.0, 1e-9);
-  EXPECT_NEAR(originRank(idealWays(1.5), 4, 1.5), 1.0, 1e-9);
+  EXPECT_NEAR(originRank(idealPathLengths(2.0), 4, 2.0), 1.0, 1e-9);
+  EXPECT_NEAR(originRank(idealPathLengths(1.5), 4, 1.5), 1.0, 1e-9);
 }
 
 TEST(LabelRanking, EachFactorIsAsPublished) {
-  auto path_lengths = idealWays(2.0);
+  auto path_lengths = idealPathLengths(2.0);
   EXPECT_NEAR(originRank(path_lengths, 3, 2.0), std::exp(-1.0 / 3.0), 1e-9);
   path_lengths[size_t(UnsidedExtremity::kHead)] = {0.5 * kNeck * 2.0, 0.5 * kNeck * 2.0};
   EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
-  path_lengths = idealWays(2.0);
+  path_lengths = idealPathLengths(2.0);
   path_lengths[size_t(UnsidedExtremity::kFoot1)].to_origin = kLeg * 2.0 + 0.5 * kTorso * 2.0;
   EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
-  path_lengths = idealWays(2.0);
+  path_lengths = idealPathLengths(2.0);
   path_lengths[size_t(UnsidedExtremity::kHand2)].to_branching -= 2.0 / 128.0;
   EXPECT_NEAR(originRank(path_lengths, 4, 2.0), 0.5, 1e-9);
 }

@@ -62,7 +62,7 @@ inline ThinVolume mirrored(const ThinVolume& volume, int axis) {
 
 /// Largest step along an axis from a voxel of one to the nearest of the other, and back.
 inline int distance(const ThinVolume& a, const ThinVolume& b) {
-  const auto oneWay = [](const ThinVolume& from, const ThinVolume& to) {
+  const auto directedDistance = [](const ThinVolume& from, const ThinVolume& to) {
     int worst = 0;
     for (uint32_t i : from.voxels()) {
       int nearest = 1 << 20;
@@ -74,7 +74,7 @@ inline int distance(const ThinVolume& a, const ThinVolume& b) {
     }
     return worst;
   };
-  return std::max(oneWay(a, b), oneWay(b, a));
+  return std::max(directedDistance(a, b), oneWay(b, a));
 }
 
 }  // namespace markerless_mocap

@@ -85,14 +85,14 @@ TEST(ThinTopologyTest, LargeRandomVolumes) {
   expectSameTopology(limbs, 0.05);
 }
 
-struct Peeled {
+struct Thinned {
   ThinVolume volume;
-  explicit Peeled(const ThinVolume& before, int persistence) : volume(before) {
+  explicit Thinned(const ThinVolume& before, int persistence) : volume(before) {
     BitVolumeWindow window;
     BitWords bits;
-    SymmetricThinning peeling;
+    SymmetricThinning thinning;
     window.load(before.lattice, before.voxels(), &bits);
-    peeling.thin(window.box(), persistence, &bits);
+    thinning.thin(window.box(), persistence, &bits);
     volume = ThinVolume(before.lattice, window.unload(before.lattice, bits));
   }
 };
@@ -106,10 +106,10 @@ TEST(SymmetricPeelingTest, KeepsComponentsCavitiesAndTunnels) {
     const uint32_t density = 10 + random() % 85;
     volume.fillWhere([&](int, int, int) { return random() % 100 < density; });
     if (volume.voxels().empty()) continue;
-    const Peeled peeled(volume, 1 + i % 3);
-    ASSERT_EQ(peeled.volume.components(), volume.components());
-    ASSERT_EQ(peeled.volume.cavities(), volume.cavities());
-    ASSERT_EQ(peeled.volume.euler(), volume.euler());
+    const Thinned thinned(volume, 1 + i % 3);
+    ASSERT_EQ(thinned.volume.components(), volume.components());
+    ASSERT_EQ(thinned.volume.cavities(), volume.cavities());
+    ASSERT_EQ(thinned.volume.euler(), volume.euler());
   }
 }
 
@@ -118,10 +118,10 @@ TEST(SymmetricPeelingTest, MirrorImagesArePeeledToMirrorImages) {
   for (int i = 0; i < 12; ++i) {
     const ThinVolume volume = randomLimbs(&random, 16, 20, 26);
     if (volume.voxels().empty()) continue;
-    const Peeled peeled(volume, 1 + i % 3);
+    const Thinned thinned(volume, 1 + i % 3);
     for (int axis = 0; axis < 3; ++axis) {
-      const Peeled other(mirrored(volume, axis), 1 + i % 3);
-      ASSERT_EQ(other.volume.voxels(), mirrored(peeled.volume, axis).voxels());
+      const Thinned other(mirrored(volume, axis), 1 + i % 3);
+      ASSERT_EQ(other.volume.voxels(), mirrored(thinned.volume, axis).voxels());
     }
   }
 }

@@ -5,7 +5,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Makes one chain of two that meet in a vertex.
+/// Joins two chains that meet at a vertex.
 TreeChain joined(TreeChain first, TreeChain second, int32_t vertex) {
   if (first.a == vertex) {
     std::swap(first.a, first.b);
@@ -21,7 +21,8 @@ TreeChain joined(TreeChain first, TreeChain second, int32_t vertex) {
   return first;
 }
 
-/// If just two chains are left at a vertex, it is no branching any more. The root stays one.
+/// Joins the chains at a vertex that has only two of them left, as it is no branching node any
+/// more. The root stays a vertex.
 void smoothVertex(int32_t vertex, TreeChains* tree) {
   if (vertex == 0 || tree->degrees[size_t(vertex)] != 2) return;
   std::vector<size_t> at;
@@ -66,11 +67,11 @@ void removeChain(size_t chain, TreeChains* tree) {
   for (const int32_t v : ends) smoothVertex(v, tree);
 }
 
-void pruneChains(double least, TreeChains* tree) {
+void pruneChains(double min_length, TreeChains* tree) {
   const auto isEnd = [&](int32_t v) { return v != 0 && tree->degrees[size_t(v)] == 1; };
   while (true) {
     size_t shortest = tree->chains.size();
-    double length = least;
+    double length = min_length;
     for (size_t i = 0; i < tree->chains.size(); ++i) {
       const TreeChain& chain = tree->chains[i];
       if (chain.length >= length || !(isEnd(chain.a) || isEnd(chain.b))) continue;

@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostComponents = 8;  // the others are specks
+constexpr size_t kMaxComponents = 8;  // the others are specks
 
 int32_t rootOf(int32_t node, std::vector<int32_t>* set) {
   while ((*set)[size_t(node)] != node)
@@ -35,7 +35,7 @@ std::vector<std::vector<int32_t>> largestComponents(size_t nodes,
   }
   std::stable_sort(components.begin(), components.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  if (components.size() > kMostComponents) components.resize(kMostComponents);
+  if (components.size() > kMaxComponents) components.resize(kMaxComponents);
   return components;
 }
 

@@ -7,8 +7,9 @@
 
 namespace markerless_mocap {
 
-/// Adds edges over gaps of at most `gap` metres between the component with the most nodes and the
-/// next larger ones, nearest first. Returns which nodes hang together then.
+/// Joins the next largest components to the largest one by edges over gaps of up to `gap` metres,
+/// the nearest first.
+/// \return for each node whether it is connected to the largest component
 std::vector<bool> joinComponents(const std::vector<Eigen::Vector3d>& positions, double gap,
                                  std::vector<TreeLinks::Edge>* edges);
 

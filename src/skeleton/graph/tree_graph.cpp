@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kSmoothing = 0.03;  // spread along the skeleton, metres
+constexpr double kSmoothing = 0.03;  // standard deviation along the skeleton, metres
 
 std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
                                             const std::vector<Eigen::Vector3i>& cells) {
@@ -20,7 +20,7 @@ std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
   std::vector<TreeLinks::Edge> edges;
   edges.reserve(2 * cells.size());
   for (size_t node = 0; node < cells.size(); ++node) {
-    for (int code = 14; code < 27; ++code) {  // the other half of the neighbours finds this one
+    for (int code = 14; code < 27; ++code) {  // the other half of the neighbours add the same edges
       const Eigen::Vector3i step(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
       const int32_t to = table.nodeAt(cells[node] + step);
       if (to < 0) continue;
@@ -43,7 +43,7 @@ struct Reached {
 struct Walk {
   std::vector<double> path_lengths;
   std::vector<int32_t> parents;
-  std::vector<int32_t> order;  ///< nodes as they are settled
+  std::vector<int32_t> order;  ///< nodes in the order in which they are settled
 
   Walk(int32_t root, const TreeLinks& links)
       : path_lengths(links.size(), std::numeric_limits<double>::infinity()),
@@ -67,7 +67,7 @@ struct Walk {
   }
 };
 
-/// Ways over the tree and the loop edges found so far, as far as they matter: up to a few voxels.
+/// Shortest paths over the tree and the loop edges found so far, up to a length of a few voxels.
 class LoopFinder {
  public:
   explicit LoopFinder(TreeGraph* graph) : graph_(graph), children_(graph->size(), -1) {
@@ -83,10 +83,10 @@ class LoopFinder {
   }
 
  private:
-  bool near(int32_t at, int32_t before, int32_t to, double most) const {
+  bool near(int32_t at, int32_t before, int32_t to, double max_length) const {
     if (at == to) return true;
     const auto leads = [&](int32_t next, double length) {
-      return next != before && length <= most && near(next, at, to, most - length);
+      return next != before && length <= max_length && near(next, at, to, max_length - length);
     };
     if (at != 0 && leads(graph_->parents[size_t(at)], graph_->step(at))) return true;
     for (int32_t child = children_[size_t(at)]; child >= 0; child = next_[size_t(child)])
@@ -117,9 +117,9 @@ void closeLoops(const std::vector<TreeLinks::Edge>& edges, const std::vector<int
   for (const TreeLinks::Edge& edge : closing) finder.offer(edge, loop_length);
 }
 
-/// Moves the nodes to the middle of their neighbours, again and again, until steps between voxels
-/// are levelled out; ends stay. So lengths do not depend on the pitch or on how a skeleton lies in
-/// it.
+/// Moves the nodes repeatedly to the mean of their neighbours, until the steps between voxels are
+/// smoothed; ends stay. Lengths then do not depend on the pitch or on the skeleton's position in
+/// the lattice.
 void smoothPositions(TreeGraph* graph) {
   std::vector<Eigen::Vector3d>& at = graph->positions;
   std::vector<Eigen::Vector3d> sums(at.size());

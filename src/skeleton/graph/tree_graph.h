@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// Edges between numbered nodes, each known at both its ends.
+/// Adjacency lists: each edge is listed at both of its nodes.
 class TreeLinks {
  public:
   struct Edge {
@@ -34,30 +34,30 @@ class TreeLinks {
   std::vector<Link> links_;
 };
 
-/// The person's part of a curve skeleton as a graph, its nodes in the order in which a walk along
-/// shortest paths from the top-most voxel reaches them, so parents come before children. Lengths
-/// are metres along the smoothed path.
+/// The person's part of a curve skeleton as a graph. Nodes are in the order of their shortest path
+/// from the top-most voxel, so parents precede children. Lengths are metres along the smoothed
+/// path.
 struct TreeGraph {
   double pitch = 0.0;
   std::vector<uint32_t> voxels;            ///< linear indices in the lattice
-  std::vector<Eigen::Vector3d> positions;  ///< world metres; steps between voxels are levelled out
-  std::vector<int32_t> parents;            ///< of the tree of shortest paths; -1: the root, node 0
-  std::vector<double> path_lengths;        ///< from the root along the tree
-  /// Edges that close a loop longer than a bend of the voxels; without them the rest is a tree.
+  std::vector<Eigen::Vector3d> positions;  ///< world metres; smoothed
+  std::vector<int32_t> parents;  ///< parents in the tree of shortest paths; -1: the root, node 0
+  std::vector<double> path_lengths;  ///< from the root along the tree, metres
+  /// Edges that close a loop. The graph without them is a tree.
   std::vector<TreeLinks::Edge> loop_edges;
 
   size_t size() const { return voxels.size(); }
-  double step(int32_t node) const {  ///< to the parent
+  double step(int32_t node) const {  ///< length of the edge to the parent
     return path_lengths[size_t(node)] - path_lengths[size_t(parents[size_t(node)])];
   }
 };
 
-/// Takes the component with the most voxels and joins those to it that lie within a gap of it; the
-/// others are left out (Algorithm 2, but shortest paths instead of breadth first).
-/// \param loop_length loops shorter than this are bends of the voxels, metres
+/// Builds the graph of the component with the most voxels, and of those within a gap of it; other
+/// components are left out (Algorithm 2, with shortest paths instead of a breadth-first search).
+/// \param loop_length shorter loops are artefacts of the lattice and are not listed, metres
 TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length);
 
-/// Ways along the tree from one node to all.
+/// Path lengths along the tree from one node to all nodes, metres.
 std::vector<double> treePathLengthsFrom(const TreeGraph& graph, int32_t node);
 
 }  // namespace markerless_mocap

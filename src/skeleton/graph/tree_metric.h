@@ -7,16 +7,18 @@
 
 namespace markerless_mocap {
 
-/// Longest way between two nodes of a tree, metres.
+/// Longest path between two nodes of a tree, metres.
 double longestPathLength(const TreeGraph& graph);
 
-/// Ways from the ends of chains that form a tree to all its vertices.
+/// Path lengths from the ends of a tree of chains to all its vertices.
 class TreeMetric {
  public:
   TreeMetric(const TreeGraph& graph, const TreeChains& tree);
 
   const std::vector<int32_t>& ends() const { return ends_; }  ///< vertices with one chain
-  const std::vector<int32_t>& branchings() const { return branchings_; }  ///< with more than two
+  const std::vector<int32_t>& branchings() const {
+    return branchings_;
+  }  ///< vertices with more than two
   /// \param end one of ends()
   double path_length(int32_t end, int32_t vertex) const {
     return path_lengths_[size_t(end)][size_t(vertex)];
@@ -26,7 +28,7 @@ class TreeMetric {
 
  private:
   std::vector<int32_t> ends_, branchings_;
-  std::vector<std::vector<double>> path_lengths_;  ///< by vertex; empty but for ends
+  std::vector<std::vector<double>> path_lengths_;  ///< by vertex; empty except for ends
   std::vector<double> branches_;
 };
 

@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Names the nodes from `node` upwards until one that is called `stop`; returns that one, or -1
+/// Labels the nodes from `node` upwards until one with the label `stop`; returns that node, or -1
 /// above the root.
 int32_t nameUpwards(int32_t node, TreePart part, TreePart stop, std::vector<TreeNode>* nodes) {
   while (node >= 0 && (*nodes)[size_t(node)].part != stop) {
@@ -84,7 +84,7 @@ double rerootedRank(const RerootedTree& tree, double longest) {
       return tree.nodes[size_t(node)].part != partOf(UnsidedExtremity(i));
     };
     const auto own = pathLengthUp(tree.extremities[i], leavesPart);
-    // The torso may hang on an arm below the origin: then both go on along the arm.
+    // The torso may join an arm below the origin. Then both continue along the arm.
     const auto to_origin = pathLengthUp(own.second, [&](int32_t node) {
       return node == tree.origin || tree.nodes[size_t(node)].part == TreePart::kNeck;
     });

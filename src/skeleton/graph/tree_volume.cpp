@@ -13,8 +13,8 @@ struct Run {
   uint32_t length;
 };
 
-/// Voxels ascend, so where the one `kStride` further on has the index that is `kStride` larger, all
-/// between are there as well.
+/// Voxels are in ascending order. If the voxel `kStride` entries later has an index that is larger
+/// by `kStride`, all voxels in between are in the hull as well.
 std::vector<Run> runsOf(const VisualHull& hull) {
   constexpr size_t kStride = 8;
   const std::vector<HullVoxel>& voxels = hull.voxels;
@@ -49,35 +49,35 @@ void setBits(size_t from, size_t count, std::vector<uint64_t>* bits) {
 TreeVolume::TreeVolume(const VisualHull& hull) : lattice_(hull.lattice) {
   if (hull.voxels.empty()) return;
   const std::vector<Run> runs = runsOf(hull);
-  lowest_ = lattice_.size;
+  low_ = lattice_.size;
   Eigen::Vector3i highest = Eigen::Vector3i::Zero();
   for (const Run& run : runs) {
-    lowest_ = lowest_.cwiseMin(Eigen::Vector3i(run.x, run.y, run.z));
+    low_ = low_.cwiseMin(Eigen::Vector3i(run.x, run.y, run.z));
     highest = highest.cwiseMax(Eigen::Vector3i(run.x + int(run.length) - 1, run.y, run.z));
   }
-  size_ = highest - lowest_ + Eigen::Vector3i::Ones();
+  size_ = highest - low_ + Eigen::Vector3i::Ones();
   bits_.assign((size_t(size_.x()) * size_.y() * size_.z() >> 6) + 1, 0);
   for (const Run& run : runs) {
-    const size_t row = size_t(run.z - lowest_.z()) * size_.y() + (run.y - lowest_.y());
-    setBits(row * size_.x() + (run.x - lowest_.x()), run.length, &bits_);
+    const size_t row = size_t(run.z - low_.z()) * size_.y() + (run.y - low_.y());
+    setBits(row * size_.x() + (run.x - low_.x()), run.length, &bits_);
   }
 }
 
 double TreeVolume::thickness(const Eigen::Vector3i& voxel) const {
-  double least = 1e9;
+  double min_length = 1e9;
   for (int code = 0; code < 27; ++code) {
     if (code == 13) continue;
     const Eigen::Vector3i step(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
     const double length = std::sqrt(double(step.squaredNorm()));
     Eigen::Vector3i at = voxel + step;
     double path_length = 0.5 * length;
-    while (path_length < least && inside(at)) {
+    while (path_length < min_length && inside(at)) {
       at += step;
       path_length += length;
     }
-    least = std::min(least, path_length);
+    min_length = std::min(min_length, path_length);
   }
-  return least * lattice_.pitch;
+  return min_length * lattice_.pitch;
 }
 
 double TreeVolume::distanceToSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,

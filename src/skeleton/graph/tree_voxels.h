@@ -8,7 +8,7 @@
 
 namespace markerless_mocap {
 
-/// Which node a voxel of a skeleton is: a hash table, for a skeleton is thin in its lattice.
+/// Maps voxels of a skeleton to nodes. A hash table, as a skeleton has few voxels in its lattice.
 class TreeVoxels {
  public:
   TreeVoxels(const CurveSkeleton& skeleton, const std::vector<Eigen::Vector3i>& cells)
@@ -27,7 +27,7 @@ class TreeVoxels {
     }
   }
 
-  /// -1: no node is there.
+  /// The node at a voxel; -1: none.
   int32_t nodeAt(const Eigen::Vector3i& cell) const {
     const uint64_t key = keyOf(cell);
     for (size_t slot = slotOf(key); keys_[slot] != kEmpty; slot = (slot + 1) & mask_) {
@@ -39,7 +39,7 @@ class TreeVoxels {
  private:
   static constexpr uint64_t kEmpty = ~uint64_t(0);
 
-  /// One beyond the lattice on each side has keys of its own.
+  /// Voxels up to one beyond the lattice on each side have keys of their own.
   uint64_t keyOf(const Eigen::Vector3i& cell) const {
     return (uint64_t(cell.z() + 1) * uint64_t(size_.y() + 2) + uint64_t(cell.y() + 1)) *
                uint64_t(size_.x() + 2) +

@@ -7,10 +7,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kTip = 0.10, kLimb = 0.30;  // metres from the end
-constexpr double kProbe = 0.03;              // between two places where the radius is taken
+constexpr double kEndLength = 0.10, kLimbLength = 0.30;  // metres from the end
+constexpr double kProbe = 0.03;                          // metres between two samples of the radius
 
-/// Ways between `nodes` along the tree, row by row.
+/// Path lengths between `nodes` along the tree, row by row.
 std::vector<double> treePathLengths(const TreeGraph& graph, const std::vector<int32_t>& nodes) {
   std::vector<double> out;
   out.reserve(nodes.size() * nodes.size());
@@ -21,10 +21,10 @@ std::vector<double> treePathLengths(const TreeGraph& graph, const std::vector<in
   return out;
 }
 
-/// Shortens the ways between the nodes by the edges that close loops. Node `ends + 2 i` is edge i's
-/// first, the one after it its second.
-void takeLoops(const TreeGraph& graph, size_t extremities, size_t count,
-               std::vector<double>* path_lengths) {
+/// Shortens the path lengths between the nodes by the edges that close loops. Node `extremities + 2
+/// i` is the first node of edge i, the next one its second.
+void relaxOverLoopEdges(const TreeGraph& graph, size_t extremities, size_t count,
+                        std::vector<double>* path_lengths) {
   for (size_t i = 0; i < graph.loop_edges.size(); ++i) {
     const size_t a = extremities + 2 * i, b = a + 1;
     const double length = graph.loop_edges[i].length;
@@ -41,15 +41,15 @@ void takeLoops(const TreeGraph& graph, size_t extremities, size_t count,
   }
 }
 
-/// Nodes from an end towards the next branching and on towards the root, as far as `most` metres.
+/// Nodes from an end towards the next branching and on towards the root, up to `max_length` metres.
 std::vector<int32_t> pathFrom(const TreeGraph& graph, const TreeChain& chain, bool from_a,
-                              double most) {
+                              double max_length) {
   std::vector<int32_t> path(chain.nodes);
   if (!from_a) std::reverse(path.begin(), path.end());
   double path_length = 0.0;
   for (size_t i = 1; i < path.size(); ++i) {
     path_length += (graph.positions[size_t(path[i])] - graph.positions[size_t(path[i - 1])]).norm();
-    if (path_length > most) {
+    if (path_length > max_length) {
       path.resize(i);
       break;
     }
@@ -72,18 +72,18 @@ ExtremityCandidate describe(const TreeGraph& graph, const TreeVolume& volume,
     if (i > 0)
       path_length +=
           (graph.positions[size_t(path[i])] - graph.positions[size_t(path[i - 1])]).norm();
-    if (!back_known && path_length >= kTip) {
+    if (!back_known && path_length >= kEndLength) {
       back = path[i];
       back_known = true;
     }
     if (path_length < next) continue;
     next += kProbe;
-    const int part = path_length > kTip;
+    const int part = path_length > kEndLength;
     sums[part] += volume.thickness(graph.voxels[size_t(path[i])]);
     ++counts[part];
   }
-  end.tip_radius = sums[0] / counts[0];
-  end.limb_radius = counts[1] > 0 ? sums[1] / counts[1] : end.tip_radius;
+  end.end_radius = sums[0] / counts[0];
+  end.limb_radius = counts[1] > 0 ? sums[1] / counts[1] : end.end_radius;
   end.direction = (end.position - graph.positions[size_t(back)]).stableNormalized();
   for (const TreeLinks::Edge& edge : graph.loop_edges)
     end.cut |= edge.a == end.node || edge.b == end.node;
@@ -94,7 +94,7 @@ ExtremityCandidate describe(const TreeGraph& graph, const TreeVolume& volume,
 }  // namespace
 
 ExtremityCandidates findExtremityCandidates(const TreeGraph& graph, const TreeVolume& volume,
-                                            double prune_ratio, size_t most) {
+                                            double prune_ratio, size_t max_length) {
   ExtremityCandidates out;
   TreeChains tree = makeChains(graph);
   out.longest = longestPathLength(graph);
@@ -111,12 +111,12 @@ ExtremityCandidates findExtremityCandidates(const TreeGraph& graph, const TreeVo
   std::stable_sort(branches.begin(), branches.end(), [](const Branch& x, const Branch& y) {
     return x.chain->length > y.chain->length;
   });
-  if (branches.size() > most) branches.resize(most);
+  if (branches.size() > max_length) branches.resize(max_length);
   std::vector<int32_t> nodes;
   for (const Branch& branch : branches) {
     const TreeChain& chain = *branch.chain;
     out.extremities.push_back(
-        describe(graph, volume, pathFrom(graph, chain, branch.from_a, kLimb), chain.length));
+        describe(graph, volume, pathFrom(graph, chain, branch.from_a, kLimbLength), chain.length));
     nodes.push_back(out.extremities.back().node);
   }
   for (const TreeLinks::Edge& edge : graph.loop_edges) {
@@ -130,7 +130,7 @@ ExtremityCandidates findExtremityCandidates(const TreeGraph& graph, const TreeVo
         to->push_back(path_lengths[a * nodes.size() + b]);
   };
   endsOnly(&out.tree_path_lengths);
-  takeLoops(graph, out.extremities.size(), nodes.size(), &path_lengths);
+  relaxOverLoopEdges(graph, out.extremities.size(), nodes.size(), &path_lengths);
   endsOnly(&out.shortest_path_lengths);
   return out;
 }

@@ -6,13 +6,13 @@
 namespace markerless_mocap {
 namespace {
 
-// From the surface back to the point, shares of the longest path.
+// Distances from the surface back to the point, as fractions of the longest path.
 constexpr double kHeadBack = 0.0513, kHandBack = 0.0344, kFootBack = 0.0355;
-// Of feet that are one below, shares of the longest path.
-constexpr double kShankLow = 0.10;      // the shanks are above this way from the end
-constexpr double kFootReach = 0.13;     // of the feet's voxels from the end
-constexpr double kLeastForward = 0.01;  // of their middle from the ankles
-constexpr double kStraight = 0.06;      // metres of the path that tell how it goes on
+// For feet that are merged below, fractions of the longest path.
+constexpr double kShankLow = 0.10;   // path length from the end above which the shanks are separate
+constexpr double kFootReach = 0.13;  // maximum distance of the feet's voxels from the end
+constexpr double kMinForward = 0.01;  // minimum distance of their mean from the ankles
+constexpr double kStraight = 0.06;    // length of the path that gives its direction, metres
 
 double backOf(UnsidedExtremity end) {
   if (end == UnsidedExtremity::kHead) return kHeadBack;
@@ -23,7 +23,7 @@ double backOf(UnsidedExtremity end) {
 
 Eigen::Vector3d extremityPosition(const NodePath& path, UnsidedExtremity end, bool closed,
                                   double longest, const TreeVolume& volume) {
-  const NodePath last = stretch(path, 0.0, kStraight);
+  const NodePath last = pathSection(path, 0.0, kStraight);
   const Eigen::Vector3d out = (last.front() - last.back()).stableNormalized();
   const double surface =
       closed ? 0.0 : volume.distanceToSurface(path.front(), out, 0.2) + 0.5 * volume.pitch();
@@ -41,7 +41,7 @@ std::array<Eigen::Vector3d, 2> footPositionsOfSharedExtremity(const NodePath& pa
                                                               const BodyAxes& axes, double longest,
                                                               const TreeVolume& volume) {
   const Eigen::Vector3d& end = path.front();
-  const NodePath shank = stretch(path, 0.5 * kShankLow * longest, kShankLow * longest);
+  const NodePath shank = pathSection(path, 0.5 * kShankLow * longest, kShankLow * longest);
   const Eigen::Vector3d ankle = shank.empty() ? path.back() : shank.front();
   const std::vector<Eigen::Vector3d> feet =
       volume.near(end, kFootReach * longest, 0.5 * (ankle.z() + end.z()));
@@ -51,7 +51,7 @@ std::array<Eigen::Vector3d, 2> footPositionsOfSharedExtremity(const NodePath& pa
   middle /= double(feet.size());
   Eigen::Vector3d forward = middle - ankle;
   forward.z() = 0.0;
-  if (forward.norm() < kLeastForward * longest) forward = axes.forward;
+  if (forward.norm() < kMinForward * longest) forward = axes.forward;
   forward.z() = 0.0;
   forward = forward.stableNormalized();
   const Eigen::Vector3d left(-forward.y(), forward.x(), 0.0);

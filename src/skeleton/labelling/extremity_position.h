@@ -8,16 +8,18 @@
 
 namespace markerless_mocap {
 
-/// Knuckles, ball of the foot or middle of the head from the path of a limb: the path is led on to
-/// the surface, and the point lies a share of the body's size before that. The shares were fitted
-/// on people of the virtual studio.
-/// \param path from the end upwards, at least one point
-/// \param closed the end touches the body: the path is as long as the limb and not led on
-/// \param longest the measure of the proportions, metres
+/// Position of knuckles, ball of the foot or centre of the head, world metres, from the path of a
+/// limb. The path is extended to the surface; the point lies before the surface by a fraction of
+/// the body's size. The fractions were fitted to people of the virtual studio.
+/// \param path from the extremity upwards, at least one point, world metres
+/// \param closed whether the extremity touches the body; then the path is as long as the limb and
+///   is not extended
+/// \param longest longest path, the unit of the proportions, metres
 Eigen::Vector3d extremityPosition(const NodePath& path, UnsidedExtremity end, bool closed,
                                   double longest, const TreeVolume& volume);
 
-/// The balls of two feet that share one end: what is left and right of the end's middle.
+/// Positions of the balls of two feet that share one extremity, to the left and right of its
+/// centre, world metres.
 std::array<Eigen::Vector3d, 2> footPositionsOfSharedExtremity(const NodePath& path,
                                                               const BodyAxes& axes, double longest,
                                                               const TreeVolume& volume);

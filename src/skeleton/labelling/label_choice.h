@@ -10,17 +10,17 @@
 
 namespace markerless_mocap {
 
-/// Ends of a body while left and right are not told apart.
+/// Extremities of a body before left and right are known.
 enum class UnsidedExtremity : uint8_t { kHead = 0, kHand1, kHand2, kFoot1, kFoot2 };
 constexpr int kUnsidedExtremityCount = 5;
 
-/// A place where a loop is opened elsewhere than the graph's tree does: `cut` leaves its parent,
-/// `from` and `to` hold together.
+/// Opens a loop at another edge than the graph's tree does: the edge from `cut` to its parent is
+/// removed, the edge from `from` to `to` is added.
 struct EdgeExchange {
   int32_t cut, from, to;
 };
 
-/// Which ends of a skeleton are a body's.
+/// The ends of a skeleton that are chosen as extremities.
 struct LabelChoice {
   TreeStatus status = TreeStatus::kTooFewBranches;
   std::string reason;  ///< one sentence unless kOk
@@ -29,9 +29,10 @@ struct LabelChoice {
   int32_t origin = -1;      ///< node of the graph
   double rank = 0.0;
   std::array<bool, kUnsidedExtremityCount>
-      closed{};  ///< whether an end is a place in a loop, by UnsidedExtremity
+      closed{};  ///< whether an extremity lies on a loop, by UnsidedExtremity
   std::vector<EdgeExchange> edge_exchanges;
-  double longest = 0.0;  ///< way between two ends, metres: the measure of the proportions
+  double longest =
+      0.0;  ///< longest path between two extremities, metres: the unit of the proportions
 };
 
 }  // namespace markerless_mocap

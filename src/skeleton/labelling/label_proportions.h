@@ -1,7 +1,7 @@
 #pragma once
 
-/// Lengths of limbs as shares of the longest path, from a hand to a foot (Bakken & Hilton 2012,
-/// table 1).
+/// Lengths of limbs as fractions of the longest path, that from a hand to a foot (Bakken & Hilton
+/// 2012, table 1).
 namespace markerless_mocap::label_ratio {
 
 constexpr double kHead = 0.042, kUpperNeck = 0.042, kLowerNeck = 0.042;

@@ -9,14 +9,14 @@
 namespace markerless_mocap {
 namespace {
 
-// A step of the voxels that the penalty for a shortened arm was made for: 2 m / 128.
+// Voxel size for which the paper's penalty for a shortened arm was defined: 2 m / 128.
 constexpr double kStep = 2.0 / 128.0;
 
 double lengthSimilarity(double a, double b) {
   return std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 0.0;
 }
 
-/// Removes ends' chains, the shortest first, until the root and four others are left.
+/// Removes the chains of ends, the shortest first, until the root and four other ends are left.
 void keepFourLongest(TreeChains* tree) {
   while (true) {
     size_t shortest = tree->chains.size();
@@ -34,8 +34,8 @@ void keepFourLongest(TreeChains* tree) {
   }
 }
 
-/// Ends by UnsidedExtremity as their ways to the origin tell: the furthest two are feet, the next
-/// two hands.
+/// Ends by UnsidedExtremity, from their path lengths to the origin: the two longest lead to the
+/// feet, the next two to the hands.
 std::array<int32_t, kUnsidedExtremityCount> byPathLength(const TreeMetric& metric, int32_t origin) {
   std::vector<int32_t> extremities = metric.ends();
   std::stable_sort(extremities.begin(), extremities.end(), [&](int32_t a, int32_t b) {
@@ -52,7 +52,7 @@ double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, 
   return originRank(path_lengths, tree.degrees[size_t(origin)], longest);
 }
 
-/// Each end of the last frame takes the nearest one that is left.
+/// Each extremity of the last frame is matched to the nearest end that is left.
 std::array<int32_t, kUnsidedExtremityCount> byPreviousFrame(
     const std::vector<int32_t>& extremities,
     const std::array<Eigen::Vector3d, kUnsidedExtremityCount>& last, const TreeGraph& graph,
@@ -102,7 +102,7 @@ LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio,
   const TreeMetric metric(graph, tree);
   if (metric.ends().size() != size_t(kUnsidedExtremityCount)) {
     choice.reason = "the skeleton has " + std::to_string(metric.ends().size()) +
-                    " ends that are no spurs, a body has five";
+                    " extremities, a body has five";
     return choice;
   }
   int32_t origin = -1;

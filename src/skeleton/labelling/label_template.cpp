@@ -12,11 +12,12 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kHeads = 4, kHands = 7, kFeet = 6;  // candidates of each kind
-constexpr double kShortest = 0.7, kTallest = 2.2;    // mean way from the head to the feet, metres
-constexpr double kSpur = 0.03;  // branches shorter than this share of the longest path are none
-constexpr size_t kMostEnds = 24;
-constexpr double kSame = 0.12;       // metres
-constexpr double kMostUnlike = 0.5;  // log ratio of the ways to the feet
+constexpr double kMinHeadToFeet = 0.7,
+                 kMaxHeadToFeet = 2.2;  // mean path length from the head to the feet, metres
+constexpr double kSpur = 0.03;  // branches shorter than this fraction of the longest path are spurs
+constexpr size_t kMaxEnds = 24;
+constexpr double kSame = 0.12;      // metres
+constexpr double kMaxUnlike = 0.5;  // log ratio of the path lengths to the feet
 
 struct Heights {
   double lowest, highest;
@@ -31,7 +32,7 @@ Heights heightsOf(const TreeGraph& graph) {
   return h;
 }
 
-/// Ways and log-odds of the ends of one skeleton.
+/// Path lengths and log-odds of the ends of one skeleton.
 class ExtremityTable {
  public:
   ExtremityTable(const ExtremityCandidates& candidates, const TreeGraph& graph,
@@ -57,13 +58,13 @@ class ExtremityTable {
   const BodyCurves& curve() const { return model_.body; }
   const ExtremityCandidate& end(int end) const { return ends_[size_t(end)]; }
 
-  /// The most likely ends of a role.
-  std::vector<int> best(size_t role, size_t most) const {
+  /// The most likely ends for a role, up to `max_count`.
+  std::vector<int> best(size_t role, size_t max_count) const {
     std::vector<int> order(count_);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return odds_[role][size_t(a)] > odds_[role][size_t(b)]; });
-    if (order.size() > most) order.resize(most);
+    if (order.size() > max_count) order.resize(max_count);
     return order;
   }
 
@@ -83,7 +84,7 @@ class ExtremityTable {
                                               (heights_.highest - tips_[at].z()) / longest,
                                               end.direction.z(),
                                               end.extent / longest,
-                                              end.tip_radius / longest,
+                                              end.end_radius / longest,
                                               end.limb_radius / longest,
                                               end.branch / longest,
                                               end.cut ? 1.0 : 0.0,
@@ -103,10 +104,10 @@ class ExtremityTable {
   std::array<std::vector<double>, 3> odds_;
 };
 
-/// A head and two feet, and what they tell.
+/// A head and two feet, and the measures that follow from them.
 struct Trunk {
   int head, foot1, foot2;
-  double length;  ///< mean way from the head to the feet, metres
+  double length;  ///< mean path length from the head to the feet, metres
   double low;     ///< height of the lower foot
   double score;
 };
@@ -115,7 +116,7 @@ double footScore(const ExtremityTable& t, int foot, double s) {
   const BodyCurves& curve = t.curve();
   const ExtremityCandidate& end = t.end(foot);
   return curve(kFootUp, (t.height(foot) - t.lowest()) / s) +
-         curve(kFootTipRadius, end.tip_radius / s) + curve(kFootLimbRadius, end.limb_radius / s) +
+         curve(kFootTipRadius, end.end_radius / s) + curve(kFootLimbRadius, end.limb_radius / s) +
          curve(kFootBranch, end.branch / s) + curve(kFootCut, end.cut) +
          curve(kFootExtent, end.extent / s) + curve(kFootDirection, end.direction.z());
 }
@@ -135,7 +136,7 @@ Trunk trunkOf(const ExtremityTable& t, int head, int foot1, int foot2) {
       curve(kFootFootGap, t.gap(foot1, foot2) / s) +
       curve(kHeadUp, (t.height(head) - trunk.low) / s) +
       curve(kFeetUnevenness, std::abs(t.height(foot1) - t.height(foot2)) / s) +
-      curve(kHeadTipRadius, top.tip_radius / s) + curve(kHeadLimbRadius, top.limb_radius / s) +
+      curve(kHeadTipRadius, top.end_radius / s) + curve(kHeadLimbRadius, top.limb_radius / s) +
       curve(kHeadBranch, top.branch / s) + curve(kHeadCut, top.cut) +
       curve(kHeadExtent, top.extent / s) + curve(kHeadDirection, top.direction.z()) +
       curve(kFeetTogether, foot1 == foot2) + footScore(t, foot1, s) + footScore(t, foot2, s);
@@ -149,7 +150,7 @@ double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
   double score =
       curve(kHeadHandPath, t.path_length(trunk.head, hand) / s) +
       curve(kHeadHandTreePath, t.treePathLength(trunk.head, hand) / s) +
-      curve(kHandUp, (t.height(hand) - trunk.low) / s) + curve(kHandTipRadius, end.tip_radius / s) +
+      curve(kHandUp, (t.height(hand) - trunk.low) / s) + curve(kHandTipRadius, end.end_radius / s) +
       curve(kHandLimbRadius, end.limb_radius / s) + curve(kHandBranch, end.branch / s) +
       curve(kHandCut, end.cut) + curve(kHandExtent, end.extent / s) +
       curve(kHandDirection, end.direction.z()) + curve(kHeadHandGap, t.gap(trunk.head, hand) / s);
@@ -193,8 +194,8 @@ std::vector<Trunk> trunksOf(const ExtremityTable& t) {
         if (head == feet[i] || head == feet[j]) continue;
         const double first = t.path_length(head, feet[i]), second = t.path_length(head, feet[j]);
         const double length = 0.5 * (first + second);
-        if (length < kShortest || length > kTallest) continue;
-        if (std::abs(std::log(first / second)) > kMostUnlike) continue;
+        if (length < kMinHeadToFeet || length > kMaxHeadToFeet) continue;
+        if (std::abs(std::log(first / second)) > kMaxUnlike) continue;
         trunks.push_back(trunkOf(t, head, feet[i], feet[j]));
       }
     }
@@ -253,7 +254,7 @@ ExtremityLabels labelExtremities(const ExtremityCandidates& candidates, const Tr
 }
 
 ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume& volume) {
-  return findExtremityCandidates(graph, volume, kSpur, kMostEnds);
+  return findExtremityCandidates(graph, volume, kSpur, kMaxEnds);
 }
 
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume,
@@ -263,7 +264,7 @@ LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume,
   const ExtremityLabels names = labelExtremities(candidates, graph, model, kSame);
   *probability = names.probability;
   if (names.extremities[0] < 0) {
-    choice.reason = "no five ends of the skeleton are as far apart as a body's";
+    choice.reason = "no five extremities of the skeleton have the distances of a body";
     return choice;
   }
   for (size_t i = 0; i < names.extremities.size(); ++i)

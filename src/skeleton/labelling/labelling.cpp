@@ -14,8 +14,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMostGap = 0.15;    // between components of one body, metres
-constexpr double kLeastLoop = 0.12;  // metres
+constexpr double kMaxGap = 0.15;   // between components of one body, metres
+constexpr double kMinLoop = 0.12;  // metres
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void Labelling::swapSides(size_t first_extremity, TreePart left, TreePart right)
   std::swap(tree_.extremities[first_extremity], tree_.extremities[first_extremity + 1]);
 }
 
-/// Puts left and right where limbs 1 and 2 were.
+/// Replaces limbs 1 and 2 by left and right.
 void Labelling::assignSides() {
   if (!axes_.known) return;
   const bool by_angles = options_.side_rule == "angles";
@@ -105,7 +105,7 @@ void Labelling::assessValidity() {
 PoseTree Labelling::run(const PreviousExtremities& last, PreviousExtremities* now) {
   if (const auto rejection = rejectSkeleton(tree_.skeleton))
     return reject(rejection->status, rejection->reason);
-  graph_ = makeTreeGraph(tree_.skeleton, kMostGap, kLeastLoop);
+  graph_ = makeTreeGraph(tree_.skeleton, kMaxGap, kMinLoop);
   if (const auto rejection = rejectSkeleton(hull_, graph_))
     return reject(rejection->status, rejection->reason);
   choose(last);
@@ -117,13 +117,15 @@ PoseTree Labelling::run(const PreviousExtremities& last, PreviousExtremities* no
   assignSides();
   assessValidity();
   if (axes_.known) placeJoints(axes_, choice_.longest, &tree_);
-  if (!torso_) return reject(TreeStatus::kNoTorso, "legs and arms meet in one point");
+  if (!torso_)
+    return reject(TreeStatus::kNoTorso, "legs and arms meet in one point, so there is no torso");
   if (!axes_.known)
-    return reject(TreeStatus::kSidesUnknown, "the legs do not tell where forward is");
+    return reject(TreeStatus::kSidesUnknown, "the legs do not show which direction is forward");
   if (options_.labelling == "ranking" && choice_.rank < options_.min_rank)
-    return reject(TreeStatus::kLowRank, "no branching is like the origin of a body");
+    return reject(TreeStatus::kLowRank,
+                  "no branching node ranks high enough as the origin of a body");
   if (options_.labelling != "ranking" && tree_.validity < options_.min_validity)
-    return reject(TreeStatus::kUncertain, "the ends could be named otherwise as well");
+    return reject(TreeStatus::kUncertain, "other labels of the extremities are nearly as likely");
   now->emplace();
   for (size_t i = 0; i < rerooted_.extremities.size(); ++i)
     (**now)[i] = rerooted_.nodes[size_t(rerooted_.extremities[i])].position;

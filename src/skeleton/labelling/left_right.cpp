@@ -10,25 +10,25 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kLongestTorso = 1.6 * label_ratio::kTorso;
-constexpr double kLeastBend = 0.14;  // sine of 8 degrees: below it a joint is straight
+constexpr double kMinBend = 0.14;  // sine of 8 degrees; below it a joint counts as straight
 
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
 }
 
-/// A hinge's axis, to the left; zero where the joint is straight.
+/// Axis of a hinge joint, to the left; zero if the joint is straight.
 Eigen::Vector3d hinge(const Eigen::Vector3d& below, const Eigen::Vector3d& above) {
   const Eigen::Vector3d axis = below.cross(above);
-  return axis.norm() > kLeastBend ? axis : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  return axis.norm() > kMinBend ? axis : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
 /// Sum of the axes of a leg's ankle and knee.
 Eigen::Vector3d legNormal(const NodePath& leg, bool foot_seen, double longest) {
   using namespace label_ratio;
   const double ankle = (kFoot + kToe) * longest, knee = ankle + kLowerLeg * longest;
-  const Eigen::Vector3d foot = lineDirection(stretch(leg, 0.0, ankle));
-  const Eigen::Vector3d shank = lineDirection(stretch(leg, ankle, knee));
-  const Eigen::Vector3d thigh = lineDirection(stretch(leg, knee, knee + kThigh * longest));
+  const Eigen::Vector3d foot = lineDirection(pathSection(leg, 0.0, ankle));
+  const Eigen::Vector3d shank = lineDirection(pathSection(leg, ankle, knee));
+  const Eigen::Vector3d thigh = lineDirection(pathSection(leg, knee, knee + kThigh * longest));
   Eigen::Vector3d normal = hinge(shank, -thigh);
   if (foot_seen) normal += hinge(foot, shank);
   return normal;
@@ -52,8 +52,9 @@ BodyPaths bodyPaths(const RerootedTree& tree, double longest) {
   body.own_legs[1] = body.legs[1] = limbPath(tree, UnsidedExtremity::kFoot2);
   for (const TreeNode& node : tree.nodes)
     if (node.part == TreePart::kTorso) body.torso.push_back(node.position);
-  // Legs that are one below: what is too long for a torso leads to both feet.
-  const NodePath torso = stretch(body.torso, 0.0, kLongestTorso * longest);
+  // If the legs are merged, the torso's path also contains the way to the feet: only the length of
+  // a torso is used.
+  const NodePath torso = pathSection(body.torso, 0.0, kLongestTorso * longest);
   for (size_t i = body.torso.size(); i-- > torso.size();)
     for (NodePath& leg : body.legs) leg.push_back(body.torso[i]);
   body.torso.assign(torso.rbegin(), torso.rend());
@@ -73,7 +74,7 @@ Eigen::Vector3d lineDirection(const NodePath& points) {
   return line.dot(points.back() - points.front()) < 0.0 ? Eigen::Vector3d(-line) : line;
 }
 
-NodePath stretch(const NodePath& path, double from, double to) {
+NodePath pathSection(const NodePath& path, double from, double to) {
   NodePath out;
   double path_length = 0.0;
   for (size_t i = 0; i < path.size(); ++i) {
@@ -110,7 +111,7 @@ bool firstIsLeftByAngles(const NodePath (&limbs)[2], double fraction, const Body
   Eigen::Vector3d away[2];
   for (int i = 0; i < 2; ++i) {
     NodePath path(limbs[i].rbegin(), limbs[i].rend());
-    away[i] = lineDirection(stretch(path, 0.0, fraction * body.longest));
+    away[i] = lineDirection(pathSection(path, 0.0, fraction * body.longest));
   }
   const double left[2] = {axes.left.dot(away[0]), axes.left.dot(away[1])};
   const bool wider = angle(axes.forward, away[0]) > angle(axes.forward, away[1]);

@@ -7,14 +7,16 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLow = 0.12;  // share of the longest path: a hand so far below the shoulders hangs
-constexpr double kInside = 0.03;  // share of the longest path: so near to the trunk no hand ends
+constexpr double kLow =
+    0.12;  // fraction of the longest path: a hand this far below the shoulders hangs
+constexpr double kInside =
+    0.03;  // fraction of the longest path: a hand's extremity is further from the trunk than this
 
 void markUp(const TreeGraph& graph, int32_t from, std::vector<bool>* marks) {
   for (int32_t at = from; at >= 0; at = graph.parents[size_t(at)]) (*marks)[size_t(at)] = true;
 }
 
-/// The nodes between the head's end and those of the feet.
+/// The nodes on the paths from the head's extremity to those of the feet.
 std::vector<bool> trunkOf(const TreeGraph& graph, const LabelChoice& choice) {
   std::vector<bool> trunk(graph.size(), false);
   for (const UnsidedExtremity foot : {UnsidedExtremity::kFoot1, UnsidedExtremity::kFoot2}) {
@@ -30,7 +32,7 @@ std::vector<bool> trunkOf(const TreeGraph& graph, const LabelChoice& choice) {
   return trunk;
 }
 
-/// Way from a node towards the root until the trunk.
+/// Path length from a node towards the root until the trunk, metres.
 double pathLengthToTrunk(const TreeGraph& graph, const std::vector<bool>& trunk, int32_t node) {
   double path_length = 0.0;
   for (; node > 0 && !trunk[size_t(node)]; node = graph.parents[size_t(node)])

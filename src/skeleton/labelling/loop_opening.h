@@ -5,9 +5,9 @@
 
 namespace markerless_mocap {
 
-/// Where an arm closes a loop with the trunk (hand on the hip, arm at the side), the shortest paths
-/// from the head meet somewhere on the forearm. Lets the arm go on to its full length and opens the
-/// loop there.
+/// Opens loops at the hands. If an arm forms a loop with the trunk (hand on the hip, arm at the
+/// side), the shortest paths from the head meet somewhere on the forearm. The arm is extended to
+/// its full length, and the loop is opened there.
 void openLoopsAtHands(const TreeGraph& graph, LabelChoice* choice);
 
 }  // namespace markerless_mocap

@@ -5,7 +5,8 @@
 
 namespace markerless_mocap {
 
-/// Part of a log-odds: a curve through evenly spaced knots, level beyond the first and last one.
+/// A term of a log-odds: a piecewise linear function with evenly spaced knots, constant beyond the
+/// first and last one.
 struct PiecewiseLinear {
   double low, high;
   std::vector<double> knots;

@@ -7,12 +7,12 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLeastLitres = 8.0, kMostLitres = 300.0;
-constexpr size_t kMostNodes = 4000;
-constexpr int kMostEnds = 300;
-constexpr double kCell = 0.25;           // metres: nothing of a body is two cells from its skeleton
-constexpr size_t kSample = 1000;         // voxels that are looked at, about
-constexpr double kMostOutOfReach = 0.1;  // share of the voxels
+constexpr double kMinLitres = 8.0, kMaxLitres = 300.0;
+constexpr size_t kMaxNodes = 4000;
+constexpr int kMaxEnds = 300;
+constexpr double kCell = 0.25;    // metres; no part of a body is two cells away from its skeleton
+constexpr size_t kSample = 1000;  // approximate number of voxels that are tested
+constexpr double kMaxOutOfReach = 0.1;  // fraction of the voxels
 
 const char* const kTooManyBranches = "the skeleton has far more branches than a body";
 
@@ -23,19 +23,19 @@ std::string litresText(double litres, const char* what, double bound) {
   return text.str();
 }
 
-/// Cells of the skeleton's box and around it.
+/// The cells near a skeleton.
 class Reach {
  public:
   explicit Reach(const TreeGraph& graph) {
-    lowest_ = graph.positions.front();
-    Eigen::Vector3d highest = lowest_;
+    low_ = graph.positions.front();
+    Eigen::Vector3d high = low_;
     for (const Eigen::Vector3d& p : graph.positions) {
-      lowest_ = lowest_.cwiseMin(p);
-      highest = highest.cwiseMax(p);
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
     }
-    lowest_.array() -= kCell;
-    size_ = ((highest - lowest_) / kCell).array().floor().matrix().cast<int>() +
-            Eigen::Vector3i::Constant(2);
+    low_.array() -= kCell;
+    size_ =
+        ((high - low_) / kCell).array().floor().matrix().cast<int>() + Eigen::Vector3i::Constant(2);
     cells_.assign(size_t(size_.prod()), false);
     Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
     for (const Eigen::Vector3d& p : graph.positions) {
@@ -52,7 +52,7 @@ class Reach {
 
  private:
   Eigen::Vector3i cellOf(const Eigen::Vector3d& p) const {
-    return ((p - lowest_) / kCell).array().floor().matrix().cast<int>();
+    return ((p - low_) / kCell).array().floor().matrix().cast<int>();
   }
   size_t placeOf(const Eigen::Vector3i& c) const {
     return (size_t(c.z()) * size_.y() + c.y()) * size_.x() + c.x();
@@ -64,7 +64,7 @@ class Reach {
     }
   }
 
-  Eigen::Vector3d lowest_;
+  Eigen::Vector3d low_;
   Eigen::Vector3i size_;
   std::vector<bool> cells_;
 };
@@ -79,27 +79,27 @@ std::optional<Rejection> rejectHull(const VisualHull& hull) {
                                                   ? "the hull is empty"
                                                   : "there is no hull: " + hull.reason};
   const double litres = hull.litres();
-  if (litres < kLeastLitres)
+  if (litres < kMinLitres)
     return Rejection{TreeStatus::kNoSkeleton,
-                     litresText(litres, "a person has at least", kLeastLitres)};
-  if (litres > kMostLitres)
+                     litresText(litres, "a person has at least", kMinLitres)};
+  if (litres > kMaxLitres)
     return Rejection{TreeStatus::kNotAPerson,
-                     litresText(litres, "a person has at most", kMostLitres)};
+                     litresText(litres, "a person has at most", kMaxLitres)};
   return std::nullopt;
 }
 
 std::optional<Rejection> rejectSkeleton(const CurveSkeleton& skeleton) {
-  if (skeleton.voxels.size() > kMostNodes)
+  if (skeleton.voxels.size() > kMaxNodes)
     return Rejection{TreeStatus::kNotAPerson, kTooManyBranches};
   return std::nullopt;
 }
 
 std::optional<Rejection> rejectSkeleton(const VisualHull& hull, const TreeGraph& graph) {
   if (graph.size() < 2)
-    return Rejection{TreeStatus::kNoSkeleton, "the hull has no skeleton: it is one lump"};
+    return Rejection{TreeStatus::kNoSkeleton, "the hull has no skeleton: it has no limbs"};
   std::vector<int> children(graph.size(), 0);
   for (size_t node = 1; node < graph.size(); ++node) ++children[size_t(graph.parents[node])];
-  if (std::count(children.begin(), children.end(), 0) > kMostEnds)
+  if (std::count(children.begin(), children.end(), 0) > kMaxEnds)
     return Rejection{TreeStatus::kNotAPerson, kTooManyBranches};
   const Reach reach(graph);
   size_t looked = 0, out = 0;
@@ -107,7 +107,7 @@ std::optional<Rejection> rejectSkeleton(const VisualHull& hull, const TreeGraph&
     ++looked;
     out += !reach.contains(hull.lattice.center(hull.voxels[i].index));
   }
-  if (double(out) > kMostOutOfReach * double(looked))
+  if (double(out) > kMaxOutOfReach * double(looked))
     return Rejection{TreeStatus::kNotAPerson,
                      "a part of the hull is not connected to the rest: there are several bodies"};
   return std::nullopt;

@@ -6,15 +6,15 @@
 namespace markerless_mocap {
 namespace {
 
-// Shares of the longest path.
+// Fractions of the longest path.
 constexpr double kWrist = 0.038, kElbow = 0.1445;            // from the knuckles
 constexpr double kAnkle = 0.049, kKnee = 0.224;              // from the ball of the foot
-constexpr double kNeckDown = 0.07;                           // from the head's end
-constexpr double kShouldersDown = 0.13, kHipsDown = 0.31;    // from the head's end
-constexpr double kShoulderOut = 0.069, kShoulderUp = 0.027;  // from there
+constexpr double kNeckDown = 0.07;                           // from the head's extremity
+constexpr double kShouldersDown = 0.13, kHipsDown = 0.31;    // from the head's extremity
+constexpr double kShoulderOut = 0.069, kShoulderUp = 0.027;  // from the trunk's path
 constexpr double kHipOut = 0.0365, kHipUp = -0.0215;
 
-/// Nodes from one of the tree to the root.
+/// Positions of the nodes from `node` to the root.
 NodePath pathUp(const PoseTree& tree, int32_t node) {
   NodePath path;
   for (; node >= 0; node = tree.nodes[size_t(node)].parent)
@@ -22,7 +22,7 @@ NodePath pathUp(const PoseTree& tree, int32_t node) {
   return path;
 }
 
-/// Way from a path's end to its point nearest to `position`.
+/// Path length from a path's end to its point nearest to `position`, metres.
 double pathLengthTo(const NodePath& path, const Eigen::Vector3d& position) {
   double nearest = (path.front() - position).squaredNorm(), path_length = 0.0, best = 0.0;
   for (size_t i = 1; i < path.size(); ++i) {
@@ -54,11 +54,11 @@ double ownLength(const PoseTree& tree, int32_t node) {
   return length;
 }
 
-void placeOn(const TreeExtremity& tip, double fraction, TreeJoint joint, double most,
-             PoseTree* tree) {
-  const NodePath path = pathUp(*tree, tip.node);
-  const double path_length = pathLengthTo(path, tip.position) + fraction;
-  if (path_length <= most) tree->joints[size_t(joint)] = atPathLength(path, path_length);
+void placeOn(const TreeExtremity& extremity, double fraction, TreeJoint joint,
+             double max_path_length, PoseTree* tree) {
+  const NodePath path = pathUp(*tree, extremity.node);
+  const double path_length = pathLengthTo(path, extremity.position) + fraction;
+  if (path_length <= max_path_length) tree->joints[size_t(joint)] = atPathLength(path, path_length);
 }
 
 }  // namespace

@@ -8,9 +8,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kSurest = 1e-6;                       // of the model of the ends
-constexpr double kShankLow = 0.10, kShankHigh = 0.25;  // shares of the longest path from the end
-constexpr double kTip = 0.05;                          // share of the longest path
+constexpr double kMinOdds = 1e-6;  // limit on the probability of the extremities' labels
+constexpr double kShankLow = 0.10,
+                 kShankHigh = 0.25;  // fractions of the longest path, from the extremity
+constexpr double kTip = 0.05;        // fraction of the longest path
 constexpr double kFoot = label_ratio::kFoot + label_ratio::kToe;
 
 double lengthOf(const NodePath& path) {
@@ -43,7 +44,7 @@ double meanThickness(const NodePath& path, const TreeVolume& volume) {
 }
 
 double longestSpur(const std::vector<TreeNode>& nodes) {
-  std::vector<double> path_lengths(nodes.size(), 0.0);  // from where a part ends
+  std::vector<double> path_lengths(nodes.size(), 0.0);  // from the end of a part
   for (size_t i = 1; i < nodes.size(); ++i) {
     if (nodes[i].part != TreePart::kNone) continue;
     const size_t up = size_t(nodes[i].parent);
@@ -68,13 +69,13 @@ void fillSides(const LabelledBody& body, bool together, ValidityFeatures* featur
   forward = forward.stableNormalized();
   out[kFeetForward] = 1.0;
   for (const NodePath& leg : paths.legs) {
-    const NodePath foot = stretch(leg, 0.0, kFoot * longest);
+    const NodePath foot = pathSection(leg, 0.0, kFoot * longest);
     out[kFeetForward] =
         std::min(out[kFeetForward], forward.dot(foot.front() - foot.back()) / longest);
   }
 }
 
-/// Way from a node to the root, the head's end.
+/// Path length from a node to the root, the head's extremity.
 double pathLengthToHead(const std::vector<TreeNode>& nodes, int32_t node) {
   double path_length = 0.0;
   for (int32_t up = nodes[size_t(node)].parent; up >= 0; node = up, up = nodes[size_t(up)].parent)
@@ -82,7 +83,7 @@ double pathLengthToHead(const std::vector<TreeNode>& nodes, int32_t node) {
   return path_length;
 }
 
-/// Limbs that are cut off in the hull are short, unlike and thick at the end.
+/// Limbs that are cut off in the hull are short, differ in length and are thick at the end.
 void fillLimbs(const LabelledBody& body, ValidityFeatures* features) {
   const double longest = body.choice.longest;
   const RerootedTree& tree = body.rerooted;
@@ -93,7 +94,7 @@ void fillLimbs(const LabelledBody& body, ValidityFeatures* features) {
     return std::abs(std::log(std::max(a, 1e-3) / std::max(b, 1e-3)));
   };
   const auto radius = [&](const NodePath& path) {
-    return meanThickness(stretch(path, 0.0, kTip * longest), body.volume) / longest;
+    return meanThickness(pathSection(path, 0.0, kTip * longest), body.volume) / longest;
   };
   const BodyPaths& paths = body.paths;
   ValidityFeatures& out = *features;
@@ -135,7 +136,7 @@ ValidityFeatures validityFeatures(const LabelledBody& body) {
   ValidityFeatures out{};
   const BodyPaths& paths = body.paths;
   const double longest = body.choice.longest;
-  const double p = std::clamp(body.names_probability, kSurest, 1.0 - kSurest);
+  const double p = std::clamp(body.labels_probability, kMinOdds, 1.0 - kMinOdds);
   const bool together = body.rerooted.extremities[3] == body.rerooted.extremities[4];
   out[kNamesOdds] = std::log(p / (1.0 - p));
   fillSides(body, together, &out);
@@ -151,7 +152,7 @@ ValidityFeatures validityFeatures(const LabelledBody& body) {
   out[kLongerArm] = std::max(arms[0], arms[1]) / longest;
   out[kSpurLength] = longestSpur(body.rerooted.nodes) / longest;
   for (const NodePath& leg : paths.legs) {
-    const NodePath shank = stretch(leg, kShankLow * longest, kShankHigh * longest);
+    const NodePath shank = pathSection(leg, kShankLow * longest, kShankHigh * longest);
     out[kShankRadius] = std::max(out[kShankRadius], meanThickness(shank, body.volume) / longest);
   }
   out[kFeetGap] = (paths.legs[0].front() - paths.legs[1].front()).norm() / longest;

@@ -10,46 +10,47 @@
 
 namespace markerless_mocap {
 
-/// What a labelled tree tells about whether it is labelled right. Lengths are shares of the longest
-/// path unless told otherwise.
+/// Measures of a labelled tree from which the probability of correct labels is estimated. Lengths
+/// are fractions of the longest path.
 enum ValidityFeature {
-  kNamesOdds,    ///< log-odds of the model of the ends, see ExtremityLabels
-  kArmsOffset,   ///< how far one lies left of the other, see leftOffset()
-  kLegsOffset,   ///< 0 with feet together
-  kArmsAcross,   ///< cosine between left and the way from arm to arm
-  kLegsAgree,    ///< cosine between what the two legs say about forward
-  kFeetForward,  ///< way of a foot in its length along forward, of the less turned one
-  kHeadBelow,    ///< of the head's end below the highest node
-  kHeadUpright,  ///< cosine between torso and the way from hips to head
-  kHandNear,     ///< from the trunk to the nearer hand
-  kSpurLength,   ///< longest branch that no part claims
-  kShankRadius,  ///< of the thicker one
+  kNamesOdds,    ///< log-odds of ExtremityLabels::probability
+  kArmsOffset,   ///< distance by which one arm lies left of the other, see leftOffset()
+  kLegsOffset,   ///< the same of the legs; 0 if the feet share an extremity
+  kArmsAcross,   ///< cosine between `left` and the direction from arm to arm
+  kLegsAgree,    ///< cosine between the forward directions of the two legs
+  kFeetForward,  ///< component of a foot along `forward`, divided by its length; the larger of both
+                 ///< feet
+  kHeadBelow,    ///< height of the highest node above the head's extremity
+  kHeadUpright,  ///< cosine between the torso and the direction from hips to head
+  kHandNear,     ///< distance from the trunk to the nearer hand
+  kSpurLength,   ///< longest branch that belongs to no part
+  kShankRadius,  ///< of the thicker shank
   kShorterArm,
   kLongerArm,
-  kFeetGap,       ///< straight
-  kLowFootUp,     ///< of the lower foot above the lowest node
-  kShorterReach,  ///< way from the head's end to the nearer hand
-  kArmsUnlike,    ///< absolute log ratio of these ways
-  kLegsUnlike,    ///< of the ways to the feet
+  kFeetGap,       ///< straight-line distance between the feet
+  kLowFootUp,     ///< height of the lower foot above the lowest node
+  kShorterReach,  ///< path length from the head's extremity to the nearer hand
+  kArmsUnlike,    ///< absolute log ratio of the path lengths to the hands
+  kLegsUnlike,    ///< absolute log ratio of the path lengths to the feet
   kHandRadius,    ///< of the thicker hand
   kFootRadius,
   kHeadRadius,
-  kFeetAreOne,  ///< 1: both feet share one end
+  kFeetAreOne,  ///< 1: both feet share one extremity
   kValidityFeatureCount
 };
 using ValidityFeatures = std::array<double, kValidityFeatureCount>;
 /// "names_odds", ...
 const char* toString(ValidityFeature feature);
 
-/// A body whose ends are chosen and whose axes are known.
+/// A body whose extremities are chosen and whose axes are known.
 struct LabelledBody {
   const TreeGraph& graph;
   const TreeVolume& volume;
   const LabelChoice& choice;
   const RerootedTree& rerooted;
-  const BodyPaths& paths;  ///< none empty
+  const BodyPaths& paths;  ///< none of them empty
   const BodyAxes& axes;
-  double names_probability;
+  double labels_probability;
 };
 ValidityFeatures validityFeatures(const LabelledBody& body);
 

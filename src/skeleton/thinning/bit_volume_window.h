@@ -7,8 +7,8 @@
 
 namespace markerless_mocap {
 
-/// The box of a lattice that holds a set of voxels, as bits. Its rows lie along the axis of the
-/// lattice that takes the fewest words, for a standing person z.
+/// The bounding box of a set of voxels of a lattice, as bits. Its rows lie along the axis that
+/// needs the fewest words; this is z for a standing person.
 class BitVolumeWindow {
  public:
   /// \param voxels linear indices, ascending, at least one
@@ -22,8 +22,8 @@ class BitVolumeWindow {
  private:
   /// Voxels of one row of the lattice.
   struct Row {
-    size_t begin, end;      ///< in the list
-    Eigen::Vector3i first;  ///< coordinates
+    size_t begin, end;      ///< in the list of voxels
+    Eigen::Vector3i first;  ///< lattice coordinates
   };
   void listRows(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels);
   void place(const VoxelLattice& lattice, const std::vector<uint32_t>& voxels);
@@ -31,7 +31,7 @@ class BitVolumeWindow {
   std::vector<Row> rows_;
   BitBox box_;
   Eigen::Vector3i low_ = Eigen::Vector3i::Zero();  ///< first voxel of the box
-  int axis_ = 0;                                   ///< of the lattice, along the rows
+  int axis_ = 0;                                   ///< axis of the lattice along the rows
 };
 
 }  // namespace markerless_mocap

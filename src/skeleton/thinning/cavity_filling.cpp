@@ -3,16 +3,16 @@
 namespace markerless_mocap {
 namespace {
 
-/// All bits from the lowest set one up.
+/// All bits from the lowest set bit upwards.
 uint64_t smearedUp(uint64_t word) {
   return word == 0 ? 0 : ~uint64_t(0) << __builtin_ctzll(word);
 }
-/// All bits from the highest set one down.
+/// All bits from the highest set bit downwards.
 uint64_t smearedDown(uint64_t word) {
   return word == 0 ? 0 : ~uint64_t(0) >> __builtin_clzll(word);
 }
 
-/// What lies between two of the object's voxels of its own row.
+/// Sets the empty voxels between two of the object's voxels of the same row.
 void flankAlongRows(const BitBox& box, const BitWords& voxels, BitWords* flanked) {
   for (size_t row = box.guard; row < box.words - box.guard; row += box.row) {
     uint64_t whole = 0;
@@ -28,7 +28,7 @@ void flankAlongRows(const BitBox& box, const BitWords& voxels, BitWords* flanked
   }
 }
 
-/// Narrows `flanked` to what has the object before and behind it across rows of a plane.
+/// Restricts `flanked` to voxels with the object on both sides across the rows of a plane.
 void flankAcrossRows(const BitBox& box, const BitWords& voxels, BitWords* flanked) {
   for (size_t plane = box.guard; plane < box.words - box.guard; plane += box.plane) {
     for (size_t first = plane; first < plane + box.row; ++first) {
@@ -55,7 +55,7 @@ void flankByPlane(size_t plane, size_t words, const BitWords& voxels, uint64_t* 
   }
 }
 
-/// The same across planes; `before` is scratch.
+/// The same across planes; `before` is scratch memory.
 void flankAcrossPlanes(const BitBox& box, const BitWords& voxels, BitWords* before,
                        BitWords* flanked) {
   before->assign(box.plane, 0);

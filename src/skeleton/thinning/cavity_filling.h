@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// Fills what is empty inside an object and not 6-connected with the outside.
+/// Fills the cavities of an object: empty voxels that are not 6-connected with the outside.
 class CavityFiller {
  public:
   /// Returns the number of voxels filled.
@@ -17,9 +17,9 @@ class CavityFiller {
   void markFlanked(const BitBox& box, const BitWords& voxels);
   void openFromOutside(const BitBox& box, const BitWords& voxels);
 
-  BitWords flanked_;  ///< empty, with an object's voxel somewhere to all six sides
+  BitWords flanked_;  ///< empty voxels with a voxel of the object somewhere in all six directions
   BitWords before_;
-  std::vector<size_t> open_;  ///< bits reached from outside whose neighbours are to be looked at
+  std::vector<size_t> open_;  ///< bits reached from outside whose neighbours are to be visited
 };
 
 }  // namespace markerless_mocap

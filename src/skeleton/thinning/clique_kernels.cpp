@@ -7,7 +7,7 @@
 namespace markerless_mocap::clique_kernels {
 namespace {
 
-/// Rows of one word need no bits of the words beside them.
+/// Rows of one word need no bits of neighbouring words.
 template <bool kOneWord, class Word>
 MOCAP_INLINE uint64_t next(Word at) {
   return kOneWord ? at(0) >> 1 : at(0) >> 1 | at(1) << 63;
@@ -17,7 +17,7 @@ MOCAP_INLINE uint64_t previous(Word at) {
   return kOneWord ? at(0) << 1 : at(0) << 1 | at(-1) >> 63;
 }
 
-/// The words of one or several rows together.
+/// The words of one row, or of several rows combined.
 struct Row {
   const uint64_t* a;
   MOCAP_INLINE uint64_t operator()(ptrdiff_t i) const { return a[i]; }
@@ -38,9 +38,9 @@ struct Verdict {
   uint64_t critical, isthmus;
 };
 
-/// Of a pair whose eight columns of neighbours, in order around it, are the arguments. They are
-/// counted by Hilditch's crossings: one is a block that shrinks to a point, none an empty or a
-/// closed ring.
+/// Classifies a pair by the eight columns of neighbours around it, given in order. They are counted
+/// by Hilditch's crossing number: 1 is a block that shrinks to a point, 0 an empty or a closed
+/// ring.
 MOCAP_INLINE Verdict ringVerdict(uint64_t a, uint64_t ab, uint64_t b, uint64_t bc, uint64_t c,
                                  uint64_t cd, uint64_t d, uint64_t da) {
   const uint64_t at_a = ~a & (ab | b), at_b = ~b & (bc | c);
@@ -150,7 +150,8 @@ MOCAP_INLINE void edgesAlong(ptrdiff_t along, ptrdiff_t across, const uint64_t* 
   found->isthmus |= all.isthmus;
 }
 
-/// Around a corner: a clique shares it alone if it has voxels on both sides along every axis.
+/// Cliques around a corner: a clique shares the corner alone if it has voxels on both sides along
+/// every axis.
 template <bool kOneWord>
 MOCAP_INLINE void cornersOf(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                             const uint64_t* __restrict candidates, size_t begin, size_t end,
@@ -231,12 +232,12 @@ MOCAP_INLINE Found corners(const BitBox& box, const WordSpans& spans, const uint
   return found;
 }
 
-/// `members` tells the voxels of the cliques at a word. Candidates that join are added to
-/// `isthmuses` before those of critical cliques are cleared.
+/// `members` returns the voxels of the cliques at a word. Candidates that are isthmuses are added
+/// to `isthmuses` before those of critical cliques are cleared.
 template <class Members>
-MOCAP_INLINE void takeOut(const WordSpans& spans, bool isthmus, const CliqueWords& cliques,
-                          Members members, uint64_t* __restrict candidates,
-                          uint64_t* __restrict isthmuses) {
+MOCAP_INLINE void removeMembers(const WordSpans& spans, bool isthmus, const CliqueWords& cliques,
+                                Members members, uint64_t* __restrict candidates,
+                                uint64_t* __restrict isthmuses) {
   const uint64_t* const c[3] = {cliques.critical[0].data(), cliques.critical[1].data(),
                                 cliques.critical[2].data()};
   const uint64_t* const j[3] = {cliques.isthmus[0].data(), cliques.isthmus[1].data(),
@@ -269,28 +270,26 @@ MOCAP_WIDEST Found findCorners(const BitBox& box, const WordSpans& spans, const 
                       : corners<false>(box, spans, object, candidates, cliques);
 }
 
-MOCAP_WIDEST void takeOutPairs(const BitBox& box, const WordSpans& spans,
-                               const CliqueWords& cliques, bool isthmus, uint64_t* candidates,
-                               uint64_t* isthmuses) {
+MOCAP_WIDEST void removePairs(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
+                              bool isthmus, uint64_t* candidates, uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
     return inPairs(y, z, a, b, c);
   };
-  takeOut(spans, isthmus, cliques, members, candidates, isthmuses);
+  removeMembers(spans, isthmus, cliques, members, candidates, isthmuses);
 }
 
-MOCAP_WIDEST void takeOutEdges(const BitBox& box, const WordSpans& spans,
-                               const CliqueWords& cliques, bool isthmus, uint64_t* candidates,
-                               uint64_t* isthmuses) {
+MOCAP_WIDEST void removeEdges(const BitBox& box, const WordSpans& spans, const CliqueWords& cliques,
+                              bool isthmus, uint64_t* candidates, uint64_t* isthmuses) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   const auto members = [&](const uint64_t* a, const uint64_t* b, const uint64_t* c) {
     return inEdges(y, z, a, b, c);
   };
-  takeOut(spans, isthmus, cliques, members, candidates, isthmuses);
+  removeMembers(spans, isthmus, cliques, members, candidates, isthmuses);
 }
 
-MOCAP_WIDEST void takeOutCorners(const BitBox& box, const WordSpans& spans,
-                                 const CliqueWords& cliques, uint64_t* __restrict candidates) {
+MOCAP_WIDEST void removeCorners(const BitBox& box, const WordSpans& spans,
+                                const CliqueWords& cliques, uint64_t* __restrict candidates) {
   const auto y = ptrdiff_t(box.row), z = ptrdiff_t(box.plane);
   const uint64_t* corner = cliques.critical[0].data();
   for (const auto& [begin, end] : spans) {

@@ -27,11 +27,11 @@ void CriticalCliques::keep(const WordSet& candidate_words, const BitWords& objec
   listSpans(candidate_words);
   uint64_t *const left = candidates->data(), *const isthmus = isthmuses->data();
   const Found pairs = findPairs(box_, spans_, object.data(), left, &cliques_);
-  if (pairs.critical != 0) takeOutPairs(box_, spans_, cliques_, pairs.isthmus != 0, left, isthmus);
+  if (pairs.critical != 0) removePairs(box_, spans_, cliques_, pairs.isthmus != 0, left, isthmus);
   const Found edges = findEdges(box_, spans_, object.data(), left, &cliques_);
-  if (edges.critical != 0) takeOutEdges(box_, spans_, cliques_, edges.isthmus != 0, left, isthmus);
+  if (edges.critical != 0) removeEdges(box_, spans_, cliques_, edges.isthmus != 0, left, isthmus);
   const Found corners = findCorners(box_, spans_, object.data(), left, &cliques_);
-  if (corners.critical != 0) takeOutCorners(box_, spans_, cliques_, left);
+  if (corners.critical != 0) removeCorners(box_, spans_, cliques_, left);
 }
 
 }  // namespace markerless_mocap

@@ -8,7 +8,8 @@
 namespace markerless_mocap {
 namespace {
 
-/// Of a 3 x 3 x 3 block, as neighborhood() has it: all, those beyond the first layer.
+/// Masks of a 3 x 3 x 3 block in the order of neighborhood(): all voxels; all after the first
+/// layer.
 constexpr uint32_t kAll = (1u << 27) - 1;
 constexpr uint32_t kNotLowX = kAll & ~0b001001001001001001001001001u;
 constexpr uint32_t kNotLowY = kAll & ~0b000000111000000111000000111u;
@@ -19,7 +20,7 @@ uint32_t dilated(uint32_t set) {
   return (set | set >> 9 | set << 9) & kAll;
 }
 
-/// 256 neighbourhoods side by side, a bit of each per word.
+/// 256 neighbourhoods in parallel, one bit of each.
 using Lanes = uint64_t __attribute__((vector_size(32)));
 
 bool anyOf(const Lanes& lanes) {
@@ -27,7 +28,7 @@ bool anyOf(const Lanes& lanes) {
 }
 
 struct Neighbors {
-  /// Of each of the 26 neighbours: those of the 26 that touch it.
+  /// For each of the 26 neighbours: the neighbours that touch it.
   std::array<std::vector<int>, 26> touching;
   struct Edge {
     int faces[2];
@@ -64,7 +65,7 @@ struct Neighbors {
 
 using Around = std::array<Lanes, 26>;
 
-/// Where the object's neighbours are one 26-component.
+/// Sets the lanes in which the object's neighbours are one 26-connected component.
 [[gnu::always_inline]] inline void oneObject(const Neighbors& of, const Around& object,
                                              Lanes* result) {
   Around reached;
@@ -88,7 +89,8 @@ using Around = std::array<Lanes, 26>;
   *result = seen & ~missed;
 }
 
-/// Where the empty ones of the six nearest are joined by empty ones of the eighteen nearest.
+/// Sets the lanes in which the empty voxels of the 6 nearest neighbours are connected by empty
+/// voxels of the 18 nearest.
 [[gnu::always_inline]] inline void oneBackground(const Neighbors& of, const Around& object,
                                                  Lanes* result) {
   Around reached = {};

@@ -8,24 +8,26 @@ namespace markerless_mocap {
 /// Bit of the voxel itself in a neighbourhood of 27 bits (see neighborhood()).
 constexpr uint32_t kCenterBit = 1u << 13;
 
-/// 26-components of the object around a voxel, itself left out.
+/// Number of 26-connected components of the object in the neighbourhood of a voxel, without the
+/// voxel itself.
 int objectComponents(uint32_t neighborhood);
 
-/// For all neighbourhoods whether the voxel in the middle is simple: it touches one 26-component
-/// of the object and one 6-component of the background within its 18 nearest neighbours, so that
-/// the topology is the same without it (Malandain & Bertrand 1992).
+/// A table that tells for each neighbourhood whether the voxel in its centre is simple, so that its
+/// removal does not change the topology. It is simple if it touches one 26-connected component of
+/// the object, and one 6-connected component of the background within its 18 nearest neighbours
+/// (Malandain & Bertrand 1992).
 class SimplePointTable {
  public:
-  /// The one of the process, filled at the first call.
+  /// The table of this process, filled at the first call.
   static const SimplePointTable& shared();
 
-  /// \param neighborhood 27 bits; that of the voxel itself does not matter
+  /// \param neighborhood 27 bits; the bit of the voxel itself is ignored
   bool operator()(uint32_t neighborhood) const {
     const uint32_t around =
         (neighborhood & (kCenterBit - 1)) | (neighborhood >> 1 & ~(kCenterBit - 1));
     return words_[around / 64] >> (around % 64) & 1;
   }
-  /// Neighbourhoods of 26 voxels that are simple.
+  /// Number of simple neighbourhoods.
   uint64_t count() const;
 
  private:

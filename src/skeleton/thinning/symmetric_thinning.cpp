@@ -28,7 +28,7 @@ void SymmetricThinning::begin(const BitBox& box, int persistence, const BitWords
   cliques_.resize(box);
   for (BitWords* words : {&border_, &candidates_, &kept_, &isthmuses_, &seen_})
     words->assign(box.words, 0);
-  fresh_.assign(size_t(persistence), {});
+  new_isthmuses_.assign(size_t(persistence), {});
   candidate_words_ = object_words_ = WordSet(box.words);
   size_t voxels = 0;
   for (size_t i = 0; i < box.words; ++i) {
@@ -58,14 +58,14 @@ void SymmetricThinning::listBorder(const BitBox& box, const BitWords& object) {
   border_count_ = size_t(voxel - border_voxels_.data());
 }
 
-void SymmetricThinning::judgeBorder() {
+void SymmetricThinning::classifyBorder() {
   const SimplePointTable& simple = SimplePointTable::shared();
   size_t hard = 0;
   for (size_t n = 0; n < border_count_; ++n) {
     const BorderVoxel voxel = border_voxels_[n];
     const bool removable = simple(voxel.around);
     candidates_[voxel.bit / 64] |= uint64_t(removable) << (voxel.bit % 64);
-    border_voxels_[hard] = voxel;  // those that are not simple, from the front
+    border_voxels_[hard] = voxel;  // voxels that are not simple are moved to the front
     hard += removable ? 0 : 1;
   }
   for (size_t n = 0; n < hard; ++n)
@@ -88,8 +88,8 @@ void SymmetricThinning::keepEnds() {
 
 bool SymmetricThinning::finishRound(BitWords* object) {
   uint64_t removed = 0;
-  std::rotate(fresh_.begin(), fresh_.end() - 1, fresh_.end());
-  fresh_.front().clear();
+  std::rotate(new_isthmuses_.begin(), new_isthmuses_.end() - 1, new_isthmuses_.end());
+  new_isthmuses_.front().clear();
   candidate_words_.list(&candidate_spans_);
   for (const auto& [begin, end] : candidate_spans_) {
     for (size_t i = begin; i < end; ++i) {
@@ -99,14 +99,14 @@ bool SymmetricThinning::finishRound(BitWords* object) {
       if ((*object)[i] == 0) object_words_.remove(i);
       if (isthmuses_[i] == 0) continue;
       if (const uint64_t fresh = isthmuses_[i] & ~seen_[i]; fresh != 0)
-        fresh_.front().push_back({i, fresh});
+        new_isthmuses_.front().push_back({i, fresh});
       seen_[i] |= isthmuses_[i];
       isthmuses_[i] = 0;
     }
   }
-  const bool waiting =
-      std::any_of(fresh_.begin(), fresh_.end(), [](const auto& f) { return !f.empty(); });
-  for (const Bits& old : fresh_.back()) kept_[old.word] |= old.bits & (*object)[old.word];
+  const bool waiting = std::any_of(new_isthmuses_.begin(), new_isthmuses_.end(),
+                                   [](const auto& f) { return !f.empty(); });
+  for (const Bits& old : new_isthmuses_.back()) kept_[old.word] |= old.bits & (*object)[old.word];
   return removed != 0 || waiting;
 }
 
@@ -116,7 +116,7 @@ void SymmetricThinning::thin(const BitBox& box, int persistence, BitWords* objec
   for (int round = 0; changed; ++round) {
     listBorder(box, *object);
     if (round == 0) keepEnds();
-    judgeBorder();
+    classifyBorder();
     cliques_.keep(candidate_words_, *object, &candidates_, &isthmuses_);
     changed = finishRound(object);
   }

@@ -31,8 +31,8 @@ class Thinner::Workspace {
     skeleton.components_dropped = dropped.components;
     skeleton.voxels_dropped = dropped.voxels;
     skeleton.voxels_filled = cavities_.fill(box, &object_);
-    peeling_.thin(box, roundsIn(lattice.pitch), &object_);
-    sides_.thin(box, peeling_.kept(), &object_);
+    symmetric_.thin(box, roundsIn(lattice.pitch), &object_);
+    sides_.thin(box, symmetric_.kept(), &object_);
     skeleton.voxels = window_.unload(lattice, object_);
     return skeleton;
   }
@@ -49,7 +49,7 @@ class Thinner::Workspace {
   BitWords object_;
   LargestComponent components_;
   CavityFiller cavities_;
-  SymmetricThinning peeling_;
+  SymmetricThinning symmetric_;
   SideThinning sides_;
 };
 

@@ -4,15 +4,16 @@
 
 namespace markerless_mocap {
 
-/// Peels an object to curves and sheets of at most two voxels that join or end something, in
-/// rounds in which all voxels are judged at once (Bertrand & Couprie 2015).
+/// Thins an object to curves and sheets that are up to two voxels wide, in rounds in which all
+/// voxels are tested in parallel (symmetric scheme of Bertrand & Couprie 2015).
 class SymmetricThinning {
  public:
-  /// \param persistence rounds, from 1: a voxel that joins two sides of the object stays for good
-  ///   if it is still there so many rounds after it began to (Couprie & Bertrand 2016)
+  /// \param persistence number of rounds, at least 1: an isthmus, a voxel that connects two sides
+  ///   of the object, is kept permanently if it still exists this many rounds after it became one
+  ///   (Couprie & Bertrand 2016)
   void thin(const BitBox& box, int persistence, BitWords* object);
-  /// Ends of the object as it was, and voxels that joined two sides of it and persisted; some may
-  /// not be of the remains.
+  /// Ends of the object before thinning, and isthmuses that persisted. Some may not be in the
+  /// result.
   const BitWords& kept() const { return kept_; }
 
  private:
@@ -21,44 +22,46 @@ class SymmetricThinning {
     uint64_t bits;
   };
   struct BorderVoxel {
-    uint32_t bit;     ///< its place in the array
-    uint32_t around;  ///< its neighbourhood, without itself
+    uint32_t bit;     ///< its index in the array
+    uint32_t around;  ///< its neighbourhood, without the voxel itself
   };
   void begin(const BitBox& box, int persistence, const BitWords& object);
   void listBorder(const BitBox& box, const BitWords& object);
-  /// Splits the border into candidates, isthmuses, and others.
-  void judgeBorder();
+  /// Splits the border into candidates, isthmuses and other voxels.
+  void classifyBorder();
   void keepEnds();
-  /// Removes the candidates and keeps isthmuses that have persisted. False if there were no
-  /// candidates and there are no isthmuses that may yet persist.
+  /// Removes the candidates and keeps isthmuses that have persisted. Returns false if there were no
+  /// candidates and no isthmus can persist any more.
   bool finishRound(BitWords* object);
 
   CriticalCliques cliques_;
   BitWords border_, candidates_, kept_, isthmuses_;
-  BitWords seen_;  ///< all that were isthmuses
+  BitWords seen_;  ///< all voxels that were isthmuses
   WordSet object_words_;
   WordSet candidate_words_;  ///< words that may hold candidates
   WordSpans object_spans_, candidate_spans_;
-  std::vector<BorderVoxel> border_voxels_;  ///< the first border_count_ are of this round
+  std::vector<BorderVoxel>
+      border_voxels_;  ///< the first border_count_ entries are valid in this round
   size_t border_count_ = 0;
-  std::vector<std::vector<Bits>> fresh_;  ///< isthmuses by the round they came up in, last first
+  std::vector<std::vector<Bits>>
+      new_isthmuses_;  ///< isthmuses by the round in which they were found, last first
 };
 
-/// Removes simple voxels, direction by direction, until no simple voxel is left but ends that are
-/// to be kept. As long as it can, it leaves something beside each voxel that it removes, so that
-/// curves which are two voxels wide are not eaten up from their ends.
+/// Removes simple voxels, direction by direction, until only ends that are to be kept are simple.
+/// As long as possible, each removed voxel keeps a neighbour, so that curves two voxels wide are
+/// not shortened from their ends.
 class SideThinning {
  public:
   void thin(const BitBox& box, const BitWords& kept, BitWords* object);
 
  private:
   bool removable(size_t bit) const;
-  /// Whether something of `before_` would have nothing left beside it without this voxel.
+  /// Whether a voxel of `before_` would have no neighbour left without this voxel.
   bool alone(size_t bit) const;
-  /// True if it has removed something.
+  /// Returns whether a voxel was removed.
   bool thinOnce(bool cover);
 
-  const BitBox* box_ = nullptr;  ///< of the call, as the next two
+  const BitBox* box_ = nullptr;  ///< argument of the current call, as are the next two
   const BitWords* kept_ = nullptr;
   BitWords* object_ = nullptr;
   BitWords before_;

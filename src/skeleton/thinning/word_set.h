@@ -8,11 +8,11 @@
 
 namespace markerless_mocap {
 
-/// Words [first, second) of an array; both are multiples of four, so that loops over them need no
-/// remainder.
+/// Spans [first, second) of words of an array. Both bounds are multiples of four, so that
+/// vectorised loops have no remainder.
 using WordSpans = std::vector<std::pair<size_t, size_t>>;
 
-/// Which words of an array matter, a bit each.
+/// A set of words of an array, one bit per word.
 class WordSet {
  public:
   WordSet() = default;
@@ -21,7 +21,7 @@ class WordSet {
   void clear() { bits_.assign(bits_.size(), 0); }
   void remove(size_t word) { bits_[word / 64] &= ~(uint64_t(1) << (word % 64)); }
   void add(size_t word) { bits_[word / 64] |= uint64_t(1) << (word % 64); }
-  /// Adds the words that lie `by` before those of the set.
+  /// Adds the words that lie `by` words before those of `other`.
   void addBefore(const WordSet& other, size_t by) {
     const size_t skip = by / 64, shift = by % 64;
     for (size_t i = 0; i + skip + 1 < other.bits_.size(); ++i) {
@@ -29,7 +29,8 @@ class WordSet {
       if (shift != 0) bits_[i] |= other.bits_[i + skip + 1] << (64 - shift);
     }
   }
-  /// Spans of four words and multiples that hold the set; gaps of four words are bridged.
+  /// Lists spans that cover the set; their bounds are multiples of four, and gaps of four words are
+  /// bridged.
   void list(WordSpans* spans) const {
     spans->clear();
     for (size_t i = 0; i < bits_.size(); ++i) {

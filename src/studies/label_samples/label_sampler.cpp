@@ -41,7 +41,7 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
       << high->z() << ' ' << limb_cut << '\n';
   for (const ExtremityCandidate& end : ends.extremities)
     out << "end " << end.position.transpose() << ' ' << end.direction.transpose() << ' '
-        << end.extent << ' ' << end.tip_radius << ' ' << end.limb_radius << ' ' << end.branch << ' '
+        << end.extent << ' ' << end.end_radius << ' ' << end.limb_radius << ' ' << end.branch << ' '
         << end.cut << ' ' << trueEndsAt(end, truth) << '\n';
   for (const auto& [name, ways] :
        {std::make_pair("tree_path_lengths", &ends.tree_path_lengths),
