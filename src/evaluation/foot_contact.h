@@ -29,8 +29,8 @@ struct ContactRun {
 /// How far an estimated point travels across the floor while the true one rests on it.
 struct FootSkate {
   ContactRun run;
-  double
-      max_slide_mm;  ///< greatest horizontal distance from where it is first; NaN without estimate
+  /// Greatest horizontal distance from where it is first; NaN without estimate.
+  double max_slide_mm;
   double path_mm_per_s;  ///< horizontal way from frame to frame by its time; NaN below two frames
   double true_max_slide_mm, true_path_mm_per_s;  ///< the same of the truth
 };

@@ -61,8 +61,8 @@ constexpr double kExtremityLimit_mm = 150.0;
 struct ExtremityError {
   std::string name;  ///< of the left and right points without their side: hand, foot
   SummaryStatistics error_mm;
-  double
-      fraction_correct;  ///< of left and right in all frames of the truth; no estimate is not right
+  /// Of left and right in all frames of the truth; no estimate is not right.
+  double fraction_correct;
 };
 
 /// \param truth, estimate tracks of the same frames that have l_<name> and r_<name>; NaN figures

@@ -88,8 +88,8 @@ struct LabelErrors {
   SummaryStatistics hands_mm, feet_mm;    ///< left and right, over the valid frames
   SummaryStatistics hands_if_right_mm,
       feet_if_right_mm;  ///< over those in which all five are right
-  std::vector<PrecisionRecallPoint>
-      by_threshold;                         ///< from 0 to 1; only complete frames can reach it
+  /// From 0 to 1; only complete frames can reach it.
+  std::vector<PrecisionRecallPoint> by_threshold;
   std::vector<ReliabilityBin> reliability;  ///< by validity; empty tenths are left out
   /// Area under precision over recall, each threshold's step with its precision; 1 when every right
   /// frame has a higher validity than every wrong one. NaN without right frames.

@@ -17,8 +17,8 @@ struct UncertaintyCalibration {
   std::string point;
   size_t frames = 0;              ///< with both
   double expected_mm, actual_mm;  ///< root mean squares; NaN without frames
-  double
-      fraction_within_two_sigma;  ///< of the frames whose error is at most twice the expected one
+  /// Of the frames whose error is at most twice the expected one.
+  double fraction_within_two_sigma;
   std::vector<UncertaintyBin> bins;  ///< fifths of the frames, by expected error ascending
 };
 

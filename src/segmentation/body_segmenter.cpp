@@ -15,12 +15,12 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kTorsoModes = 10;  // stumps of arms and legs have the lowest ones
+constexpr int kTorsoModes = 10;  // the first modes may belong to stumps of arms and legs
 constexpr int kLimbModes = 3;
-// Of the curves by PartLabel: trunk and head bend once, a leg turns at the ankle.
+// Number of spline pieces by PartLabel: trunk and head bend once, a leg has a corner at the ankle.
 constexpr std::array<int, kPartCount> kPieces{1, 1, 3, 3, 5, 5};
 constexpr const char* kClosesLoop = " closes a loop: its hand touches the body";
-constexpr double kLeastLeg = 0.6;  // of the other leg's voxels
+constexpr double kMinLegRatio = 0.6;  // fraction of the other leg's voxels
 
 std::vector<PartLabel> nodeLabels(const VoxelGraph& voxels, const Limbs& limbs) {
   std::vector<PartLabel> labels(voxels.graph.nodeCount(), PartLabel::kTorso);
@@ -37,7 +37,7 @@ void carryOver(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& limbs, P
   memory->keep(stamp_ns, voxels, limbs, *labels);
 }
 
-/// Voxels outside the graph get the label of the node nearest to them.
+/// Labels of all voxels; a voxel outside the graph gets the label of the nearest node.
 std::vector<uint8_t> voxelLabels(const VisualHull& hull, const VoxelGraph& voxels,
                                  const std::vector<PartLabel>& node_labels) {
   std::vector<uint8_t> labels(hull.voxels.size());
@@ -63,8 +63,8 @@ Eigen::Vector3d meanCenter(const VoxelGraph& voxels, const std::vector<uint32_t>
   return mean / double(nodes.size());
 }
 
-/// Heights of all nodes along the direction from the legs to the head, as far as both are seen;
-/// along the vertical where neither is.
+/// Coordinates of all nodes along the direction from the legs to the head; if a part is not seen,
+/// from or to the torso; along the vertical if none is seen.
 std::vector<double> upTheTorso(const VoxelGraph& voxels, const Limbs& limbs,
                                const std::vector<uint32_t>& torso) {
   std::vector<uint32_t> legs = limbs.branch[size_t(PartLabel::kLeg1)].nodes;
@@ -101,8 +101,8 @@ void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<P
   }
 }
 
-/// Why the hull cannot be a person, or nothing.
-std::string hullFault(const VisualHull& hull, const SegmentationOptions& options) {
+/// The reason why the hull cannot be a person, or an empty string.
+std::string hullError(const VisualHull& hull, const SegmentationOptions& options) {
   if (hull.voxels.empty()) {
     return hull.reason.empty() ? "the hull is empty" : "the hull is empty: " + hull.reason;
   }
@@ -118,7 +118,7 @@ std::string hullFault(const VisualHull& hull, const SegmentationOptions& options
   return reason.str();
 }
 
-/// Names of the parts that a question is answered with no for.
+/// Names of the parts for which `answer` returns false.
 template <class Answer>
 std::string partsWithout(const BodyParts& parts, const Answer& answer) {
   std::string names;
@@ -129,7 +129,8 @@ std::string partsWithout(const BodyParts& parts, const Answer& answer) {
   return names;
 }
 
-/// A torso with a head, a leg and one more limb: fewer could be anything.
+/// Whether there are a torso, a head, a leg and one more limb. Fewer parts are not recognised as a
+/// body.
 bool isBody(const BodyParts& parts) {
   const auto seen = [&](PartLabel label) { return parts.part(label).seen; };
   const int legs = seen(PartLabel::kLeg1) + seen(PartLabel::kLeg2);
@@ -137,15 +138,15 @@ bool isBody(const BodyParts& parts) {
   return seen(PartLabel::kTorso) && seen(PartLabel::kHead) && legs >= 1 && legs + arms >= 2;
 }
 
-/// Whether legs that touch, if any do, have been shared out alike: else one has a piece of the
-/// other, of a skirt or of the trunk.
+/// Whether legs that touch are divided equally. If not, one leg contains voxels of the other, of a
+/// skirt or of the trunk.
 bool areLegsAlike(const BodyParts& parts) {
   const auto [less, more] = std::minmax(parts.part(PartLabel::kLeg1).voxel_count,
                                         parts.part(PartLabel::kLeg2).voxel_count);
-  return double(less) >= kLeastLeg * double(more);
+  return double(less) >= kMinLegRatio * double(more);
 }
 
-/// Says which arms close a loop, after a semicolon, or nothing.
+/// Text that names the arms that close a loop, after a semicolon; empty if there are none.
 std::string loopsIn(const Limbs& limbs) {
   std::string sentence;
   for (int part = 1; part < kPartCount; ++part)
@@ -154,7 +155,7 @@ std::string loopsIn(const Limbs& limbs) {
   return sentence;
 }
 
-void judge(const Limbs& limbs, double max_cost, BodyParts* result) {
+void setStatus(const Limbs& limbs, double max_cost, BodyParts* result) {
   const std::string missing = partsWithout(*result, [](const PartCurve& p) { return p.seen; });
   const std::string merged =
       partsWithout(*result, [](const PartCurve& p) { return p.whole || !p.seen; });
@@ -228,7 +229,7 @@ BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
   PartMemory* memory = tracker ? tracker->memory_.get() : nullptr;
   BodyParts result;
   result.labels.assign(hull.voxels.size(), uint8_t(PartLabel::kTorso));
-  result.reason = hullFault(hull, options_);
+  result.reason = hullError(hull, options_);
   if (!result.reason.empty()) return result;
   const VoxelGraph voxels = buildVoxelGraph(hull, options_.use_color_votes, options_.shrink_weight);
   try {
@@ -238,7 +239,7 @@ BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
     if (memory) carryOver(stamp_ns, voxels, limbs, memory, &labels, &result);
     result.labels = voxelLabels(hull, voxels, labels);
     fitCurves(voxels, limbs, labels, &result);
-    judge(limbs, options_.max_cost, &result);
+    setStatus(limbs, options_.max_cost, &result);
   } catch (const std::runtime_error& error) {
     result.reason = error.what();
   }

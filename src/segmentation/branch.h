@@ -5,10 +5,10 @@
 
 namespace markerless_mocap {
 
-/// A limb-like piece of a voxel graph, not yet named.
+/// A limb-like part of a voxel graph, before a body part is assigned.
 struct Branch {
-  uint32_t extremity = 0;       ///< node furthest out
-  std::vector<uint32_t> nodes;  ///< ascending; holds the tip
+  uint32_t extremity = 0;       ///< node furthest from the core
+  std::vector<uint32_t> nodes;  ///< ascending; contains the extremity
 };
 
 }  // namespace markerless_mocap

@@ -5,13 +5,14 @@
 
 namespace markerless_mocap {
 
-/// Makes a frame's eigenmap look like that of the frame before: turns each column's sign and,
-/// within a cluster of near-equal values (each at most 5 % above the one before), the columns among
-/// each other, so that they come nearest to the previous ones where the body is near where it was.
-/// Within a cluster the columns are then solutions only up to the cluster's own width.
-/// \param previous_graph, previous of the frame before, with cells of the same lattice
+/// Aligns the eigenmap of a frame with that of the previous frame. The sign of each column is
+/// changed if needed, and columns of a cluster of nearly equal values (each up to 5 % above the one
+/// before) are rotated among each other, so that they are nearest to the previous columns where the
+/// body overlaps its previous position. Rotated columns solve the eigenproblem only up to the width
+/// of their cluster.
+/// \param previous_graph, previous of the previous frame, with cells of the same lattice
 /// \param graph, map of this frame, with cells
-/// Columns that the previous eigenmap lacks stay as they are.
+/// Columns that the previous eigenmap lacks are not changed.
 void alignEigenmap(const WeightedGraph& previous_graph, const Eigenmap& previous,
                    const WeightedGraph& graph, Eigenmap* map);
 

@@ -6,18 +6,18 @@
 
 namespace markerless_mocap {
 
-/// Place of a node on a lattice; coordinates are from 0 to 65535.
+/// Cell of a node on a lattice; coordinates are from 0 to 65535.
 class LatticeCell {
  public:
   LatticeCell(int i, int j, int k)
       : packed_(uint64_t(uint16_t(i)) | uint64_t(uint16_t(j)) << 16 | uint64_t(uint16_t(k)) << 32) {
   }
-  /// The cell of a lattice of twice the pitch that it lies in.
+  /// The cell that contains this one, on a lattice of twice the pitch.
   LatticeCell block() const { return LatticeCell((packed_ >> 1) & 0x7fff7fff7fff); }
   int i() const { return int(packed_ & 0xffff); }
   int j() const { return int(packed_ >> 16 & 0xffff); }
   int k() const { return int(packed_ >> 32); }
-  /// One number for each cell.
+  /// A distinct number for each cell.
   uint64_t packed() const { return packed_; }
   bool operator==(const LatticeCell& other) const { return packed_ == other.packed_; }
 
@@ -27,13 +27,13 @@ class LatticeCell {
   uint64_t packed_;
 };
 
-/// Undirected weighted graph in compressed rows. Each edge stands in the rows of both its ends with
-/// the same weight; weights are > 0; no node is its own neighbour.
+/// Undirected weighted graph in compressed rows. Each edge is in the rows of both its ends with the
+/// same weight. Weights are > 0. No node is its own neighbour.
 struct WeightedGraph {
   std::vector<uint32_t> row_start{0};  ///< node i's edges are [row_start[i], row_start[i + 1])
   std::vector<uint32_t> neighbor;
   std::vector<double> weight;
-  /// Of each node, or empty. Edges join near cells; what is solved on the graph is solved faster.
+  /// Cell of each node, or empty. Edges join nearby cells. Solvers are faster if cells are given.
   std::vector<LatticeCell> cell;
 
   size_t nodeCount() const { return row_start.size() - 1; }
@@ -45,21 +45,21 @@ struct Edge {
   double weight;
 };
 
-/// \param edges each pair of nodes at most once, in either direction
+/// \param edges each pair of nodes up to once, in either direction
 WeightedGraph graphOfEdges(size_t nodes, const std::vector<Edge>& edges);
 
 std::vector<uint32_t> allNodesOf(const WeightedGraph& graph);
 
-/// Connected component of each node, numbered from 0 in the order of their lowest node.
-/// \param row_start, neighbor as WeightedGraph
+/// Connected component of each node, numbered from 0 in the order of the components' first nodes.
+/// \param row_start, neighbor as in WeightedGraph
 std::vector<uint32_t> connectedComponents(const std::vector<uint32_t>& row_start,
                                           const std::vector<uint32_t>& neighbor);
 inline std::vector<uint32_t> connectedComponents(const WeightedGraph& graph) {
   return connectedComponents(graph.row_start, graph.neighbor);
 }
 
-/// The number that stands most often, the lowest of equals.
-/// \param numbers small ones; not empty
+/// The most frequent number; of equally frequent ones the smallest.
+/// \param numbers small numbers; not empty
 uint32_t mostFrequent(const std::vector<uint32_t>& numbers);
 
 }  // namespace markerless_mocap

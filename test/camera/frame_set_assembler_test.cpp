@@ -34,7 +34,7 @@ TEST(FrameSetAssembler, StampsFurtherApartThanToleranceAreTwoInstants) {
   Assembler assembler = makeAssembler(2);
   assembler.add(0, 0, 1);
   EXPECT_TRUE(assembler.add(1, 6 * kMs, 2).empty());
-  EXPECT_EQ(assembler.add(1, 5 * kMs, 3).size(), 0u) << "nearest instant is the one at 6 ms";
+  EXPECT_EQ(assembler.add(1, 5 * kMs, 3).size(), 0u) << "nearest frame set is the one at 6 ms";
   EXPECT_EQ(assembler.counts().duplicate, 1u);
 }
 
@@ -102,7 +102,7 @@ TEST(FrameSetAssembler, OneStreamWithAWrongClockIsOutvoted) {
   EXPECT_EQ(assembler.counts().incomplete, 16u) << "frames 0 to 15 are past the deadline";
 }
 
-/// Plays `frames` complete frames at 30 Hz from `start_ns`; the number of instants given out.
+/// Plays `frames` complete frames at 30 Hz from `start_ns`; returns the number of frame sets.
 size_t play(Assembler* assembler, size_t streams, int64_t start_ns, int frames) {
   size_t given = 0;
   for (int frame = 0; frame < frames; ++frame)

@@ -166,7 +166,7 @@ TEST(HullCarver, MissingCameraIsAsIfItWereNotInTheRig) {
   EXPECT_EQ(without, indices(HullCarver(rig, makeOptions()).carve(views)));
 }
 
-/// All that is told of the voxels, and of components and cameras.
+/// All fields of the voxels, components and cameras.
 std::vector<double> everythingOf(const VisualHull& hull) {
   std::vector<double> all;
   for (const HullVoxel& voxel : hull.voxels) {

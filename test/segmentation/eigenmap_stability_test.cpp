@@ -52,7 +52,7 @@ TEST(LaplacianEigenmap, RefusesAGraphInPieces) {
     FAIL() << "nothing was thrown";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
-                 "laplacianEigenmap: the graph falls into 2 pieces, it must be connected");
+                 "laplacianEigenmap: the graph has 2 components, it must be connected");
   }
   EXPECT_THROW(laplacianEigenmap(graphOfEdges(4, {{0, 1, 1.0}, {2, 3, 1.0}}), 2),
                std::invalid_argument);

@@ -10,7 +10,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Distance of the nearest tip from a place, metres.
+/// Distance of the nearest extremity from a point, metres.
 double nearestExtremity(const VoxelGraph& voxels, const std::vector<uint32_t>& extremities,
                         const Eigen::Vector3d& place) {
   double nearest = 1e9;

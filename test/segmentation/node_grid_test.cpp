@@ -13,7 +13,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Cells of a random walk that often crosses itself: ways along it turn in all directions.
+/// Cells of a random walk that often crosses itself: paths along it turn in all directions.
 std::vector<Eigen::Vector3i> windingCells(int steps) {
   std::mt19937 random(7);
   std::set<std::tuple<int, int, int>> known;  // z, y, x
@@ -42,9 +42,9 @@ std::vector<double> bellmanWays(const std::vector<Eigen::Vector3i>& cells, uint3
       }
     }
   }
-  std::vector<double> ways;
-  for (const int c : cost) ways.push_back(c / 3.0);
-  return ways;
+  std::vector<double> distances;
+  for (const int c : cost) distances.push_back(c / 3.0);
+  return distances;
 }
 
 TEST(NodeGrid, MeasuresWaysAroundCorners) {
@@ -60,11 +60,11 @@ TEST(NodeGrid, MeasuresWaysAroundCorners) {
 
 TEST(NodeGrid, MeasuresWaysFromEachSourceByItself) {
   const NodeGrid grid({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}, {9, 9, 10}});
-  const auto ways = grid.geodesicsOfEach({0, 2, 4});
-  ASSERT_EQ(ways.size(), 3u);
-  EXPECT_EQ(ways[0], grid.geodesics({0}));
-  EXPECT_EQ(ways[1], grid.geodesics({2}));
-  EXPECT_EQ(ways[2], grid.geodesics({4}));
+  const auto distances = grid.geodesicsOfEach({0, 2, 4});
+  ASSERT_EQ(distances.size(), 3u);
+  EXPECT_EQ(distances[0], grid.geodesics({0}));
+  EXPECT_EQ(distances[1], grid.geodesics({2}));
+  EXPECT_EQ(distances[2], grid.geodesics({4}));
 }
 
 TEST(NodeGrid, FindsTheShortestOfWaysThatTurn) {
@@ -72,12 +72,13 @@ TEST(NodeGrid, FindsTheShortestOfWaysThatTurn) {
   const NodeGrid grid(cells);
   std::vector<uint32_t> sources;
   for (uint32_t i = 0; i < 11; ++i) sources.push_back(uint32_t((i * 97 + 13) % cells.size()));
-  const auto ways = grid.geodesicsOfEach(sources);
-  ASSERT_EQ(ways.size(), sources.size());
+  const auto distances = grid.geodesicsOfEach(sources);
+  ASSERT_EQ(distances.size(), sources.size());
   for (size_t i = 0; i < sources.size(); ++i) {
     const std::vector<double> expected = bellmanWays(cells, sources[i]);
     for (size_t node = 0; node < cells.size(); ++node)
-      ASSERT_DOUBLE_EQ(ways[i][node], expected[node]) << "from " << sources[i] << " to " << node;
+      ASSERT_DOUBLE_EQ(distances[i][node], expected[node])
+          << "from " << sources[i] << " to " << node;
   }
 }
 
@@ -86,9 +87,9 @@ TEST(NodeGrid, TakesTheNearestOfSeveralSources) {
   const NodeGrid grid(cells);
   const uint32_t last = uint32_t(cells.size()) - 1;
   const std::vector<double> nearest = grid.geodesics({last, 0});
-  const auto ways = grid.geodesicsOfEach({0, last});
+  const auto distances = grid.geodesicsOfEach({0, last});
   for (size_t node = 0; node < cells.size(); ++node)
-    ASSERT_DOUBLE_EQ(nearest[node], std::min(ways[0][node], ways[1][node]));
+    ASSERT_DOUBLE_EQ(nearest[node], std::min(distances[0][node], distances[1][node]));
 }
 
 TEST(NodeGridRegion, TakesOutWhatIsConnectedOverCorners) {

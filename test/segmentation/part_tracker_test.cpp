@@ -27,7 +27,7 @@ class Film {
   int64_t stamp_ = 1000 * kMs;
 };
 
-/// The share of a true arm's voxels, or of a true trunk's, that have a label.
+/// The fraction of a true arm's voxels, or of a true trunk's, that have a label.
 double fractionLabelled(const VoxelFigure& figure, PartLabel part, const BodyParts& parts,
                         PartLabel label) {
   const std::vector<PartLabel> truth = figure.parts();

@@ -29,15 +29,15 @@ struct BodyPose {
   std::string reason;  ///< one sentence if the pose is lost or a part is not seen, else empty
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()
-  std::array<bool, kPartCount>
-      part_seen{};  ///< by PartLabel; limb 1 is the model's left, limb 2 its right
+  /// By PartLabel; limb 1 is the model's left, limb 2 its right.
+  std::array<bool, kPartCount> part_seen{};
   /// Standard deviation of the position of each part's end (neck, head, wrists, ankles), metres, by
   /// PartLabel; NaN if the method does not estimate it.
   std::array<double, kPartCount> part_sigma_m = allNaN<kPartCount>();
   // Quality of the fit. Measures that the method does not use are NaN.
-  double silhouette_overlap =
-      NAN;  ///< mean of two fractions, that of the body inside the masks and that of the masks
-            ///< inside the body; mean over the views, 0 to 1
+  /// Mean of two fractions, that of the body inside the masks and that of the masks inside the
+  /// body; mean over the views, 0 to 1.
+  double silhouette_overlap = NAN;
   double skeleton_error_m = NAN;  ///< mean distance between part curves and model (Eq. 3-27)
   double hull_explained = NAN;    ///< fraction of hull voxels inside the body's shape, 0 to 1
   double body_in_hull = NAN;      ///< fraction of the body's volume inside the hull, 0 to 1

@@ -54,9 +54,9 @@ constexpr int kTreeJointCount = 13;
 const char* toString(TreeJoint joint);
 
 struct TreeNode {
-  Eigen::Vector3d position =
-      Eigen::Vector3d::Zero();  ///< smoothed along the skeleton, world metres
-  int32_t parent = -1;          ///< index of a node; -1: the root
+  /// Smoothed along the skeleton, world metres.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  int32_t parent = -1;  ///< index of a node; -1: the root
   TreePart part = TreePart::kNone;
 };
 

@@ -45,19 +45,19 @@ struct HullComponent {
 /// A camera whose mask was found to be wrong and was not used.
 struct LeftOutCamera {
   std::string name;
-  std::string
-      reason;  ///< for example "its mask is empty, but other cameras see a person in its view"
+  /// For example "its mask is empty, but other cameras see a person in its view".
+  std::string reason;
 };
 
 /// Result of `visual_hull` for one frame set. Voxels are sorted by index.
 struct VisualHull {
   VoxelLattice lattice;
-  std::vector<HullVoxel>
-      voxels;  ///< of the person's component or components; empty if there is no usable hull
+  /// Of the person's component or components; empty if there is no usable hull.
+  std::vector<HullVoxel> voxels;
   HullStatus status = HullStatus::kNobody;
   std::string reason;  ///< one sentence; empty when kOk
-  std::vector<HullComponent>
-      components;  ///< all components, largest first; poorly seen and suspected ghosts last
+  /// All components, largest first; poorly seen and suspected ghosts last.
+  std::vector<HullComponent> components;
   std::vector<LeftOutCamera> cameras_left_out;
 
   double litres() const {

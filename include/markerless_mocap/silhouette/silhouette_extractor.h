@@ -17,8 +17,8 @@ enum class SilhouetteState { kLearning, kReady, kStale };
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
   cv::Mat mask;  ///< CV_8UC1, 0 | 255, empty while learning
-  double changed_fraction =
-      0;  ///< fraction of pixels that differ from the background, with shadows, 0 to 1
+  /// Fraction of pixels that differ from the background, with shadows, 0 to 1.
+  double changed_fraction = 0;
   double light_gain = 1;  ///< brightness of the image divided by the background's
 };
 

@@ -134,8 +134,8 @@ double FaultyCameraFinder::unexplained(const std::vector<VoxelComponent>& compon
   cameras.resize(std::min(cameras.size(), size_t(max_cameras)));
   std::vector<double> fractions;
   for (const size_t c : cameras) fractions.push_back(unexplainedIn(c, components, how));
-  const auto middle = fractions.begin() + int(shares.size() / 2);
-  std::nth_element(fractions.begin(), middle, shares.end());
+  const auto middle = fractions.begin() + int(fractions.size() / 2);
+  std::nth_element(fractions.begin(), middle, fractions.end());
   return *middle;
 }
 

@@ -47,8 +47,8 @@ class FaultyCameraFinder {
   const CameraRig& rig_;
   int min_views_;
   VoxelVoting* voting_;
-  std::vector<std::vector<uint8_t>>
-      looks_in_;  ///< [camera][tile]: whether it sees a part of the volume
+  /// [camera][tile]: whether it sees a part of the volume.
+  std::vector<std::vector<uint8_t>> looks_in_;
   std::vector<uint8_t> reached_;
 };
 

@@ -82,8 +82,8 @@ std::vector<VoxelComponent> ComponentFinder::find(const BrickVolume& volume,
     else
       cells.push_back(parts_[part]);
   }
-  std::vector<std::pair<std::pair<size_t, uint32_t>, size_t>>
-      order;  // most voxels first, then first voxel
+  // Most voxels first, then first voxel.
+  std::vector<std::pair<std::pair<size_t, uint32_t>, size_t>> order;
   for (size_t i = 0; i < components.size(); ++i)
     order.push_back({{~components[i].voxels, lowestVoxel(components[i], lattice)}, i});
   std::sort(order.begin(), order.end());

@@ -23,8 +23,8 @@ struct BlockLevel {
   Eigen::Vector3i size;              ///< blocks
   std::vector<CameraSet> sees_some;  ///< per block: cameras that see at least one voxel
   std::vector<CameraSet> sees_all;
-  std::vector<TileBox>
-      tiles;  ///< [block][camera]: bounding box, in tiles, of the pixels of the voxels it sees
+  /// [block][camera]: bounding box, in tiles, of the pixels of the voxels it sees.
+  std::vector<TileBox> tiles;
 
   size_t blockAt(int x, int y, int z) const { return (size_t(z) * size.y() + y) * size.x() + x; }
 };

@@ -9,7 +9,7 @@ namespace {
 constexpr double kSmoothing = 1e-6;  // weight of second differences, per value
 
 struct Basis {
-  int first;                // control point that weights[0] belongs to
+  int first;                // control point of weights[0]
   Eigen::Vector4d weights;  // of four consecutive control points
 };
 

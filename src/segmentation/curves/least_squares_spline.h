@@ -8,15 +8,15 @@ namespace markerless_mocap {
 /// sum_i w_i |v_i - h(s_i)|^2 (Hsiao 2008, Eq. 3-8 and 3-16).
 class LeastSquaresSpline {
  public:
-  /// \param sites s_i; values outside [0, 1] count as the nearer end
+  /// \param sites s_i; values outside [0, 1] are clamped
   /// \param values v_i, one row per site
   /// \param weights w_i > 0
-  /// \param pieces polynomial pieces, >= 1
-  /// Where sites leave a piece undetermined, the smoothest continuation is taken.
+  /// \param pieces number of polynomial pieces, >= 1
+  /// If the sites do not determine a piece, the smoothest continuation is used.
   LeastSquaresSpline(const Eigen::VectorXd& sites, const Eigen::MatrixXd& values,
                      const Eigen::VectorXd& weights, int pieces);
 
-  /// All weights 1.
+  /// The same with all weights 1.
   LeastSquaresSpline(const Eigen::VectorXd& sites, const Eigen::MatrixXd& values, int pieces)
       : LeastSquaresSpline(sites, values, Eigen::VectorXd::Ones(sites.size()), pieces) {}
 

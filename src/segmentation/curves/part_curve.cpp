@@ -12,24 +12,25 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kPoints = 21;
-constexpr int kSamples = 200;      // of the curve, to measure its length by
-constexpr double kOutside = 0.03;  // of the nodes, beyond each end of a combination of modes
-constexpr size_t kFewestNodes = 8;
-constexpr size_t kEnoughNodes = 400;  // more tell a curve no better
-// Of the modes: hardly any digits are needed, since combinations of them are taken.
+constexpr int kSamples = 200;  // points of the curve, from which its length is measured
+/// Fraction of the nodes beyond each end of a combination of modes.
+constexpr double kOutside = 0.03;
+constexpr size_t kMinNodes = 8;
+constexpr size_t kEnoughNodes = 400;  // more nodes do not improve a curve
+// Residual of the modes; low precision is enough, as combinations of modes are used.
 constexpr double kResidual = 1.0;
 
-/// A part as a graph of few nodes: blocks of its voxels that are connected inside.
+/// A part as a graph of few nodes: blocks of voxels, each connected in itself.
 struct Blocks {
-  std::vector<GraphLevel> levels;  ///< the first is of the blocks
-  Eigen::VectorXd count;           ///< voxels of each
-  Eigen::VectorXd ahead;           ///< mean of its voxels, and so the centres, metres
+  std::vector<GraphLevel> levels;  ///< the first one is the graph of the blocks
+  Eigen::VectorXd count;           ///< number of voxels of each block
+  Eigen::VectorXd ahead;           ///< mean over the block's voxels, as are the centres, metres
   Eigen::MatrixXd centers;
 
   Eigen::Index size() const { return count.size(); }
 };
 
-/// Adds up values of nodes, a row each, over their parents.
+/// Sums the values of nodes, one row per node, over the children of each parent.
 Eigen::MatrixXd sumOverChildren(const GraphLevel& level, size_t parents,
                                 const Eigen::MatrixXd& values) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(parents), values.cols());
@@ -39,8 +40,8 @@ Eigen::MatrixXd sumOverChildren(const GraphLevel& level, size_t parents,
   return sums;
 }
 
-/// The part's largest component in as many nodes as there are voxels, or in blocks where it is
-/// fine. \param nodes of the part; those of the component are left
+/// The part's largest component, with one node per voxel, or in blocks if it has many voxels.
+/// \param nodes nodes of the part; reduced to those of the component
 BlockGraph componentOf(const WeightedGraph& graph, std::vector<uint32_t>* nodes) {
   BlockGraph part =
       nodes->size() > kEnoughNodes ? gatherBlocks(graph, *nodes) : gatherNodes(graph, *nodes);
@@ -81,8 +82,8 @@ Blocks blocksOf(const VoxelGraph& voxels, BlockGraph part, const std::vector<uin
   return blocks;
 }
 
-/// The combination of the lowest modes that comes nearest to the ordering wanted; nothing if the
-/// modes are not found.
+/// The combination of the first modes that is nearest to the given ordering; empty if the modes are
+/// not found.
 Eigen::VectorXd modeAlong(const Blocks& part, int modes) {
   const int count = int(std::min<Eigen::Index>(modes, part.size() - 1));
   const auto found = coarseToFineModes(part.levels, count, kResidual);
@@ -95,7 +96,7 @@ Eigen::VectorXd modeAlong(const Blocks& part, int modes) {
   return vectors * (weighted * vectors).ldlt().solve(weighted * centered(part.ahead));
 }
 
-/// 0 and 1 where a few voxels are left beyond: the outermost may be a corner.
+/// Scales a mode so that a few voxels lie below 0 and above 1, as the outermost may be a corner.
 Eigen::VectorXd siteValues(const Eigen::VectorXd& mode, const Eigen::VectorXd& count) {
   std::vector<std::pair<double, double>> sorted;
   for (Eigen::Index i = 0; i < mode.size(); ++i) sorted.emplace_back(mode[i], count[i]);
@@ -136,7 +137,7 @@ PartCurve fitPartCurve(const VoxelGraph& voxels, const std::vector<uint32_t>& no
   curve.voxel_count = uint32_t(nodes.size());
   std::vector<uint32_t> kept = nodes;
   BlockGraph part = componentOf(voxels.graph, &kept);
-  if (kept.size() < kFewestNodes) return curve;
+  if (kept.size() < kMinNodes) return curve;
   const Blocks blocks = blocksOf(voxels, std::move(part), kept, ahead, modes);
   const Eigen::VectorXd mode = modeAlong(blocks, modes);
   if (mode.size() == 0) return curve;

@@ -64,8 +64,8 @@ MOCAP_INLINE void prolongateRows(const GraphLevel& level, float factor, const Bl
   }
 }
 
-/// Adds a_i . b_j, times the masses if there are any, over some nodes; four columns of a at a time:
-/// their sums fit into registers.
+/// Adds a_i . b_j, times the masses if there are any, over some nodes. Four columns of a at a time,
+/// so that the sums fit into registers.
 template <int N, bool kMass>
 MOCAP_INLINE void addProducts(const float* mass, const Block& a, const Block& b, size_t from,
                               size_t to, double* result) {
@@ -86,7 +86,7 @@ MOCAP_INLINE void addProducts(const float* mass, const Block& a, const Block& b,
   }
 }
 
-/// By pieces that stay in the cache for all products.
+/// Works on blocks of rows that stay in the cache for all products.
 template <int N>
 MOCAP_INLINE void productRows(const GraphLevel& level, const Block& a, const Block& la,
                               const std::vector<Product>& wanted) {
@@ -119,7 +119,7 @@ MOCAP_INLINE void residualRows(const GraphLevel& level, const float* values, con
   }
 }
 
-/// sum += y C for a few nodes, which share the look-up of the rows of C.
+/// sum += y C for a few nodes, so that each row of C is loaded once for all of them.
 template <int N, int kTogether>
 MOCAP_INLINE void addCombination(const float* y, const float* combination, Row<N>* sum) {
   for (int i = 0; i < 4 * N; ++i) {

@@ -7,8 +7,8 @@
 
 namespace markerless_mocap {
 
-/// Several functions on a graph's nodes at once: `width` values a node, side by side, so that one
-/// look-up of a neighbour serves all.
+/// Several functions on the nodes of a graph: `width` values per node, stored together, so that one
+/// look-up of a neighbour serves all of them.
 struct Block {
   size_t nodes = 0;
   int width = 0;  ///< multiple of 4, at most kWidest
@@ -38,7 +38,7 @@ void prolongate(const GraphLevel& level, float factor, const Block& coarse, Bloc
 /// x = damping / diag(L) b.
 void scaleByDiagonal(const GraphLevel& level, float damping, const Block& b, Block* x);
 
-/// Where the products of one block with another go, row-major width x width.
+/// Output of the products of one block with another, row-major, width x width.
 struct Product {
   const Block* with;
   double* laplacian;  ///< (L a_i) . b_j

@@ -12,15 +12,15 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kEnough = 32;    // nodes of the coarsest level, which is solved by dense matrices
-constexpr int kSpare = 4;         // nodes of every level beyond the functions on it
-constexpr size_t kTooMany = 200;  // nodes, for that
-constexpr int kSweeps = 4;        // that smooth what comes from the coarser level
+constexpr size_t kEnough = 32;  // nodes of the coarsest level, which is solved with dense matrices
+constexpr int kSpare = 4;       // nodes that each level has more than functions
+constexpr size_t kTooMany = 200;  // maximum number of nodes for a dense solution
+constexpr int kSweeps = 4;        // smoothing sweeps after the prolongation from the coarser level
 constexpr float kDamping = 0.75f;
 constexpr double kCoarseTolerance = 0.5;  // on all levels but the finest
 constexpr int kCoarseSteps = 3;
 constexpr int kFineSteps = 20;
-constexpr double kConnected = 1e-11;  // second value of a connected graph's, at least
+constexpr double kConnected = 1e-11;  // minimum second eigenvalue of a connected graph
 
 struct DensePairs {
   Eigen::VectorXd values;
@@ -82,7 +82,7 @@ GraphModes lowestOf(const Lobpcg& solver, int modes) {
   return result;
 }
 
-/// Columns for so many modes: at least one more, which makes the highest converge.
+/// Number of columns for `modes` modes: at least one more, so that the last mode converges.
 int widthFor(int modes) {
   return (modes / 4 + 1) * 4;
 }

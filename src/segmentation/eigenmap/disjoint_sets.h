@@ -6,7 +6,7 @@
 
 namespace markerless_mocap {
 
-/// Sets of numbers as trees of parents; a root is its own parent.
+/// Union-find: sets of numbers as trees of parents; a root is its own parent.
 inline uint32_t rootOf(std::vector<uint32_t>* parents, uint32_t number) {
   std::vector<uint32_t>& parent = *parents;
   while (parent[number] != number) {
@@ -16,7 +16,7 @@ inline uint32_t rootOf(std::vector<uint32_t>* parents, uint32_t number) {
   return number;
 }
 
-/// The lesser root stays one.
+/// Joins two sets; the smaller root stays a root.
 inline void joinSets(std::vector<uint32_t>* parents, uint32_t one, uint32_t other) {
   const uint32_t a = rootOf(parents, one);
   const uint32_t b = rootOf(parents, other);

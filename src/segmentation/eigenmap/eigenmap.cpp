@@ -13,20 +13,20 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kLargestDense = 64;  // nodes up to which dense matrices are as fast
+constexpr int kMaxDense = 64;  // up to this number of nodes dense matrices are as fast
 constexpr double kSlant[] = {0.6, 0.35, 1.0};
 
 void checkConnected(const WeightedGraph& graph) {
   const std::vector<uint32_t> component = connectedComponents(graph);
-  const uint32_t pieces = *std::max_element(component.begin(), component.end()) + 1;
-  if (pieces == 1) return;
-  throw std::invalid_argument("laplacianEigenmap: the graph falls into " + std::to_string(pieces) +
-                              " pieces, it must be connected");
+  const uint32_t count = *std::max_element(component.begin(), component.end()) + 1;
+  if (count == 1) return;
+  throw std::invalid_argument("laplacianEigenmap: the graph has " + std::to_string(count) +
+                              " components, it must be connected");
 }
 
 GraphModes modesOf(const WeightedGraph& graph, int modes, double residual) {
   const auto nodes = int(graph.nodeCount());
-  const bool small = nodes <= kLargestDense || nodes <= 4 * modes;
+  const bool small = nodes <= kMaxDense || nodes <= 4 * modes;
   if (!small) {
     std::optional<GraphModes> found = coarseToFineModes(graph, modes, residual);
     if (found) return *std::move(found);
@@ -35,8 +35,8 @@ GraphModes modesOf(const WeightedGraph& graph, int modes, double residual) {
   return small ? denseModes(graph, modes) : shiftInvertModes(graph, modes);
 }
 
-/// A function that rises along one slanted direction, so that hardly any mode of a body is even
-/// about it; 0 without cells.
+/// A function that increases along one slanted direction, chosen so that hardly any mode of a body
+/// is symmetric about it; 0 without cells.
 Eigen::VectorXd heights(const WeightedGraph& graph) {
   Eigen::VectorXd height = Eigen::VectorXd::Zero(Eigen::Index(graph.nodeCount()));
   for (size_t node = 0; node < graph.cell.size(); ++node) {

@@ -7,9 +7,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kNear = 0.05;  // relative distance of values in one cluster
+constexpr double kNear = 0.05;  // maximum relative distance of values in one cluster
 
-/// Mean row of the nodes in each block of 4 x 4 x 4 cells: a limb moves less between two frames.
+/// Mean row of the nodes in each block of 4 x 4 x 4 cells; between two frames a limb moves less
+/// than such a block.
 std::map<uint64_t, Eigen::RowVectorXd> meanRows(const WeightedGraph& graph,
                                                 const Eigen::MatrixXd& vectors) {
   std::map<uint64_t, Eigen::RowVectorXd> sums;

@@ -11,12 +11,12 @@ namespace markerless_mocap {
 namespace {
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
-constexpr double kLeastShrinkage = 0.7;  // of the nodes: a level that keeps more is not worth it
+constexpr double kMaxShrinkage = 0.7;  // maximum fraction of nodes that a coarser level may keep
 
-/// Joins nodes of one block that are connected inside it.
+/// Joins the nodes of one block that are connected inside the block.
 /// \param nodes ascending
-/// \param parents become those of these nodes, numbered in the order of their first child; kNone of
-///        all others
+/// \param parents output, parents of these nodes, numbered in the order of their first child; kNone
+///   for all other nodes
 /// \return the parents' cells
 template <class Graph>
 std::vector<LatticeCell> aggregate(const Graph& graph, const std::vector<LatticeCell>& cells,
@@ -39,7 +39,8 @@ std::vector<LatticeCell> aggregate(const Graph& graph, const std::vector<Lattice
       parent[node] = uint32_t(coarse.size());
       coarse.push_back(cells[node].block());
     } else {
-      parent[node] = parent[parent[node]];  // a lower node, that has its number already
+      // The parent has a smaller index, so it has its number already.
+      parent[node] = parent[parent[node]];
     }
   }
   return coarse;
@@ -67,18 +68,20 @@ void endRow(uint32_t row, GraphLevel* level) {
   level->row_start.push_back(uint32_t(level->neighbor.size()));
 }
 
-/// \param parent of each of the nodes, kNone of all others
+/// \param parent parent of each node, kNone for nodes that are not included
 template <class Graph>
 GraphLevel coarsen(const Graph& fine, const std::vector<uint32_t>& nodes,
                    const std::vector<uint32_t>& parent, size_t parents) {
-  constexpr bool kHasMass = std::is_same_v<Graph, GraphLevel>;  // else it is the sum of the weights
+  // Else the mass is the sum of the weights.
+  constexpr bool kHasMass = std::is_same_v<Graph, GraphLevel>;
   const Children sorted = childrenOf(nodes, parent, parents);
   GraphLevel coarse;
   coarse.row_start.assign(1, 0);
   coarse.mass.reserve(parents);
   coarse.neighbor.reserve(fine.neighbor.size() / 2);
   coarse.weight.reserve(fine.neighbor.size() / 2);
-  std::vector<int32_t> place(parents, -1);  // of the edge to each parent, if in this row
+  std::vector<int32_t> place(parents,
+                             -1);  // index of the edge to each parent, if it is in this row
   for (uint32_t p = 0; p < parents; ++p) {
     const auto row = int32_t(coarse.neighbor.size());
     float mass = 0.0f;
@@ -128,7 +131,7 @@ BlockGraph gatherBlocks(const WeightedGraph& graph, const std::vector<uint32_t>&
   return blocks;
 }
 
-std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t least, size_t enough) {
+std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t min_nodes, size_t enough) {
   std::vector<GraphLevel> levels{std::move(finest.level)};
   std::vector<LatticeCell> cells = std::move(finest.cell);
   while (levels.back().nodeCount() > enough) {
@@ -137,7 +140,7 @@ std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t least, size_t e
     std::iota(nodes.begin(), nodes.end(), 0u);
     std::vector<uint32_t> parent;
     std::vector<LatticeCell> coarse = aggregate(fine, cells, nodes, &parent);
-    if (double(coarse.size()) > kLeastShrinkage * double(cells.size()) || coarse.size() < least)
+    if (double(coarse.size()) > kMaxShrinkage * double(cells.size()) || coarse.size() < min_nodes)
       break;
     fine.parent = std::move(parent);
     levels.push_back(coarsen(fine, nodes, fine.parent, coarse.size()));

@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// One graph of a hierarchy, in single precision: that of its edges and of its nodes' masses.
+/// One graph of a hierarchy, with weights and masses in single precision.
 struct GraphLevel {
   std::vector<uint32_t> row_start;  ///< as WeightedGraph
   std::vector<uint32_t> neighbor;
@@ -19,27 +19,27 @@ struct GraphLevel {
   size_t nodeCount() const { return mass.size(); }
 };
 
-/// Some nodes of a graph on a lattice, gathered in a graph of fewer.
+/// A subgraph of a graph on a lattice, possibly with several nodes merged into one.
 struct BlockGraph {
   GraphLevel level;
-  std::vector<LatticeCell> cell;  ///< of each of the level's nodes
-  std::vector<uint32_t> block;    ///< the level's node that each of the nodes belongs to
+  std::vector<LatticeCell> cell;  ///< cell of each of the level's nodes
+  std::vector<uint32_t> block;    ///< the level's node to which each of the given nodes belongs
 };
 
-/// Each of some nodes by itself, with the edges between them.
+/// The subgraph of some nodes, without merging.
 /// \param graph with cells
 /// \param nodes distinct, ascending
 BlockGraph gatherNodes(const WeightedGraph& graph, const std::vector<uint32_t>& nodes);
 
-/// Those in a block of 2 x 2 x 2 cells that are connected inside it become one, with the weights of
-/// all edges between two blocks summed (Galerkin's product with piecewise constant functions). So
-/// limbs that pass by each other stay apart.
+/// Merges nodes in a block of 2 x 2 x 2 cells that are connected inside the block. The weights of
+/// all edges between two merged nodes are summed (Galerkin product with piecewise constant
+/// functions). Limbs that only pass each other are not merged.
 BlockGraph gatherBlocks(const WeightedGraph& graph, const std::vector<uint32_t>& nodes);
 
-/// Ever coarser graphs, the given one first, each gathered in blocks of the one before.
+/// A hierarchy of graphs, the given one first; each is the previous one merged in blocks.
 /// \param finest connected
-/// \param least nodes of every level
-/// \param enough coarsening ends at so few nodes, or where it hardly shrinks the graph
-std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t least, size_t enough);
+/// \param least minimum number of nodes of a level
+/// \param enough coarsening ends at this number of nodes, or if it hardly reduces the graph
+std::vector<GraphLevel> buildHierarchy(BlockGraph finest, size_t min_nodes, size_t enough);
 
 }  // namespace markerless_mocap

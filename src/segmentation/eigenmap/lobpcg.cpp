@@ -10,9 +10,9 @@
 namespace markerless_mocap {
 namespace {
 
-/// Least square of what is left of a unit vector of a basis when the ones before it are projected
-/// out; products in single precision cannot tell less from nothing.
-constexpr double kLeastIndependent = 1e-5;
+/// A unit vector of a basis must keep at least this squared norm after projection on the complement
+/// of the vectors before it. Smaller norms are below the precision of the products.
+constexpr double kMinIndependent = 1e-5;
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Combination = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -22,14 +22,15 @@ struct RitzPairs {
   Eigen::MatrixXd vectors;  ///< orthonormal under the mass products
 };
 
-/// The lowest pairs of a basis given by its products; nothing if it is nearly dependent.
+/// The pairs of a basis with the smallest values, computed from its products; empty if the basis is
+/// nearly linearly dependent.
 std::optional<RitzPairs> lowestPairs(const Eigen::MatrixXd& laplacian, const Eigen::MatrixXd& mass,
                                      Eigen::Index count) {
   if (mass.diagonal().minCoeff() <= 0.0) return {};
   const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LLT<Eigen::MatrixXd> root(scale.asDiagonal() * mass * scale.asDiagonal());
   if (root.info() != Eigen::Success) return {};
-  if (root.matrixLLT().diagonal().cwiseAbs2().minCoeff() < kLeastIndependent) return {};
+  if (root.matrixLLT().diagonal().cwiseAbs2().minCoeff() < kMinIndependent) return {};
   Eigen::MatrixXd reduced = scale.asDiagonal() * laplacian * scale.asDiagonal();
   root.matrixL().solveInPlace(reduced);
   root.matrixU().solveInPlace<Eigen::OnTheRight>(reduced);
@@ -75,7 +76,7 @@ bool Lobpcg::orthonormalize() {
   return true;
 }
 
-/// Leaves the residuals in rest_.
+/// Computes values and residuals; stores the residual vectors in rest_.
 void Lobpcg::measure() {
   const Eigen::VectorXf factors = values_.cast<float>();
   Eigen::VectorXd squares(x_.width);
@@ -143,7 +144,7 @@ void Lobpcg::takeStep(const Eigen::MatrixXd& vectors) {
   has_step_ = true;
 }
 
-/// The products of the new step are known from those of the basis that it is a combination of.
+/// The products of the new step follow from those of the basis, as the step is a combination of it.
 void Lobpcg::keepProductsOfStep(const Gram& gram, const Eigen::MatrixXd& vectors) {
   Eigen::MatrixXd step = vectors;
   step.topRows(x_.width).setZero();

@@ -8,21 +8,22 @@
 
 namespace markerless_mocap {
 
-/// The locally optimal block preconditioned conjugate gradient method (Knyazev 2001) for
-/// L u = lambda M u on one level of a hierarchy: each step takes the best combinations of the
-/// vectors, of their residuals under a multigrid cycle, and of the step before.
+/// The locally optimal block preconditioned conjugate gradient method (Knyazev 2001) for L u =
+/// lambda M u on one level of a hierarchy. Each step takes the best combinations of the vectors, of
+/// their residuals preconditioned by a multigrid cycle, and of the previous step.
 class Lobpcg {
  public:
-  /// \param start linearly independent functions; what is constant in them is taken away
+  /// \param start linearly independent functions; their constant part is removed
   Lobpcg(const GraphLevel& level, size_t level_number, Multigrid* multigrid, Block start);
 
-  /// Steps until the residuals of the lowest `modes` fall to `tolerance`, at most so many.
-  /// \return whether they did
+  /// Iterates until the residuals of the first `modes` modes are at most `tolerance`, up to
+  /// `max_steps` times.
+  /// \return whether the tolerance was reached
   bool run(int modes, double tolerance, int max_steps);
 
   const Block& vectors() const { return x_; }                      ///< x' M x = 1
   const Eigen::VectorXd& values() const { return values_; }        ///< ascending
-  const Eigen::VectorXd& residuals() const { return residuals_; }  ///< as GraphModes has them
+  const Eigen::VectorXd& residuals() const { return residuals_; }  ///< as in GraphModes
 
  private:
   /// Products of the basis [x w p], or [x w], under L and M.

@@ -3,8 +3,9 @@
 namespace markerless_mocap {
 namespace {
 
-/// Of the two Jacobi sweeps before and, in turned order, after the coarse correction: inverse roots
-/// of the Chebyshev polynomial of degree 2 on [0.5, 2], where the rough functions' values lie.
+/// Damping of the two Jacobi sweeps before and, in reverse order, after the coarse correction:
+/// inverse roots of the Chebyshev polynomial of degree 2 on [0.5, 2], the range of the eigenvalues
+/// of rough functions.
 constexpr float kDamping[] = {0.56f, 1.39f};
 constexpr float kOvercorrection = 1.7f;  // piecewise constant functions are too stiff
 
@@ -15,7 +16,7 @@ using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 Multigrid::Multigrid(const std::vector<GraphLevel>& levels, const Eigen::VectorXd& coarsest_values,
                      const Eigen::MatrixXd& coarsest_vectors, int width)
     : levels_(levels) {
-  const Eigen::Index rest = coarsest_values.size() - 1;  // the first pair is the constant
+  const Eigen::Index rest = coarsest_values.size() - 1;  // the first pair is the constant function
   inverse_ =
       (coarsest_vectors.rightCols(rest) * coarsest_values.tail(rest).cwiseInverse().asDiagonal() *
        coarsest_vectors.rightCols(rest).transpose())

@@ -8,7 +8,7 @@
 
 namespace markerless_mocap {
 
-/// Approximate inverse of the Laplacian on every level of a hierarchy: one symmetric V-cycle.
+/// Approximate inverse of the Laplacian on each level of a hierarchy: one symmetric V-cycle.
 class Multigrid {
  public:
   /// \param coarsest_values, coarsest_vectors all pairs L u = lambda M u of the coarsest level,
@@ -24,7 +24,7 @@ class Multigrid {
 
   const std::vector<GraphLevel>& levels_;
   Eigen::MatrixXf inverse_;                     ///< pseudo-inverse on the coarsest level
-  std::vector<Block> right_, solution_, work_;  ///< work space of each level
+  std::vector<Block> right_, solution_, work_;  ///< scratch memory of each level
 };
 
 }  // namespace markerless_mocap

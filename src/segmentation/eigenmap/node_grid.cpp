@@ -10,9 +10,10 @@ namespace {
 constexpr int16_t kFace = 3;  // cost of a step to a face neighbour, one voxel
 constexpr int16_t kEdge = 4;
 constexpr int16_t kCorner = 5;
-constexpr int16_t kUnreached = 30000;  // longer ways do not count; no sum with a step overflows
+/// Longer paths are treated as unreached; no sum with a step overflows.
+constexpr int16_t kUnreached = 30000;
 
-/// Costs of ways from eight sources, taken together.
+/// Path costs from eight sources, computed together.
 constexpr size_t kLanes = 8;
 using Lanes = int16_t __attribute__((vector_size(2 * kLanes)));
 
@@ -32,7 +33,7 @@ bool differ(int16_t a, int16_t b) {
   return a != b;
 }
 
-/// As a set of cells is swept along the lattice, the 13 of a cell's 26 neighbours that come first.
+/// The 13 of a cell's 26 neighbours that come earlier in a sweep along the lattice.
 struct Earlier {
   std::array<int64_t, 3> faces;
   std::array<int64_t, 6> edges;
@@ -110,7 +111,7 @@ std::vector<double> NodeGrid::geodesics(const std::vector<uint32_t>& sources) co
 
 std::vector<std::vector<double>> NodeGrid::geodesicsOfEach(
     const std::vector<uint32_t>& sources) const {
-  std::vector<std::vector<double>> ways;
+  std::vector<std::vector<double>> path_lengths;
   std::vector<Lanes> cost;
   for (size_t done = 0; done < sources.size(); done += kLanes) {
     const size_t end = std::min(done + kLanes, sources.size());
@@ -118,13 +119,13 @@ std::vector<std::vector<double>> NodeGrid::geodesicsOfEach(
     for (size_t i = done; i < end; ++i) cost[sources[i] + 1][i - done] = 0;
     sweep({sources.begin() + long(done), sources.begin() + long(end)}, &cost);
     for (size_t lane = 0; lane < end - done; ++lane) {
-      std::vector<double>& voxels = ways.emplace_back();
+      std::vector<double>& voxels = path_lengths.emplace_back();
       voxels.reserve(place_of_.size());
       for (size_t node = 0; node < place_of_.size(); ++node)
         voxels.push_back(lengthOf(cost[node + 1][lane]));
     }
   }
-  return ways;
+  return path_lengths;
 }
 
 std::vector<uint32_t> NodeGrid::Region::takeConnected(uint32_t start, uint32_t wanted) {

@@ -14,7 +14,7 @@ using Eight = float __attribute__((vector_size(32), aligned(4)));
 template <int N>
 struct Row {
   Eight wide[N / 2 + (N == 1)];
-  Four rest;  // the last four where N is odd
+  Four rest;  // the last four if N is odd
 };
 
 template <int N>

@@ -30,8 +30,8 @@ Eigen::SparseMatrix<double> shiftedLaplacian(const WeightedGraph& graph,
   return matrix;
 }
 
-/// x -> (A + shift I)^-1 x for A = D^-1/2 L D^-1/2, which has the wanted lambdas and, times
-/// D^1/2, the wanted vectors.
+/// The operator x -> (A + shift I)^-1 x for A = D^-1/2 L D^-1/2. The eigenvalues of A are the
+/// wanted lambdas; its eigenvectors are D^1/2 times the wanted vectors.
 class InverseNormalizedLaplacian {
  public:
   using Scalar = double;
@@ -44,7 +44,7 @@ class InverseNormalizedLaplacian {
   }
   Eigen::Index rows() const { return root_degree_.size(); }
   Eigen::Index cols() const { return root_degree_.size(); }
-  void set_shift(double) {}  // called by the solver; the shift is built in
+  void set_shift(double) {}  // called by the solver; the shift is fixed
   void perform_op(const double* x_in, double* y_out) const {
     const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
     Eigen::Map<Eigen::VectorXd> y(y_out, rows());
@@ -102,7 +102,7 @@ GraphModes shiftInvertModes(const WeightedGraph& graph, int modes) {
   const Eigen::Index basis = std::min<Eigen::Index>(degree.size(), 2 * modes + 10);
   Spectra::SymEigsShiftSolver<InverseNormalizedLaplacian> solver(inverse, modes + 1, basis,
                                                                  -kShift);
-  solver.init();  // a fixed pseudo-random vector: the result is the same each time
+  solver.init();  // starts from a fixed pseudo-random vector, so the result is reproducible
   solver.compute(Spectra::SortRule::LargestMagn, kMaxIterations, kTolerance,
                  Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) {

@@ -12,10 +12,10 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kAllVote = 1.0;       // a of Eq. 3-15
-constexpr double kMostVote = 0.5;      // b
+constexpr double kMajorityVote = 0.5;  // b
 constexpr double kFewVote = -0.9;      // c, above -1 so that every weight stays > 0
-constexpr double kDeepest = 0.002;     // share of the nodes that tell the greatest depth
-constexpr double kShrunkDepth = 0.75;  // of the greatest depth; thighs and head lie under 0.7
+constexpr double kDeepest = 0.002;  // fraction of the nodes whose mean depth is the maximum depth
+constexpr double kShrunkDepth = 0.75;  // of the maximum depth; thighs and head have less than 0.7
 
 std::vector<uint32_t> voxelsByIndex(const VisualHull& hull) {
   std::vector<uint32_t> order(hull.voxels.size());
@@ -36,42 +36,44 @@ std::vector<Eigen::Vector3i> cellsOf(const VisualHull& hull, const std::vector<u
   return cells;
 }
 
-/// The votes about two neighbours are kept by the one with the lower coordinates.
+/// The colour votes of two neighbours are stored at the voxel with the smaller coordinates.
 double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, bool use_color_votes) {
   if (!use_color_votes) return 1.0;
   const ColorVotes& votes = hull.voxels[lower].color_votes;
   return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis]);
 }
 
-/// Leaves out what is not in the largest piece; pieces that touch by an edge or corner are one.
-/// \return the bridges that join what is left
-std::vector<Edge> keepLargestPiece(const VisualHull& hull, VoxelGraph* voxels) {
+/// Removes all nodes outside the largest component; components that touch by an edge or corner are
+/// joined.
+/// \return the bridge edges between the remaining components
+std::vector<Edge> keepLargestComponent(const VisualHull& hull, VoxelGraph* voxels) {
   const std::vector<uint32_t> component = faceComponents(voxels->grid);
   if (std::all_of(component.begin(), component.end(), [](uint32_t c) { return c == 0; })) return {};
   std::vector<Edge> bridges = bridgeEdges(voxels->grid, component);
-  std::vector<uint32_t> piece(component.size());  // of each component
-  std::iota(piece.begin(), piece.end(), 0u);
-  for (const Edge& bridge : bridges) joinSets(&piece, component[bridge.from], component[bridge.to]);
-  std::vector<uint32_t> piece_of;
-  for (const uint32_t c : component) piece_of.push_back(rootOf(&piece, c));
-  const uint32_t largest = mostFrequent(piece_of);
+  std::vector<uint32_t> joined(component.size());  // joined component of each 6-connected component
+  std::iota(joined.begin(), joined.end(), 0u);
+  for (const Edge& bridge : bridges)
+    joinSets(&joined, component[bridge.from], component[bridge.to]);
+  std::vector<uint32_t> joined_of;
+  for (const uint32_t c : component) joined_of.push_back(rootOf(&joined, c));
+  const uint32_t largest = mostFrequent(joined_of);
   const std::vector<uint32_t> all = std::move(voxels->hull_voxel);
   std::vector<uint32_t> number;
   voxels->hull_voxel.clear();
   for (size_t node = 0; node < all.size(); ++node) {
     number.push_back(uint32_t(voxels->hull_voxel.size()));
-    (piece_of[node] == largest ? voxels->hull_voxel : voxels->left_out).push_back(all[node]);
+    (joined_of[node] == largest ? voxels->hull_voxel : voxels->left_out).push_back(all[node]);
   }
   if (voxels->left_out.empty()) return bridges;
   voxels->grid = NodeGrid(cellsOf(hull, voxels->hull_voxel));
   std::vector<Edge> kept;
   for (const Edge& bridge : bridges)
-    if (piece_of[bridge.from] == largest)
+    if (joined_of[bridge.from] == largest)
       kept.push_back({number[bridge.from], number[bridge.to], bridge.weight});
   return kept;
 }
 
-/// Both directions of each, by where they start.
+/// Both directions of each edge, sorted by their start.
 std::vector<Edge> fromBothEnds(std::vector<Edge> edges) {
   const size_t count = edges.size();
   for (size_t i = 0; i < count; ++i) edges.push_back({edges[i].to, edges[i].from, edges[i].weight});
@@ -81,7 +83,7 @@ std::vector<Edge> fromBothEnds(std::vector<Edge> edges) {
   return edges;
 }
 
-/// Rows of face neighbours, ascending, then of bridges.
+/// The graph's rows: face neighbours in ascending order, then bridges.
 WeightedGraph graphOf(const VisualHull& hull, const VoxelGraph& voxels,
                       const std::vector<Edge>& bridges, bool use_color_votes) {
   const size_t nodes = voxels.hull_voxel.size();
@@ -145,7 +147,7 @@ void raiseCoreWeights(VoxelGraph* voxels, double shrink_weight) {
 double colorBonus(int votes, int possible) {
   if (possible == 0) return 0.0;
   if (votes >= possible) return kAllVote;
-  return 2 * votes >= possible ? kMostVote : kFewVote;
+  return 2 * votes >= possible ? kMajorityVote : kFewVote;
 }
 
 VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double shrink_weight) {
@@ -153,7 +155,7 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
   voxels.pitch = hull.lattice.pitch;
   voxels.hull_voxel = voxelsByIndex(hull);
   voxels.grid = NodeGrid(cellsOf(hull, voxels.hull_voxel));
-  const std::vector<Edge> bridges = keepLargestPiece(hull, &voxels);
+  const std::vector<Edge> bridges = keepLargestComponent(hull, &voxels);
   voxels.graph = graphOf(hull, voxels, bridges, use_color_votes);
   for (const Eigen::Vector3i& c : cellsOf(hull, voxels.hull_voxel))
     voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());

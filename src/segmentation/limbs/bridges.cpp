@@ -25,14 +25,14 @@ std::vector<uint32_t> faceComponents(const NodeGrid& grid) {
 
 std::vector<Edge> bridgeEdges(const NodeGrid& grid, const std::vector<uint32_t>& component) {
   std::vector<Edge> bridges;
-  const uint32_t largest = mostFrequent(component);  // each bridge has an end outside it
+  const uint32_t largest = mostFrequent(component);  // each bridge has one end outside it
   for (uint32_t node = 0; node < component.size(); ++node) {
     if (component[node] == largest) continue;
     for (int step = 0; step < 27; ++step) {
       const int32_t found = grid.neighbor(node, step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
       if (found < 0 || component[found] == component[node]) continue;
       const auto other = uint32_t(found);
-      if (component[other] != largest && other < node) continue;  // seen from there
+      if (component[other] != largest && other < node) continue;  // added from the other end
       bridges.push_back({std::min(node, other), std::max(node, other), 1.0});
     }
   }

@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kFullnessRadius = 0.6;  // units: about a head's length
+constexpr double kFullnessRadius = 0.6;  // units; about the length of a head
 
 }  // namespace
 
@@ -14,7 +14,7 @@ ExtremityMeasures measureExtremities(const VoxelGraph& voxels,
                                      const std::vector<uint32_t>& extremities,
                                      const std::vector<uint32_t>& core) {
   const auto nodes = double(voxels.graph.nodeCount());
-  const double unit = std::cbrt(nodes);  // in voxels
+  const double unit = std::cbrt(nodes);  // voxels
   const auto logarithm = [&](double length) { return std::log(std::max(length, 1.0 / unit)); };
   const auto higher = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return a.z() < b.z();

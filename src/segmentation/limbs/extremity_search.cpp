@@ -12,14 +12,15 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kResidual = 0.15;     // of the modes: moves one voxel in ten thousand
-constexpr size_t kEnoughNodes = 6000;  // a body at 25 mm; a finer one has its tips there too
+constexpr double kResidual = 0.15;  // of the modes; changes the label of one voxel in ten thousand
+/// A body at a pitch of 25 mm; a finer pitch does not change the extremities.
+constexpr size_t kEnoughNodes = 6000;
 
-/// The hull's graph, or that of blocks of it, embedded.
+/// The embedding of the hull's graph, or of the graph of its blocks.
 struct Embedding {
   Adjacency graph;
   Eigenmap map;
-  std::vector<uint32_t> block;  ///< node of the graph that each voxel's node belongs to
+  std::vector<uint32_t> block;  ///< embedded node to which each voxel's node belongs
 };
 
 std::optional<Embedding> embedBlocks(const WeightedGraph& graph, int modes) {

@@ -5,26 +5,29 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStretch = 0.1;  // cube roots of the hull's volume
-constexpr size_t kStretches = 40;
+constexpr double kInterval = 0.1;  // cube roots of the hull's volume
+constexpr size_t kIntervals = 40;
 
-/// Where limbs end. Ways in cube roots of the hull's volume, of clothed adults.
+/// Where limbs end. Distances from the extremity, in cube roots of the hull's volume; values for
+/// clothed adults.
 struct Widening {
-  double earliest;  ///< way before which nothing is an end
-  double front;     ///< share of the hull's nodes in the stretch at which the limb has ended
-  double before;    ///< way that the end lies before that stretch
-  double shortest;  ///< border of a whole one
-  double least;     ///< share of the hull's nodes that a whole one has
+  double earliest;    ///< minimum distance of the border
+  double front;       ///< the limb has ended at the interval with this fraction of the hull's nodes
+  double before;      ///< distance of the border before that interval
+  double min_border;  ///< minimum border of a whole limb
+  double min_fraction;  ///< minimum fraction of the hull's nodes of a whole limb
 };
 
 constexpr Widening kHead{0.5, 0.018, 0.22, 0.3, 0.02};
-// From an elbow on, the upper arm can be told from the trunk.
+// A whole arm reaches at least to the elbow, from where the upper arm can be separated from the
+// trunk.
 constexpr Widening kArm{0.4, 0.009, 0.0, 0.75, 0.01};
-// Nothing before 1.6 is a leg's end, so that legs that pass each other and trousers fused down to
-// the knees are shared out between both legs; a border below says that they are fused.
+// A leg does not end before 1.6, so that legs that touch, and trousers merged down to the knees,
+// are divided between both legs. A smaller border means that the legs are merged.
 constexpr Widening kLeg{1.6, 0.032, 0.0, 1.56, 0.05};
 
-// Shares of the way from a leg's tip to the head's at which legs of people end, any pose.
+// Legs end between these fractions of the distance from the foot's extremity to the head's, in any
+// pose.
 constexpr double kMinCrotch = 0.49;
 constexpr double kMaxCrotch = 0.53;
 
@@ -33,15 +36,15 @@ const Widening& wideningOf(PartLabel limb) {
   return limb == PartLabel::kArm1 || limb == PartLabel::kArm2 ? kArm : kLeg;
 }
 
-/// Shares of the nodes in each stretch of the way, smoothed over three.
+/// Fractions of the nodes in each interval of the distance, smoothed over three intervals.
 std::vector<double> frontsOf(const std::vector<double>& geodesic) {
-  std::vector<double> counts(kStretches + 2, 0.0);
+  std::vector<double> counts(kIntervals + 2, 0.0);
   for (const double w : geodesic)
-    if (w < kStretch * kStretches) counts[size_t(w / kStretch) + 1] += 1.0;
+    if (w < kInterval * kIntervals) counts[size_t(w / kInterval) + 1] += 1.0;
   counts.front() = counts[1];
-  counts.back() = counts[kStretches];
+  counts.back() = counts[kIntervals];
   std::vector<double> fronts;
-  for (size_t i = 1; i <= kStretches; ++i)
+  for (size_t i = 1; i <= kIntervals; ++i)
     fronts.push_back((0.25 * counts[i - 1] + 0.5 * counts[i] + 0.25 * counts[i + 1]) /
                      double(geodesic.size()));
   return fronts;
@@ -52,14 +55,14 @@ std::vector<double> frontsOf(const std::vector<double>& geodesic) {
 double limbBorder(PartLabel limb, const std::vector<double>& geodesic) {
   const Widening& widening = wideningOf(limb);
   const std::vector<double> fronts = frontsOf(geodesic);
-  for (size_t i = size_t(widening.earliest / kStretch + 0.5); i < kStretches; ++i) {
+  for (size_t i = size_t(widening.earliest / kInterval + 0.5); i < kIntervals; ++i) {
     if (fronts[i] <= widening.front) continue;
     const double rise = fronts[i] - fronts[i - 1];
     const double fraction =
         rise > 0.0 ? std::max(0.0, (widening.front - fronts[i - 1]) / rise) : 0.0;
-    return (double(i) - 0.5 + fraction) * kStretch - widening.before;
+    return (double(i) - 0.5 + fraction) * kInterval - widening.before;
   }
-  return kStretch * kStretches;
+  return kInterval * kIntervals;
 }
 
 double legBorder(double border, double to_head) {
@@ -68,7 +71,7 @@ double legBorder(double border, double to_head) {
 
 bool isWholeLimb(PartLabel limb, double border, double fraction) {
   const Widening& widening = wideningOf(limb);
-  return border >= widening.shortest && fraction >= widening.least;
+  return border >= widening.min_border && fraction >= widening.min_fraction;
 }
 
 std::array<std::vector<uint32_t>, kPartCount> nodesOfLimbs(

@@ -18,11 +18,13 @@ namespace {
 
 constexpr int kMergeTreeModes = 10;
 constexpr int kSplineWalkModes = 6;
-constexpr double kResidual = 0.05;  // of the spline walk's modes
+constexpr double kResidual = 0.05;  // of the modes for spline propagation
 constexpr int kLimbs = 5;
-constexpr int kCandidates = 7;          // tips to name; fused hands and elbows leave small ones
-constexpr double kCoreFraction = 0.85;  // of the greatest depth under the surface
-const Eigen::Vector3d kSlant(0.618, 0.354, 1.0);  // no two near voxels lie equally far along it
+/// Extremities to assign; hands that touch, and elbows, give small ones.
+constexpr int kCandidates = 7;
+constexpr double kCoreFraction = 0.85;  // of the maximum depth under the surface
+const Eigen::Vector3d kSlant(0.618, 0.354,
+                             1.0);  // no two nearby voxels have the same coordinate along it
 
 std::vector<uint32_t> extremitiesOf(const std::vector<Branch>& branches) {
   std::vector<uint32_t> extremities;
@@ -30,7 +32,8 @@ std::vector<uint32_t> extremitiesOf(const std::vector<Branch>& branches) {
   return extremities;
 }
 
-/// Names the arm (leg) with the higher tip first. Persistences would tell the two apart by a hair.
+/// Assigns the extremities in a fixed order of positions. The order by persistence would be
+/// unstable.
 PartNaming namesInOrder(const VoxelGraph& voxels, const ExtremityMeasures& measures,
                         const std::vector<uint32_t>& extremities) {
   PartNaming names = assignParts(measures);
@@ -47,7 +50,7 @@ PartNaming namesInOrder(const VoxelGraph& voxels, const ExtremityMeasures& measu
   return names;
 }
 
-/// Takes each named branch to its part.
+/// Sorts the assigned branches by part.
 Limbs sortByPart(const PartNaming& names, const ExtremityMeasures& measures,
                  const std::vector<Branch>& branches) {
   Limbs limbs;
@@ -71,7 +74,8 @@ Limbs splineLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, i
   return sortByPart(namesInOrder(voxels, measures, extremities), measures, branches);
 }
 
-/// An arm that closes a loop has no end; one part of it, or the other arm, may have its name.
+/// An arm that closes a loop has no extremity; a section of it, or the other arm, may have its
+/// label.
 void findLoops(const VoxelGraph& voxels, const ExtremityMeasures& measures, const PartNaming& names,
                Limbs* limbs) {
   NodeGrid::Region region(voxels.grid);

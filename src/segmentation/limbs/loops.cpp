@@ -8,13 +8,15 @@
 namespace markerless_mocap {
 namespace {
 
-// Ways from the tip, in cube roots of the hull's volume: at both the hull must lie on two sides.
+// Distances from the extremity, in cube roots of the hull's volume; at both of them the hull must
+// have two sides.
 constexpr std::array<double, 2> kRings{0.3, 0.4};
-constexpr double kWidth = 0.12;      // of a ring
-constexpr size_t kLeast = 6;         // nodes of a side
-constexpr double kBalance = 0.2;     // of the larger side
-constexpr double kThickest = 0.011;  // share of the hull's nodes in a ring around an arm
-constexpr double kMost = 3.0;        // such sides in a ring
+constexpr double kWidth = 0.12;   // of a ring
+constexpr size_t kMinSide = 6;    // minimum number of nodes of a side
+constexpr double kBalance = 0.2;  // minimum size of the smaller side relative to the larger
+/// Maximum fraction of the hull's nodes in a ring around an arm.
+constexpr double kMaxThickness = 0.011;
+constexpr double kMaxRing = 3.0;  // maximum size of a ring, in such sides
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
@@ -40,19 +42,19 @@ std::vector<uint32_t> nodesFrom(const std::vector<double>& geodesic, double near
 
 bool liesOnTwoSides(const std::vector<double>& geodesic, double ring, NodeGrid::Region* region) {
   const std::vector<uint32_t> nodes = nodesFrom(geodesic, ring, ring + kWidth);
-  const double thickest = kThickest * double(geodesic.size());
-  if (double(nodes.size()) > kMost * thickest) return false;
+  const double thickest = kMaxThickness * double(geodesic.size());
+  if (double(nodes.size()) > kMaxRing * thickest) return false;
   const auto sides = sidesOf(nodes, region);
   if (sides.size() < 2) return false;
   const size_t more = sides[0].size(), fewer = sides[1].size();
-  if (fewer < kLeast || double(fewer) < kBalance * double(more) || double(more) > thickest)
+  if (fewer < kMinSide || double(fewer) < kBalance * double(more) || double(more) > thickest)
     return false;
   const std::vector<uint32_t> beyond = nodesFrom(geodesic, ring, kEverywhere);
   region->put(beyond);
   const uint32_t other = sides[1].front();
   region->takeConnected(sides[0].front(), other);
   const bool meet = !region->has(other);
-  region->takeOut(beyond);
+  region->remove(beyond);
   return meet;
 }
 

@@ -6,11 +6,11 @@
 
 namespace markerless_mocap {
 
-/// Whether a tip is no end but the middle of an arm that closes a loop: a hand on the hip, on the
-/// head or in the other hand. Around such a tip the hull lies on two sides, each as thin as an arm,
-/// and the two hang together without what is between them.
-/// \param way from the tip to each node, cube roots of the hull's volume
-/// \param region of the hull's grid, without nodes; it has none afterwards either
+/// Whether an extremity is in fact the middle of an arm that closes a loop, with the hand on the
+/// hip, on the head or in the other hand. On both sides of such a point the hull is as thin as an
+/// arm, and the two sides are connected without the nodes between them.
+/// \param geodesic distances from the extremity to each node, cube roots of the hull's volume
+/// \param region empty region of the hull's grid, used as scratch memory; empty again afterwards
 bool closesLoop(const std::vector<double>& geodesic, NodeGrid::Region* region);
 
 }  // namespace markerless_mocap

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-/// Components of the nodes added so far, each with the peak it keeps.
+/// Components of the nodes added so far, each with its highest maximum.
 class Components {
  public:
   explicit Components(size_t nodes) : parent_(nodes, kNone), peak_(nodes, kNone) {}
@@ -34,7 +34,7 @@ class Components {
   std::vector<uint32_t> peak_;
 };
 
-/// Nodes from the highest to the lowest, equals by number.
+/// Nodes in descending order of height, nodes of equal height by index.
 std::vector<uint32_t> descendingNodes(const std::vector<double>& height) {
   struct Place {
     double height;

@@ -9,10 +9,11 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kClip = 9.0;       // of a squared z-score: one odd measure is not the end
-constexpr double kAllowance = 3.0;  // squared z-score up to which a measure speaks for a name
+/// Clips squared z-scores, so that one outlier does not exclude an assignment.
+constexpr double kClip = 9.0;
+constexpr double kAllowance = 3.0;  // up to this squared z-score a measure supports an assignment
 
-constexpr double kNever = 100.0;  // added for two arms that are one
+constexpr double kNever = 100.0;  // cost of two arms that are the same limb
 
 enum Kind { kHeadKind, kArmKind, kLegKind, kKinds };
 
@@ -21,11 +22,12 @@ struct Normal {
   double deviation;
 };
 
-// Logarithms as in ExtremityMeasures, of clothed adults walking and moving their arms. Deviations
-// are at least 9 % of a length and 15 % of a volume, to leave room for other bodies and clothes.
+// Logarithms as in ExtremityMeasures, of clothed adults who walk and move their arms. Standard
+// deviations are at least 9 % of a length and 15 % of a volume, to allow for other bodies and
+// clothes.
 constexpr Normal kFullness[kKinds] = {{-2.78, 0.2}, {-4.6, 0.5}, {-3.75, 0.5}};
 constexpr Normal kToCore[kKinds] = {{-0.05, 0.16}, {0.4, 0.25}, {0.72, 0.2}};
-// Upright people; in other poses the rest has to do.
+// For upright people; in other poses the other measures decide.
 constexpr Normal kHeight[kKinds] = {{0.95, 0.12}, {0.55, 0.25}, {0.03, 0.12}};
 constexpr Normal kDistance[kKinds][kKinds] = {
     {{0.0, 1.0}, {0.86, 0.13}, {1.40, 0.11}},
@@ -33,25 +35,26 @@ constexpr Normal kDistance[kKinds][kKinds] = {
     {{1.40, 0.11}, {1.40, 0.18}, {1.20, 0.5}},
 };
 
-// A stout body, or a hull swollen by arms that touch it, is all over shorter in cube roots of its
-// volume. These shifts of the logarithms are tried.
+// All lengths of a stout body, or of a hull with arms at its sides, are shorter in cube roots of
+// its volume. These offsets of the logarithms are tried.
 constexpr double kBuilds[] = {-0.4, -0.35, -0.3, -0.25, -0.2, -0.15, -0.1, -0.05, 0.0, 0.05, 0.1};
 constexpr double kBuildDeviation = 0.12;
 
-// Of the branches, logarithms too.
+// Volumes of the branches, also logarithms.
 constexpr Normal kVolumeFraction[kKinds] = {{-3.0, 0.3}, {-3.65, 0.4}, {-1.85, 0.35}};
 constexpr Normal kThickness[kKinds] = {{-2.72, 0.12}, {-3.2, 0.13}, {-2.72, 0.18}};
-constexpr double kMostOfLeg = 0.33;  // of the hull's nodes; more is two legs
-// Sum of the two squared z-scores of a plausible branch; arms that touch are cut short.
+constexpr double kMaxLeg = 0.33;  // fraction of the hull's nodes; more are two legs
+// Maximum sum of the two squared z-scores of a plausible branch; arms that touch the body are
+// shortened.
 constexpr double kMaxSquare[kKinds] = {12.0, 25.0, 12.0};
 
 constexpr PartLabel kRoles[] = {PartLabel::kHead, PartLabel::kLeg1, PartLabel::kLeg2,
                                 PartLabel::kArm1, PartLabel::kArm2};
 constexpr Kind kKindOfRole[] = {kHeadKind, kLegKind, kLegKind, kArmKind, kArmKind};
 constexpr int kRoleCount = 5;
-constexpr int kOwnTerms = 3;  // of a tip alone
+constexpr int kOwnTerms = 3;  // number of terms of a single extremity
 
-/// Whether the way from one of two tips to the core leads past the other.
+/// Whether the path from one of two extremities to the core passes the other.
 bool onOneLimb(const ExtremityMeasures& measures, int a, int b) {
   return measures.distance(a, b) < std::max(measures.to_core[a], measures.to_core[b]);
 }
@@ -61,7 +64,7 @@ double squaredScore(const Normal& normal, double value) {
   return std::min(z * z, kClip);
 }
 
-/// Squared z-scores of every tip, and pair of tips, under every kind.
+/// Squared z-scores of each extremity, and each pair, for each kind of part.
 class Scores {
  public:
   Scores(const ExtremityMeasures& measures, double build)
@@ -98,7 +101,7 @@ class Scores {
   std::vector<double> distance_;
 };
 
-/// Depth-first search over the roles; every assignment is scored that could still be the best.
+/// Depth-first search over the parts with branch and bound.
 class Assignment {
  public:
   explicit Assignment(const Scores& scores) : scores_(scores) {
@@ -106,7 +109,7 @@ class Assignment {
     best_extremity_ = extremity_;
   }
 
-  /// Sum of the terms of the best assignment, each less the allowance.
+  /// Sum of the terms of the best assignment, each minus the allowance.
   double solve() {
     tryRole(0, 0.0, 0, 0);
     return best_;
@@ -134,7 +137,7 @@ class Assignment {
     if (score - kAllowance * maxTerms(role, named) > best_) return;
     const bool second = role > 0 && kKindOfRole[role] == kKindOfRole[role - 1];
     const int first_extremity = second ? extremity_[role - 1] + 1 : 0;
-    // Without a first arm (leg) there is no second.
+    // There is no second arm (leg) without a first.
     const bool possible = !second || extremity_[role - 1] >= 0;
     for (int b = first_extremity; possible && b < scores_.extremities(); ++b) {
       if (std::find(extremity_.begin(), extremity_.begin() + role, b) != extremity_.begin() + role)
@@ -148,7 +151,7 @@ class Assignment {
     tryRole(role + 1, score, terms, named);
   }
 
-  /// Terms that the roles from `role` on add when all are named.
+  /// Number of terms that the parts from `role` on add if all of them are assigned.
   static int maxTerms(int role, int named) {
     int terms = 0;
     for (; role < kRoleCount; ++role, ++named) terms += kOwnTerms + named;
@@ -178,14 +181,14 @@ class Assignment {
 
 PartNaming assignParts(const ExtremityMeasures& measures) {
   PartNaming best;
-  double least = std::numeric_limits<double>::infinity();
+  double min_score = std::numeric_limits<double>::infinity();
   for (const double build : kBuilds) {
     const Scores scores(measures, build);
     Assignment assignment(scores);
     const double unusual = build / kBuildDeviation;
     const double score = assignment.solve() + unusual * unusual;
-    if (score >= least) continue;
-    least = score;
+    if (score >= min_score) continue;
+    min_score = score;
     best = assignment.names();
   }
   return best;
@@ -194,7 +197,7 @@ PartNaming assignParts(const ExtremityMeasures& measures) {
 bool isPlausible(PartLabel label, double volume_fraction, double thickness) {
   const auto role = std::find(std::begin(kRoles), std::end(kRoles), label);
   const Kind kind = kKindOfRole[role - std::begin(kRoles)];
-  if (kind == kLegKind && volume_fraction > kMostOfLeg) return false;
+  if (kind == kLegKind && volume_fraction > kMaxLeg) return false;
   const double volume =
       (std::log(volume_fraction) - kVolumeFraction[kind].mean) / kVolumeFraction[kind].deviation;
   const double depth = (std::log(thickness) - kThickness[kind].mean) / kThickness[kind].deviation;

@@ -8,21 +8,23 @@
 
 namespace markerless_mocap {
 
-/// Which tip is which part's.
+/// Assignment of extremities to parts.
 struct PartNaming {
-  std::array<int, kPartCount> extremity;  ///< by PartLabel, -1 where none fits; the torso has none
-  /// Mean clipped squared z-score of what was named, against human bodies; infinity for nothing.
+  std::array<int, kPartCount> extremity;  ///< index by PartLabel; -1: none fits; the torso has none
+  /// Mean clipped squared z-score of the assigned parts under the statistics of human bodies;
+  /// infinity if no part is assigned.
   double cost;
 };
 
-/// Names tips by their fullness, the ways between them and their heights, which need no body model
-/// and do not insist on an upright person: of all assignments of tips to head, arms and legs the
-/// one with the least sum of clipped squared z-scores, where a part left out costs nothing and a
-/// part named must pay for itself. Of the two arms (legs) the first has the earlier tip.
+/// Assigns extremities to head, arms and legs by their fullness, their geodesic distances and their
+/// heights. This needs no body model, and the person need not be upright. The assignment with the
+/// minimum sum of clipped squared z-scores is chosen. A part that is left out costs nothing, and
+/// each assigned part gets an allowance. Of the two arms (legs) the first has the smaller index of
+/// extremity.
 PartNaming assignParts(const ExtremityMeasures& measures);
 
-/// Whether a branch has a size that a limb of this name can have.
-/// \param volume_fraction nodes of the branch, of the hull's
+/// Whether the size of a branch is plausible for a part.
+/// \param volume_fraction number of nodes of the branch divided by that of the hull
 /// \param thickness mean depth of its nodes under the surface, in cube roots of the hull's volume
 bool isPlausible(PartLabel label, double volume_fraction, double thickness);
 

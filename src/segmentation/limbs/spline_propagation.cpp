@@ -9,18 +9,18 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kTubeRadius = 0.1;      // of the start's distance from the origin: nodes so
-                                         // near the curve are the branch's
-constexpr double kOutlierError = 0.007;  // of the same: nodes so far from the curve are outliers
-constexpr double kMostOutliers = 0.001;  // of all nodes: the branch has ended before
-constexpr double kLongestJump = 0.5;  // of the same: no nodes so near the end, the branch is over
-constexpr double kCosTurn = 0.94;     // a turn by more than 20 degrees takes a new direction
+// Lengths are relative to the start's distance from the origin.
+constexpr double kTubeRadius = 0.1;      // nodes this near the curve belong to the branch
+constexpr double kOutlierError = 0.007;  // nodes this far from the curve are outliers
+constexpr double kMaxOutliers = 0.001;   // of all nodes; with more the branch has ended
+constexpr double kMaxJump = 0.5;         // if no nodes are this near the end, the branch has ended
+constexpr double kCosTurn = 0.94;  // after a turn of more than 20 degrees a new direction is used
 constexpr double kInitialFraction = 0.02;  // P, of all nodes
 constexpr double kStepFraction = 0.005;    // N, of all nodes
-constexpr int kFewestNodes = 8;            // for P and N
+constexpr int kMinNodes = 8;               // for P and N
 constexpr int kPieces = 5;
 constexpr int kCurveSamples = 48;
-constexpr int kMostSteps = 400;
+constexpr int kMaxSteps = 400;
 
 enum State : char { kFree, kWalked, kTaken };
 
@@ -35,7 +35,7 @@ class Walk {
 
   Branch run() {
     begin();
-    for (int step = 0; step < kMostSteps && !isOver(); ++step) {
+    for (int step = 0; step < kMaxSteps && !isOver(); ++step) {
       if (!propagate()) break;
     }
     return take();
@@ -44,7 +44,7 @@ class Walk {
  private:
   bool isOver() const {
     if (stop_ == SplineTermination::kOrigin) return end_.norm() <= stop_distance_;
-    return double(outliers()) > kMostOutliers * double(positions_.rows());
+    return double(outliers()) > kMaxOutliers * double(positions_.rows());
   }
 
   size_t outliers() const {
@@ -58,7 +58,7 @@ class Walk {
   }
 
   int nodeCount(double fraction) const {
-    return std::max(kFewestNodes, int(fraction * double(positions_.rows())));
+    return std::max(kMinNodes, int(fraction * double(positions_.rows())));
   }
 
   std::vector<uint32_t> nearestFree(const Eigen::RowVectorXd& to, int count) const {
@@ -93,7 +93,8 @@ class Walk {
     return solver.eigenvectors().col(positions_.cols() - 1).transpose();
   }
 
-  /// Takes nodes in at their projections on the direction, seen from `from` at site `site`.
+  /// Adds nodes with the site values of their projections on the direction; `from` has the site
+  /// value `site`.
   void add(const std::vector<uint32_t>& nodes, const Eigen::RowVectorXd& from, double site) {
     for (const uint32_t node : nodes) {
       members_.push_back(node);
@@ -128,7 +129,7 @@ class Walk {
 
   bool propagate() {
     const std::vector<uint32_t> nodes = nearestFree(end_, nodeCount(kStepFraction));
-    if (nodes.empty() || (meanOf(nodes) - end_).norm() > kLongestJump * reach_) return false;
+    if (nodes.empty() || (meanOf(nodes) - end_).norm() > kMaxJump * reach_) return false;
     Eigen::RowVectorXd turned = principalDirection(nodes);
     if (turned.dot(direction_) < 0.0) turned *= -1.0;
     if (turned.dot(direction_) < kCosTurn) direction_ = turned;
@@ -136,7 +137,8 @@ class Walk {
     return true;
   }
 
-  /// Free nodes beside the curve and not at the torso: near the origin, or beyond the curve's end.
+  /// Takes the free nodes near the curve, except those of the torso: near the origin, or beyond the
+  /// curve's end.
   Branch take() {
     const LeastSquaresSpline fitted = curve();
     Branch branch{start_, {}};

@@ -9,17 +9,17 @@ namespace markerless_mocap {
 namespace {
 
 // Of clothed adults, in cube roots of the hull's volume.
-constexpr double kShoulderBelow = 0.39;  // where the head ends, along the trunk
-constexpr double kShoulderAside = 0.37;  // from the middle
+constexpr double kShoulderBelow = 0.39;  // below the end of the head, along the trunk
+constexpr double kShoulderAside = 0.37;  // from the centre line
 constexpr double kHipBelow = 1.54;
 constexpr double kHipAside = 0.1;
 constexpr double kArmRadius = 0.16;     // of an upper arm in a hull
-constexpr double kSideThickness = 0.1;  // of the trunk around its side, beyond an arm's
-constexpr double kEnd = 0.12;           // way over which a limb's end is averaged
-constexpr double kTrunkReach = 1.3;     // what of the trunk tells its direction
-constexpr double kChestDepth = 0.5;     // what of it is the chest
+constexpr double kSideThickness = 0.1;  // of the trunk's side, in addition to an arm's radius
+constexpr double kEnd = 0.12;           // distance over which a limb's end is averaged
+constexpr double kTrunkReach = 1.3;     // length of the trunk from which its direction is estimated
+constexpr double kChestDepth = 0.5;     // length of the chest
 constexpr double kChestRadius = 0.65;
-constexpr size_t kLeastChest = 8;  // nodes
+constexpr size_t kMinChest = 8;  // nodes
 
 double unitOf(const VoxelGraph& voxels) {
   return voxels.pitch * std::cbrt(double(voxels.graph.nodeCount()));
@@ -32,7 +32,7 @@ std::vector<PartLabel> ownersOf(const VoxelGraph& voxels, const Limbs& limbs) {
   return owner;
 }
 
-/// Middle of a limb's cross-section where it ends.
+/// Centre of a limb's cross-section at its border.
 Eigen::Vector3d endOf(const VoxelGraph& voxels, const Limbs& limbs, PartLabel limb) {
   const std::vector<double>& geodesic = limbs.geodesic[size_t(limb)];
   const std::vector<uint32_t>& nodes = limbs.branch[size_t(limb)].nodes;
@@ -61,7 +61,7 @@ std::optional<Eigen::Vector3d> upTheTrunk(const VoxelGraph& voxels,
   return -down.normalized();
 }
 
-/// Direction across the trunk in which what is below the neck is widest.
+/// Direction across the trunk in which the chest is widest.
 std::optional<Eigen::Vector3d> acrossTheChest(const VoxelGraph& voxels,
                                               const std::vector<PartLabel>& owner,
                                               const Eigen::Vector3d& neck,
@@ -80,7 +80,7 @@ std::optional<Eigen::Vector3d> acrossTheChest(const VoxelGraph& voxels,
     chest.push_back(aside);
     mean += aside;
   }
-  if (chest.size() < kLeastChest) return {};
+  if (chest.size() < kMinChest) return {};
   mean /= double(chest.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& aside : chest) spread += (aside - mean) * (aside - mean).transpose();
@@ -143,7 +143,7 @@ void addUpperArms(const VoxelGraph& voxels, Limbs* limbs) {
   if (!sides) return;
   constexpr std::array<PartLabel, 2> kArms{PartLabel::kArm1, PartLabel::kArm2};
   std::array<Eigen::Vector3d, 2> end;
-  std::array<double, 2> length{};  // of both lines, for each way to give the arms their sides
+  std::array<double, 2> length{};  // sum of both lines for each assignment of arms to sides
   for (size_t arm = 0; arm < 2; ++arm) {
     if (!limbs->has(kArms[arm])) continue;
     end[arm] = endOf(voxels, *limbs, kArms[arm]);

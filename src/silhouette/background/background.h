@@ -25,8 +25,8 @@ class Background {
   static constexpr int kMeanScale = 128;  ///< a mean is kMeanScale * grey level
   static constexpr int kMaxModes = 3;     ///< maximum number of modes of a pixel
   static constexpr int kLimit = 60;       ///< the threshold, in units of scaled distance
-  static constexpr double kWeightScale =
-      512;  ///< of kLimit divided by the threshold in grey levels
+  /// Of kLimit divided by the threshold in grey levels.
+  static constexpr double kWeightScale = 512;
 
   Background() = default;
   Background(const cv::Size& size, int channels, int modes);

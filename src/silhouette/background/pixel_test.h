@@ -14,8 +14,8 @@ namespace markerless_mocap {
 struct PixelClasses {
   BitMask foreground;  ///< differs from the background and is no shadow
   BitMask shadow;      ///< a shadow: a darker version of the background
-  std::vector<uint8_t>
-      ratio;           ///< for pixels of `shadow`: brightness relative to the background's, 255 = 1
+  /// For pixels of `shadow`: brightness relative to the background's, 255 = 1.
+  std::vector<uint8_t> ratio;
   size_t changed = 0;  ///< number of pixels that differ from the background, without specks
 };
 

@@ -18,8 +18,8 @@ class ShadowBlocks {
     float count = 0;         ///< number of candidate pixels
     float now[3] = {};       ///< sum of their colours in the image
     float expected[3] = {};  ///< sum of their colours in the background
-    float uneven =
-        0;  ///< sum of squared deviations of their brightness ratio from the block's mean
+    /// Sum of squared deviations of their brightness ratio from the block's mean.
+    float uneven = 0;
     float degrees_of_freedom = 0;  ///< of `uneven`
   };
 

@@ -21,8 +21,8 @@ constexpr TreePart partOf(UnsidedExtremity end) {
 /// The graph's tree with the head's extremity as its root.
 struct RerootedTree {
   std::vector<TreeNode> nodes;  ///< parents before children
-  std::array<int32_t, kUnsidedExtremityCount>
-      extremities{};  ///< nodes of the extremities, by UnsidedExtremity
+  /// Nodes of the extremities, by UnsidedExtremity.
+  std::array<int32_t, kUnsidedExtremityCount> extremities{};
   int32_t origin = -1;
 };
 RerootedTree rerootTree(const TreeGraph& graph, const LabelChoice& choice);

@@ -14,8 +14,8 @@ struct ExtremityCandidate {
   int32_t node = -1;                                    ///< node of the graph
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world metres
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the skeleton at its end, outwards
-  double extent =
-      0.0;  ///< distance from the node to the surface in that direction, metres; 0 if `cut`
+  /// Distance from the node to the surface in that direction, metres; 0 if `cut`.
+  double extent = 0.0;
   double end_radius = 0.0;   ///< of the hull along the last 10 cm, metres
   double limb_radius = 0.0;  ///< of the hull along the 20 cm before them, metres
   double branch = 0.0;       ///< path length to the nearest branching, metres
@@ -25,8 +25,8 @@ struct ExtremityCandidate {
 /// The ends that are not spurs, and the path lengths between them.
 struct ExtremityCandidates {
   std::vector<ExtremityCandidate> extremities;
-  std::vector<double>
-      tree_path_lengths;  ///< matrix, row by row, along the tree of shortest paths, metres
+  /// Matrix, row by row, along the tree of shortest paths, metres.
+  std::vector<double> tree_path_lengths;
   std::vector<double> shortest_path_lengths;  ///< the same with all loop edges
   double longest = 0.0;                       ///< longest path of the tree with its spurs, metres
 

@@ -28,11 +28,11 @@ struct LabelChoice {
       -1, -1, -1, -1, -1};  ///< nodes of the graph, by UnsidedExtremity
   int32_t origin = -1;      ///< node of the graph
   double rank = 0.0;
-  std::array<bool, kUnsidedExtremityCount>
-      closed{};  ///< whether an extremity lies on a loop, by UnsidedExtremity
+  /// Whether an extremity lies on a loop, by UnsidedExtremity.
+  std::array<bool, kUnsidedExtremityCount> closed{};
   std::vector<EdgeExchange> edge_exchanges;
-  double longest =
-      0.0;  ///< longest path between two extremities, metres: the unit of the proportions
+  /// Longest path between two extremities, metres: the unit of the proportions.
+  double longest = 0.0;
 };
 
 }  // namespace markerless_mocap

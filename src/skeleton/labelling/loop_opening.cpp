@@ -7,10 +7,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLow =
-    0.12;  // fraction of the longest path: a hand this far below the shoulders hangs
-constexpr double kInside =
-    0.03;  // fraction of the longest path: a hand's extremity is further from the trunk than this
+/// Fraction of the longest path: a hand this far below the shoulders hangs.
+constexpr double kLow = 0.12;
+/// Fraction of the longest path: a hand's extremity is further from the trunk than this.
+constexpr double kInside = 0.03;
 
 void markUp(const TreeGraph& graph, int32_t from, std::vector<bool>* marks) {
   for (int32_t at = from; at >= 0; at = graph.parents[size_t(at)]) (*marks)[size_t(at)] = true;

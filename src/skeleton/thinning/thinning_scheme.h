@@ -40,11 +40,11 @@ class SymmetricThinning {
   WordSet object_words_;
   WordSet candidate_words_;  ///< words that may hold candidates
   WordSpans object_spans_, candidate_spans_;
-  std::vector<BorderVoxel>
-      border_voxels_;  ///< the first border_count_ entries are valid in this round
+  /// The first border_count_ entries are valid in this round.
+  std::vector<BorderVoxel> border_voxels_;
   size_t border_count_ = 0;
-  std::vector<std::vector<Bits>>
-      new_isthmuses_;  ///< isthmuses by the round in which they were found, last first
+  /// Isthmuses by the round in which they were found, last first.
+  std::vector<std::vector<Bits>> new_isthmuses_;
 };
 
 /// Removes simple voxels, direction by direction, until only ends that are to be kept are simple.
