@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Markers of the error measure and the links in whose origins they sit.
+/// Markers of the error measure and the links whose origins they are.
 struct Marker {
   const char* name;
   const char* link;

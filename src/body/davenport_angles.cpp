@@ -12,10 +12,10 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Below this sine of the middle angle the outer angles are told apart by the last output alone.
+// Below this sine of the middle angle only the sum of the outer angles is defined.
 constexpr double kSingularSine = 1e-6;
 
-// More than any two solutions lie apart (rad^2).
+// More than the squared distance of any two solutions, rad^2.
 constexpr double kOutsideCost = 1e3;
 
 Vector3d solveOuter(const Matrix3d& R, const std::array<Vector3d, 3>& axes, double middle,

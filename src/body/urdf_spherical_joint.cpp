@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A model turned many times over must not wind up its angles without bound.
+// Angles must not grow without bound if a model turns many times.
 double unwind(double angle) {
   return std::abs(angle) < 2 * M_PI ? angle : std::remainder(angle, 2 * M_PI);
 }
@@ -24,7 +24,7 @@ UrdfSphericalJoint::UrdfSphericalJoint(const BodyModel& model,
   std::array<const BodyJoint*, 3> chain;
   for (int i = 0; i < 3; ++i) chain[i] = &model.joint(joints[i]);
   std::sort(chain.begin(), chain.end(), [](const BodyJoint* a, const BodyJoint* b) {
-    return a->child_link < b->child_link;  // parents come first
+    return a->child_link < b->child_link;  // parents have smaller link indices
   });
   lower_ = chain[1]->lower;
   upper_ = chain[1]->upper;

@@ -13,7 +13,7 @@ namespace {
 /// The radial factor (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3) of s = r^2.
 struct RadialFactor {
   double numerator, denominator;
-  double numerator_slope, denominator_slope;  ///< by s
+  double numerator_slope, denominator_slope;  ///< derivatives with respect to s
 
   RadialFactor(const double (&k)[8], double s)
       : numerator(1 + s * (k[0] + s * (k[1] + s * k[4]))),
@@ -35,7 +35,7 @@ struct RadialFactor {
   }
 };
 
-/// Undistorted to distorted image-plane point.
+/// Maps an undistorted image-plane point to the distorted one.
 Eigen::Vector2d distort(const double (&k)[8], const Eigen::Vector2d& p) {
   const double x = p.x(), y = p.y(), s = p.squaredNorm();
   const double radial = RadialFactor(k, s).value();
@@ -53,12 +53,12 @@ Eigen::Matrix2d distortionJacobian(const double (&k)[8], const Eigen::Vector2d& 
          tangential;
 }
 
-/// Squared radius until which the distorted radius grows; infinity when it always does.
+/// Squared radius up to which the distorted radius grows; infinity if it always grows.
 double foldRadiusSquared(const double (&k)[8]) {
   const auto grows = [&](double r) { return RadialFactor(k, r * r).grows(r * r); };
-  constexpr double kFarthest = 100;  // 89.4 degrees off the axis
+  constexpr double kMaxRadius = 100;  // 89.4 degrees off the axis
   double inside = 0;
-  while (inside < kFarthest) {
+  while (inside < kMaxRadius) {
     double outside = inside + 1e-3 * std::max(1.0, inside);
     if (grows(outside)) {
       inside = outside;
@@ -76,7 +76,7 @@ double foldRadiusSquared(const double (&k)[8]) {
 /// Inverts distort() by Newton's method inside the radius where it is invertible.
 Eigen::Vector2d undistort(const double (&k)[8], double max_radius_squared,
                           const Eigen::Vector2d& distorted) {
-  // A hair inside the fold, where the Jacobian is singular.
+  // Slightly inside the maximum radius, where the Jacobian is singular.
   const double max_radius = std::sqrt(max_radius_squared) * (1 - 1e-6);
   const auto clamped = [&](const Eigen::Vector2d& p) {
     const double r = p.norm();
@@ -173,11 +173,11 @@ CameraCalibration decomposeProjection(const Eigen::Matrix<double, 3, 4>& P) {
   if (!(std::abs(determinant) > 1e-12 * scale * scale * scale))
     throw std::invalid_argument(
         "projection matrix has a singular left 3x3 block, so it is no finite camera");
-  // P is known up to a factor only; a positive determinant puts what is seen at positive depth.
+  // P is known up to a factor only. A positive determinant gives visible points a positive depth.
   const double sign = determinant > 0 ? 1 : -1;
   M *= sign;
 
-  // RQ of M from QR of its transposed, row-reversed self.
+  // RQ decomposition of M by QR of its transpose with reversed rows.
   const Eigen::Matrix3d reversal =
       Eigen::Vector3d::Ones().asDiagonal().toDenseMatrix().rowwise().reverse();
   const Eigen::HouseholderQR<Eigen::Matrix3d> qr((reversal * M).transpose());

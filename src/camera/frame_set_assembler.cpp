@@ -6,12 +6,12 @@ namespace markerless_mocap {
 namespace {
 
 template <class T>
-void checkRange(const char* key, T value, T lowest, T highest) {
-  if (value >= lowest && value <= highest) return;  // NaN fails
-  std::ostringstream sentence;
-  sentence << "assembler/" << key << " is " << value << ", allowed is " << lowest << " to "
-           << highest;
-  throw std::invalid_argument(sentence.str());
+void checkRange(const char* key, T value, T min_value, T max_value) {
+  if (value >= min_value && value <= max_value) return;  // NaN fails
+  std::ostringstream message;
+  message << "assembler/" << key << " is " << value << ", allowed is " << min_value << " to "
+          << max_value;
+  throw std::invalid_argument(message.str());
 }
 
 }  // namespace

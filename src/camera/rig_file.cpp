@@ -26,7 +26,7 @@ constexpr const char* kHead =
   throw std::invalid_argument(where + ": " + what);
 }
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that is read as the same number.
 std::string text(double number) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
@@ -46,9 +46,9 @@ std::string quoted(const std::string& name) {
   return out.c_str();
 }
 
-/// The rotation's quaternion with three numbers on a grid of 1e-13 and the largest one, positive,
-/// completing them to length 1: what its matrix gives back differs by less than the grid and so
-/// becomes the very same again.
+/// The rotation's quaternion with three components rounded to a grid of 1e-13; the largest
+/// component is positive and completes them to length 1. The quaternion of its matrix differs by
+/// less than the grid, so writing and reading again gives the same numbers.
 Eigen::Quaterniond onGrid(const Eigen::Matrix3d& rotation) {
   constexpr double kSteps = 1e13;
   Eigen::Vector4d v =
@@ -77,7 +77,7 @@ std::string cameraText(const CameraCalibration& c) {
   return out.str();
 }
 
-/// One map of the file, every key of which must be asked for.
+/// A map of the file that rejects unknown keys: each key must be read.
 class StrictMap {
  public:
   StrictMap(YAML::Node node, std::string where) : node_(std::move(node)), where_(std::move(where)) {
@@ -85,11 +85,11 @@ class StrictMap {
     std::set<std::string> keys;
     for (const auto& entry : node_)
       if (!keys.insert(entry.first.as<std::string>("")).second)
-        throwError(where_, "key '" + entry.first.as<std::string>("") + "' stands there twice");
+        throwError(where_, "key '" + entry.first.as<std::string>("") + "' is repeated");
   }
 
   const std::string& where() const { return where_; }
-  /// Undefined if the key is not there.
+  /// The value of a key; undefined if the key is missing.
   YAML::Node optional(const std::string& key) {
     known_.insert(key);
     return node_[key];
@@ -122,7 +122,7 @@ class StrictMap {
                              ", allowed are finite numbers");
     return value;
   }
-  /// Throws if there is a key that nobody asked for.
+  /// Throws if there is a key that was not read.
   void finish() const {
     std::string known;
     for (const std::string& key : known_) known += (known.empty() ? "" : ", ") + key;
@@ -145,7 +145,7 @@ int pixelsOf(double value, const StrictMap& camera) {
 }
 
 Eigen::Quaterniond orientationIn(StrictMap& camera) {
-  constexpr double kTolerance = 1e-3;  // what a few written digits may lack
+  constexpr double kTolerance = 1e-3;  // for quaternions that are written with few digits
   const auto v = camera.numbers("orientation", 4, "a quaternion x y z w");
   const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
   const double length = q.norm();
@@ -180,7 +180,8 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
 }
 
 void checkRig(const std::vector<CameraCalibration>& rig, const std::string& where) {
-  if (rig.empty()) throwError(where, "the rig has no cameras, key 'cameras' lists one at least");
+  if (rig.empty())
+    throwError(where, "the rig has no cameras, key 'cameras' must list at least one");
   std::set<std::string> names;
   for (const CameraCalibration& camera : rig) {
     if (camera.name.empty()) throwError(where, "a camera has no name");
@@ -211,7 +212,8 @@ std::vector<CameraCalibration> rigFromText(const std::string& text, const std::s
   } catch (const YAML::Exception& error) {
     throwError(where, std::string("this is no YAML: ") + error.what());
   }
-  if (!root.IsMap()) throwError(where, "the rig has no cameras, key 'cameras' lists one at least");
+  if (!root.IsMap())
+    throwError(where, "the rig has no cameras, key 'cameras' must list at least one");
   StrictMap top(root, where);
   const YAML::Node cameras = top.optional("cameras");
   top.finish();

@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// Joint angles of one body at one instant by joint name without the body's id, radians.
+/// Joint angles of one body at one time, radians, by joint name without the body's id.
 struct AngleFrame {
   int64_t stamp_ns = 0;
   std::map<std::string, double> angles;
@@ -17,15 +17,15 @@ struct AngleFrame {
 
 struct AngleError {
   std::string joint;
-  SummaryStatistics error_deg;  ///< of the absolute difference, at most 180
+  SummaryStatistics error_deg;  ///< of the absolute difference, up to 180
 };
 
-/// Absolute difference of two angles on the circle, 0..pi.
+/// Absolute difference of two angles on the circle, radians, 0 to pi.
 double angleBetween(double a, double b);
 
-/// Per joint of the truth, in the order of names, over the matched frames; joints that the estimate
+/// Errors per joint of the truth, sorted by name, over the matched frames. Joints that the estimate
 /// never has are left out.
-/// \param match index into `estimate` for each frame of the truth or -1 (matchStamps)
+/// \param match index into `estimate` for each frame of the truth, or -1; see matchStamps()
 std::vector<AngleError> angleErrors(const std::vector<AngleFrame>& truth,
                                     const std::vector<AngleFrame>& estimate,
                                     const std::vector<int>& match);

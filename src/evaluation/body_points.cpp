@@ -6,12 +6,12 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kKnuckles = 0.53;  // of the way from the wrist to the finger tips
-constexpr double kBall = 0.72;      // of the foot from the heel
+constexpr double kKnuckles = 0.53;  // fraction of the distance from the wrist to the finger tips
+constexpr double kBall = 0.72;      // fraction of the foot's length from the heel
 
 /// The two ends of a shape along its longest cone, in the link's frame.
 struct Ends {
-  Eigen::Vector3d near, far;  ///< as seen from the link's origin
+  Eigen::Vector3d near, far;  ///< near and far from the link's origin
 };
 
 Ends longestEnds(const BodyModel& model, int link, const std::string& name) {

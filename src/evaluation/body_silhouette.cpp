@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kCorners = 32;
 
-/// Adds the outline of a sphere as the camera sees it: the circle of points whose viewing rays
-/// touch the sphere. Returns whether all of it is seen.
+/// Adds the outline of a sphere in the image: the circle of points whose viewing rays touch the
+/// sphere. Returns whether the whole outline is in front of the camera.
 bool addOutline(const Camera& camera, const Eigen::Vector3d& center, double radius,
                 std::vector<cv::Point>* outline) {
   const Eigen::Vector3d to_center = center - camera.position();

@@ -9,18 +9,18 @@
 
 namespace markerless_mocap {
 
-/// What a camera sees of the body: the union of its round cones, each drawn as the convex hull of
-/// the outlines of its two spheres, with the full lens model. A cone that is not wholly in front of
-/// the camera is left out. Outlines have 32 corners: a limb of 50 px width is drawn too thin by
-/// less than 0.3 px.
-/// \param T_world_link frames of all links, as BodyModel::forwardKinematics() gives them
-/// \param link_shown which links' cones to draw, by index; empty: all
+/// Silhouette of the body in a camera: the union of its round cones. Each cone is drawn as the
+/// convex hull of the outlines of its two spheres, with the full lens model. A cone that is not
+/// completely in front of the camera is left out. Outlines have 32 corners, so a limb of 50 px
+/// width is drawn less than 0.3 px too thin.
+/// \param T_world_link frames of all links, see BodyModel::forwardKinematics()
+/// \param link_shown by link: whether its cones are drawn; empty: all
 /// \return CV_8UC1 of the camera's size, 255 = body
 cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, const Camera& camera,
                        const std::vector<bool>& link_shown = {});
 
-/// Intersection over union of two masks of one size (CV_8UC1, non-zero = inside), 0..1; 0 when
-/// both are empty: nothing has been found. Throws std::invalid_argument if sizes or types differ.
+/// Intersection over union of two masks of one size (CV_8UC1, non-zero = inside), 0 to 1; 0 if both
+/// are empty. Throws std::invalid_argument if sizes or types differ.
 double maskIou(const cv::Mat& a, const cv::Mat& b);
 
 }  // namespace markerless_mocap

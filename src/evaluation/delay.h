@@ -4,15 +4,15 @@
 
 namespace markerless_mocap {
 
-/// How late an estimate shows the motion.
+/// Delay of an estimate relative to the true motion.
 struct Delay {
-  double seconds;  ///< positive: the estimate shows what was; NaN when it cannot be told
-  double D_now_mm, D_shifted_mm;  ///< mean D without and with the shift, over the same frames
+  double seconds;                 ///< positive: the estimate is late; NaN if it cannot be estimated
+  double D_now_mm, D_shifted_mm;  ///< mean D without and with the shift, over the same frames, mm
 };
 
-/// The shift of the truth in time, at most `most_seconds` either way, at which D is least; the
-/// truth is linear between its frames. To be told it takes 10 frames that stay within the truth
-/// under every shift, and a motion: D must change by 1 % over the shifts.
-Delay estimateDelay(const JointTrack& truth, const JointTrack& estimate, double most_seconds = 0.5);
+/// Estimates the time shift of the truth, up to `max_seconds` in either direction, that minimises
+/// D. The truth is interpolated linearly between its frames. The estimate needs 10 frames that stay
+/// inside the truth's range under all shifts, and motion: D must change by 1 % over the shifts.
+Delay estimateDelay(const JointTrack& truth, const JointTrack& estimate, double max_seconds = 0.5);
 
 }  // namespace markerless_mocap

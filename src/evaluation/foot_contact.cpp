@@ -7,31 +7,31 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // in a metre
-constexpr double kLowest = 0.05;      // of the frames: stray ones are not the floor
+constexpr double kMillimetres = 1e3;     // per metre
+constexpr double kFloorFraction = 0.05;  // fraction of the heights; lower ones are outliers
 
 double secondsBetween(int64_t from_ns, int64_t to_ns) {
   return double(to_ns - from_ns) * 1e-9;
 }
 
-double horizontal(const Eigen::Vector3d& way) {
-  return way.head<2>().norm();
+double horizontal(const Eigen::Vector3d& offset) {
+  return offset.head<2>().norm();
 }
 
-/// Height at which both sides' points rest; NaN without any.
-double lowestPlace(const JointTrack& both) {
+/// Height of the points of both sides at rest; NaN without points.
+double restHeight(const JointTrack& both) {
   std::vector<double> heights;
   for (const Eigen::Matrix3Xd& points : both.positions)
     for (Eigen::Index side = 0; side < points.cols(); ++side)
       if (std::isfinite(points(2, side))) heights.push_back(points(2, side));
   if (heights.empty()) return NAN;
-  const auto place = heights.begin() + std::ptrdiff_t(kLowest * double(heights.size()));
+  const auto place = heights.begin() + std::ptrdiff_t(kFloorFraction * double(heights.size()));
   std::nth_element(heights.begin(), place, heights.end());
   return *place;
 }
 
-/// Speed over half of kContactSpan_s to either side, as far as the point is known there; NaN where
-/// it cannot be told.
+/// Speed over up to half of kContactSpan_s to either side, as far as the point is known; NaN if it
+/// is not known.
 double speedAt(const JointTrack& track, Eigen::Index column, size_t frame) {
   constexpr double kReach = 0.5 * kContactSpan_s + 1e-6;
   const auto& stamps = track.stamps_ns;
@@ -61,20 +61,20 @@ std::vector<ContactRun> runsOf(const std::vector<bool>& resting,
   return runs;
 }
 
-/// Whether the first of both sides' points rests, per frame.
+/// Per frame, whether the first of the two points rests.
 std::vector<bool> restingFrames(const JointTrack& both) {
-  const double highest = lowestPlace(both) + kContactRise_m;
+  const double max_height = restHeight(both) + kContactRise_m;
   std::vector<bool> resting;
   for (size_t f = 0; f < both.frames(); ++f)
-    resting.push_back(both.positions[f](2, 0) <= highest &&
+    resting.push_back(both.positions[f](2, 0) <= max_height &&
                       speedAt(both, 0, f) <= kContactSpeed_m_s);
   for (const ContactRun& run : runsOf(resting, both.stamps_ns))
-    if (run.seconds < kShortestContact_s - 1e-6)
+    if (run.seconds < kMinContact_s - 1e-6)
       std::fill_n(resting.begin() + std::ptrdiff_t(run.first), run.frames, false);
   return resting;
 }
 
-/// Greatest distance from the first known place, and way by time.
+/// Maximum horizontal distance from the first known position, and path length per time.
 std::pair<double, double> travelled(const JointTrack& track, const ContactRun& run) {
   double reach = NAN, path = 0.0, seconds = 0.0;
   size_t first = 0, last = 0;
@@ -100,7 +100,7 @@ SummaryStatistics spreadOfSlides(const std::vector<FootSkate>& slides, double Fo
   return summaryStatistics(values);
 }
 
-void judgeAgreement(const JointTrack& truth, const JointTrack& estimate, FootContact* out) {
+void evaluateAgreement(const JointTrack& truth, const JointTrack& estimate, FootContact* out) {
   size_t said = 0, real = 0, both = 0;
   for (size_t f = 0; f < truth.frames(); ++f) {
     if (!truth.positions[f].col(0).allFinite() || !estimate.positions[f].col(0).allFinite())
@@ -122,14 +122,14 @@ std::string otherSide(const std::string& name) {
 FootContact footContact(const JointTrack& truth, const JointTrack& estimate,
                         const std::string& name) {
   if (truth.stamps_ns != estimate.stamps_ns)
-    throw std::invalid_argument("contacts of truth and estimate must be of the same frames");
+    throw std::invalid_argument("contacts need truth and estimate of the same frames");
   const std::vector<std::string> sides{name, otherSide(name)};
   const JointTrack real = truth.select(sides), found = estimate.select(sides);
   FootContact out;
   out.name = name;
   out.truth = restingFrames(real);
   out.estimate = restingFrames(found);
-  judgeAgreement(real, found, &out);
+  evaluateAgreement(real, found, &out);
   for (const ContactRun& run : runsOf(out.truth, real.stamps_ns)) {
     const auto [reach, path] = travelled(found, run);
     const auto [true_reach, true_path] = travelled(real, run);
@@ -145,7 +145,7 @@ FootContact footContact(const JointTrack& truth, const JointTrack& estimate,
 SoleStatistics soleStatistics(const std::vector<double>& heights_m,
                               const std::vector<bool>& resting) {
   if (heights_m.size() != resting.size())
-    throw std::invalid_argument("soles are judged by one height and one contact for each frame");
+    throw std::invalid_argument("soles need one height and one contact per frame");
   SoleStatistics out;
   std::vector<double> standing;
   size_t below = 0;

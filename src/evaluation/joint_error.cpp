@@ -8,12 +8,13 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // in a metre
-constexpr double kSwapGain = 0.7;     // a swap explains a frame when D falls below this share
+constexpr double kMillimetres = 1e3;  // per metre
+constexpr double kSwapGain =
+    0.7;  // a frame counts as swapped if exchanging sides lowers D below this fraction
 
-/// Linear between the sorted samples, as most statistics programs have it.
-double percentile(const std::vector<double>& sorted, double share) {
-  const double at = share * double(sorted.size() - 1);
+/// Linear interpolation between the sorted samples, as in most statistics programs.
+double percentile(const std::vector<double>& sorted, double fraction) {
+  const double at = fraction * double(sorted.size() - 1);
   const size_t below = size_t(at);
   const size_t above = std::min(below + 1, sorted.size() - 1);
   return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
@@ -27,7 +28,7 @@ double meanOfFinite(const std::vector<double>& values) {
   return count == 0 ? NAN : sum / double(count);
 }
 
-/// Mean distance per column of what both have, mm.
+/// Mean distance over the columns that both have, mm.
 double meanDistance(const Eigen::Matrix3Xd& difference) {
   double sum = 0.0;
   int count = 0;
@@ -50,7 +51,7 @@ std::string otherSide(const std::string& name) {
   return name;
 }
 
-/// Share of frames that an exchange of the sides explains better.
+/// Fraction of frames in which an exchange of the sides lowers D clearly.
 double swapRate(const JointTrack& truth, const JointTrack& estimate) {
   std::vector<std::string> exchanged;
   for (const std::string& name : truth.names) exchanged.push_back(otherSide(name));
@@ -75,8 +76,8 @@ double limbSwapRate(const JointTrack& truth, const JointTrack& estimate,
   return swapRate(truth.select(names), estimate.select(names));
 }
 
-/// Axes of the truth's pelvis: y to the left hip, x forward, z up the spine; NaN if they cannot be
-/// told.
+/// Axes of the truth's pelvis: y to the left hip, x forward, z up the spine; NaN if they are not
+/// defined.
 std::vector<Eigen::Matrix3d> pelvisFrames(const JointTrack& truth) {
   const JointTrack base = truth.select({"l_hip", "r_hip", "thorax", "pelvis"});
   std::vector<Eigen::Matrix3d> frames;
@@ -97,11 +98,11 @@ Eigen::Matrix3Xd meanColumns(const std::vector<Eigen::Matrix3Xd>& frames, Eigen:
   for (const Eigen::Matrix3Xd& frame : frames)
     for (Eigen::Index i = 0; i < columns; ++i)
       if (frame.col(i).allFinite()) sum.col(i) += frame.col(i), count[i] += 1.0;
-  for (Eigen::Index i = 0; i < columns; ++i) sum.col(i) /= count[i];  // NaN where there is none
+  for (Eigen::Index i = 0; i < columns; ++i) sum.col(i) /= count[i];  // NaN without frames
   return sum;
 }
 
-/// Takes the constant offsets out and fills what is said about them.
+/// Removes the constant offsets and fills the fields on them.
 void separateOffsets(const JointTrack& truth, const JointTrack& estimate, JointErrors* errors) {
   const std::vector<Eigen::Matrix3d> pelvis = pelvisFrames(truth);
   const auto columns = Eigen::Index(truth.names.size());

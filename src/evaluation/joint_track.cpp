@@ -18,7 +18,7 @@ void JointTrack::add(int64_t stamp_ns, Eigen::Matrix3Xd points) {
     throw std::invalid_argument("a frame has " + std::to_string(points.cols()) + " points for " +
                                 std::to_string(names.size()) + " names");
   if (!stamps_ns.empty() && stamp_ns <= stamps_ns.back())
-    throw std::invalid_argument("frames of a track must follow each other in time");
+    throw std::invalid_argument("stamps of a track must be ascending");
   stamps_ns.push_back(stamp_ns);
   positions.push_back(std::move(points));
 }

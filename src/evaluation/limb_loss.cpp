@@ -7,17 +7,17 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // in a metre
+constexpr double kMillimetres = 1e3;  // per metre
 
-/// First frame with anything estimated; their count if there is none.
+/// First frame with an estimate; the number of frames if there is none.
 size_t firstPose(const JointTrack& estimate) {
   size_t f = 0;
   while (f < estimate.frames() && !estimate.positions[f].array().isFinite().any()) ++f;
   return f;
 }
 
-/// Counts runs of lost frames, near ones as one, and the longest. A run lasts until the next frame
-/// in which the limb is not lost.
+/// Counts the runs of lost frames and finds the longest; runs close to each other count as one. A
+/// run lasts until the next frame in which the limb is not lost.
 void countLosses(const std::vector<int64_t>& stamps_ns, LimbLoss* limb) {
   const auto at = [&](size_t f) {
     return double(stamps_ns[std::min(f, stamps_ns.size() - 1)] - stamps_ns[0]) * 1e-9;
@@ -65,9 +65,7 @@ LimbLoss limbLoss(const JointTrack& truth, const JointTrack& estimate, size_t fi
 
 std::vector<LimbLoss> limbLosses(const JointTrack& truth, const JointTrack& estimate) {
   if (truth.stamps_ns != estimate.stamps_ns)
-    throw std::invalid_argument(
-        "losses of limbs are told from truth and estimate of the same "
-        "frames");
+    throw std::invalid_argument("losses of limbs need truth and estimate of the same frames");
   const size_t first = firstPose(estimate);
   std::vector<LimbLoss> limbs;
   for (const auto& [name, end] : {std::pair{"head", "head"},

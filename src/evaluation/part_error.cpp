@@ -12,7 +12,7 @@ constexpr double kBorder = 0.06;  // metres
 constexpr double kHalf = 0.5;
 using Counts = std::array<std::array<size_t, kTruePartCount>, kTruePartCount>;
 
-/// Voxels of one frame with their true parts, found by their place on the lattice.
+/// Voxels of one frame with their true parts, indexed by lattice cell.
 class TrueVoxels {
  public:
   TrueVoxels(const Eigen::Matrix3Xd& true_points, const SegmentedHull& hull)
@@ -35,7 +35,7 @@ class TrueVoxels {
     return true;
   }
 
-  /// Whether all voxels within kBorder are of the same true part.
+  /// Whether all voxels within kBorder belong to the same true part.
   bool isInside(size_t v) const {
     const int reach = int(kBorder / pitch_);
     const Eigen::Vector3i place = placeOf(Eigen::Index(v));
@@ -73,7 +73,7 @@ class TrueVoxels {
   std::unordered_map<int64_t, size_t> at_;
 };
 
-/// For each true part the label that stands for it: arms and legs in the order that fits better.
+/// The label of each true part, with arms and legs in the order that fits better.
 std::array<int, kTruePartCount> sidesThatFit(const Counts& counts) {
   std::array<int, kTruePartCount> label{0, 1, 2, 3, 4, 5};
   for (const size_t left : {size_t(2), size_t(4)})
@@ -114,7 +114,7 @@ PartStatistics figuresOf(const std::vector<PartEvaluation>& verdicts, const Want
   PartStatistics figures;
   std::vector<double> right, inside, six;
   for (const PartEvaluation& verdict : verdicts) {
-    if (!verdict.judged || !wanted(verdict)) continue;
+    if (!verdict.evaluated || !wanted(verdict)) continue;
     ++figures.frames;
     right.push_back(verdict.fraction_correct);
     inside.push_back(verdict.fraction_correct_inside);
@@ -131,7 +131,7 @@ SummaryStatistics curveSpread(const std::vector<PartEvaluation>& verdicts, size_
                               size_t last) {
   std::vector<double> distances;
   for (const PartEvaluation& verdict : verdicts)
-    for (size_t part = first; verdict.judged && part <= last; ++part)
+    for (size_t part = first; verdict.evaluated && part <= last; ++part)
       if (verdict.overlap[part] > kHalf) distances.push_back(verdict.curve_mm[part]);
   return summaryStatistics(distances);
 }
@@ -142,7 +142,7 @@ PartEvaluation evaluateParts(const Eigen::Matrix3Xd& true_points, const Segmente
   PartEvaluation verdict;
   verdict.curve_mm.fill(NAN);
   if (hull.voxels.cols() == 0 || !true_points.allFinite()) return verdict;
-  verdict.judged = true;
+  verdict.evaluated = true;
   verdict.valid = hull.valid;
   const TrueVoxels voxels(true_points, hull);
   verdict.free = voxels.isFree();
@@ -172,7 +172,7 @@ PartEvaluation evaluateParts(const Eigen::Matrix3Xd& true_points, const Segmente
 
 PartErrors partErrors(const JointTrack& truth, const std::vector<SegmentedHull>& hulls) {
   if (truth.names != partTruthNames() || hulls.size() != truth.frames())
-    throw std::invalid_argument("segmented hulls are held against one frame of all points each");
+    throw std::invalid_argument("each segmented hull needs one frame of the truth with all points");
   PartErrors errors;
   for (size_t f = 0; f < hulls.size(); ++f) {
     checkHull(hulls[f]);

@@ -5,34 +5,35 @@
 
 namespace markerless_mocap {
 
-/// What a segmentation says about one frame. Parts are numbered torso, head, arm, arm, leg, leg;
-/// which arm and which leg is the left one is left open.
+/// Segmentation of one frame. Parts are numbered torso, head, arm, arm, leg, leg; left and right
+/// are not distinguished.
 struct SegmentedHull {
-  bool valid = false;                                   ///< whether it stands by all six parts
-  double pitch = 0.0;                                   ///< metres from a voxel to the next
-  Eigen::Matrix3Xd voxels;                              ///< centres on a lattice, metres
-  std::vector<uint8_t> labels;                          ///< part of each voxel
-  std::array<Eigen::Matrix3Xd, kTruePartCount> curves;  ///< metres; without columns if not seen
+  bool valid = false;           ///< whether all six parts are reported as valid
+  double pitch = 0.0;           ///< distance between neighbouring voxels, metres
+  Eigen::Matrix3Xd voxels;      ///< centres of voxels on a lattice, metres
+  std::vector<uint8_t> labels;  ///< part of each voxel
+  std::array<Eigen::Matrix3Xd, kTruePartCount>
+      curves;  ///< points of the curves, metres; no columns if not seen
 };
 
-/// One frame judged. Shares are of its voxels.
+/// Evaluation of one frame. Fractions are of its voxels.
 struct PartEvaluation {
-  bool judged = false;  ///< there are voxels and the truth has all points
+  bool evaluated = false;  ///< whether there are voxels and the truth has all points
   bool valid = false;
-  /// Whether no forearm, hand, shank or foot touches another part in the hull: by the truth no
-  /// voxel of it has a face in common with one of another part.
+  /// Whether no forearm, hand, shank or foot touches another part in the hull: none of its true
+  /// voxels shares a face with a voxel of another true part.
   bool free = false;
   double fraction_correct = 0.0;
-  double fraction_correct_inside = 0.0;  ///< of the voxels farther than 60 mm from a true border;
-                                         ///< NaN without any
+  double fraction_correct_inside =
+      0.0;  ///< of the voxels further than 60 mm from a true border; NaN without any
   std::array<double, kTruePartCount> overlap{};  ///< intersection over union, by truePartNames()
-  bool all_six_correct = false;                  ///< all overlaps are over a half
-  /// Mean distance from the curve's points to the true axis, mm, by truePartNames(); NaN if not
+  bool all_six_correct = false;                  ///< all overlaps exceed 0.5
+  /// Mean distance of the curve's points from the true axis, mm, by truePartNames(); NaN if not
   /// seen.
   std::array<double, kTruePartCount> curve_mm{};
 };
 
-/// Over the frames of one kind.
+/// Statistics over the frames of one group.
 struct PartStatistics {
   size_t frames = 0;
   double fraction_correct, worst_correct, fraction_correct_inside,
@@ -42,16 +43,16 @@ struct PartStatistics {
 struct PartErrors {
   std::vector<PartEvaluation> verdicts;  ///< per frame of the truth
   PartStatistics all, free, touching, valid;
-  double fraction_valid;  ///< of the judged frames
+  double fraction_valid;  ///< fraction of the evaluated frames
   SummaryStatistics torso_mm, head_mm, arms_mm,
       legs_mm;  ///< curves of the parts with an overlap over a half
 };
 
 PartEvaluation evaluateParts(const Eigen::Matrix3Xd& true_points, const SegmentedHull& segmented);
 
-/// \param truth track with partTruthNames() \param hulls one for each of its frames; throws
-///   std::invalid_argument otherwise, or if a hull's labels are not as many as its voxels or name
-///   no part
+/// \param truth track with partTruthNames()
+/// \param hulls one for each of its frames; throws std::invalid_argument otherwise, or if a hull
+///   does not have one valid label per voxel
 PartErrors partErrors(const JointTrack& truth, const std::vector<SegmentedHull>& hulls);
 
 }  // namespace markerless_mocap

@@ -25,8 +25,9 @@ constexpr int kSided = 8;
 
 double toSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double length = (b - a).squaredNorm();
-  const double share = length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
-  return (point - a - share * (b - a)).norm();
+  const double fraction =
+      length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+  return (point - a - fraction * (b - a)).norm();
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
                                 std::to_string(partTruthNames().size()) + " points");
   const Eigen::Vector3d hip = points.col(kHip), knee = points.col(kKnee);
   const double leg = (hip - knee).norm() + (knee - points.col(kAnkle)).norm();
-  // Half widths of adults as shares of the leg's length.
+  // Half widths of adults as fractions of the leg's length.
   const auto add = [&](int a, int b, double radius, int part, bool distal, bool axis) {
     bones_.push_back({points.col(a), points.col(b), radius * leg, uint8_t(part), distal, axis});
   };
@@ -71,11 +72,11 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
 
 const PartTruth::Bone& PartTruth::nearestBone(const Eigen::Vector3d& point) const {
   const Bone* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_) {
     const double distance = toSegment(point, bone.a, bone.b) - bone.radius;
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min_distance) continue;
+    min_distance = distance;
     nearest = &bone;
   }
   return *nearest;
@@ -90,10 +91,11 @@ bool PartTruth::isDistal(const Eigen::Vector3d& point) const {
 }
 
 double PartTruth::toAxis(const Eigen::Vector3d& point, int part) const {
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_)
-    if (bone.part == part && bone.axis) least = std::min(least, toSegment(point, bone.a, bone.b));
-  return least;
+    if (bone.part == part && bone.axis)
+      min_distance = std::min(min_distance, toSegment(point, bone.a, bone.b));
+  return min_distance;
 }
 
 }  // namespace markerless_mocap

@@ -12,25 +12,25 @@ namespace markerless_mocap {
 constexpr int kTruePartCount = 6;
 const std::array<const char*, kTruePartCount>& truePartNames();
 
-/// Names of the points that the true parts are made of: the joints of the measure, hand_tip and
-/// foot_tip of either side, head_top.
+/// Names of the points from which true parts are computed: the joints of the error measure,
+/// hand_tip and foot_tip of both sides, head_top.
 const std::vector<std::string>& partTruthNames();
 
-/// Where the parts of one person are at one instant, by the person's own joints. A point belongs to
-/// the part whose bone's flesh is nearest: bones are lines of a thickness that goes with the leg's
-/// length, and where exactly a shoulder ends is a convention.
+/// True parts of one person at one time, from the person's joints. A point belongs to the part with
+/// the nearest bone surface. Bones are line segments with a radius proportional to the leg's
+/// length. The exact border at a shoulder is a convention.
 class PartTruth {
  public:
-  /// \param points columns by partTruthNames(), metres. Throws std::invalid_argument if one is not
-  ///   finite or the count is another.
+  /// \param points columns by partTruthNames(), metres. Throws std::invalid_argument if a point is
+  ///   not finite or the number of columns is wrong.
   explicit PartTruth(const Eigen::Matrix3Xd& points);
 
-  /// Index into truePartNames().
+  /// Part at a point (world metres), as an index into truePartNames().
   uint8_t partAt(const Eigen::Vector3d& point) const;
   /// Whether a point lies in a forearm, hand, shank or foot.
   bool isDistal(const Eigen::Vector3d& point) const;
-  /// Metres from a point to the bones that are a part's axis: the spine from the pelvis to the
-  /// thorax, thorax to the top of the head, shoulder to hand, hip to foot.
+  /// Distance of a point from the axis of a part, metres: the spine from pelvis to thorax, thorax
+  /// to the top of the head, shoulder to hand, or hip to foot.
   double toAxis(const Eigen::Vector3d& point, int part) const;
 
  private:

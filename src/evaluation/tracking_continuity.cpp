@@ -38,7 +38,7 @@ double TrackingContinuity::longest_loss() const {
 TrackingContinuity trackingContinuity(const std::vector<int64_t>& stamps_ns,
                                       const std::vector<FrameStatus>& statuses) {
   if (stamps_ns.size() != statuses.size())
-    throw std::invalid_argument("a track record takes one status for each stamp");
+    throw std::invalid_argument("tracking continuity needs one status per stamp");
   TrackingContinuity record;
   record.seconds_to_first_pose = NAN;
   bool begun = false, losing = false;

@@ -30,7 +30,7 @@ UncertaintyCalibration uncertaintyCalibration(const std::string& point,
                                               const std::vector<double>& expected_m,
                                               const std::vector<double>& error_mm) {
   if (expected_m.size() != error_mm.size())
-    throw std::invalid_argument("expected errors and errors must be of the same frames");
+    throw std::invalid_argument("expected and actual errors need the same frames");
   Pairs pairs;
   for (size_t f = 0; f < expected_m.size(); ++f)
     if (std::isfinite(expected_m[f]) && std::isfinite(error_mm[f]))

@@ -6,25 +6,26 @@
 
 namespace markerless_mocap {
 
-/// Frames of like expected error. Where it means what it says, the two figures are one.
+/// Frames with similar expected error. If the expected error is calibrated, both values are equal.
 struct UncertaintyBin {
   size_t frames;
   double expected_mm, actual_mm;  ///< root mean squares
 };
 
-/// Whether the error that a tracker expects of a point is the one it makes.
+/// Comparison of the errors that a tracker expects of a point with its actual errors.
 struct UncertaintyCalibration {
   std::string point;
-  size_t frames = 0;              ///< with both
+  size_t frames = 0;              ///< frames with both
   double expected_mm, actual_mm;  ///< root mean squares; NaN without frames
-  /// Of the frames whose error is at most twice the expected one.
+  /// Fraction of the frames whose error is at most twice the expected one.
   double fraction_within_two_sigma;
-  std::vector<UncertaintyBin> bins;  ///< fifths of the frames, by expected error ascending
+  std::vector<UncertaintyBin> bins;  ///< quintiles of the frames by expected error, ascending
 };
 
-/// \param expected_m standard deviation of the point as told, metres, per frame; NaN: not told
-/// \param error_mm distance to the true point, mm; NaN without estimate
-/// Throws std::invalid_argument unless both are of the same frames.
+/// \param expected_m standard deviation of the point as reported, metres, per frame; NaN: not
+///   reported
+/// \param error_mm distance from the true point, mm, per frame; NaN without estimate
+/// Throws std::invalid_argument unless both have the same number of frames.
 UncertaintyCalibration uncertaintyCalibration(const std::string& point,
                                               const std::vector<double>& expected_m,
                                               const std::vector<double>& error_mm);

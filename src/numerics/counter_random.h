@@ -7,19 +7,19 @@
 
 namespace markerless_mocap {
 
-/// Random numbers that depend on a seed and on where they are used, not on the order of use, so
-/// that threads cannot change them (SplitMix64's finaliser; Steele et al. 2014).
+/// Counter-based random numbers: they depend on a seed and a counter and not on the order of calls,
+/// so results do not depend on threads (finaliser of SplitMix64; Steele et al. 2014).
 class CounterRandom {
  public:
   explicit CounterRandom(uint64_t seed) : key_(splitMix64(seed)) {}
-  /// Numbers of their own for a part of the work.
+  /// An independent stream of numbers for a part of the work.
   CounterRandom stream(uint64_t part) const { return CounterRandom(key_ ^ splitMix64(~part)); }
 
-  /// In [0, 1).
+  /// Uniform in [0, 1).
   double uniform(uint64_t counter) const { return splitMixUniform(key_ + counter); }
-  /// In [lowest, highest).
-  double between(double lowest, double highest, uint64_t counter) const {
-    return lowest + (highest - lowest) * uniform(counter);
+  /// Uniform in [low, high).
+  double between(double low, double high, uint64_t counter) const {
+    return low + (high - low) * uniform(counter);
   }
   /// Standard normal (Box and Muller 1958).
   double normal(uint64_t counter) const {

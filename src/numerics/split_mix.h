@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// Random bits that depend on a counter alone: SplitMix64 (Steele, Lea, Flood 2014).
+/// Random bits as a function of a counter: SplitMix64 (Steele, Lea, Flood 2014).
 inline uint64_t splitMix64(uint64_t counter) {
   uint64_t z = counter + 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -12,7 +12,7 @@ inline uint64_t splitMix64(uint64_t counter) {
   return z ^ (z >> 31);
 }
 
-/// Uniform in [0, 1), from a counter alone.
+/// Uniform in [0, 1), as a function of a counter.
 inline double splitMixUniform(uint64_t counter) {
   return double(splitMix64(counter) >> 11) * 0x1p-53;
 }

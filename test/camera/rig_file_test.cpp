@@ -83,8 +83,8 @@ TEST(RigFileTest, theFormatIsThatOfTheManual) {
 
 TEST(RigFileTest, faultsAreNamed) {
   EXPECT_EQ(errorFor("cameras: []"),
-            "rig.yaml: the rig has no cameras, key 'cameras' lists one at least");
-  EXPECT_EQ(errorFor(""), "rig.yaml: the rig has no cameras, key 'cameras' lists one at least");
+            "rig.yaml: the rig has no cameras, key 'cameras' must list at least one");
+  EXPECT_EQ(errorFor(""), "rig.yaml: the rig has no cameras, key 'cameras' must list at least one");
   EXPECT_EQ(errorFor(std::string("cameras:\n") + kCamera + kCamera),
             "rig.yaml: two cameras are named 'a', each needs a name of its own");
   EXPECT_EQ(errorFor("cameras: [3]"), "rig.yaml, camera 0: this is no map of keys to values");
@@ -97,7 +97,7 @@ TEST(RigFileTest, faultsAreNamed) {
             "rig.yaml, camera 'a': 'fx' holds wide, allowed are finite numbers");
   EXPECT_EQ(errorForCamera("  cy: 29.5\n", ""), "rig.yaml, camera 'a': key 'cy' is missing");
   EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  cy: 3"),
-            "rig.yaml, camera 'a': key 'cy' stands there twice");
+            "rig.yaml, camera 'a': key 'cy' is repeated");
   EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  zoom: 3"),
             "rig.yaml, camera 'a': key 'zoom' is unknown, allowed are cx, cy, distortion, fx, fy, "
             "name, orientation, position, size, skew");

@@ -44,8 +44,8 @@ TEST(LabelErrors, ExchangedSidesAreWrongAndSaidToBeExchanged) {
   EXPECT_EQ(errors.ends[kRightFoot].fraction_correct, 0.75);
   EXPECT_NEAR(errors.hands_mm.mean, 1400.0 / 4, kExact_mm);  // 1.4 m apart, in one of four frames
   EXPECT_NEAR(errors.feet_mm.mean, 300.0 / 4, kExact_mm);
-  EXPECT_EQ(errors.hands_if_right_mm.max, 0.0);
-  EXPECT_EQ(errors.hands_if_right_mm.count, 4u);  // of two frames
+  EXPECT_EQ(errors.hands_if_correct_mm.max, 0.0);
+  EXPECT_EQ(errors.hands_if_correct_mm.count, 4u);  // of two frames
 }
 
 TEST(LabelErrors, AHandOnAFootIsWrongAloneAndItsSideIsNot) {
@@ -119,7 +119,7 @@ TEST(LabelErrors, FramesWithoutTruthAreLeftOut) {
   const LabelErrors errors = labelErrors(truth, labels);
   EXPECT_EQ(errors.frames, 2u);
   EXPECT_EQ(errors.fraction_correct, 1.0);
-  EXPECT_FALSE(errors.verdicts[1].judged);
+  EXPECT_FALSE(errors.verdicts[1].evaluated);
 }
 
 TEST(LabelErrors, PrecisionAndRecallFollowTheThreshold) {

@@ -102,7 +102,7 @@ TEST(PartTruth, needsAllPoints) {
 TEST(PartError, findsNothingWrongWithTheTruth) {
   const Eigen::Matrix3Xd points = standing(true);
   const PartEvaluation verdict = evaluateParts(points, perfectHull(points));
-  EXPECT_TRUE(verdict.judged && verdict.free && verdict.all_six_correct && verdict.valid);
+  EXPECT_TRUE(verdict.evaluated && verdict.free && verdict.all_six_correct && verdict.valid);
   EXPECT_EQ(verdict.fraction_correct, 1.0);
   EXPECT_EQ(verdict.fraction_correct_inside, 1.0);
   for (const double overlap : verdict.overlap) EXPECT_EQ(overlap, 1.0);
@@ -160,7 +160,7 @@ TEST(PartError, measuresCurvesFromTheBones) {
   EXPECT_NEAR(errors.verdicts[0].curve_mm[2], 30.0, 1e-9);
   EXPECT_TRUE(std::isnan(errors.verdicts[0].curve_mm[3]));
   EXPECT_NEAR(errors.arms_mm.mean, 30.0, 1e-9);
-  EXPECT_FALSE(errors.verdicts[1].judged) << "there is no truth";
+  EXPECT_FALSE(errors.verdicts[1].evaluated) << "there is no truth";
   EXPECT_EQ(errors.all.frames, 1u);
   EXPECT_EQ(errors.fraction_valid, 1.0);
   EXPECT_EQ(errors.touching.frames, 0u);

@@ -10,8 +10,8 @@ namespace {
 
 enum class Kind { kFixed, kRevolute, kEither };
 
-/// Joints in the order of the angle vector. REP-155 has all but the optional ones; its ankles are
-/// fixed.
+/// A joint of the angle vector, in its order. REP-155 has all joints but the optional ones; its
+/// ankles are fixed.
 struct KnownJoint {
   const char* name;
   const char* child;
@@ -50,8 +50,8 @@ constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", Kind::kRevolute, false
                                        {"r_knee", "r_knee", Kind::kRevolute, false},
                                        {"r_ankle", "r_ankle", Kind::kEither, false}};
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw std::invalid_argument("URDF of the body: " + sentence);
+[[noreturn]] void refuse(const std::string& message) {
+  throw std::invalid_argument("URDF of the body: " + message);
 }
 
 std::string textOf(Kind kind) {
@@ -84,7 +84,7 @@ void checkJoint(const urdf::ModelInterface& urdf, const KnownJoint& known, const
     refuse("joint " + name + " must be " + textOf(known.kind));
 }
 
-/// Rank of a joint in the angle order; joints we do not know come last.
+/// Rank of a joint in the order of angles; unknown joints come last.
 size_t rank(const std::string& joint_name, const std::string& id) {
   size_t i = 0;
   while (i < std::size(kKnownJoints) && kKnownJoints[i].name + ("_" + id) != joint_name) ++i;
@@ -108,7 +108,7 @@ void setMotion(const urdf::Joint& from, BodyJoint& joint) {
   joint.upper = from.limits->upper;
 }
 
-/// Whether a sphere lies within a capsule and adds nothing to the shape.
+/// Whether a sphere lies inside a capsule and adds nothing to the shape.
 bool within(const RoundCone& sphere, const RoundCone& capsule) {
   constexpr double kSlack = 1e-6;
   const Eigen::Vector3d along = capsule.b - capsule.a;
@@ -119,7 +119,7 @@ bool within(const RoundCone& sphere, const RoundCone& capsule) {
   return distance + sphere.radius_a <= capsule.radius_a + kSlack;
 }
 
-/// One link's visuals as round cones.
+/// The visuals of a link as round cones.
 std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
   std::vector<RoundCone> cones;
   for (const auto& visual : link.visual_array) {
@@ -149,7 +149,7 @@ std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
   return kept;
 }
 
-/// Appends a link and what hangs on it, depth first.
+/// Appends a link and its descendants, depth first.
 void appendLink(const urdf::Link& link, const std::string& id, int& angle_count, BodyTree& tree) {
   const int index = int(tree.links.size());
   tree.links.push_back(link.name);

@@ -7,14 +7,14 @@
 
 namespace markerless_mocap {
 
-/// Tree and shape as they stand in a URDF; twists are not yet set.
+/// Tree and shape of a URDF, before twists are computed.
 struct BodyTree {
   std::vector<std::string> links;
   std::vector<BodyJoint> joints;
   std::vector<RoundCone> shape;
 };
 
-/// Reads and checks; see BodyModel::fromUrdf.
+/// Reads and checks a URDF; see BodyModel::fromUrdf().
 BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id);
 
 }  // namespace markerless_mocap

@@ -18,40 +18,40 @@ double ratio(size_t part, size_t whole) {
   return whole == 0 ? NAN : double(part) / double(whole);
 }
 
-/// A frame that is judged, with the labeller's estimate of it.
-struct JudgedFrame {
+/// An evaluated frame and its validity.
+struct EvaluatedFrame {
   const LabelEvaluation* verdict;
   double validity;
 };
-using JudgedFrames = std::vector<JudgedFrame>;
-using FrameTest = std::function<bool(const JudgedFrame&)>;
+using JudgedFrames = std::vector<EvaluatedFrame>;
+using FrameTest = std::function<bool(const EvaluatedFrame&)>;
 
 size_t count(const JudgedFrames& frames, const FrameTest& test) {
   return size_t(std::count_if(frames.begin(), frames.end(), test));
 }
 
-bool isValid(const JudgedFrame& frame) {
+bool isValid(const EvaluatedFrame& frame) {
   return frame.verdict->valid;
 }
 
-bool isValidAndRight(const JudgedFrame& frame) {
+bool isValidAndRight(const EvaluatedFrame& frame) {
   return frame.verdict->valid && frame.verdict->right;
 }
 
 SummaryStatistics errorsOf(const JudgedFrames& frames, const std::vector<size_t>& ends,
                            const FrameTest& test) {
   std::vector<double> errors;
-  for (const JudgedFrame& frame : frames)
+  for (const EvaluatedFrame& frame : frames)
     if (test(frame))
       for (const size_t end : ends) errors.push_back(frame.verdict->error_mm[end]);
   return summaryStatistics(errors);
 }
 
 void fillShares(const JudgedFrames& frames, LabelErrors* out) {
-  const size_t right = count(frames, [](const JudgedFrame& f) { return f.verdict->right; });
+  const size_t right = count(frames, [](const EvaluatedFrame& f) { return f.verdict->right; });
   const size_t valid_right = count(frames, isValidAndRight);
   const size_t sides_correct = count(
-      frames, [](const JudgedFrame& f) { return f.verdict->valid && f.verdict->sides_correct; });
+      frames, [](const EvaluatedFrame& f) { return f.verdict->valid && f.verdict->sides_correct; });
   out->frames = frames.size();
   out->valid = count(frames, isValid);
   out->fraction_valid = ratio(out->valid, out->frames);
@@ -59,13 +59,13 @@ void fillShares(const JudgedFrames& frames, LabelErrors* out) {
   out->fraction_correct_and_valid = ratio(valid_right, out->frames);
   out->fraction_wrong_but_valid = ratio(out->valid - valid_right, out->frames);
   out->fraction_kinds_correct = ratio(
-      count(frames, [](const JudgedFrame& f) { return f.verdict->kinds_correct; }), out->frames);
+      count(frames, [](const EvaluatedFrame& f) { return f.verdict->kinds_correct; }), out->frames);
   out->fraction_sides_correct = ratio(sides_correct, out->valid);
 }
 
 void fillEnds(const JudgedFrames& frames, LabelErrors* out) {
   for (size_t end = 0; end < kLabelledExtremityCount; ++end) {
-    const size_t right = count(frames, [end](const JudgedFrame& f) {
+    const size_t right = count(frames, [end](const EvaluatedFrame& f) {
       return f.verdict->valid && f.verdict->extremity_correct[end];
     });
     out->ends.push_back(
@@ -73,11 +73,11 @@ void fillEnds(const JudgedFrames& frames, LabelErrors* out) {
   }
   out->hands_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValid);
   out->feet_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValid);
-  out->hands_if_right_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValidAndRight);
-  out->feet_if_right_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValidAndRight);
+  out->hands_if_correct_mm = errorsOf(frames, {kLeftHand, kRightHand}, isValidAndRight);
+  out->feet_if_correct_mm = errorsOf(frames, {kLeftFoot, kRightFoot}, isValidAndRight);
 }
 
-/// Complete frames of one validity.
+/// Counts of complete frames of one validity.
 struct Level {
   size_t right = 0, all = 0;
 };
@@ -85,7 +85,7 @@ struct Level {
 void fillCurve(const JudgedFrames& frames, LabelErrors* out) {
   std::map<double, Level, std::greater<double>> levels;  // by validity, highest first
   size_t right = 0;
-  for (const JudgedFrame& frame : frames) {
+  for (const EvaluatedFrame& frame : frames) {
     if (!frame.verdict->complete) continue;
     Level& level = levels[frame.validity];
     ++level.all;
@@ -115,7 +115,7 @@ void fillReliability(const JudgedFrames& frames, LabelErrors* out) {
     size_t frames = 0, right = 0;
   };
   std::array<Bin, kBins> bins;
-  for (const JudgedFrame& frame : frames) {
+  for (const EvaluatedFrame& frame : frames) {
     if (!frame.verdict->complete) continue;
     const double place = std::clamp(frame.validity, 0.0, 1.0) * double(kBins);
     Bin& bin = bins[std::min(size_t(place), kBins - 1)];
@@ -141,7 +141,7 @@ LabelErrors labelErrors(const JointTrack& truth, const std::vector<LabelledExtre
     out.verdicts.push_back(evaluateLabels(labels[f], points.positions[f]));
   JudgedFrames frames;
   for (size_t f = 0; f < labels.size(); ++f)
-    if (out.verdicts[f].judged) frames.push_back({&out.verdicts[f], labels[f].validity});
+    if (out.verdicts[f].evaluated) frames.push_back({&out.verdicts[f], labels[f].validity});
   fillShares(frames, &out);
   fillEnds(frames, &out);
   fillCurve(frames, &out);

@@ -6,23 +6,23 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // in a metre
+constexpr double kMillimetres = 1e3;  // per metre
 constexpr double kHeadLimit_mm = 250.0;
 
-/// An end's true points and how far from one of them it may be named.
-struct TrueEnd {
+/// The true points of an extremity, and the maximum distance from one of them.
+struct TrueExtremity {
   const char *point, *tip;
   double limit_mm;
 };
 
-constexpr TrueEnd kTrueEnds[kLabelledExtremityCount] = {
+constexpr TrueExtremity kTrueExtremities[kLabelledExtremityCount] = {
     {"head", "head_top", kHeadLimit_mm},
     {"l_hand", "l_hand_tip", kExtremityLimit_mm},
     {"r_hand", "r_hand_tip", kExtremityLimit_mm},
     {"l_foot", "l_foot_tip", kExtremityLimit_mm},
     {"r_foot", "r_foot_tip", kExtremityLimit_mm}};
 
-/// Two ends that are each other's mirror image, and where their limbs' joints are among the names.
+/// Two extremities that mirror each other, and the columns of their limbs' joints.
 struct Pair {
   size_t left, right;
   std::array<const char*, 2> left_joints, right_joints;
@@ -31,13 +31,13 @@ struct Pair {
 constexpr Pair kPairs[] = {{kLeftHand, kRightHand, {"l_wrist", "l_elbow"}, {"r_wrist", "r_elbow"}},
                            {kLeftFoot, kRightFoot, {"l_ankle", "l_knee"}, {"r_ankle", "r_knee"}}};
 
-/// Of wrist or ankle (joint 0), elbow or knee (1) of a side among labelTruthNames().
+/// Column in labelTruthNames() of wrist or ankle (joint 0), or elbow or knee (joint 1), of a side.
 Eigen::Index jointColumn(size_t pair, size_t side, size_t joint) {
   return Eigen::Index(2 * kLabelledExtremityCount + 4 * pair + 2 * side + joint);
 }
 
-/// Distances in mm from a labelled end to the true ones, at their points and at the nearer of point
-/// and tip.
+/// Distances from a labelled extremity to the true ones, mm: to their points, and to the nearer of
+/// point and tip.
 struct Distances {
   std::array<double, kLabelledExtremityCount> to_point, to_either;
 };
@@ -52,22 +52,22 @@ Distances distancesFrom(const Eigen::Vector3d& position, const Eigen::Matrix3Xd&
   return out;
 }
 
-/// Distance in mm from a point to a line through points.
+/// Distance from a point to a polyline, in the units of the points.
 double distanceTo(const Eigen::Matrix3Xd& line, const Eigen::Vector3d& point) {
   double nearest = (line.col(0) - point).norm();
   for (Eigen::Index i = 1; i < line.cols(); ++i) {
     const Eigen::Vector3d step = line.col(i) - line.col(i - 1);
     const double along = step.dot(point - line.col(i - 1)) / std::max(step.squaredNorm(), 1e-12);
-    const double share = std::min(std::max(along, 0.0), 1.0);
-    nearest = std::min(nearest, (line.col(i - 1) + share * step - point).norm());
+    const double fraction = std::min(std::max(along, 0.0), 1.0);
+    nearest = std::min(nearest, (line.col(i - 1) + fraction * step - point).norm());
   }
   return kMillimetres * nearest;
 }
 
-/// One frame's labels beside its truth.
-class FrameJudge {
+/// Compares the labels of one frame with the truth.
+class FrameEvaluation {
  public:
-  FrameJudge(const LabelledExtremities& labels, const Eigen::Matrix3Xd& truth)
+  FrameEvaluation(const LabelledExtremities& labels, const Eigen::Matrix3Xd& truth)
       : labels_(labels), truth_(truth) {
     for (size_t end = 0; end < kLabelledExtremityCount; ++end)
       distances_[end] = distancesFrom(labels.positions.col(Eigen::Index(end)), truth);
@@ -75,20 +75,20 @@ class FrameJudge {
 
   double error(size_t end) const { return distances_[end].to_point[end]; }
   bool within(size_t end, size_t true_end) const {
-    return distances_[end].to_either[true_end] <= kTrueEnds[end].limit_mm;
+    return distances_[end].to_either[true_end] <= kTrueExtremities[end].limit_mm;
   }
-  /// Whether the nearest true end is one of these two.
+  /// Whether the nearest true extremity is one of these two.
   bool nearestIs(size_t end, size_t one, size_t other) const {
     const auto& all = distances_[end].to_either;
     const size_t nearest = size_t(std::min_element(all.begin(), all.end()) - all.begin());
     return found(end) && (nearest == one || nearest == other);
   }
-  bool kindsRight(const Pair& p) const {
+  bool kindsCorrect(const Pair& p) const {
     return nearestIs(p.left, p.left, p.right) && nearestIs(p.right, p.left, p.right) &&
            ((within(p.left, p.left) && within(p.right, p.right)) ||
             (within(p.left, p.right) && within(p.right, p.left)));
   }
-  /// Whether what is found of a pair fits the truth no better with its sides changed.
+  /// Whether an exchange of its sides does not improve the fit of a pair.
   bool sidesFit(size_t pair) const {
     double gain = 0.0;
     if (found(kPairs[pair].left)) gain += misfit(0, pair, 0) - misfit(0, pair, 1);
@@ -98,7 +98,8 @@ class FrameJudge {
   bool found(size_t end) const { return labels_.positions.col(Eigen::Index(end)).allFinite(); }
 
  private:
-  /// How badly the end and limb labelled as one side fit those of one side of the truth, mm.
+  /// Sum of distances between the labelled extremity and limb of one side and the true ones of a
+  /// side, mm.
   double misfit(size_t labelled, size_t pair, size_t side) const {
     const size_t ends[] = {kPairs[pair].left, kPairs[pair].right}, end = ends[labelled];
     double sum = distances_[end].to_point[ends[side]];
@@ -119,32 +120,33 @@ class FrameJudge {
 }  // namespace
 
 LabelEvaluation evaluateLabels(const LabelledExtremities& labels, const Eigen::Matrix3Xd& truth) {
-  LabelEvaluation verdict;
-  verdict.judged = truth.leftCols<2 * kLabelledExtremityCount>().allFinite();
-  verdict.error_mm.fill(NAN);
-  if (!verdict.judged) return verdict;
-  const FrameJudge judge(labels, truth);
-  verdict.valid = labels.valid;
-  verdict.complete = labels.positions.allFinite();
+  LabelEvaluation evaluation;
+  evaluation.evaluated = truth.leftCols<2 * kLabelledExtremityCount>().allFinite();
+  evaluation.error_mm.fill(NAN);
+  if (!evaluation.evaluated) return evaluation;
+  const FrameEvaluation frame(labels, truth);
+  evaluation.valid = labels.valid;
+  evaluation.complete = labels.positions.allFinite();
   for (size_t end = 0; end < kLabelledExtremityCount; ++end)
-    verdict.error_mm[end] = judge.error(end);
-  verdict.extremity_correct[kHead] =
-      judge.nearestIs(kHead, kHead, kHead) && judge.within(kHead, kHead);
-  verdict.kinds_correct = verdict.extremity_correct[kHead];
-  verdict.sides_correct = true;
+    evaluation.error_mm[end] = frame.error(end);
+  evaluation.extremity_correct[kHead] =
+      frame.nearestIs(kHead, kHead, kHead) && frame.within(kHead, kHead);
+  evaluation.kinds_correct = evaluation.extremity_correct[kHead];
+  evaluation.sides_correct = true;
   for (size_t i = 0; i < 2; ++i) {
     const Pair& pair = kPairs[i];
-    const bool sides = judge.sidesFit(i);
-    verdict.kinds_correct = verdict.kinds_correct && judge.kindsRight(pair);
-    verdict.sides_correct =
-        verdict.sides_correct && sides && judge.found(pair.left) && judge.found(pair.right);
+    const bool sides = frame.sidesFit(i);
+    evaluation.kinds_correct = evaluation.kinds_correct && frame.kindsCorrect(pair);
+    evaluation.sides_correct =
+        evaluation.sides_correct && sides && frame.found(pair.left) && frame.found(pair.right);
     for (const size_t end : {pair.left, pair.right})
-      verdict.extremity_correct[end] =
-          judge.nearestIs(end, pair.left, pair.right) && judge.within(end, end) && sides;
+      evaluation.extremity_correct[end] =
+          frame.nearestIs(end, pair.left, pair.right) && frame.within(end, end) && sides;
   }
-  verdict.right = std::all_of(verdict.extremity_correct.begin(), verdict.extremity_correct.end(),
-                              [](bool right) { return right; });
-  return verdict;
+  evaluation.right =
+      std::all_of(evaluation.extremity_correct.begin(), evaluation.extremity_correct.end(),
+                  [](bool right) { return right; });
+  return evaluation;
 }
 
 const std::array<const char*, kLabelledExtremityCount>& extremityNames() {
@@ -155,7 +157,7 @@ const std::array<const char*, kLabelledExtremityCount>& extremityNames() {
 
 std::vector<std::string> labelTruthNames() {
   std::vector<std::string> names;
-  for (const TrueEnd& end : kTrueEnds) {
+  for (const TrueExtremity& end : kTrueExtremities) {
     names.emplace_back(end.point);
     names.emplace_back(end.tip);
   }

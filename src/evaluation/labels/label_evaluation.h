@@ -4,10 +4,10 @@
 
 namespace markerless_mocap {
 
-/// Places among extremityNames().
+/// Indices into extremityNames().
 enum LabelledExtremity { kHead, kLeftHand, kRightHand, kLeftFoot, kRightFoot };
 
-/// \param truth of one frame, its columns by labelTruthNames()
+/// \param truth points of one frame, metres, columns by labelTruthNames()
 LabelEvaluation evaluateLabels(const LabelledExtremities& labels, const Eigen::Matrix3Xd& truth);
 
 }  // namespace markerless_mocap

@@ -114,8 +114,8 @@ void printTrees(const TreeEvaluation& trees, std::ostream& out) {
                formatPercent(labels.fraction_kinds_correct) + " but for the sides)");
   printRow(out, "wrong but valid", formatPercent(labels.fraction_wrong_but_valid));
   printRow(out, "sides right", formatPercent(labels.fraction_sides_correct) + " of the valid");
-  printRow(out, "hands", extremityText(labels.hands_mm, labels.hands_if_right_mm));
-  printRow(out, "feet", extremityText(labels.feet_mm, labels.feet_if_right_mm));
+  printRow(out, "hands", extremityText(labels.hands_mm, labels.hands_if_correct_mm));
+  printRow(out, "feet", extremityText(labels.feet_mm, labels.feet_if_correct_mm));
   printRow(out, "joints, mm", jointsText(trees));
   printRow(
       out, "validity",
@@ -140,8 +140,8 @@ JsonObject treesObject(const TreeEvaluation& trees) {
   };
   addSpread("hand", labels.hands_mm);
   addSpread("foot", labels.feet_mm);
-  addSpread("hand_if_right", labels.hands_if_right_mm);
-  addSpread("foot_if_right", labels.feet_if_right_mm);
+  addSpread("hand_if_right", labels.hands_if_correct_mm);
+  addSpread("foot_if_right", labels.feet_if_correct_mm);
   for (const ExtremityLabelError& end : labels.ends) ends.add(end.name, end.fraction_correct);
   out.add("per_end_fraction_correct", ends);
   for (size_t i = 0; i < trees.joints.size(); ++i) {
