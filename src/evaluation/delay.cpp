@@ -27,8 +27,8 @@ bool truthAtTime(const JointTrack& truth, double at_ns, double max_gap_ns,
   if (next == 0) return false;
   const double step = double(*after - truth.stamps_ns[next - 1]);
   if (step > max_gap_ns) return false;
-  const double share = (at_ns - double(truth.stamps_ns[next - 1])) / step;
-  *points = (1.0 - share) * truth.positions[next - 1] + share * truth.positions[next];
+  const double fraction = (at_ns - double(truth.stamps_ns[next - 1])) / step;
+  *points = (1.0 - fraction) * truth.positions[next - 1] + fraction * truth.positions[next];
   return true;
 }
 

@@ -6,12 +6,12 @@
 
 namespace markerless_mocap {
 
-/// The bones that a motion drives. A bone turns about its head, the joint that it is named after in
-/// boneName(); kHips has its head midway between the hip joints.
+/// The bones that a motion drives. A bone rotates about its head, a joint. The head of kHips is
+/// midway between the hip joints.
 enum class Bone {
   kHips,
   kSpine,  ///< from the lumbar spine to the lower ribs
-  kChest,  ///< up to the neck's base
+  kChest,  ///< up to the base of the neck
   kNeck,
   kHead,
   kLeftClavicle,
@@ -35,20 +35,20 @@ constexpr int kBoneCount = 21;
 
 /// "hips", "l_upper_arm", ...
 const std::string& boneName(Bone bone);
-/// The bone that carries this one; kHips for itself.
+/// The parent of a bone; kHips for kHips.
 Bone parentOf(Bone bone);
-/// The same bone of the other side; a bone of the middle is its own mirror.
+/// The same bone of the other side; a bone of the trunk or head is its own mirror.
 Bone mirrorOf(Bone bone);
 
 template <typename T>
 using PerBone = std::array<T, kBoneCount>;
 
-/// A person of any size at one instant. World: z up, floor z = 0, metres.
+/// Pose of a person of any size at one time. World: z up, floor at z = 0, metres.
 struct HumanPose {
   /// Midway between the hip joints.
   Eigen::Vector3d hips = Eigen::Vector3d::Zero();
-  /// Turns each bone from its rest to now. At rest all are identity and the person stands facing
-  /// +x with straight legs and both arms straight out to the sides, palms down (T-pose).
+  /// Rotation of each bone from rest to the pose. At rest all are identity: the person stands
+  /// facing +x with straight legs and both arms straight out to the sides, palms down (T-pose).
   PerBone<Eigen::Quaterniond> R_world_bone = atRest();
 
   const Eigen::Quaterniond& operator[](Bone bone) const { return R_world_bone[size_t(bone)]; }
@@ -58,7 +58,8 @@ struct HumanPose {
   static PerBone<Eigen::Quaterniond> atRest();
 };
 
-/// Spherical between two poses, linear in `hips`. \param share 0 gives a, 1 gives b
+/// Interpolates between two poses: spherically, and linearly in `hips`.
+/// \param fraction 0 gives a, 1 gives b
 HumanPose interpolate(const HumanPose& a, const HumanPose& b, double fraction);
 
 }  // namespace markerless_mocap

@@ -8,21 +8,24 @@
 
 namespace markerless_mocap {
 
-/// The motion played by another person. Limbs point as in the file, but legs whose knees are
-/// elsewhere bend so that the ankles keep their scaled places below the hip joints, and standing
-/// feet do not slide; trunk, neck and head turn from their rest as in the file; a chain of spine
-/// joints is spread over spine and chest. The hips' path is scaled by the ratio of leg lengths,
-/// which also settles the file's unit. Up and forward are found from the rest pose (or, if that is
-/// no standing person, the first frame): z is up, and a person turned as in the rest pose faces +x.
-/// A T-pose in front of the motion is left out. Feet that stand are levelled, see levelFeet().
-/// Height is as in the file: for the floor see onFloor(). \param file named in faults Throws
-/// std::invalid_argument if bones are missing (mapBones()) or nobody stands upright in rest pose or
-/// first frame.
+/// Transfers a motion to another person. Limbs have the directions of the file; legs with other
+/// proportions bend so that the ankles keep their scaled positions relative to the hip joints, so
+/// standing feet do not slide. Trunk, neck and head rotate from their rest as in the file. A chain
+/// of spine joints is distributed over spine and chest. The hips' path is scaled by the ratio of
+/// leg lengths, which also removes the file's unit.
+///
+/// Up and forward are found from the rest pose, or from the first frame if the rest pose is no
+/// standing person: z is up, and a person in the orientation of the rest pose faces +x. A T-pose
+/// before the motion is left out. Standing feet are levelled, see levelFeet(). The height is that
+/// of the file; for the floor see onFloor().
+/// \param file name for error messages
+/// Throws std::invalid_argument if bones are missing (mapBones()), or if neither the rest pose nor
+/// the first frame is an upright person.
 MotionClip retarget(const BvhMotion& motion, const HumanSkeleton& skeleton,
                     const std::string& file);
 
-/// Turns each foot and its toes by one constant angle so that, in the median over the instants when
-/// the ball of the foot rests low, the sole is flat.
+/// Rotates each foot and its toes by one constant angle, so that the sole is flat in the median
+/// over the frames in which the ball of the foot rests low.
 void levelFeet(MotionClip& clip, const HumanSkeleton& skeleton);
 
 }  // namespace markerless_mocap

@@ -7,25 +7,24 @@
 
 namespace markerless_mocap {
 
-/// How somebody's rig stands in a pose in which its trunk and legs are upright: T-pose, A-pose or
-/// arms down.
+/// Stance of a rig in a pose with upright trunk and legs: T-pose, A-pose or arms down.
 struct RigStance {
-  /// From the rig's axes to z up, x the way the person faces.
+  /// From the rig's axes to world axes: z up, x the direction in which the person faces.
   Eigen::Matrix3d R_world_rig = Eigen::Matrix3d::Identity();
-  /// Where each bone of a limb points in world axes, unit length; zero where the rig does not tell.
+  /// Direction of each bone of a limb in world axes, unit length; zero if unknown.
   PerBone<Eigen::Vector3d> direction;
-  /// Hip joint to ankle along thigh and shank, mean of both sides, in the rig's unit.
+  /// From hip joint to ankle along thigh and shank, mean of both sides, in the rig's unit.
   double leg_length = 0.0;
 
-  /// Turns each bone of the skeleton's T-pose into this stance, in world axes: trunk, neck, head
-  /// and clavicles are taken to agree; limbs point as the rig's with the least turning from bone to
-  /// bone, so that a hinge stays a hinge.
+  /// Rotations of the bones from the skeleton's T-pose to this stance, in world axes. Trunk, neck,
+  /// head and clavicles are assumed to be equal. Limbs get the rig's directions with the smallest
+  /// rotation from bone to bone, so that a hinge stays a hinge.
   PerBone<Eigen::Quaterniond> turnsFrom(const HumanSkeleton& skeleton) const;
 };
 
-/// \param positions of the joints, in the rig's own axes
-/// \param stance written only if the result is true
-/// \return false if this is no upright person: the legs do not hang below the trunk
+/// \param positions positions of the joints in the rig's axes
+/// \param stance output, set only if the result is true
+/// \return false if this is no upright person, with the legs below the trunk
 bool measureStance(const std::vector<NamedJoint>& joints, const BoneMap& bones,
                    const std::vector<Eigen::Vector3d>& positions, RigStance& stance);
 

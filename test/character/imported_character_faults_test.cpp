@@ -39,7 +39,7 @@ TEST_F(Imported, FaultsOfTheRig) {
       if (place->z() < 0.9) *place = {0.92 - place->z(), place->y(), 0.92 + place->x()};
   EXPECT_EQ(faultOf(write(sitting)),
             "neither the bind pose nor the nodes' pose is a person standing upright, so up and "
-            "forward cannot be told");
+            "forward cannot be determined");
 }
 
 TEST_F(Imported, FaultsOfTheStature) {

@@ -247,7 +247,7 @@ TEST(Retarget, nobodyUprightIsRefused) {
     if (joint.name == "LeftThigh" || joint.name == "RightThigh") joint.offset.y() += 200.0;
   EXPECT_EQ(errorTextOf([&] { retarget(motion, rig.skeleton, "upside.bvh"); }),
             "upside.bvh: neither the rest pose nor the first frame is a person standing upright, "
-            "so up and forward cannot be told");
+            "so up and forward cannot be determined");
 }
 
 TEST(Retarget, missingBonesAreNamed) {

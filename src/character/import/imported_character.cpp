@@ -41,7 +41,7 @@ UprightRig uprightRig(const std::string& path) {
   }
   throw std::invalid_argument(path +
                               ": neither the bind pose nor the nodes' pose is a person standing "
-                              "upright, so up and forward cannot be told");
+                              "upright, so up and forward cannot be determined");
 }
 
 /// For each joint the bone that it is, or that is next above it.

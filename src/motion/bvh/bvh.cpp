@@ -38,7 +38,7 @@ void readOffset(BvhText& text, BvhJoint& joint) {
     joint.offset[axis] = text.takeNumber("the offset of " + joint.name);
 }
 
-/// From the joint's opening brace to its closing one, children included.
+/// Reads from the joint's opening brace to its closing one, with its children.
 void readBlock(BvhText& text, std::vector<BvhJoint>& joints, size_t self);
 
 void readChild(BvhText& text, std::vector<BvhJoint>& joints, size_t parent, bool is_end) {
@@ -46,7 +46,7 @@ void readChild(BvhText& text, std::vector<BvhJoint>& joints, size_t parent, bool
     text.fail("the file has more than the " + std::to_string(kMaxJoints) + " joints allowed");
   BvhJoint child;
   if (is_end) {
-    // Some writers name the site, some leave "Site" out.
+    // Some programs give the site a name, some omit "Site".
     if (text.peek() != "{") text.takeName("End Site");
     child.name = joints[parent].name + " end";
   } else {
@@ -126,7 +126,7 @@ void readMotion(BvhText& text, BvhMotion& motion) {
   for (size_t f = 0; f < lines; ++f) motion.frames.push_back(text.takeFrame(f, channels));
 }
 
-/// Some writers store displacements in joints below the root, see BvhJoint::positions_displace.
+/// Some programs store displacements in joints below the root, see BvhJoint::positions_displace.
 void findDisplacements(BvhMotion& motion) {
   size_t column = 0;
   for (BvhJoint& joint : motion.joints) {

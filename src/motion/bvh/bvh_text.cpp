@@ -17,13 +17,13 @@ bool sameWord(const std::string& a, const std::string& b) {
                     [](unsigned char x, unsigned char y) { return tolower(x) == tolower(y); });
 }
 
-// The sentence stays one line, whatever the file holds.
+// Keeps the error message on one line.
 std::string quoted(const std::string& text) {
-  constexpr size_t kMaxSeconds = 30;
-  std::string shown = text.substr(0, kMaxSeconds);
+  constexpr size_t kMaxQuoted = 30;
+  std::string shown = text.substr(0, kMaxQuoted);
   for (char& c : shown)
     if (!isprint(static_cast<unsigned char>(c))) c = '?';
-  return '"' + shown + (text.size() > kMaxSeconds ? "..." : "") + '"';
+  return '"' + shown + (text.size() > kMaxQuoted ? "..." : "") + '"';
 }
 
 }  // namespace
@@ -32,8 +32,9 @@ BvhText::BvhText(std::istream& stream, std::string name) : name_(std::move(name)
   std::string line;
   for (size_t number = 1; std::getline(stream, line); ++number) {
     last_line_ = number;
-    if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // UTF-8's mark
-    // "Frames:12" and "Frames : 12" read the same; elsewhere a colon belongs to a joint's name.
+    if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+      line.erase(0, 3);  // UTF-8 byte order mark
+    // "Frames:12" and "Frames : 12" are the same; elsewhere a colon is a part of a joint's name.
     const size_t start = line.find_first_not_of(" \t");
     const bool colon_is_word =
         start != std::string::npos && sameWord(line.substr(start, 5), "frame");

@@ -7,30 +7,30 @@
 
 namespace markerless_mocap {
 
-/// A BVH file's words with their lines, and the faults' sentences.
+/// The words of a BVH file with their line numbers; throws errors that name file and line.
 class BvhText {
  public:
   BvhText(std::istream& stream, std::string name);
 
   bool atEnd() const { return next_ == words_.size(); }
-  /// The next word without taking it; empty at the end.
+  /// The next word, without consuming it; empty at the end.
   const std::string& peek() const;
-  /// \param expected what should stand here, for the sentence if the file ends instead
+  /// \param expected what is expected here, for the error message if the file ends
   const std::string& take(const std::string& expected);
-  /// Compares without case.
+  /// Case-insensitive comparison.
   bool nextIs(const std::string& word) const;
   bool skipIf(const std::string& word);
   void require(const std::string& word, const std::string& where);
-  /// Words up to a brace or the line's end, joined by blanks.
+  /// Words up to a brace or the end of the line, joined by blanks.
   std::string takeName(const std::string& of);
   double takeNumber(const std::string& what);
   int takeCount(const std::string& what);
-  /// The numbers of a line, which must be as many as told.
+  /// The numbers of a line; there must be `channels` of them.
   std::vector<double> takeFrame(size_t frame, size_t channels);
-  /// Lines that hold words from here on.
+  /// Number of lines with words from here on.
   size_t linesLeft() const;
 
-  /// Throws the sentence with file and line of the word last taken.
+  /// Throws std::invalid_argument with the file and the line of the last word taken.
   [[noreturn]] void fail(const std::string& error) const;
   [[noreturn]] void failAt(size_t line, const std::string& error) const;
 

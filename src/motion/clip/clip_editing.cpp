@@ -22,7 +22,7 @@ void requirePoses(const MotionClip& clip) {
   if (clip.poses.empty()) throw std::invalid_argument("the motion has no poses");
 }
 
-std::string shown(double value) {
+std::string numberText(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
@@ -31,7 +31,7 @@ std::string shown(double value) {
 MotionClip sampled(const MotionClip& clip, double start, double end, double fps) {
   MotionClip out;
   out.fps = fps;
-  // A last sample within a thousandth of a frame counts.
+  // A last sample within 0.001 frames of the end is included.
   const size_t count = size_t(std::floor((end - start) * fps + 1e-3)) + 1;
   for (size_t i = 0; i < count; ++i) out.poses.push_back(clip.at(start + double(i) / fps));
   return out;
@@ -46,17 +46,19 @@ void turnPose(HumanPose& pose, const Quaterniond& turn) {
 MotionClip cut(const MotionClip& clip, double start, double duration) {
   requirePoses(clip);
   if (!(start >= 0.0 && start <= clip.duration()))
-    throw std::invalid_argument("start is " + shown(start) + " s, allowed is 0 to the motion's " +
-                                shown(clip.duration()) + " s");
+    throw std::invalid_argument("start is " + numberText(start) +
+                                " s, allowed is 0 to the motion's " + numberText(clip.duration()) +
+                                " s");
   if (!(duration > 0.0))
-    throw std::invalid_argument("duration is " + shown(duration) + " s, allowed is more than 0");
+    throw std::invalid_argument("duration is " + numberText(duration) +
+                                " s, allowed is more than 0");
   return sampled(clip, start, std::min(start + duration, clip.duration()), clip.fps);
 }
 
 MotionClip resampled(const MotionClip& clip, double fps) {
   requirePoses(clip);
   if (!(fps > 0.0))
-    throw std::invalid_argument("fps is " + shown(fps) + ", allowed is more than 0");
+    throw std::invalid_argument("fps is " + numberText(fps) + ", allowed is more than 0");
   return sampled(clip, 0.0, clip.duration(), fps);
 }
 
@@ -83,9 +85,9 @@ MotionClip centred(const MotionClip& clip) {
 MotionClip bent(const MotionClip& clip, double radius) {
   requirePoses(clip);
   if (!(std::abs(radius) >= kMinRadius))
-    throw std::invalid_argument("the radius to bend the path by is " + shown(radius) +
+    throw std::invalid_argument("the radius to bend the path by is " + numberText(radius) +
                                 " m, allowed is 0.1 m or more to either side");
-  // The hips sway with every step: only the way ahead winds the path up.
+  // The hips sway with each step: only the motion forward bends the path.
   constexpr double kSway = 0.2;  // seconds
   std::vector<double> x, y;
   for (const HumanPose& pose : clip.poses) {
@@ -110,7 +112,7 @@ MotionClip bent(const MotionClip& clip, double radius) {
 
 std::string volumeViolation(const MotionClip& clip, const HumanSkeleton& skeleton,
                             const Eigen::AlignedBox3d& volume) {
-  // A sole may press into the floor by as much.
+  // A sole may be below the floor by this.
   constexpr double kTolerance = 0.005;
   double excess = kTolerance, reached = 0.0, limit = 0.0, time = 0.0;
   int worst = -1;

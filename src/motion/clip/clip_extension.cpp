@@ -12,14 +12,14 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kShortestCycle = 0.6;  // seconds
-constexpr double kSearchRate = 30.0;    // frames per second
-constexpr double kSpeedWeight = 0.08;   // seconds: so much of the speed's difference counts
-constexpr double kAlike = 0.2;          // radians, mean of the bones: nearer poses only fade
-constexpr double kFade = 0.25;          // seconds to either side
-constexpr double kBridge = 0.6;         // seconds
+constexpr double kMinCycle = 0.6;      // seconds
+constexpr double kSearchRate = 30.0;   // frames per second
+constexpr double kSpeedWeight = 0.08;  // seconds: weight of the difference in speed
+constexpr double kAlike = 0.2;   // radians, mean over the bones: closer poses are only blended
+constexpr double kFade = 0.25;   // seconds to either side
+constexpr double kBridge = 0.6;  // seconds
 
-/// 0 to 1 with no speed at either end.
+/// From 0 to 1 with zero velocity at both ends.
 double easeInOut(double fraction) {
   return fraction * fraction * (3.0 - 2.0 * fraction);
 }
@@ -29,7 +29,7 @@ Quaterniond heading(const HumanPose& pose) {
   return Quaterniond(AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
 }
 
-/// Mean turn between the bones of two poses, headings aside, radians.
+/// Mean angle between the bones of two poses, without their headings, radians.
 double difference(const HumanPose& a, const HumanPose& b) {
   const Quaterniond turn = heading(a) * heading(b).conjugate();
   double sum = 0.0;
@@ -42,14 +42,15 @@ struct Cycle {
   size_t first = 0, last = 0;
 };
 
-/// The first frame in the first third, the last at least a shortest cycle later, most alike in
-/// pose and in the pose that follows; of equally good ones the longer.
+/// The cycle whose first and last frame are most similar in pose and in the following pose. The
+/// first frame is in the first third, the last at least kMinCycle later; of equally good cycles the
+/// longer one.
 Cycle bestCycle(const MotionClip& clip) {
   const size_t stride = std::max<size_t>(1, size_t(clip.fps / kSearchRate));
-  const size_t shortest = size_t(kShortestCycle * clip.fps);
+  const size_t shortest = size_t(kMinCycle * clip.fps);
   const size_t last = clip.poses.size() - 1;
   Cycle best{0, last};
-  double least = std::numeric_limits<double>::infinity();
+  double min_cost = std::numeric_limits<double>::infinity();
   for (size_t a = 0; a + stride <= last && a <= last / 3; a += stride) {
     for (size_t b = a + std::max(shortest, stride); b <= last; b += stride) {
       const double now = difference(clip.poses[a], clip.poses[b]);
@@ -57,8 +58,8 @@ Cycle bestCycle(const MotionClip& clip) {
                                        clip.poses[a >= stride ? b - stride : b]);
       const double change = std::abs(now - before) * clip.fps / double(stride);
       const double cost = (now + kSpeedWeight * change) / std::pow(double(b - a), 0.25);
-      if (cost < least) {
-        least = cost;
+      if (cost < min_cost) {
+        min_cost = cost;
         best = {a, b};
       }
     }
@@ -66,7 +67,7 @@ Cycle bestCycle(const MotionClip& clip) {
   return best;
 }
 
-/// The piece moved and turned so that its first pose stands and heads as `end` does.
+/// The piece, moved and turned so that its first pose has the position and heading of `end`.
 std::vector<HumanPose> continued(const std::vector<HumanPose>& piece, const HumanPose& end) {
   const Quaterniond turn = heading(end) * heading(piece.front()).conjugate();
   std::vector<HumanPose> out = piece;
@@ -80,7 +81,8 @@ std::vector<HumanPose> continued(const std::vector<HumanPose>& piece, const Huma
   return out;
 }
 
-/// Shares what `from` lacks to `to` among the poses of `next` with weights falling to nothing.
+/// Adds the difference between `end` and the first pose to the poses of `next`, with weights that
+/// fall to 0.
 void fadeIn(std::vector<HumanPose>& next, const HumanPose& end, size_t frames) {
   const HumanPose start = next.front();
   for (size_t k = 0; k < std::min(frames, next.size()); ++k) {
@@ -117,7 +119,7 @@ MotionClip extended(const MotionClip& clip, double duration) {
     for (size_t k = 1; k <= gap; ++k)
       out.poses.push_back(interpolate(end, next.front(), easeInOut(double(k) / double(gap + 1))));
     if (alike) fadeIn(next, end, std::max<size_t>(1, size_t(2 * kFade * clip.fps)));
-    // Alike, the piece's first pose is the last one there already.
+    // If the poses are similar, the first pose of the piece repeats the last pose and is left out.
     out.poses.insert(out.poses.end(), next.begin() + (alike ? 1 : 0), next.end());
   }
   out.poses.resize(count);

@@ -11,25 +11,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFlight = 0.05;           // metres above the lowest around
+constexpr double kFlight = 0.05;           // metres above the minimum nearby
 constexpr double kAround = 0.5;            // seconds
 constexpr double kSettling = 0.03;         // seconds
-constexpr int kSettlings = 4;              // each takes up most of what the one before left
+constexpr int kSettlings = 4;              // each removes most of the remaining error
 constexpr double kMaxPenetration = 0.003;  // metres
-constexpr double kHeelBehind = 0.028;      // of the stature, behind the ankle
+constexpr double kHeelBehind = 0.028;      // fraction of the stature, behind the ankle
 constexpr double kMaxToeTurn = 1.2;        // radians
-// Cosine: a foot nearer to upright than this bends its toes less.
+// Cosine; a foot closer to upright than this bends its toes less.
 constexpr double kSoleUp = 0.25;
 constexpr double kToeSeconds = 0.06;
 
-/// A point of a bone that is on the floor below `at_rest` in the T-pose.
+/// Height of the point of a bone that is on the floor below `at_rest` in the T-pose.
 double heightBelow(const HumanSkeleton& skeleton, const HumanPose& pose,
                    const PerBone<Vector3d>& heads, Bone bone, Vector3d at_rest) {
   at_rest.z() = 0.0;
   return (heads[size_t(bone)] + pose[bone] * (at_rest - skeleton.headOf(bone))).z();
 }
 
-/// Lowest of both heels and balls.
+/// Minimum height of both heels and balls.
 double footHeight(const HumanSkeleton& skeleton, const HumanPose& pose) {
   const PerBone<Vector3d> heads = jointPositions(skeleton, pose);
   double minimum = std::numeric_limits<double>::infinity();
@@ -42,7 +42,8 @@ double footHeight(const HumanSkeleton& skeleton, const HumanPose& pose) {
   return minimum;
 }
 
-/// Linear between the samples that count, constant before the first and after the last.
+/// Interpolates linearly between the samples that count; constant before the first and after the
+/// last.
 std::vector<double> filled(const std::vector<double>& values, const std::vector<bool>& counts) {
   std::vector<double> out(values.size());
   long last = -1;
@@ -59,8 +60,8 @@ std::vector<double> filled(const std::vector<double>& values, const std::vector<
   return out;
 }
 
-/// How far to lower each pose. Smoothed, for hips do not jolt when the other foot takes over;
-/// what smoothing leaves between feet and floor is smoothed again.
+/// Distance by which each pose is lowered. It is smoothed, so that the hips do not jolt when the
+/// other foot takes the weight; the remaining distance between feet and floor is smoothed again.
 std::vector<double> dropsOf(const std::vector<double>& feet, double fps) {
   const std::vector<double> floor = slidingMinimum(feet, int(kAround * fps));
   std::vector<bool> stands;
@@ -77,8 +78,8 @@ std::vector<double> dropsOf(const std::vector<double>& feet, double fps) {
   return drops;
 }
 
-/// Angle about the toes' own axis that lifts a tip below the floor onto it; 0 above. Toes of a foot
-/// that stands upright or lies on its back are left alone.
+/// Angle about the toes' axis that lifts a tip from below the floor onto it; 0 if it is above. Toes
+/// of a foot that is upright or lies on its back are not changed.
 double toeBend(const HumanSkeleton& skeleton, const HumanPose& pose, Bone toes) {
   const PerBone<Vector3d> heads = jointPositions(skeleton, pose);
   if (heightBelow(skeleton, pose, heads, toes, skeleton.tailOf(toes)) >= 0.0) return 0.0;
@@ -86,7 +87,7 @@ double toeBend(const HumanSkeleton& skeleton, const HumanPose& pose, Bone toes) 
   at_rest.z() = -skeleton.headOf(toes).z();
   const Vector3d axis = -(pose[toes] * Vector3d::UnitY());
   const Vector3d tip = pose[toes] * at_rest;
-  // The tip's height as it turns is still + reach cos(angle - top).
+  // The height of the tip as a function of the angle is still + reach cos(angle - top).
   const double still = axis.z() * axis.dot(tip);
   const double cosine = tip.z() - still, sine = axis.cross(tip).z();
   const double reach = std::hypot(cosine, sine), top = std::atan2(sine, cosine);
@@ -96,7 +97,7 @@ double toeBend(const HumanSkeleton& skeleton, const HumanPose& pose, Bone toes) 
   return std::clamp(top - std::acos(floor), 0.0, fraction * kMaxToeTurn);
 }
 
-/// Toes that point into the floor bend up, as standing toes do, and in good time.
+/// Bends toes up that point into the floor, smoothly in time.
 void bendToes(const HumanSkeleton& skeleton, MotionClip& clip) {
   for (Bone toes : {Bone::kLeftToes, Bone::kRightToes}) {
     std::vector<double> down;

@@ -16,8 +16,8 @@ double mirrored(const std::vector<double>& signal, int i) {
   return 2.0 * signal[size_t(end)] - prolonged(signal, 2 * end - i);
 }
 
-/// \param weights of the samples from -reach to +reach
-/// \param at gives a signal's sample, beyond its ends too
+/// \param weights weights of the samples from -reach to +reach
+/// \param at returns a sample of the signal, also beyond its ends
 std::vector<double> averaged(const std::vector<double>& signal, const std::vector<double>& weights,
                              double (*at)(const std::vector<double>&, int)) {
   const int reach = int(weights.size()) / 2;

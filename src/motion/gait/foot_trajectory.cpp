@@ -16,7 +16,7 @@ Eigen::Quaterniond headed(double heading) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
 }
 
-/// Toes up is positive.
+/// Rotation by a pitch angle; toes up is positive.
 Eigen::Quaterniond pitched(double pitch) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(-pitch, Eigen::Vector3d::UnitY()));
 }
@@ -51,7 +51,7 @@ FootTrajectory::FootTrajectory(const MotionScript& script, const GaitPlan& plan,
     if (gesture.left == left) gestures_.push_back(gesture.keys);
 
   std::vector<CurveKey> keys;
-  double free_from = -10.0;  // the last landing
+  double free_from = -10.0;  // time of the last landing
   for (const GaitStep& step : plan.steps) {
     if (step.left != left) continue;
     double off_pitch = 0.0;
@@ -101,7 +101,7 @@ void FootTrajectory::checkGestures(const MotionScript& script) const {
 
 Eigen::Vector3d FootTrajectory::ankleAbout(double pivot_x, double pivot_z, const GroundPose& place,
                                            double pitch) const {
-  // The pivot is fixed to the floor, where the flat foot has it.
+  // The pivot is fixed on the floor at its position under the flat foot.
   const Eigen::Vector3d to_pivot(pivot_x, 0.0, pivot_z - ankle_height_);
   const Eigen::Vector3d from_flat = to_pivot - pitched(pitch) * to_pivot;
   const Eigen::Vector3d flat(place.position.x(), place.position.y(), ankle_height_);
@@ -123,7 +123,7 @@ FootPose FootTrajectory::swingingAt(const Swing& swing, double seconds) const {
   const double u = (seconds - step.lift) / (step.land - step.lift);
   const GroundPose place = swingPose(step.from, step.to, step.detour, u);
   const double pitch = pitch_.at(seconds)[0];
-  // From rolling on the ball to rolling on the part that lands.
+  // The pivot changes from the ball to the part that lands.
   const double on_heel = swing.strike_pitch > 0.0 ? minimumJerk(u) : 0.0;
   FootPose pose;
   pose.planted = false;
@@ -165,7 +165,7 @@ FootPose FootTrajectory::at(double seconds) const {
 }
 
 double FootTrajectory::gestureFraction(double seconds) const {
-  constexpr double kLead = 0.3;  // seconds in which the weight goes over to the other foot
+  constexpr double kLead = 0.3;  // seconds in which the weight moves to the other foot
   double fraction = 0.0;
   for (const ScriptCurve& gesture : gestures_) {
     const double rise = (seconds - gesture.keys().front().seconds + kLead) / kLead;

@@ -13,26 +13,26 @@ struct FootPose {
   Eigen::Quaterniond toes = Eigen::Quaterniond::Identity();
   double heading = 0.0;  ///< radians
   bool planted = true;
-  bool within_reach = true;  ///< whether the hips have to stay near enough
+  bool within_reach = true;  ///< whether the hips must stay near enough
 };
 
-/// One foot over the whole motion: on the floor it rolls from the heel over the sole onto the ball
-/// without sliding, in between it swings.
+/// Trajectory of one foot over a whole motion. On the floor the foot rolls from heel to ball
+/// without sliding; in between it swings.
 class FootTrajectory {
  public:
-  /// Throws std::invalid_argument if a gesture meets a step.
+  /// Throws std::invalid_argument if a gesture overlaps a step.
   FootTrajectory(const MotionScript& script, const GaitPlan& plan, const HumanSkeleton& skeleton,
                  bool left);
 
   FootPose at(double seconds) const;
-  /// From 0 to 1: how much of a gesture is under way, risen already a moment before.
+  /// Weight of a gesture at a time, 0 to 1; it rises shortly before the gesture.
   double gestureFraction(double seconds) const;
 
  private:
   struct Swing {
     GaitStep step;
-    double strike_pitch;  ///< radians at landing, above 0 on the heel, below 0 on the ball
-    double height;        ///< metres of clearance
+    double strike_pitch;  ///< radians at landing; positive on the heel, negative on the ball
+    double height;        ///< clearance, metres
   };
 
   Swing makeSwing(const GaitStep& step, double& off_pitch) const;
@@ -49,10 +49,11 @@ class FootTrajectory {
   std::vector<Swing> swings_;
   ScriptCurve pitch_;  ///< radians, toes up
   std::vector<ScriptCurve> gestures_;
-  double ankle_height_, heel_x_, ball_x_, ball_height_;  ///< from the ankle, metres
+  double ankle_height_, heel_x_, ball_x_, ball_height_;  ///< relative to the ankle, metres
 };
 
-/// Height of the body's middle above take-off after a leap that lasts `flight` seconds, metres.
+/// Height of the body's centre above take-off, metres, `seconds` into a leap that lasts `flight`
+/// seconds.
 double leapHeight(double seconds, double flight);
 
 }  // namespace markerless_mocap

@@ -7,9 +7,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStep = 0.005;       // metres that places are moved by
+constexpr double kStep = 0.005;       // step of the search, metres
 constexpr double kMaxDistance = 0.4;  // metres
-constexpr double kShoeWidth = 0.056;  // of the stature
+constexpr double kShoeWidth = 0.056;  // fraction of the stature
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -45,28 +45,29 @@ GroundPose FootClearance::beside(const GroundPose& place, const GroundPose& othe
   const Eigen::Vector2d apart =
       place.shifted(middle, 0.0).position - other.shifted(middle, 0.0).position;
   GroundPose moved = place;
-  for (double way = 0.0; gap(moved, other) < shoe_width_ && way < kMaxDistance; way += kStep)
+  for (double moved_by = 0.0; gap(moved, other) < shoe_width_ && moved_by < kMaxDistance;
+       moved_by += kStep)
     moved.position += kStep * apart.normalized();
   return moved;
 }
 
 double FootClearance::closest(const GroundPose& from, const GroundPose& to, const GroundPose& other,
                               const Eigen::Vector2d& detour) const {
-  double least = 1e9;
+  double min_gap = 1e9;
   for (int i = 0; i <= 20; ++i)
-    least = std::min(least, gap(swingPose(from, to, detour, i / 20.0), other));
-  return least;
+    min_gap = std::min(least, gap(swingPose(from, to, detour, i / 20.0), other));
+  return min_gap;
 }
 
 Eigen::Vector2d FootClearance::detour(bool left, const GroundPose& from, const GroundPose& to,
                                       const GroundPose& other) const {
-  // A foot that begins or ends nearer than a shoe's width cannot be farther in between.
+  // If a foot begins or ends nearer than a shoe's width, this distance cannot be kept in between.
   const double wanted = std::min({shoe_width_, gap(from, other), gap(to, other)}) - 1e-3;
   if (closest(from, to, other, Eigen::Vector2d::Zero()) >= wanted) return Eigen::Vector2d::Zero();
-  const Eigen::Vector2d way = to.position - from.position;
+  const Eigen::Vector2d offset = to.position - from.position;
   const Eigen::Vector2d outward = left ? other.left() : Eigen::Vector2d(-other.left());
   Eigen::Vector2d aside =
-      way.norm() > 0.05 ? Eigen::Vector2d(-way.y(), way.x()).normalized() : outward;
+      offset.norm() > 0.05 ? Eigen::Vector2d(-offset.y(), offset.x()).normalized() : outward;
   if (aside.dot(outward) < 0.0) aside = -aside;  // legs do not cross
   for (double size = kStep; size < kMaxDistance; size += kStep)
     if (closest(from, to, other, size * aside) >= wanted) return size * aside;

@@ -8,11 +8,11 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kLead = 1.0;  ///< seconds known before the beginning and after the end
-constexpr double kSoftness =
-    0.2;  ///< seconds, standard deviation: a start or a stop takes twice it
+constexpr double kLead = 1.0;  ///< seconds sampled before the beginning and after the end
+/// Seconds, standard deviation: a start or a stop takes twice it.
+constexpr double kSoftness = 0.2;
 
-/// \param share 0 at the move's beginning, 1 at its end
+/// \param fraction 0 at the move's beginning, 1 at its end
 GroundPose along(const Move& move, const GroundPose& from, double fraction) {
   GroundPose place = from;
   const double turn = fraction * move.turn;

@@ -8,10 +8,11 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kWeightSoftness = 0.09;  // seconds in which the weight goes from foot to foot
-constexpr double kStepSway = 0.3;         // share of the way to the foot that carries in a step
-constexpr double kGestureSway = 0.85;     // the same while the other foot is up for longer
-constexpr double kTiptoe = 0.035;         // stature: how much the stretched feet lift a jump
+constexpr double kWeightSoftness = 0.09;  // seconds in which the weight moves from foot to foot
+constexpr double kStepSway = 0.3;      // fraction of the distance to the supporting foot, in a step
+constexpr double kGestureSway = 0.85;  // the same during a gesture of the other foot
+constexpr double kTiptoe =
+    0.035;  // fraction of the stature by which stretched feet lift the body in a jump
 
 double smoothStep(double u) {
   const double v = std::clamp(u, 0.0, 1.0);
@@ -38,7 +39,7 @@ class GaitSampler {
     smooth(&GaitState::moving, 0.1);
     smooth(&GaitState::speeding, 0.1);
     smooth(&GaitState::centripetal, 0.1);
-    for (GaitState& instant : states_) setAside(instant);
+    for (GaitState& state : states_) setAside(state);
     return states_;
   }
 
@@ -74,7 +75,7 @@ class GaitSampler {
   }
 
   void setRunning(const GaitBlock& block, double t, GaitState& now) const {
-    constexpr double kFade = 0.4;  // seconds: running fades, its rhythm must not break off
+    constexpr double kFade = 0.4;  // seconds in which running fades in and out
     if (t < block.times.front() - kFade || t > block.times.back() + kFade) return;
     const double phase = block.phaseAt(t);
     now.bounce = std::cos(2.0 * M_PI * phase);
@@ -91,7 +92,7 @@ class GaitSampler {
 
   void smooth(double GaitState::*field, double seconds) {
     std::vector<double> signal;
-    for (const GaitState& instant : states_) signal.push_back(instant.*field);
+    for (const GaitState& state : states_) signal.push_back(state.*field);
     signal = smoothed(signal, seconds * fps_);
     for (size_t i = 0; i < signal.size(); ++i) states_[i].*field = signal[i];
   }
@@ -100,7 +101,7 @@ class GaitSampler {
     const Eigen::Vector2d half = 0.5 * (now.left.ankle - now.right.ankle).head<2>();
     const Eigen::Vector2d across = half.dot(now.place.left()) * now.place.left();
     const double lifted = right_.gestureFraction(now.seconds) -
-                          left_.gestureFraction(now.seconds);  // 1 on the left foot
+                          left_.gestureFraction(now.seconds);  // 1: on the left foot
     now.aside =
         kStepSway * (1.0 - std::abs(lifted)) * now.support * across + kGestureSway * lifted * half;
   }

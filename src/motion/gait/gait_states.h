@@ -6,25 +6,25 @@
 
 namespace markerless_mocap {
 
-/// What the feet and the way over the floor ask of the rest of the body at one instant.
+/// State of the gait at one time, from which the rest of the body is posed.
 struct GaitState {
   double seconds = 0.0;
   GroundPose place;
   FootPose left, right;
-  double stride = 0.0;       ///< left foot before the right one, in leg lengths
-  double support = 0.0;      ///< 1 on the left foot, -1 on the right one
-  double moving = 0.0;       ///< 0 stands, 1 walks
+  double stride = 0.0;       ///< left foot ahead of the right one, leg lengths
+  double support = 0.0;      ///< 1: on the left foot, -1: on the right foot
+  double moving = 0.0;       ///< 0: stands, 1: walks
   double speed = 0.0;        ///< metres per second, forward
   double speeding = 0.0;     ///< metres per second squared, forward
   double centripetal = 0.0;  ///< metres per second squared, to the left
-  double look = 0.0;         ///< radians to the left, where the way leads
-  double running = 0.0;      ///< 0 walks, 1 runs
-  double bounce = 0.0;       ///< cosine of the running rhythm, 1 in the air
-  double leap = 0.0;         ///< metres that a jump lifts the body
-  Eigen::Vector2d aside = Eigen::Vector2d::Zero();  ///< metres towards the foot that carries
+  double look = 0.0;         ///< direction of the path ahead, radians to the left
+  double running = 0.0;      ///< 0: walks, 1: runs
+  double bounce = 0.0;       ///< cosine of the running rhythm; 1 in the air
+  double leap = 0.0;         ///< height of the body in a jump, metres
+  Eigen::Vector2d aside = Eigen::Vector2d::Zero();  ///< metres towards the supporting foot
 };
 
-/// One instant each 1 / fps seconds from the beginning to the end of the script.
+/// States every 1 / fps seconds from the beginning to the end of the script.
 std::vector<GaitState> sampleGait(const MotionScript& script, const HumanSkeleton& skeleton,
                                   double fps);
 

@@ -8,25 +8,26 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kGravity = 9.81;     // m/s^2
-constexpr double kSplay = 0.12;       // radians that each foot points outward
-constexpr double kEarly = 0.1;        // seconds that steps begin before and end after their moves
-constexpr double kBothFeet = 0.25;    // share of a walking step with both feet on the floor
-constexpr double kNoFoot = 0.24;      // share of a running step with both feet in the air
-constexpr double kTurnRadius = 0.25;  // metres: turning on the spot is as hard as walking there
+constexpr double kGravity = 9.81;   // m/s^2
+constexpr double kSplay = 0.12;     // radians by which each foot points outward
+constexpr double kEarly = 0.1;      // seconds by which steps begin before and end after their moves
+constexpr double kBothFeet = 0.25;  // fraction of a walking step with both feet on the floor
+constexpr double kNoFoot = 0.24;    // fraction of a running step with both feet in the air
+constexpr double kTurnRadius =
+    0.25;  // metres: turning on the spot counts as walking on a circle of this radius
 
 bool isStepping(const Move& move) {
   return move.kind == Move::Kind::kGo || move.kind == Move::Kind::kShift;
 }
 
 double speedOf(const Move& move) {
-  const double way =
+  const double distance =
       move.kind == Move::Kind::kGo ? std::abs(move.forward) : std::hypot(move.forward, move.left);
-  return way / move.seconds;
+  return distance / move.seconds;
 }
 
-/// Steps per second rise with the speed as in adults who choose them freely, both made
-/// dimensionless by the leg's length (Hof 1996).
+/// Natural number of steps of a move. The step rate rises with the speed as in adults who choose it
+/// freely; both are made dimensionless by the leg length (Hof 1996).
 int naturalSteps(const Move& move, double leg) {
   const double speed = (speedOf(move) + kTurnRadius * std::abs(move.turn) / move.seconds) /
                        std::sqrt(kGravity * leg);
@@ -68,7 +69,8 @@ class Planner {
                      stance.stagger * skeleton_.stature);
   }
 
-  /// Walking brings the feet under the body, the slower or the more turned the less.
+  /// Half the distance between the feet. In walking the feet are under the body; less so in slow or
+  /// turning motion.
   double halfWidth(const Move& move) const {
     const double leaning =
         std::min(1.0, speedOf(move) / 0.8) * std::exp(-std::abs(move.turn) / move.seconds / 1.5);
@@ -80,7 +82,7 @@ class Planner {
     const Move& move = script_.path[m];
     const double lift = path_.moveTimes()[m], land = path_.moveTimes()[m + 1];
     for (const bool left : {true, false}) {
-      // What the path's softness still holds back at the landing is made up by the body alone.
+      // The smoothed path lags at the landing; only the body makes up for this.
       const GroundPose to = standing(land + 0.5, left, move.stance);
       addStep({left, lift, land, now_[size_t(left)], to, Eigen::Vector2d::Zero(), false, true,
                move.tuck});
@@ -106,7 +108,8 @@ class Planner {
     return block;
   }
 
-  /// Unless the script says, the foot on the side that one goes to begins, else the right one.
+  /// If the script does not say which foot begins, it is the one on the side of the motion, else
+  /// the right one.
   bool leftBegins(const Move& move) const {
     if (move.first != Move::First::kNatural) return move.first == Move::First::kLeft;
     const double left = (move.kind == Move::Kind::kShift ? move.left : 0.0) + 0.1 * move.turn;
@@ -147,10 +150,10 @@ class Planner {
   const HumanSkeleton& skeleton_;
   const FootClearance clearance_;
   GaitPlan plan_;
-  GroundPose now_[2];  ///< of the right and of the left foot
+  GroundPose now_[2];  ///< of the right and the left foot
 };
 
-/// Piecewise linear, prolonged with the outer slopes.
+/// Piecewise linear interpolation, extrapolated with the outer slopes.
 double interpolated(const std::vector<double>& from, const std::vector<double>& to, double value) {
   size_t i = 0;
   while (i + 2 < from.size() && value > from[i + 1]) ++i;

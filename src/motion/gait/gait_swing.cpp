@@ -15,7 +15,8 @@ double swingBump(double u) {
 GroundPose swingPose(const GroundPose& from, const GroundPose& to, const Eigen::Vector2d& detour,
                      double u) {
   const double progress = minimumJerk(u);
-  const double round = 64.0 * std::pow(u * (1.0 - u), 3);  // begins when the foot is off the floor
+  const double round =
+      64.0 * std::pow(u * (1.0 - u), 3);  // starts slowly, when the foot is off the floor
   GroundPose place;
   place.position = (1.0 - progress) * from.position + progress * to.position + round * detour;
   place.heading = (1.0 - progress) * from.heading + progress * to.heading;

@@ -10,8 +10,8 @@ double minimumJerk(double u);
 /// Rises from 0 to 1 at u = 0.5 and returns, at rest at both ends.
 double swingBump(double u);
 
-/// A foot's place on its way through the air, u from 0 to 1.
-/// \param detour metres on the floor, off the straight way in its middle
+/// Pose of a foot in the air, u from 0 to 1.
+/// \param detour offset from the straight line at its middle, metres
 GroundPose swingPose(const GroundPose& from, const GroundPose& to, const Eigen::Vector2d& detour,
                      double u);
 

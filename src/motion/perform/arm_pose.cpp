@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kMaxBend = 2.6;  // radians, elbow
-constexpr double kSwing = 34.0;   // degrees of an arm per leg length of stride
+constexpr double kSwing = 34.0;   // degrees per leg length of stride
 
 Eigen::Quaterniond about(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kDegree, axis));
@@ -24,7 +24,7 @@ struct ArmBones {
   Bone clavicle, upper, fore, hand;
 };
 
-/// One arm of one instant.
+/// Poses one arm at one time.
 class ArmPoser {
  public:
   ArmPoser(const MotionScript& script, const GaitState& now, const HumanSkeleton& skeleton,
@@ -51,11 +51,11 @@ class ArmPoser {
     pose_[bones_.upper] = upper;
     pose_[bones_.fore] = fore;
     const Eigen::Vector3d target = handTarget(shoulder, wrist);
-    if (share_ > 1e-6) {
+    if (target_weight_ > 1e-6) {
       const Eigen::Vector3d bent = (elbow - 0.5 * (shoulder + wrist)).normalized();
-      // The clavicle follows where the arm will really be.
-      shoulder = poseClavicle((1.0 - share_) * (upper * outward(1.0)) +
-                              share_ * (target - shoulder).normalized());
+      // The clavicle follows the final direction of the arm.
+      shoulder = poseClavicle((1.0 - target_weight_) * (upper * outward(1.0)) +
+                              target_weight_ * (target - shoulder).normalized());
       reach(shoulder, target, bent);
     }
     poseHand();
@@ -69,14 +69,14 @@ class ArmPoser {
   Eigen::Vector3d outward(double metres) const { return {0.0, side_ * metres, 0.0}; }
   double length(Bone bone) const { return skeleton_.lengthOf(bone); }
 
-  /// The arm from hanging, first outward, then forward about the shoulders' line.
+  /// Rotation of the hanging arm, first outward, then forward about the line through the shoulders.
   Eigen::Quaterniond upperArmIn(const CurveValues& angles) const {
     return about(kY, -angles[0]) * about(kX, side_ * angles[1]) * about(kZ, -side_ * angles[2]) *
            about(kX, -side_ * 90.0);
   }
 
-  /// Keyed angles with the walker's swing on arms that hang, the elbow bending as the arm comes
-  /// forward.
+  /// The script's angles plus the arm swing of walking on hanging arms; the elbow bends as the arm
+  /// moves forward.
   CurveValues swungAngles() const {
     CurveValues angles = keyed(Track::kLeftArm, Track::kRightArm);
     const double hanging = std::max(0.0, -(upperArmIn(angles) * outward(1.0)).z());
@@ -89,10 +89,11 @@ class ArmPoser {
     return angles;
   }
 
-  /// \param arm unit direction of the upper arm in the world \return the shoulder
+  /// \param arm unit direction of the upper arm in the world
+  /// \return position of the shoulder
   Eigen::Vector3d poseClavicle(const Eigen::Vector3d& arm) {
     const Eigen::Vector3d in_chest = (chest_.conjugate() * arm).normalized();
-    const double raised = std::acos(std::clamp(-in_chest.z(), -1.0, 1.0)) / M_PI;  // 0 hangs
+    const double raised = std::acos(std::clamp(-in_chest.z(), -1.0, 1.0)) / M_PI;  // 0: hangs
     const double fraction = std::clamp((raised - 0.2) / 0.7, 0.0, 1.0);
     const double lift = 24.0 * fraction * fraction * (3.0 - 2.0 * fraction);
     const double breath = 0.8 * std::sin(2.0 * M_PI * 0.27 * now_.seconds);
@@ -102,7 +103,7 @@ class ArmPoser {
     return heads[size_t(bones_.upper)];
   }
 
-  /// Between where the angles bring the wrist and where reach and grasp want it.
+  /// Blends the wrist position of the angles with the targets of reach and grasp.
   Eigen::Vector3d handTarget(const Eigen::Vector3d& shoulder, const Eigen::Vector3d& wrist) {
     const CurveValues from_chest = keyed(Track::kLeftReach, Track::kRightReach);
     const CurveValues from_floor = keyed(Track::kLeftGrasp, Track::kRightGrasp);
@@ -114,14 +115,14 @@ class ArmPoser {
     const Eigen::Vector3d grasped(place.position.x(), place.position.y(),
                                   from_floor[3] * skeleton_.stature);
     const Eigen::Vector3d near = wrist + from_chest[0] * (reached - wrist);
-    share_ = 1.0 - (1.0 - from_chest[0]) * (1.0 - from_floor[0]);
+    target_weight_ = 1.0 - (1.0 - from_chest[0]) * (1.0 - from_floor[0]);
     return near + from_floor[0] * (grasped - near);
   }
 
   void reach(const Eigen::Vector3d& shoulder, const Eigen::Vector3d& target,
              const Eigen::Vector3d& bent) {
     const Eigen::Vector3d down_and_out = chest_ * Eigen::Vector3d(-0.35, side_ * 0.5, -0.8);
-    const Eigen::Vector3d pole = (1.0 - share_) * bent + share_ * down_and_out;
+    const Eigen::Vector3d pole = (1.0 - target_weight_) * bent + share_ * down_and_out;
     const double upper = length(bones_.upper), fore = length(bones_.fore);
     const TwoBoneIkResult bend = solveTwoBoneIk(
         shoulder, softIkTarget(shoulder, target, upper + fore), upper, fore, pole, kMaxBend);
@@ -131,7 +132,7 @@ class ArmPoser {
     pose_[bones_.fore] = turnWithHinge(outward(1.0), hinge_at_rest, bend.end - bend.middle, hinge);
   }
 
-  /// Half of the forearm's turn is seen in the forearm itself.
+  /// Half of the forearm's twist is applied to the forearm, the rest to the hand.
   void poseHand() {
     const CurveValues wrist = keyed(Track::kLeftWrist, Track::kRightWrist);
     pose_[bones_.fore] = pose_[bones_.fore] * about(kY, 0.5 * wrist[0]);
@@ -144,11 +145,11 @@ class ArmPoser {
   const GaitState& now_;
   const HumanSkeleton& skeleton_;
   bool left_;
-  double side_;  ///< 1 on the left, -1 on the right
+  double side_;  ///< 1: left, -1: right
   ArmBones bones_;
   HumanPose& pose_;
   Eigen::Quaterniond chest_;
-  double share_ = 0.0;  ///< of the hand's target against the angles
+  double target_weight_ = 0.0;  ///< weight of the hand's target relative to the angles
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace markerless_mocap {
 
-/// Turns clavicles, upper arms, forearms and hands: by the joints' angles, or as far as the script
-/// asks by where the hands are to be. Hips and trunk must be posed.
+/// Poses clavicles, upper arms, forearms and hands, by joint angles or by targets of the hands,
+/// blended as the script says. Hips and trunk must be posed before.
 void poseArms(const MotionScript& script, const GaitState& now, const HumanSkeleton& skeleton,
               HumanPose& pose);
 

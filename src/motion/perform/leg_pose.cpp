@@ -8,15 +8,15 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kStretch = 0.995;  // of a leg's length that a standing leg uses
+constexpr double kStretch = 0.995;  // fraction of a leg's length that a standing leg uses
 constexpr double kMaxBend = 2.6;    // radians
-constexpr double kKneesOut = 0.1;   // how much the knees point outward
+constexpr double kKneesOut = 0.1;   // outward component of the knee direction
 
 Eigen::Vector3d hipJoint(const HumanSkeleton& skeleton, const HumanPose& pose, Bone thigh) {
   return pose.hips + pose[Bone::kHips] * (skeleton.headOf(thigh) - skeleton.headOf(Bone::kHips));
 }
 
-/// Where the knee points if the leg hung straight down: between the foot and the pelvis.
+/// Direction of the knee if the leg hung straight down: between the directions of foot and pelvis.
 Eigen::Vector3d kneesAhead(const HumanPose& pose, const FootPose& foot, bool left) {
   const Eigen::Vector3d of_foot(std::cos(foot.heading), std::sin(foot.heading), 0.0);
   const Eigen::Vector3d of_pelvis = pose[Bone::kHips] * Eigen::Vector3d::UnitX();
@@ -33,7 +33,7 @@ void poseLeg(bool left, const FootPose& foot, const HumanSkeleton& skeleton, Hum
   const Bone toes = left ? Bone::kLeftToes : Bone::kRightToes;
   const Eigen::Vector3d hip = hipJoint(skeleton, pose, thigh);
   const Eigen::Vector3d ankle = softIkTarget(hip, foot.ankle, skeleton.legLength());
-  // Carried along when the leg rises, so that a raised leg's knee points up.
+  // Rotated with the leg, so that the knee of a raised leg points up.
   const Eigen::Vector3d pole =
       Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), ankle - hip) *
       kneesAhead(pose, foot, left);

@@ -4,11 +4,13 @@
 
 namespace markerless_mocap {
 
-/// Turns thighs, shanks, feet and toes so that the feet are where they belong. Hips must be posed.
+/// Poses thighs, shanks, feet and toes so that the feet reach their given poses. Hips must be posed
+/// before.
 void poseLegs(const GaitState& now, const HumanSkeleton& skeleton, HumanPose& pose);
 
-/// How high the hips may be with a standing leg's knee still a little bent, metres; `otherwise` if
-/// no foot stands. The hips' turn and horizontal place must be posed.
+/// Maximum height of the hips, metres, at which the knees of standing legs are still slightly bent;
+/// `otherwise` if no foot stands. The rotation and the horizontal position of the hips must be set
+/// before.
 double maxHipHeight(const GaitState& now, const HumanSkeleton& skeleton, const HumanPose& pose,
                     double otherwise);
 

@@ -12,17 +12,17 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kRunDrop = 0.022;    // stature: runners keep their knees bent
-constexpr double kRunBounce = 0.016;  // stature, half the way between highest and lowest
-constexpr double kFloorReach = 0.09;  // seconds in which the legs' limit is known ahead
+constexpr double kRunDrop = 0.022;    // fraction of the stature: runners keep their knees bent
+constexpr double kRunBounce = 0.016;  // fraction of the stature, half the range of the height
+constexpr double kFloorReach = 0.09;  // seconds by which the limit of the legs acts ahead
 
-/// Below both, smoothly.
+/// A smooth function that is below both values.
 double softMinimum(double a, double b, double softness) {
   const double apart = a - b;
   return 0.5 * (a + b - std::sqrt(apart * apart + softness * softness));
 }
 
-/// Where the hips go over the floor; their height is found later.
+/// Sets the horizontal position of the hips; their height is computed later.
 void placeHips(const MotionScript& script, const GaitState& now, double stature, HumanPose& pose) {
   const CurveValues shift = script.track(Track::kShift).at(now.seconds);
   const GroundPose place = now.place.shifted(shift[0] * stature, shift[1] * stature);
@@ -32,7 +32,7 @@ void placeHips(const MotionScript& script, const GaitState& now, double stature,
   pose.hips.z() = 0.0;
 }
 
-/// Heights above which the legs would have to stretch: not known in the air.
+/// Heights of the hips above which legs would be stretched; not defined in the air.
 std::vector<double> legLimits(const std::vector<GaitState>& course, const MotionClip& clip,
                               const HumanSkeleton& skeleton, double standing) {
   std::vector<double> limits;
@@ -59,7 +59,7 @@ void setHeights(const MotionScript& script, const std::vector<GaitState>& course
   }
 }
 
-/// Of the two quaternions of a turn the one next to the last pose's.
+/// Chooses the sign of each quaternion that is closer to the previous pose.
 void alignSigns(MotionClip& clip) {
   for (size_t i = 1; i < clip.poses.size(); ++i)
     for (size_t b = 0; b < size_t(kBoneCount); ++b) {

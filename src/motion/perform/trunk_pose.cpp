@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Forward, to the left, turned to the left; radians.
+/// Angles forward, to the left, and turn to the left; radians.
 struct Lean {
   double forward = 0.0, left = 0.0, turn = 0.0;
 
@@ -37,7 +37,7 @@ Lean restless(double seconds, int stream, double degrees) {
           kDegree * degrees * idleNoise(seconds, stream + 2)};
 }
 
-/// The hip of the foot in front comes along, the hip of the swinging leg sinks.
+/// The hip of the front foot moves forward, the hip of the swinging leg drops.
 Lean pelvisInGait(const GaitState& now) {
   return {0.0, -3.5 * kDegree * now.support * now.moving,
           -11.0 * kDegree * now.stride * now.moving};
@@ -65,7 +65,7 @@ void poseTrunk(const MotionScript& script, const GaitState& now, HumanPose& pose
   const Lean pelvis = keyedLean(script, Track::kPelvis, t);
   Lean trunk = keyedLean(script, Track::kTrunk, t) + restless(t, 0, 1.0);
   trunk.forward += 0.7 * kDegree * std::sin(2.0 * M_PI * 0.27 * t);  // breathing
-  // The chest stays level and turns against the pelvis.
+  // The chest stays level and turns opposite to the pelvis.
   const Lean against = gait_pelvis * -1.6;
 
   pose[Bone::kHips] = Eigen::AngleAxisd(now.place.heading, Eigen::Vector3d::UnitZ()) *
@@ -74,7 +74,7 @@ void poseTrunk(const MotionScript& script, const GaitState& now, HumanPose& pose
   pose[Bone::kSpine] = pose[Bone::kHips] * rotationOf(spine * 0.45);
   pose[Bone::kChest] = pose[Bone::kSpine] * rotationOf(spine * 0.55);
 
-  // The head stays about upright and looks ahead whatever the trunk does.
+  // The head stays nearly upright and looks ahead for any motion of the trunk.
   const Lean below = pelvis + trunk + gait_trunk;
   Lean head = keyedLean(script, Track::kHead, t) + restless(t, 7, 1.6);
   head.forward += std::clamp(-0.55 * below.forward, -45.0 * kDegree, 30.0 * kDegree);

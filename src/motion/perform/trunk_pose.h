@@ -5,12 +5,12 @@
 
 namespace markerless_mocap {
 
-/// Turns hips, spine, chest, neck and head: what the script keys, what the gait adds, and the small
-/// unrest of somebody who is alive.
+/// Poses hips, spine, chest, neck and head: the script's keys, the contribution of the gait, and
+/// small idle motions.
 void poseTrunk(const MotionScript& script, const GaitState& now, HumanPose& pose);
 
-/// A slow wandering of about -1 to 1 that never repeats within minutes. \param stream tells
-/// independent ones apart
+/// Slow noise of about -1 to 1 that does not repeat within minutes.
+/// \param stream number of an independent noise signal
 double idleNoise(double seconds, int stream);
 
 }  // namespace markerless_mocap

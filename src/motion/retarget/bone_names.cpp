@@ -8,15 +8,15 @@
 namespace markerless_mocap {
 namespace {
 
-/// What a bone is called, the surest word first: where a rig has both an elbow and a forearm,
-/// "shoulder" is the clavicle or the upper arm by what else there is.
+/// Names of a bone, the most specific first. "shoulder" can be the clavicle or the upper arm,
+/// depending on the other joints.
 struct BoneWords {
   Bone left;
   std::vector<const char*> words;
 };
 
-// In this order, since a joint is given away once: "shoulder" to the upper arm only if there is no
-// "arm", to the clavicle if there is.
+// The order matters, as each joint is assigned once: "shoulder" is the upper arm only if there is
+// no "arm", else the clavicle.
 const std::vector<BoneWords>& sidedWords() {
   static const std::vector<BoneWords> rows{
       {Bone::kLeftThigh, {"thigh", "upleg", "upperleg", "legupper", "femur", "hip"}},
@@ -72,13 +72,13 @@ class Mapper {
     return -1;
   }
 
-  /// Of five toes side by side the middle one.
+  /// Of five toes the middle one.
   int nearestToRoot(const std::vector<int>& joints) const {
-    int least = depth_[size_t(joints.front())];
-    for (int j : joints) least = std::min(least, depth_[size_t(j)]);
+    int min_depth = depth_[size_t(joints.front())];
+    for (int j : joints) min_depth = std::min(min_depth, depth_[size_t(j)]);
     std::vector<std::pair<int, int>> nearest;
     for (int j : joints)
-      if (depth_[size_t(j)] == least) nearest.emplace_back(parsed_[size_t(j)].number, j);
+      if (depth_[size_t(j)] == min_depth) nearest.emplace_back(parsed_[size_t(j)].number, j);
     std::sort(nearest.begin(), nearest.end());
     return nearest[(nearest.size() - 1) / 2].second;
   }
@@ -118,7 +118,7 @@ class Mapper {
     if (head < 0) return;
     map_.neck = between(arms, head);
     map_.neck.pop_back();
-    // A lone joint above the arms that is not called a head is a neck.
+    // A single joint above the arms without the name of a head is a neck.
     if (map_.neck.empty() && parsed_[size_t(head)].word != "head") {
       map_.neck.push_back(head);
     } else {
@@ -127,7 +127,7 @@ class Mapper {
     if (!map_.neck.empty()) assign(Bone::kNeck, map_.neck[(map_.neck.size() - 1) / 2]);
   }
 
-  /// The end of the chain of joints named after neck or spine above the arms; -1 if there is none.
+  /// The last joint of the chain of neck or spine joints above the arms; -1 if there is none.
   int lastOfMiddle(int arms) const {
     int last = -1;
     for (size_t j = 0; j < joints_.size(); ++j) {
@@ -138,7 +138,7 @@ class Mapper {
     return last;
   }
 
-  /// The joint nearest to both that carries both, or is one of them; -1 if there is none.
+  /// The lowest common ancestor of two joints, or one of them; -1 if there is none.
   int meeting(int a, int b) const {
     while (a != b && a >= 0 && b >= 0) {
       int& deeper = depth_[size_t(a)] >= depth_[size_t(b)] ? a : b;
@@ -149,7 +149,7 @@ class Mapper {
 
   bool carries(int above, int joint) const { return meeting(above, joint) == above; }
 
-  /// Joints from below `from` down to `to`.
+  /// Joints from the child of `from` down to `to`.
   std::vector<int> between(int from, int to) const {
     std::vector<int> path;
     for (; to != from; to = joints_[size_t(to)].parent) path.push_back(to);

@@ -48,13 +48,13 @@ bool saysNothing(const std::string& token) {
   return isOneOf(kFillers, token);
 }
 
-// Behind the bone's own word these belong to it: "ToeBase".
+// After a bone's name these are a part of it: "ToeBase".
 bool isPrefix(const std::string& token) {
   constexpr std::array<const char*, 6> kPrefixes{"base", "armature", "rig", "avg", "m", "f"};
   return isOneOf(kPrefixes, token);
 }
 
-// All in lower case the side sticks to the word: "lhand", "leftupleg".
+// In lower case names the side is joined to the word: "lhand", "leftupleg".
 void splitSide(JointName& parsed) {
   constexpr std::array<const char*, 24> kSided{
       "femur",    "tibia", "foot",    "toes",     "clavicle", "humerus", "radius", "wrist",
@@ -75,7 +75,7 @@ void splitSide(JointName& parsed) {
 
 JointName parseJointName(const std::string& name) {
   JointName parsed;
-  // "rig:Hips" and "Armature|Hips" name the rig first.
+  // "rig:Hips" and "Armature|Hips" begin with the rig's name.
   const size_t space = name.find_last_of(":|");
   const std::string own = space == std::string::npos ? name : name.substr(space + 1);
   parsed.helper = own.compare(0, 2, "__") == 0;

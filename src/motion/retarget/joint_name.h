@@ -4,13 +4,13 @@
 
 namespace markerless_mocap {
 
-/// A joint's name cut into what it says: "mixamorig:LeftForeArm", "forearm.L" and "lForeArm" all
-/// give side 'l' and word "forearm".
+/// The components of a joint's name. "mixamorig:LeftForeArm", "forearm.L" and "lForeArm" all give
+/// side 'l' and word "forearm".
 struct JointName {
   char side = ' ';      ///< 'l', 'r' or ' ' for neither
   std::string word;     ///< lower-case letters, without side, numbers and prefixes
-  int number = 0;       ///< the first number in the name, 0 if there is none
-  bool helper = false;  ///< a control, twist joint or the like, never a bone
+  int number = 0;       ///< the first number in the name; 0: none
+  bool helper = false;  ///< a control, twist joint or similar, never a bone
 };
 
 JointName parseJointName(const std::string& name);

@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// More would bend an ankle as none bends: then the file's foot is no foot.
+// Radians. A larger angle is impossible for an ankle: then the joint in the file is not a foot.
 constexpr double kMaxTurn = 0.7;
-// Of the stature: balls lower than this above the lowest may stand.
+// Fraction of the stature: balls up to this height above the minimum may stand.
 constexpr double kLow = 0.03;
 
 double quantile(std::vector<double> values, double fraction) {
@@ -39,7 +39,7 @@ std::vector<double> heights(const std::vector<Vector3d>& places) {
   return z;
 }
 
-/// Distance from frame to frame, one value per frame.
+/// Distance moved from frame to frame, one value per frame.
 std::vector<double> steps(const std::vector<Vector3d>& places) {
   std::vector<double> step(places.size(), 0.0);
   for (size_t i = 1; i < places.size(); ++i) step[i] = (places[i] - places[i - 1]).norm();
@@ -47,7 +47,7 @@ std::vector<double> steps(const std::vector<Vector3d>& places) {
   return step;
 }
 
-/// Frames in which the foot stands flat: ball and ankle low, the ball about still.
+/// Frames in which the foot stands flat: ball and ankle are low, and the ball hardly moves.
 std::vector<size_t> standingFrames(const FootPath& path, double floor, double stature) {
   const std::vector<double> ball = heights(path.ball), ankle = heights(path.ankle),
                             step = steps(path.ball);

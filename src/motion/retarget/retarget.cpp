@@ -20,14 +20,14 @@ std::vector<NamedJoint> namedJoints(const BvhMotion& motion) {
   return joints;
 }
 
-/// \param place 0 is the first rotation, 1 the second, ...
+/// \param place 0: the first rotation, 1: the second, ...
 Quaterniond along(const std::vector<Quaterniond>& chain, double place) {
   const size_t before = std::min(size_t(place), chain.size() - 1);
   const size_t after = std::min(before + 1, chain.size() - 1);
   return chain[before].slerp(place - double(before), chain[after]);
 }
 
-/// Frame times are rounded in most files: 0.0083333 s is 120 frames per second.
+/// Most files round frame times: 0.0083333 s is 120 frames per second.
 double framesPerSecond(double frame_time) {
   const double fps = 1.0 / frame_time;
   return std::abs(fps - std::round(fps)) < 0.01 ? std::round(fps) : fps;
@@ -45,7 +45,7 @@ class Retargeter {
       if (!measureStance(joints, bones_, reference_.positions, stance_))
         throw std::invalid_argument(file +
                                     ": neither the rest pose nor the first frame is a person "
-                                    "standing upright, so up and forward cannot be told");
+                                    "standing upright, so up and forward cannot be determined");
     }
     turns_ = stance_.turnsFrom(skeleton);
     scale_ = skeleton.legLength() / stance_.leg_length;
@@ -67,7 +67,7 @@ class Retargeter {
     return R_world_file_ * source.positions[size_t(bones_[bone])];
   }
 
-  /// How the joint has turned since the reference pose, in world axes.
+  /// Rotation of the joint relative to the reference pose, in world axes.
   Quaterniond turn(const BvhPose& source, int joint) const {
     const Quaterniond turned =
         source.R_world_joint[size_t(joint)] * reference_.R_world_joint[size_t(joint)].conjugate();
@@ -95,7 +95,7 @@ class Retargeter {
     }
     pose[bone] = turn(source, bones_[bone]) * turns_[size_t(bone)];
     // Joints between this bone and the next (twist links) may bend as well: the bone follows the
-    // line between the two.
+    // line between both.
     const Bone next = Bone(std::min(int(bone) + 1, kBoneCount - 1));
     const bool carries_next = parentOf(next) == bone && bones_.has(next);
     if (!carries_next || stance_.direction[size_t(bone)].isZero()) return;
@@ -104,10 +104,11 @@ class Retargeter {
         Quaterniond::FromTwoVectors(now, place(source, next) - place(source, bone)) * pose[bone];
   }
 
-  /// Standing feet would slide if the knee divided another leg elsewhere: the ankle keeps its
-  /// place under the hip joint, scaled, and the knee its side.
+  /// The ankle keeps its scaled position relative to the hip joint, and the knee its direction.
+  /// Copied angles would make standing feet slide if thigh and shank have other proportions.
   void placeAnkle(const BvhPose& source, Bone thigh, HumanPose& pose) const {
-    constexpr double kForwardIfStraight = 0.005;  // of the thigh: straight knees bend to the front
+    constexpr double kForwardIfStraight =
+        0.005;  // fraction of the thigh: straight knees bend to the front
     const Bone shank = Bone(int(thigh) + 1), foot = Bone(int(thigh) + 2);
     const Vector3d upper = pose[thigh] * (skeleton_.tailOf(thigh) - skeleton_.headOf(thigh));
     const Vector3d lower = pose[shank] * (skeleton_.tailOf(shank) - skeleton_.headOf(shank));
@@ -130,7 +131,7 @@ class Retargeter {
   double scale_ = 1.0;
 };
 
-/// Mean turn of the bones from one pose to the other, radians.
+/// Mean angle between the bones of two poses, radians.
 double difference(const HumanPose& a, const HumanPose& b) {
   double sum = 0.0;
   for (size_t i = 0; i < size_t(kBoneCount); ++i)
@@ -138,7 +139,7 @@ double difference(const HumanPose& a, const HumanPose& b) {
   return sum / kBoneCount;
 }
 
-/// Both arms straight out to the person's sides.
+/// Whether both arms are straight out to the sides.
 bool isTPose(const HumanPose& pose) {
   constexpr double kOut = 0.85;  // cosine
   for (Bone bone :
@@ -148,12 +149,13 @@ bool isTPose(const HumanPose& pose) {
 }
 
 void dropLeadingTPose(MotionClip& clip) {
-  // A jump into the motion, radians in the mean of all bones: far more than a frame's motion.
-  constexpr double kJump = 0.12, kTimesFasterThanMotion = 4.0;
+  // The T-pose ends with a jump: the mean angle of all bones, radians, and its ratio to that of the
+  // next frames.
+  constexpr double kJump = 0.12, kMinJumpRatio = 4.0;
   std::vector<HumanPose>& poses = clip.poses;
   if (poses.size() < 3 || !isTPose(poses[0])) return;
   const double jump = difference(poses[0], poses[1]);
-  if (jump > kJump && jump > kTimesFasterThanMotion * difference(poses[1], poses[2]))
+  if (jump > kJump && jump > kMinJumpRatio * difference(poses[1], poses[2]))
     poses.erase(poses.begin());
 }
 

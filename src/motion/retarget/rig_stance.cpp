@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cosines: how far an upright person's legs may be from hanging straight below the trunk, and how
-// far a rig may face beside one of its axes and be taken to face along it.
+// Cosine: maximum deviation of an upright person's legs from the direction below the trunk, and of
+// a rig's forward direction from one of its axes.
 constexpr double kUpright = 0.8;
 constexpr double kAlongAxis = 0.96;
 
@@ -71,7 +71,7 @@ class Measurer {
     return std::copysign(1.0, direction[axis]) * Vector3d::Unit(axis);
   }
 
-  /// Limbs only, see RigStance.
+  /// Direction of a limb's bone, see RigStance.
   Vector3d directionOf(Bone bone) const {
     if (bone < Bone::kLeftClavicle || bone == Bone::kLeftClavicle || bone == Bone::kRightClavicle ||
         !bones_.has(bone))
@@ -85,7 +85,8 @@ class Measurer {
     return along.norm() > 0.0 ? Vector3d(along.normalized()) : Vector3d::Zero();
   }
 
-  /// Knuckles without the thumb's; a child at the joint's own place stands for its children.
+  /// Mean position of the children, without the thumb; a child at the joint's own position is
+  /// replaced by its children.
   Vector3d middleOfChildren(size_t joint) const {
     Vector3d sum = Vector3d::Zero();
     int count = 0;

@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Slope in a key between two chords: none in a turning point, else their weighted harmonic mean.
+/// Slope at a key between two chords: 0 at a turning point, else their weighted harmonic mean.
 double slopeBetween(double chord_before, double chord_after, double span_before,
                     double span_after) {
   if (chord_before * chord_after <= 0.0) return 0.0;

@@ -13,17 +13,17 @@ struct CurveKey {
   CurveValues values;  ///< 1 to 6 numbers
 };
 
-/// Smooth curves through keys: once differentiable, each number monotone between two keys and at
-/// rest in its turning points, so that it never overshoots (Fritsch and Carlson 1980, with the
+/// Smooth curves through keys: once differentiable, each value monotone between two keys, with
+/// slope 0 at turning points, so that it never overshoots (Fritsch and Carlson 1980, with the
 /// slopes of Fritsch and Butland 1984). Constant before the first and after the last key.
 class ScriptCurve {
  public:
-  /// Constant zero with one value.
+  /// One value, constant 0.
   ScriptCurve();
   /// Constant.
   explicit ScriptCurve(const CurveValues& values);
-  /// Throws std::invalid_argument if there is no key, if times do not rise or if keys differ in
-  /// their count of values.
+  /// Throws std::invalid_argument if there is no key, if times do not ascend, or if keys differ in
+  /// their number of values.
   explicit ScriptCurve(std::vector<CurveKey> keys);
 
   CurveValues at(double seconds) const;

@@ -18,7 +18,7 @@ std::string shown(const YAML::Node& node) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
-/// NaN if the node is no number.
+/// The number of a node; NaN if it is none.
 double numberOrNan(const YAML::Node& node) {
   double value = std::nan("");
   if (node.IsScalar() && YAML::convert<double>::decode(node, value)) return value;
@@ -104,7 +104,7 @@ int ScriptNode::whole(const std::string& key, int otherwise, int minimum, int ma
   return int(value);
 }
 
-bool ScriptNode::truth(const std::string& key, bool otherwise) const {
+bool ScriptNode::flag(const std::string& key, bool otherwise) const {
   if (!has(key)) return otherwise;
   const ScriptNode node = need(key);
   bool value = false;

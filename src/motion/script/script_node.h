@@ -7,16 +7,17 @@
 
 namespace markerless_mocap {
 
-/// A piece of a YAML file with its address, "file/key[2]/key", for sentences about faults. All
-/// functions throw std::invalid_argument: address, what is there, what is allowed.
+/// A node of a YAML file with its address, "file/key[2]/key". All functions throw
+/// std::invalid_argument with the address, the value and the allowed values if the node is not as
+/// required.
 class ScriptNode {
  public:
   ScriptNode(YAML::Node node, std::string address);
 
-  /// Refuses anything but a map with only these keys.
+  /// Requires a map with no other keys than these.
   void allowKeys(const std::vector<std::string>& keys) const;
   bool has(const std::string& key) const;
-  /// Refuses if it is missing.
+  /// The value of a required key.
   ScriptNode need(const std::string& key) const;
   /// The entries of a list.
   std::vector<ScriptNode> items() const;
@@ -26,7 +27,7 @@ class ScriptNode {
   double number(double minimum, double maximum) const;
   double number(const std::string& key, double otherwise, double minimum, double maximum) const;
   int whole(const std::string& key, int otherwise, int minimum, int maximum) const;
-  bool truth(const std::string& key, bool otherwise) const;
+  bool flag(const std::string& key, bool otherwise) const;
   std::string word(const std::vector<std::string>& allowed) const;
   /// A list of `count` finite numbers.
   std::vector<double> numbers(size_t count, const std::string& meaning) const;
@@ -41,7 +42,7 @@ class ScriptNode {
 
 /// "a, b, c"
 std::string joinedWords(const std::vector<std::string>& words);
-/// A number as one writes it.
+/// A number as text, without trailing zeros.
 std::string formatNumber(double number);
 
 }  // namespace markerless_mocap

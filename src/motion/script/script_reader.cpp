@@ -32,7 +32,7 @@ double readSeconds(const ScriptNode& node) {
   return node.number(0.01, kMaxSeconds);
 }
 
-/// What a move's first key says, and which other keys it takes.
+/// The first key of a move and the other keys that it allows.
 struct MoveRow {
   std::string key;
   Move::Kind kind;
@@ -64,12 +64,12 @@ void readWay(const ScriptNode& node, Move& move) {
     move.forward = node.number(-kMaxDistance, kMaxDistance);
   } else {
     const std::vector<double> way = node.numbers(2, "metres forward and to the left");
-    move.forward = way[0];
-    move.left = way[1];
+    move.forward = offset[0];
+    move.left = offset[1];
   }
 }
 
-/// \param before how one stood until then
+/// \param before the stance before the move
 Move readMove(const ScriptNode& node, const Stance& before) {
   const MoveRow& row = moveRow(node);
   std::vector<std::string> allowed{row.key};
@@ -84,7 +84,7 @@ Move readMove(const ScriptNode& node, const Stance& before) {
   if (node.has("first"))
     move.first = node.need("first").word({"left", "right"}) == "left" ? Move::First::kLeft
                                                                       : Move::First::kRight;
-  move.run = node.truth("run", false);
+  move.run = node.flag("run", false);
   move.tuck = node.number("tuck", 0.0, 0.0, 0.3);
   move.stance = readStance(node, before);
   return move;
@@ -104,14 +104,14 @@ void readPath(const ScriptNode& node, MotionScript& script) {
                                 formatNumber(script.seconds) + " s");
 }
 
-/// Keys [seconds, value, ...] whose values stay within their bounds.
+/// Reads keys [seconds, value, ...] with values within bounds.
 ScriptCurve readCurve(const ScriptNode& node, const CurveValues& minimum,
-                      const CurveValues& maximum, double longest, const std::string& meaning) {
+                      const CurveValues& maximum, double max_seconds, const std::string& meaning) {
   std::vector<CurveKey> keys;
   for (const ScriptNode& item : node.items()) {
     const std::vector<double> numbers = item.numbers(size_t(minimum.size()) + 1, meaning);
-    if (numbers[0] < 0.0 || numbers[0] > longest)
-      item.fail("a time from 0 to the motion's " + formatNumber(longest) + " s");
+    if (numbers[0] < 0.0 || numbers[0] > max_seconds)
+      item.fail("a time from 0 to the motion's " + formatNumber(max_seconds) + " s");
     if (!keys.empty() && numbers[0] <= keys.back().seconds)
       item.fail("a time after the key before, " + formatNumber(keys.back().seconds) + " s");
     CurveKey key{numbers[0], CurveValues::Zero(minimum.size())};
@@ -138,14 +138,14 @@ void readTracks(const ScriptNode& node, MotionScript& script) {
   }
 }
 
-FootGesture readGesture(const ScriptNode& node, double longest) {
+FootGesture readGesture(const ScriptNode& node, double max_seconds) {
   node.allowKeys({"foot", "keys"});
   FootGesture gesture;
   gesture.left = node.need("foot").word({"left", "right"}) == "left";
   const ScriptNode keys = node.need("keys");
   CurveValues bounds(4);
   bounds << 0.6, 0.4, 0.7, 80.0;
-  gesture.keys = readCurve(keys, -bounds, bounds, longest,
+  gesture.keys = readCurve(keys, -bounds, bounds, max_seconds,
                            "seconds, forward, outward, up, degrees of toes up");
   if (!gesture.keys.keys().front().values.isZero() || !gesture.keys.keys().back().values.isZero())
     keys.fail("a first and a last key with zeros: the foot comes back to where it stood");

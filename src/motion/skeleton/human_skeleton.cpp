@@ -6,10 +6,10 @@ namespace markerless_mocap {
 namespace {
 
 struct Ratios {
-  // Heights above the floor and half widths as shares of the stature.
+  // Heights above the floor and half widths as fractions of the stature.
   double hip, lumbar, ribs, neck, head, shoulder, knee, ankle, ball;
   double hip_half, shoulder_half;
-  // Lengths as shares of the stature.
+  // Lengths as fractions of the stature.
   double upper_arm, forearm, hand, ankle_to_ball, toes;
 };
 

@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Columns: direction, hinge square to it, their cross product.
+/// Columns: direction, the part of the hinge perpendicular to it, their cross product.
 Eigen::Matrix3d hingeFrame(const Eigen::Vector3d& direction, const Eigen::Vector3d& hinge) {
   Eigen::Matrix3d frame;
   frame.col(0) = direction.normalized();
@@ -20,12 +20,12 @@ Eigen::Matrix3d hingeFrame(const Eigen::Vector3d& direction, const Eigen::Vector
 TwoBoneIkResult solveTwoBoneIk(const Eigen::Vector3d& root, const Eigen::Vector3d& target,
                                double upper, double lower, const Eigen::Vector3d& pole,
                                double max_bend) {
-  const Eigen::Vector3d way = target - root;
+  const Eigen::Vector3d offset = target - root;
   const double nearest =
       std::sqrt(upper * upper + lower * lower + 2.0 * upper * lower * std::cos(max_bend));
-  const double distance = std::clamp(way.norm(), nearest, upper + lower);
+  const double distance = std::clamp(offset.norm(), nearest, upper + lower);
   const Eigen::Vector3d along =
-      way.norm() > 1e-9 ? Eigen::Vector3d(way.normalized()) : pole.unitOrthogonal();
+      offset.norm() > 1e-9 ? Eigen::Vector3d(offset.normalized()) : pole.unitOrthogonal();
   Eigen::Vector3d aside = pole - pole.dot(along) * along;
   aside = aside.norm() > 1e-9 ? Eigen::Vector3d(aside.normalized()) : along.unitOrthogonal();
   const double foot = (upper * upper - lower * lower + distance * distance) / (2.0 * distance);
