@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// A URDF body at one instant.
+/// State of a URDF body at one time.
 struct BodyState {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()

@@ -3,14 +3,15 @@
 namespace markerless_mocap {
 namespace {
 
-/// A point at a share of the way from a bone's head to its tail.
+/// A point at a fraction of the line from a bone's head to its tail.
 struct PointOnBone {
   const char* name;
   Bone bone;
   double fraction;
 };
 
-constexpr double kKnuckles = 0.53;  // of the hand, wrist to middle finger's tip
+constexpr double kKnuckles =
+    0.53;  // fraction of the hand, from the wrist to the tip of the middle finger
 
 constexpr PointOnBone kPoints[] = {
     {"pelvis", Bone::kHips, 0.0},

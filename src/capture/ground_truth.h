@@ -9,8 +9,8 @@
 
 namespace markerless_mocap {
 
-/// Names of the true points: the fifteen of markerNames(), then the tips l_hand (the knuckles),
-/// l_hand_tip, l_foot (the ball), l_foot_tip, the same of the right, head_top.
+/// Names of the true points: the fifteen of markerNames(), then l_hand (knuckles), l_hand_tip,
+/// l_foot (ball of the foot), l_foot_tip, the same of the right, head_top.
 const std::vector<std::string>& groundTruthNames();
 
 /// The true points of a person in the world, metres, in the order of groundTruthNames().

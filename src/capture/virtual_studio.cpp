@@ -18,9 +18,9 @@ StudioOptions validated(const StudioOptions& options) {
   return options;
 }
 
-/// Moments while the shutter is open, evenly spaced about `seconds`.
+/// Times while the shutter is open, evenly spaced around `seconds`.
 std::vector<double> shutterTimes(double seconds, double exposure_ms) {
-  constexpr double kStepMs = 4.0;  // in which a hand at 5 m/s goes 2 cm
+  constexpr double kStepMs = 4.0;  // a hand at 5 m/s moves 2 cm in this time
   if (exposure_ms == 0.0) return {seconds};
   const int half = std::max(1, int(std::ceil(0.5 * exposure_ms / kStepMs)));
   std::vector<double> times;
@@ -90,7 +90,7 @@ int VirtualStudio::frameSetCount() const {
 
 StudioFrameSet VirtualStudio::render(int index) const {
   if (index < 0)
-    throw std::invalid_argument("the index of a studio instant is " + std::to_string(index) +
+    throw std::invalid_argument("the index of a frame set is " + std::to_string(index) +
                                 ", allowed is 0 and above");
   StudioFrameSet frame_set;
   frame_set.time_ns = std::llround(index * 1e9 / options_.fps);
@@ -109,7 +109,7 @@ void VirtualStudio::film(int index, double seconds, StudioFrameSet* frame_set) c
   const auto exposureAt = [&](double when) {
     return Exposure(*scene_, *cameras_, options_, when, frame_set->person);
   };
-  // Cameras that are not in step see scenes of their own.
+  // Cameras with different time offsets see different scenes.
   const bool in_step = options_.degradations.time_offset_ms == 0.0 || !frame_set->person;
   std::optional<Exposure> shared;
   if (in_step) shared.emplace(exposureAt(seconds));

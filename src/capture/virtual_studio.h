@@ -19,43 +19,45 @@ struct StudioFiles {
   std::string motions_folder;  ///< path of config/motions
 };
 
-/// All cameras at one instant, with the truth.
+/// The images of all cameras at one time, with the ground truth.
 struct StudioFrameSet {
-  int64_t time_ns = 0;               ///< since the first instant
-  std::vector<cv::Mat> images;       ///< by camera, CV_8UC3 BGR; empty where dropped
-  std::vector<cv::Mat> silhouettes;  ///< by camera, CV_8UC1, 0 | 255; damaged; empty where dropped
-  std::vector<cv::Mat> masks;        ///< by camera, CV_8UC1, 0 | 255, exact
-  bool person = false;  ///< false while the room is empty; then there is no truth below
-  BodyState body;       ///< of body()
-  std::vector<Eigen::Vector3d> points;  ///< of groundTruthNames(), world metres
+  int64_t time_ns = 0;          ///< time since the first frame set
+  std::vector<cv::Mat> images;  ///< by camera, CV_8UC3 BGR; empty where dropped
+  std::vector<cv::Mat>
+      silhouettes;             ///< by camera, CV_8UC1, 0 | 255; with damage; empty where dropped
+  std::vector<cv::Mat> masks;  ///< by camera, CV_8UC1, 0 | 255, exact
+  bool person = false;         ///< false while the room is empty; then the fields below are not set
+  BodyState body;              ///< state of body()
+  std::vector<Eigen::Vector3d> points;  ///< positions of groundTruthNames(), world metres
 };
 
 class StudioScene;
 class StudioCameras;
 
-/// A dressed person, moving before a rig of cameras in a room. Each instant is a function of its
-/// index alone, so any can be asked for, from any thread, and the same options give the same bytes.
+/// Renders a dressed person who moves in front of a rig of cameras in a room. Each frame set
+/// depends on its index only: frame sets can be rendered in any order and from any thread, and the
+/// same options give the same bytes.
 class VirtualStudio {
  public:
-  /// \param body_id of the URDF body that is driven by the person
-  /// Throws std::invalid_argument or std::runtime_error with one sentence on bad options, files or
-  /// id and when the motion leaves the stage.
+  /// \param body_id id of the URDF body that follows the person
+  /// Throws std::invalid_argument or std::runtime_error on invalid options, files or id, and if the
+  /// motion leaves the capture volume.
   VirtualStudio(const StudioOptions& options, const StudioFiles& files, const std::string& body_id);
   ~VirtualStudio();
 
   const StudioOptions& options() const { return options_; }
-  /// The cameras as their calibration tells them, off by calibration_error_px.
+  /// The cameras as calibrated, with an error of calibration_error_px.
   const CameraRig& rig() const;
-  /// Where the cameras really are.
+  /// The true cameras.
   const CameraRig& trueRig() const;
-  /// The URDF body that the person drives.
+  /// The URDF body that follows the person.
   const BodyModel& body() const;
   const std::string& urdf() const;
-  double stature() const;  ///< of the person, metres
-  /// Empty-room instants and those of the motion.
+  double stature() const;  ///< stature of the person, metres
+  /// Number of frame sets: those of the empty room and those of the motion.
   int frameSetCount() const;
-  /// \param index from 0; the first `background_frames` show the empty room, beyond
-  ///   frameSetCount() the motion goes on. Throws std::invalid_argument below 0.
+  /// \param index from 0; the first `background_frames` show the empty room; beyond frameSetCount()
+  ///   the motion continues. Throws std::invalid_argument below 0.
   StudioFrameSet render(int index) const;
 
  private:

@@ -64,7 +64,7 @@ TEST(VirtualStudioTest, instantsAreEvenlySpacedInTime) {
   EXPECT_EQ(room.render(0).time_ns, 0);
   EXPECT_EQ(room.render(10).time_ns, 333333333);
   EXPECT_EQ(errorTextOf([&] { room.render(-1); }),
-            "the index of a studio instant is -1, allowed is 0 and above");
+            "the index of a frame set is -1, allowed is 0 and above");
 }
 
 TEST(VirtualStudioTest, jointsLieInTheMasks) {

@@ -13,20 +13,20 @@ namespace {
 constexpr double kVolumeRadius = 1.3, kVolumeHeight = 2.4;
 constexpr double kRingRadius = 4.2, kRingHeight = 1.9, kOverhead = 4.6;
 constexpr double kCeilingCorner = 2.6, kCeilingHeight = 2.7;
-/// Share of the half image that the stage fills.
+/// Fraction of the half image that the volume fills.
 constexpr double kFilled = 0.97;
 
 const Eigen::Vector3d kTarget(0.0, 0.0, 1.0);
 
-/// A lens before it gets its focal length.
+/// A lens without its focal length.
 struct LensPlan {
   double k1 = 0.0, k2 = 0.0;
   double aspect = 1.0;          ///< fy / fx
-  Eigen::Vector2d shift{0, 0};  ///< of the principal point, share of the image's size
-  double wider = 1.0;           ///< tangent of the view against what the stage takes
+  Eigen::Vector2d shift{0, 0};  ///< of the principal point, fraction of the image size
+  double wider = 1.0;  ///< field of view (tangent) relative to the one that just shows the volume
 };
 
-/// Even in [lowest, highest].
+/// Uniform random numbers in [low, high].
 class RandomStream {
  public:
   explicit RandomStream(uint64_t seed) : state_(splitMix64(seed ^ 0x5269675365656421u)) {}
@@ -39,7 +39,7 @@ class RandomStream {
   uint64_t state_;
 };
 
-/// Focal length in x at which every point of the stage falls into the image.
+/// Focal length in x at which all points of the volume are inside the image, pixels.
 double focalLength(const Eigen::Isometry3d& T_world_camera, const LensPlan& lens, int width,
                    int height) {
   const Eigen::Vector2d free(kFilled * width * (0.5 - std::abs(lens.shift.x())),

@@ -25,13 +25,13 @@ CameraRig plannedRig(const StudioOptions& options) {
     return makeRig({options.rig, options.width, options.height, options.distortion_k1,
                     uint64_t(options.seed)});
   if (options.rig.find('.') == std::string::npos)
-    return makeRig({options.rig});  // refuses it and says what is allowed
+    return makeRig({options.rig});  // throws an error with the allowed kinds
   CameraRig rig;
   for (const CameraCalibration& camera : readRig(options.rig)) rig.emplace_back(camera);
   return rig;
 }
 
-/// Turns each camera so that its image shifts by `pixels` in a direction of its own.
+/// Rotates each camera so that its image shifts by `pixels` in a random direction.
 CameraRig perturbedRig(const CameraRig& rig, double pixels, uint64_t seed) {
   CameraRig reported;
   for (size_t i = 0; i < rig.size(); ++i) {

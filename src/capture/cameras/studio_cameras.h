@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// The room and the cameras in it, with what is wrong with them.
+/// The room and its cameras, with their degradations.
 class StudioCameras {
  public:
   /// Throws as makeRig() and readRig().
@@ -19,12 +19,13 @@ class StudioCameras {
   const CameraRig& calibratedRig() const { return calibrated_rig_; }
   const TexturedRoom& room() const { return room_; }
   const MeshRenderer& renderer(size_t camera) const { return renderers_[camera]; }
-  /// Seconds by which the camera's pictures are later than their stamps.
+  /// Seconds by which a camera's images are later than their stamps.
   double offset(size_t camera) const { return offsets_[camera]; }
   bool isDropped(int index, size_t camera) const;
-  /// Light and sensor. \param seconds of the instant since the first
+  /// Applies light and sensor to an image.
+  /// \param seconds time since the first frame set
   void expose(int index, size_t camera, double seconds, cv::Mat& image) const;
-  /// The mask as a segmentation would leave it.
+  /// The mask with the errors of a background subtraction.
   cv::Mat silhouette(int index, size_t camera, const cv::Mat& mask) const;
 
  private:

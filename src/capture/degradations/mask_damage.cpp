@@ -11,7 +11,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Draws numbers one after another.
+/// A sequence of random numbers.
 class RandomStream {
  public:
   explicit RandomStream(uint64_t stream) : state_(splitMix64(stream)) {}
@@ -22,9 +22,9 @@ class RandomStream {
   uint64_t state_;
 };
 
-/// Shifts the outline by smooth noise of up to `reach` pixels inward or outward.
+/// Shifts the outline inward or outward by smooth noise of up to `reach` pixels.
 cv::Mat ragged(const cv::Mat& mask, double reach, RandomStream& rng) {
-  constexpr int kCell = 6;  // pixels; a ragged edge has teeth of about this size
+  constexpr int kCell = 6;  // pixels; size of the irregularities
   cv::Mat noise(mask.rows / kCell + 2, mask.cols / kCell + 2, CV_32FC1);
   for (int y = 0; y < noise.rows; ++y)
     for (int x = 0; x < noise.cols; ++x) noise.at<float>(y, x) = float(rng.uniform(-1.0, 1.0));
@@ -36,7 +36,7 @@ cv::Mat ragged(const cv::Mat& mask, double reach, RandomStream& rng) {
   return inside - outside > shift * reach;
 }
 
-/// A random blob: a few ellipses about one place.
+/// Draws a random blob of a few ellipses around a point.
 void stamp(cv::Mat& mask, cv::Point place, double radius, uint8_t value, RandomStream& rng) {
   for (int i = 0; i < 3; ++i) {
     const cv::Point at = place + cv::Point(int(std::lround(rng.uniform(-radius, radius))),

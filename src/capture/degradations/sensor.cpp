@@ -11,16 +11,16 @@ namespace {
 
 constexpr double kBeatHz = 0.7;  // of the mains' frequency with a multiple of the frames'
 constexpr size_t kTableSize = size_t(1) << 16;
-constexpr size_t kChunk = 128;  // values that read the table in one go
+constexpr size_t kChunk = 128;  // values read from the table at once
 
-/// Sum of twelve uniform numbers: mean 0, standard deviation 1.
+/// Sum of twelve uniform numbers, shifted: mean 0, standard deviation 1.
 double nearNormal(uint64_t stream) {
   double sum = -6.0;
   for (uint64_t i = 0; i < 12; ++i) sum += splitMixUniform(stream + i);
   return sum;
 }
 
-/// Longer than its size by a chunk, so that any start will do.
+/// One chunk longer than its size, so that any start is valid.
 std::vector<float> makeTable() {
   std::vector<float> table(kTableSize + kChunk);
   for (size_t i = 0; i < table.size(); ++i) table[i] = float(nearNormal(12 * i));

@@ -5,11 +5,13 @@
 
 namespace markerless_mocap {
 
-/// Brightness of a picture relative to the mean, lamps on mains current: the beat between frames
-/// and mains (a slow sine) and a random part of each instant, equally strong. Depends on nothing
-/// but its arguments. \param amount standard deviation of the gain, e.g. 0.01; 0 gives 1 exactly
-/// \param seconds of capture time
-/// \param stream a number for seed and camera (cameras with one stream flicker together)
+/// Flicker of lamps on mains current: brightness of an image relative to the mean. It is the sum of
+/// the beat between frames and mains (a slow sine) and of a random part per frame, with equal
+/// variance. Depends on its arguments only.
+/// \param amount standard deviation of the gain, for example 0.01; 0 gives exactly 1
+/// \param seconds capture time
+/// \param stream number that depends on seed and camera; cameras with the same stream flicker
+///   together
 double flickerGain(double amount, double seconds, uint64_t stream);
 
 /// What the sensor makes of a picture: every value times `gain`, plus near-Gaussian noise, rounded

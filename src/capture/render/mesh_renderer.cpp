@@ -15,7 +15,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Colour of a pixel: its nine samples before what is behind.
+/// Colour of a pixel: its nine samples blended over the background.
 void blend(const SampleBuffer& buffer, int x, int y, cv::Vec3b& color) {
   int covered = 0, sum[3] = {};
   for (int v = -1; v <= 1; ++v) {

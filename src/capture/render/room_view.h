@@ -10,19 +10,20 @@
 
 namespace markerless_mocap {
 
-/// Share of a pixel that each of its nine samples has, by distance in x plus that in y: a tent as
-/// wide as two pixels, the blur of an ordinary lens.
+/// Weights of the nine samples of a pixel, by the sum of their distances in x and y: a tent filter
+/// two pixels wide, the blur of an ordinary lens.
 constexpr std::array<int, 3> kTent = {4, 2, 1};
 constexpr int kTentSum = 16;
 
-/// The empty room as one camera sees it, and the shadows that fall on it.
+/// The image of the empty room in one camera, and the shadows on it.
 class RoomView {
  public:
   RoomView(const Camera& camera, const SampleGrid& grid, const TexturedRoom& room);
 
   /// CV_8UC3, BGR.
   const cv::Mat& picture() const { return picture_; }
-  /// Darkens what the scene's objects hide from the lamps. \param image picture() or a copy
+  /// Darkens the parts of the room that the scene's objects hide from the lamps.
+  /// \param image picture() or a copy
   void castShadows(const LitScene& scene, cv::Mat& image) const;
 
  private:

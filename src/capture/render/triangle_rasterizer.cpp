@@ -7,30 +7,30 @@
 namespace markerless_mocap {
 namespace {
 
-/// A vertex before the camera.
+/// A vertex relative to the camera.
 struct Corner {
   Eigen::Vector3d point;  ///< camera frame
-  Eigen::Vector2d place;  ///< on the grid, NaN if it has none
+  Eigen::Vector2d place;  ///< grid position, NaN if it has none
 };
 
-/// a x b, exactly the negative of b x a whatever the compiler fuses.
+/// a x b, exactly the negative of b x a for any fusing of operations by the compiler.
 Eigen::Vector3d orderedCross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const bool swapped = std::lexicographical_compare(b.data(), b.data() + 3, a.data(), a.data() + 3);
   return swapped ? Eigen::Vector3d(-b.cross(a)) : Eigen::Vector3d(a.cross(b));
 }
 
-/// Of two triangles at one edge, a ray through the edge belongs to one.
+/// A ray through an edge of two triangles belongs to exactly one of them.
 bool ownsZero(const Eigen::Vector3d& edge) {
   if (edge.x() != 0.0) return edge.x() > 0.0;
   return edge.y() != 0.0 ? edge.y() > 0.0 : edge.z() > 0.0;
 }
 
-/// The three edge functions of a triangle. A ray (x, y, 1) meets it where none is negative; their
-/// shares of the sum are then the weights of the corners.
+/// The three edge functions of a triangle. A ray (x, y, 1) hits it if none is negative; divided by
+/// their sum they are the weights of the corners.
 struct Edges {
   Eigen::Vector3d e[3];
   bool owns[3];
-  double volume;  ///< six times that of the tetrahedron with the eye
+  double volume;  ///< six times the volume of the tetrahedron with the camera's centre
 
   Edges(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
       : e{orderedCross(b, c), orderedCross(c, a), orderedCross(a, b)}, volume(a.dot(e[0])) {
@@ -50,7 +50,7 @@ struct Edges {
   }
 };
 
-/// Grid places that a triangle before the camera may cover.
+/// Grid positions that a triangle in front of the camera may cover.
 cv::Rect boxOf(const SampleGrid& grid, const Corner* const (&corners)[3]) {
   Eigen::Vector2d low = corners[0]->place, high = low;
   Eigen::Vector2d plane_low = corners[0]->point.hnormalized(), plane_high = plane_low;
@@ -71,9 +71,9 @@ cv::Rect boxOf(const SampleGrid& grid, const Corner* const (&corners)[3]) {
   return from.x < to.x && from.y < to.y ? cv::Rect(from, to) : cv::Rect();
 }
 
-/// As boxOf(), for a triangle with corners behind the camera or far out of its sight.
+/// The same for a triangle with corners behind the camera or far outside its view.
 cv::Rect boxOfCut(const SampleGrid& grid, const Corner* const (&corners)[3]) {
-  constexpr double kNear = 1e-3;  // metres; nothing that close is drawn with care
+  constexpr double kNear = 1e-3;  // metres; nearer parts are not drawn exactly
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   const auto add = [&](const Eigen::Vector3d& point) {
@@ -111,7 +111,7 @@ std::vector<Corner> cornersOf(const SampleGrid& grid, const SceneObject& object)
   return corners;
 }
 
-/// A triangle that may be seen.
+/// A triangle that may be visible.
 struct Candidate {
   uint32_t object, triangle;
   cv::Rect box;
@@ -141,7 +141,7 @@ void draw(const SampleGrid& grid, const Edges& edges, const cv::Rect& box,
   }
 }
 
-/// Whole pixels with their neighbour samples.
+/// Extends a box to whole pixels with their neighbour samples.
 cv::Rect wholePixels(const cv::Rect& rect, const cv::Size& size) {
   if (rect.empty()) return {};
   const cv::Point from((std::max(rect.x - 1, 0) / 2) * 2, (std::max(rect.y - 1, 0) / 2) * 2);

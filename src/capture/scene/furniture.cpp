@@ -3,7 +3,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// The six sides keep their own corners, so that edges stay sharp under light.
+/// The six sides have separate corners, so that edges look sharp.
 void addBox(const Eigen::Vector3f& low, const Eigen::Vector3f& high, const Eigen::Vector3f& color,
             ColoredMesh& mesh) {
   for (int axis = 0; axis < 3; ++axis)

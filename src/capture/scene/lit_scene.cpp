@@ -14,32 +14,31 @@
 namespace markerless_mocap {
 namespace {
 
-// Of white under all lamps: what comes from everywhere, from above more than from below, and what
-// comes from the lamps themselves.
+// Light on a white surface: ambient light, more from above than from below, and light of all lamps.
 constexpr float kAmbientAbove = 0.55f, kAmbientBelow = 0.30f, kLamps = 0.75f;
 
-[[noreturn]] void refuse(size_t object, const std::string& what) {
+[[noreturn]] void throwError(size_t object, const std::string& what) {
   throw std::invalid_argument("scene object " + std::to_string(object) + ": " + what);
 }
 
 void validate(const SceneObject& object, size_t number) {
-  if (!object.mesh) refuse(number, "it has no mesh");
+  if (!object.mesh) throwError(number, "it has no mesh");
   const size_t count = object.vertices.size();
   if (count != object.mesh->vertices.size() || count != object.mesh->colors.size())
-    refuse(number, std::to_string(count) + " vertices for a mesh of " +
-                       std::to_string(object.mesh->vertices.size()) + " vertices and " +
-                       std::to_string(object.mesh->colors.size()) +
-                       " colours, the three must be equal");
+    throwError(number, std::to_string(count) + " vertices for a mesh of " +
+                           std::to_string(object.mesh->vertices.size()) + " vertices and " +
+                           std::to_string(object.mesh->colors.size()) +
+                           " colours, the three must be equal");
   for (const Eigen::Vector3f& vertex : object.vertices)
-    if (!vertex.allFinite()) refuse(number, "a vertex is not finite");
+    if (!vertex.allFinite()) throwError(number, "a vertex is not finite");
   for (const auto& triangle : object.mesh->triangles)
     for (const int corner : triangle)
       if (corner < 0 || size_t(corner) >= count)
-        refuse(number, "a triangle has vertex " + std::to_string(corner) + ", allowed is 0 to " +
-                           std::to_string(count) + " - 1");
+        throwError(number, "a triangle has vertex " + std::to_string(corner) +
+                               ", allowed is 0 to " + std::to_string(count) + " - 1");
 }
 
-/// Unit normals, each the mean of its triangles' weighted by their areas.
+/// Unit normals of the vertices: means of the triangles' normals, weighted by area.
 std::vector<Eigen::Vector3f> smoothNormals(const SceneObject& object) {
   std::vector<Eigen::Vector3f> normals(object.vertices.size(), Eigen::Vector3f::Zero());
   for (const auto& [a, b, c] : object.mesh->triangles) {

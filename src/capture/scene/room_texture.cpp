@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr float kSkirting = 0.12f;  // metres high
+constexpr float kSkirting = 0.12f;  // height, metres
 constexpr float kGroove = 0.006f;   // metres on each side of the gap between boards
 
 uint64_t combinedHash(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
@@ -16,7 +16,7 @@ uint64_t combinedHash(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
                                       splitMix64(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
 }
 
-/// Random numbers -1 to 1 on the corners of a grid that repeats.
+/// Random numbers from -1 to 1 at the corners of a periodic grid.
 class Lattice {
  public:
   Lattice() : values_(size_t(kSide) * kSide) {
@@ -33,13 +33,13 @@ class Lattice {
   std::vector<float> values_;
 };
 
-/// Whole part, rounded down; std::floor is a call on plain x86-64.
+/// Integer part, rounded down; std::floor is a function call on plain x86-64.
 int floorOf(float value) {
   const int whole = int(value);
   return whole - int(value < float(whole));
 }
 
-/// Smooth noise, -1 to 1, that changes over one unit (value noise).
+/// Value noise, -1 to 1, with a period of one unit.
 float smoothNoise(uint64_t seed, float x, float y) {
   static const Lattice lattice;
   const int ix = floorOf(x), iy = floorOf(y);
@@ -51,7 +51,7 @@ float smoothNoise(uint64_t seed, float x, float y) {
   return upper * (1 - sv) + lower * sv;
 }
 
-/// Noise of several sizes, the largest `size` metres, each half the one before.
+/// Sum of noise of several sizes; the largest is `size` metres, each further one half of that.
 float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
   float sum = 0.0f, amplitude = 0.6f, scale = 1.0f / size;
   for (int i = 0; i < octaves; ++i, amplitude *= 0.65f, scale *= 2.1f)
@@ -59,7 +59,7 @@ float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
   return sum;
 }
 
-/// Draws numbers one after another.
+/// A sequence of random numbers.
 struct RandomStream {
   uint64_t state;
   float uniform(float low, float high) {
@@ -68,7 +68,7 @@ struct RandomStream {
   int below(int count) { return int(splitMix64(state++) % uint64_t(count)); }
 };
 
-/// \param strongest saturation
+/// \param strongest maximum saturation
 Eigen::Vector3f paint(RandomStream& rng, float strongest) {
   const float hue = rng.uniform(0.0f, 6.0f), strength = rng.uniform(0.1f, strongest);
   const float bright = rng.uniform(0.25f, 0.9f);

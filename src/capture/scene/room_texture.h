@@ -6,23 +6,24 @@
 
 namespace markerless_mocap {
 
-/// What covers the walls, floor and ceiling of a room: colour by place.
+/// Colour of walls, floor and ceiling of a room as a function of the position.
 class RoomTexture {
  public:
   RoomTexture(uint64_t seed, const Eigen::Vector3f& half_size);
 
-  /// Red green blue, 0 to 1, under the room's light. \param axis that the surface is normal to
-  /// \param upper whether it is the one of greater coordinate
-  /// \param blur metres; what is finer is spread over this width
+  /// Red, green and blue, 0 to 1, under the room's light.
+  /// \param axis the surface's normal is along this axis
+  /// \param upper whether it is the surface with the larger coordinate
+  /// \param blur width over which the pattern is blurred, metres
   Eigen::Vector3f color(const Eigen::Vector3f& point, int axis, bool upper, float blur) const;
   Eigen::Vector3f wallColor() const;
 
  private:
   /// A rectangle on a wall: picture, door, window, notice.
   struct Panel {
-    float along_low, along_high, low, high;  ///< metres along the wall and up
+    float along_low, along_high, low, high;  ///< bounds along the wall and upwards, metres
     Eigen::Vector3f color, second;
-    float stripe;  ///< metres; 0 for plain
+    float stripe;  ///< width, metres; 0: plain
     float frame;   ///< metres
   };
 

@@ -6,13 +6,15 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr float kTexel = 0.02f;        // metres on the floor
-constexpr float kMaxDistance = 12.0f;  // metres from the lamp's foot; no shadow is followed further
-constexpr float kMinBelow = 0.3f;      // metres under the lamp; what is higher casts no shadow
-constexpr int kSearch = 12;            // texels about a place where its occluders are looked for
-constexpr int kBorder = 2 * kSearch;   // texels
-constexpr float kSlack = 1e-3f;        // of a triangle, so that neighbours leave no gap
-constexpr float kMinDistance = 0.05f;  // metres; what is nearer does not shade a vertex
+constexpr float kTexel = 0.02f;  // metres on the floor
+constexpr float kMaxDistance =
+    12.0f;  // metres from the point under the lamp; shadows further away are not computed
+constexpr float kMinBelow = 0.3f;     // metres below the lamp; objects above this cast no shadow
+constexpr int kSearch = 12;           // reach of the search for occluders, texels
+constexpr int kBorder = 2 * kSearch;  // texels
+constexpr float kSlack =
+    1e-3f;  // tolerance of a triangle, so that there are no gaps between neighbours
+constexpr float kMinDistance = 0.05f;  // metres; nearer objects do not shade a vertex
 
 }  // namespace
 
@@ -27,7 +29,7 @@ class ShadowMap::SummedAreaTable {
             values[size_t(y) * size.width + x] + at(x, y + 1) + at(x + 1, y) - at(x, y);
   }
 
-  /// Sum over the square of the given reach; what lies outside is zero.
+  /// Sum over a square of the given reach; values outside the map are 0.
   double square(int x, int y, int reach) const {
     const int x0 = std::max(x - reach, 0), x1 = std::min(x + reach + 1, size_.width);
     const int y0 = std::max(y - reach, 0), y1 = std::min(y + reach + 1, size_.height);
@@ -76,7 +78,7 @@ void ShadowMap::findRect(const std::vector<SceneObject>& objects) {
 }
 
 void ShadowMap::draw(const SceneObject& object) {
-  std::vector<Eigen::Vector3f> shadows(object.vertices.size());  // texel and nearness
+  std::vector<Eigen::Vector3f> shadows(object.vertices.size());  // texel and inverse depth
   for (size_t i = 0; i < shadows.size(); ++i) {
     const float below = lamp_.position.z() - object.vertices[i].z();
     shadows[i] << shadowTexel(lamp_, object.vertices[i]), below < kMinBelow ? 0.0f : 1.0f / below;
@@ -112,7 +114,8 @@ void ShadowMap::drawTriangle(const Eigen::Vector3f (&corners)[3]) {
 int ShadowMap::penumbra(const SummedAreaTable& cover, const SummedAreaTable& near, int x,
                         int y) const {
   int reach = kSearch;
-  // Looking again no wider than found keeps the foot's shadow sharp under a knee's.
+  // Repeating the search within the radius found keeps the shadow of a foot sharp below that of a
+  // knee.
   for (int i = 0; i < 3; ++i) {
     const double occluders = cover.square(x, y, reach);
     if (occluders < 0.5) return i == 0 ? 0 : reach;

@@ -8,23 +8,25 @@
 
 namespace markerless_mocap {
 
-/// Where the lamp's ray through a place under it meets the floor's plane, in a shadow map's texels.
+/// Intersection of the lamp's ray through a point below the lamp with the floor's plane, in texels
+/// of a shadow map.
 Eigen::Vector2f shadowTexel(const Lamp& lamp, const Eigen::Vector3f& place);
 
-/// What the objects of a scene keep from one lamp, on the plane of the floor, which is taken to go
-/// on behind the walls: a place of a wall is looked up where the lamp's ray through it comes down.
+/// Shadows of the objects of a scene for one lamp, on the plane of the floor. The plane continues
+/// behind the walls: a point of a wall is looked up where the lamp's ray through it meets the
+/// plane.
 class ShadowMap {
  public:
   ShadowMap(const Lamp& lamp, const std::vector<SceneObject>& objects);
 
-  /// Whether no object stands under the lamp.
+  /// Whether there is no object below the lamp.
   bool empty() const { return rect_.empty(); }
-  /// Texels outside of which nothing is dark.
+  /// Texels outside of which there is no shadow.
   const cv::Rect& rect() const { return rect_; }
-  /// Share (0 to 1) of the lamp that a place of the floor or a wall does not see. Soft: the wider,
-  /// the higher that is what casts it (percentage-closer soft shadows: Fernando, 2005).
+  /// Fraction of the lamp, 0 to 1, that is hidden at a point of the floor or a wall. Shadows are
+  /// softer if the occluder is higher (percentage-closer soft shadows: Fernando, 2005).
   float occlusion(const Eigen::Vector2f& texel) const;
-  /// Share of the lamp that objects nearer to it hide from a vertex of an object.
+  /// Fraction of the lamp that is hidden from a vertex of an object by nearer objects.
   float occludedFraction(const Eigen::Vector3f& vertex) const;
 
  private:
@@ -33,13 +35,13 @@ class ShadowMap {
   void draw(const SceneObject& object);
   void drawTriangle(const Eigen::Vector3f (&corners)[3]);
   void soften();
-  /// Half the width of the shadow's edge at a texel, texels; 0 where nothing is near.
+  /// Half the width of the shadow's edge at a texel, in texels; 0 if there is no occluder nearby.
   int penumbra(const SummedAreaTable& cover, const SummedAreaTable& near, int x, int y) const;
 
   Lamp lamp_;
   cv::Rect rect_;
-  std::vector<float>
-      inverse_depth_;  ///< 1 / (how far below the lamp the nearest object is), 0 for none
+  /// 1 / (depth of the nearest object below the lamp), 1/m; 0: no object.
+  std::vector<float> inverse_depth_;
   std::vector<float> occlusion_;
 };
 

@@ -17,7 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kReturnSeconds = 1.0;
-constexpr double kBelow = 0.3, kAbove = 3.0;  // of the stage, m under and above the floor
+constexpr double kBelow = 0.3,
+                 kAbove =
+                     3.0;  // lower and upper bound of the volume, metres below and above the floor
 
 std::string motionsIn(const fs::path& folder) {
   std::vector<std::string> names;
@@ -60,7 +62,7 @@ MotionClip loadMotion(const StudioOptions& options, const std::string& folder,
                       const HumanSkeleton& skeleton) {
   MotionClip clip = clipOf(options.motion, folder, skeleton);
   if (options.motion_start > 0.0) clip = cut(clip, options.motion_start, HUGE_VAL);
-  // What is wound up may go on and on; anything else starts over where it began.
+  // A motion bent to a circle can continue; any other starts again at its beginning.
   if (options.bend_radius != 0.0) {
     if (options.duration > clip.duration()) clip = extended(clip, options.duration);
     clip = bent(clip, options.bend_radius);

@@ -8,23 +8,23 @@
 
 namespace markerless_mocap {
 
-/// The motion that the options name for a person of this size, cut, bent and prolonged as they say.
-/// A BVH motion is put on the floor, its middle in the centre.
-/// \param folder where the package's own motions are
-/// Throws std::invalid_argument with one sentence: there is no such motion, its file's faults, or
-/// it leaves the stage.
+/// The motion of the options for a person of this size, cut, bent and extended as they say. A BVH
+/// motion is put on the floor and centred.
+/// \param folder folder of the package's own motions
+/// Throws std::invalid_argument if there is no such motion, its file has an error, or it leaves the
+/// capture volume.
 MotionClip loadMotion(const StudioOptions& options, const std::string& folder,
                       const HumanSkeleton& skeleton);
 
-/// A motion that goes on for ever: after its end the person glides back to where it began, unless
-/// that is where it ends, and starts over.
+/// A motion that repeats without end. After its end the person glides back to the start, unless the
+/// motion ends there, and starts again.
 class LoopedMotion {
  public:
   explicit LoopedMotion(MotionClip clip);
-  /// \param seconds any
+  /// \param seconds any time
   HumanPose at(double seconds) const;
   double duration() const { return clip_.duration(); }
-  /// From one beginning to the next, s.
+  /// Time from one start to the next, s.
   double period() const { return clip_.duration() + return_seconds_; }
 
  private:

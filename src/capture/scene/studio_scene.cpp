@@ -17,7 +17,7 @@ namespace {
 constexpr double kOtherBearing = 2.2, kChairBearing = M_PI;
 constexpr double kOtherPhase = 0.43;  // of the motion's period
 
-/// Somebody else: another sex, stature and look.
+/// Options of the second person: another sex, stature and appearance.
 CharacterOptions otherThan(CharacterOptions character) {
   character.male = 1.0 - character.male;
   character.stature += character.stature > 1.7 ? -0.1 : 0.1;
@@ -30,7 +30,7 @@ Character leadOf(const StudioOptions& options) {
   return importCharacter(options.character_file, options.character.stature);
 }
 
-/// What head, neck and hands carry keeps its colour: the rest is dressed.
+/// Moves the colours of the clothes towards the wall's; head, neck and hands keep their colours.
 void camouflage(const Eigen::Vector3f& wall, float amount, Character* character) {
   for (size_t v = 0; v < character->mesh.colors.size(); ++v) {
     const VertexWeights& w = character->weights[v];
@@ -89,7 +89,7 @@ StudioScene::StudioScene(const StudioOptions& options, const StudioFiles& files,
   drive(options.fps);
 }
 
-/// Angles are followed through one round, so that each instant finds the ones before it.
+/// Computes the angles in order through one period, as each frame depends on the one before.
 void StudioScene::drive(double fps) {
   const Actor& actor = actors_.front();
   BodyRetargeter driven(body_, actor.character.skeleton);
@@ -97,7 +97,7 @@ void StudioScene::drive(double fps) {
   for (size_t i = 0; i < frames; ++i) states_.push_back(driven.follow(actor.at(double(i) / fps)));
 }
 
-/// Its seat faces the centre.
+/// Puts the chair in the room; its seat faces the centre.
 void StudioScene::placeChair(double distance) {
   chair_ = std::make_unique<const ColoredMesh>(chairMesh());
   const Eigen::Isometry3d place = placeAt(distance, kChairBearing, kChairBearing + M_PI);

@@ -12,36 +12,38 @@
 
 namespace markerless_mocap {
 
-/// A person with a motion of its own, put somewhere in the room.
+/// A person with a motion and a position in the room.
 struct Actor {
   Character character;
   LoopedMotion motion;
-  double phase = 0.0;  ///< seconds by which the motion is ahead
-  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< turns and shifts the motion
+  double phase = 0.0;  ///< offset of the motion in time, seconds
+  Eigen::Isometry3d place =
+      Eigen::Isometry3d::Identity();  ///< rotation and translation of the motion
 
   HumanPose at(double seconds) const;
   SceneObject seenAt(double seconds) const;
 };
 
-/// Who acts before the cameras and what stands around, with the truth about the first person.
+/// The people and the furniture in front of the cameras, with the ground truth of the first person.
 class StudioScene {
  public:
-  /// \param wall colour that camouflage goes to \param body_id of the driven URDF body
+  /// \param wall colour of camouflage
+  /// \param body_id id of the retargeted URDF body
   StudioScene(const StudioOptions& options, const StudioFiles& files, const Eigen::Vector3f& wall,
               const std::string& body_id);
 
   const BodyModel& body() const { return *body_; }
   const std::string& urdf() const { return urdf_; }
   double stature() const { return actors_.front().character.skeleton.stature; }
-  /// Length of the motion once through, s.
+  /// Duration of the motion, s.
   double duration() const { return actors_.front().motion.duration(); }
-  /// Instants from one beginning of the motion to the next.
+  /// Frame sets in one period of the motion.
   int framesPerRound() const { return int(states_.size()); }
   const BodyState& bodyAt(int frame) const { return states_[size_t(frame)]; }
   std::vector<Eigen::Vector3d> pointsAt(double seconds) const;
 
   bool hasFurniture() const { return furniture_.mesh != nullptr; }
-  /// \param people whether anybody is in the room
+  /// \param people whether there are people in the room
   std::vector<SceneObject> objectsAt(double seconds, bool people) const;
 
  private:
@@ -51,7 +53,7 @@ class StudioScene {
   std::vector<Actor> actors_;
   std::string urdf_;
   std::shared_ptr<const BodyModel> body_;
-  std::vector<BodyState> states_;  ///< by frame of the first person's round
+  std::vector<BodyState> states_;  ///< by frame of the first person's period
   std::unique_ptr<const ColoredMesh> chair_;
   SceneObject furniture_;
 };

@@ -11,7 +11,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kBlur = 1.5e-3;  // of the distance: what a camera can tell apart
+constexpr double kBlur = 1.5e-3;  // fraction of the distance: resolution of a camera
 constexpr double kMinHalf = 1.0, kMaxHalf = 50.0, kMinHeight = 2.0, kMaxHeight = 20.0;
 
 void checkSize(const std::string& what, double value, double least, double most) {
@@ -36,7 +36,7 @@ TexturedRoom::TexturedRoom(uint64_t seed, double half_x, double half_y, double h
   hang(0.35f, 0.25f, 0.45f, 0.12f);
   hang(-0.45f, 0.30f, 0.25f, 0.15f);
   hang(0.05f, -0.50f, 0.15f, 0.20f);
-  hang(0.02f, 0.03f, 0.15f, 0.30f);  // sees what is close about the feet
+  hang(0.02f, 0.03f, 0.15f, 0.30f);  // offset for cameras below
 }
 
 TexturedRoom TexturedRoom::around(uint64_t seed, const CameraRig& rig) {

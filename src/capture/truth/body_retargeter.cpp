@@ -15,11 +15,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// How much of the foot lies before the ankle, and where the head's frame sits: urdf/human.urdf.in.
+// Proportions of urdf/human.urdf.in: the fraction of the foot in front of the ankle, and the
+// position of the head's frame.
 constexpr double kFootBeforeAnkle = 0.76;
 
-/// Below this sine of the hinge's angle the hinge's axis is the bone's own rather than the one that
-/// the two bones span.
+/// Below this sine of the hinge's angle the bone's own axis is used instead of the normal of the
+/// plane of both bones.
 constexpr double kNearlyStraight = 0.06;
 
 const Vector3d& at(const PerBone<Vector3d>& joints, Bone bone) {
@@ -28,12 +29,13 @@ const Vector3d& at(const PerBone<Vector3d>& joints, Bone bone) {
 
 }  // namespace
 
-/// A three-axis joint with a hinge after it. Right is the mirror of left.
+/// A limb: a spherical joint and a hinge. The right is the mirror image of the left.
 struct BodyRetargeter::Limb {
   std::array<std::string, 3> ball;
   std::string hinge;
-  Bone upper, lower, end;  ///< whose heads are the ball, the hinge and the limb's end
-  double bends;            ///< 1: the hinge bends forwards with a positive angle; -1: backwards
+  Bone upper, lower,
+      end;       ///< their heads are the spherical joint, the hinge and the end of the limb
+  double bends;  ///< 1: a positive angle bends the hinge forward; -1: backward
 };
 
 BodyProportions proportionsOf(const HumanSkeleton& s) {
@@ -71,7 +73,8 @@ void BodyRetargeter::forward(const BodyState& state) {
   model_->forwardKinematics(state.T_world_body, state.angles, T_world_link_);
 }
 
-/// Two joints in turn point the direction `rest` of the second one's link at a point in the world.
+/// Sets two consecutive joints so that the direction `rest` of the second one's link points at a
+/// point in the world.
 void BodyRetargeter::aim(const std::string& first, const std::string& second, const Vector3d& rest,
                          const Vector3d& target, Eigen::VectorXd& angles) const {
   const BodyJoint &a = model_->joint(first), &b = model_->joint(second);
@@ -82,7 +85,7 @@ void BodyRetargeter::aim(const std::string& first, const std::string& second, co
   setAngle(second, t[1], angles);
 }
 
-/// Three joints in turn give the last one's link a rotation.
+/// Sets three consecutive joints so that the last one's link has a given rotation.
 void BodyRetargeter::turn(const std::array<std::string, 3>& joints, const Matrix3d& R_world,
                           Eigen::VectorXd& angles) const {
   std::array<Vector3d, 3> axes;
@@ -109,12 +112,12 @@ void BodyRetargeter::setLimb(const Limb& limb, const HumanPose& pose,
   const Vector3d front = limb.bends * aside + slack * (pose[limb.upper] * Vector3d::UnitX());
   const Vector3d x = (front - down * down.dot(front)).normalized();
   Matrix3d R_world;
-  R_world << x, x.cross(down), -down;  // the limb's z points to the trunk
+  R_world << x, x.cross(down), -down;  // the z axis of a limb's link points to the trunk
   turn(limb.ball, R_world, angles);
   setAngle(limb.hinge, limb.bends * std::atan2(aside.norm(), down.dot(lower)), angles);
 }
 
-/// Turns the foot, which does not turn sideways, as far up as the person's.
+/// Sets the pitch of the foot to that of the person's; it cannot turn sideways.
 void BodyRetargeter::setFoot(const std::string& ankle, const Vector3d& forward,
                              Eigen::VectorXd& angles) const {
   const BodyJoint& joint = model_->joint(ankle);

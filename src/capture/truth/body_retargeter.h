@@ -12,20 +12,20 @@
 
 namespace markerless_mocap {
 
-/// Segment lengths of the URDF body that has this skeleton's joints.
+/// Segment lengths of the URDF body with the joints of this skeleton.
 BodyProportions proportionsOf(const HumanSkeleton& skeleton);
 
-/// Moves the URDF body as a person moves. The root is the pelvis; every other joint points its limb
-/// at the person's next joint, so positions agree where the body has the axes and the limits for it
-/// (its spine is one joint without twist, its hands are rigid, its feet turn up and down).
-/// Three-axis joints are decomposed exactly; of several solutions the one nearest to the last pose
-/// within the limits is taken.
+/// Retargets a person's motion to the URDF body. The root is the pelvis. Each other joint points
+/// its limb at the person's next joint, so positions agree as far as the body has the axes and
+/// limits for it: its spine is one joint without twist, its hands are rigid, and its feet only
+/// pitch. Spherical joints are decomposed exactly; of several solutions the one within the limits
+/// that is nearest to the last pose is taken.
 class BodyRetargeter {
  public:
-  /// \param model filled with proportionsOf(skeleton)
+  /// \param model body with proportionsOf(skeleton)
   BodyRetargeter(std::shared_ptr<const BodyModel> model, HumanSkeleton skeleton);
 
-  /// Follows the next pose of a motion.
+  /// The state of the body for the next pose of a motion.
   BodyState follow(const HumanPose& pose);
 
  private:
@@ -51,7 +51,7 @@ class BodyRetargeter {
   LinkPoses T_world_link_;
 };
 
-/// Distance between the fifteen joints of the driven body and the person's, metres: the mean.
+/// Mean distance between the fifteen joints of the retargeted body and those of the person, metres.
 double meanJointDistance(const BodyModel& model, const BodyState& state,
                          const HumanSkeleton& skeleton, const HumanPose& pose);
 

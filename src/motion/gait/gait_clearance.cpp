@@ -55,7 +55,7 @@ double FootClearance::closest(const GroundPose& from, const GroundPose& to, cons
                               const Eigen::Vector2d& detour) const {
   double min_gap = 1e9;
   for (int i = 0; i <= 20; ++i)
-    min_gap = std::min(least, gap(swingPose(from, to, detour, i / 20.0), other));
+    min_gap = std::min(min_gap, gap(swingPose(from, to, detour, i / 20.0), other));
   return min_gap;
 }
 

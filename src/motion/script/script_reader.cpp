@@ -63,7 +63,7 @@ void readWay(const ScriptNode& node, Move& move) {
   } else if (move.kind == Move::Kind::kGo) {
     move.forward = node.number(-kMaxDistance, kMaxDistance);
   } else {
-    const std::vector<double> way = node.numbers(2, "metres forward and to the left");
+    const std::vector<double> offset = node.numbers(2, "metres forward and to the left");
     move.forward = offset[0];
     move.left = offset[1];
   }
