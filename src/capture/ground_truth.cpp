@@ -10,8 +10,8 @@ struct PointOnBone {
   double fraction;
 };
 
-constexpr double kKnuckles =
-    0.53;  // fraction of the hand, from the wrist to the tip of the middle finger
+/// Fraction of the hand, from the wrist to the tip of the middle finger.
+constexpr double kKnuckles = 0.53;
 
 constexpr PointOnBone kPoints[] = {
     {"pelvis", Bone::kHips, 0.0},

@@ -23,8 +23,8 @@ struct StudioFiles {
 struct StudioFrameSet {
   int64_t time_ns = 0;          ///< time since the first frame set
   std::vector<cv::Mat> images;  ///< by camera, CV_8UC3 BGR; empty where dropped
-  std::vector<cv::Mat>
-      silhouettes;             ///< by camera, CV_8UC1, 0 | 255; with damage; empty where dropped
+  /// By camera, CV_8UC1, 0 | 255; with damage; empty where dropped.
+  std::vector<cv::Mat> silhouettes;
   std::vector<cv::Mat> masks;  ///< by camera, CV_8UC1, 0 | 255, exact
   bool person = false;         ///< false while the room is empty; then the fields below are not set
   BodyState body;              ///< state of body()

@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kPitch = 0.0115;  ///< of the lattice, for a stature of 1.75 m
+constexpr double kPitch = 0.0115;  ///< of the lattice for a stature of 1.75 m, metres
 
 Eigen::AlignedBox3d spaceOf(const HumanSkeleton& skeleton) {
   const double reach = skeleton.tailOf(Bone::kLeftHand).y() + 0.05 * skeleton.stature;
@@ -16,7 +16,7 @@ Eigen::AlignedBox3d spaceOf(const HumanSkeleton& skeleton) {
           Eigen::Vector3d(0.28 * skeleton.stature, reach, 1.04 * skeleton.stature)};
 }
 
-/// Two triangles for each quad, split along its shorter diagonal.
+/// Two triangles per quad, split along the shorter diagonal.
 std::vector<std::array<int, 3>> trianglesOf(const Surface& surface) {
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(2 * surface.quads.size());

@@ -5,8 +5,8 @@
 
 namespace markerless_mocap {
 
-/// A person of the given size, sex, weight and dress as closed, mirror-symmetric surface of about
-/// 20000 vertices. Same options, same person. Throws std::invalid_argument if the options do.
+/// A person of the given size, sex, weight and dress as a closed, mirror-symmetric surface of about
+/// 20000 vertices. Deterministic. Throws std::invalid_argument as CharacterOptions::validate().
 Character makeCharacter(const CharacterOptions& options);
 
 }  // namespace markerless_mocap

@@ -9,14 +9,14 @@
 
 namespace markerless_mocap {
 
-/// Triangles with a colour at each vertex. Counter-clockwise seen from outside.
+/// Triangle mesh with a colour per vertex. Triangles are counter-clockwise seen from outside.
 struct ColoredMesh {
   std::vector<Eigen::Vector3f> vertices;  ///< metres
-  std::vector<Eigen::Vector3f> colors;    ///< of each vertex, red green blue, 0 to 1
+  std::vector<Eigen::Vector3f> colors;    ///< per vertex: red, green, blue, 0 to 1
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Up to four bones that carry a vertex; weights sum to 1, unused ones are 0.
+/// Skinning weights of a vertex: up to four bones; weights sum to 1, unused ones are 0.
 struct VertexWeights {
   std::array<Bone, 4> bones{};
   std::array<float, 4> weights{};
@@ -26,11 +26,12 @@ struct VertexWeights {
 struct Character {
   HumanSkeleton skeleton;
   ColoredMesh mesh;
-  std::vector<VertexWeights> weights;  ///< of each vertex
+  std::vector<VertexWeights> weights;  ///< per vertex
 
-  /// The mesh's vertices in the world: dual quaternion skinning, so that bent and twisted limbs
-  /// keep their girth, with the twist of forearm, upper arm and thigh spread along them. Writes
-  /// into `vertices` (resized).
+  /// Computes the mesh's vertices in the world, metres, by dual quaternion skinning, so that bent
+  /// and twisted limbs keep their girth. The twist of forearm, upper arm and thigh is distributed
+  /// along them.
+  /// \param vertices output, resized
   void pose(const HumanPose& pose, std::vector<Eigen::Vector3f>& vertices) const;
 };
 

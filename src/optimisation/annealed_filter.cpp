@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Gall et al. 2007, 5.2: exponent of the schedule, share of the covariance, regularisation.
+// Gall et al. 2007, 5.2: exponent of the schedule, factor of the covariance, regularisation.
 constexpr double kScheduleExponent = 0.7, kCovarianceShare = 0.4, kLeastVariance = 1e-12;
 
 void require(const AnnealingSettings& s) {
@@ -41,7 +41,7 @@ double minOf(const VectorXd& costs) {
   return least;
 }
 
-/// Parameters from one place on, up to another, come from a second survivor.
+/// A range of parameters is taken from a second survivor.
 void crossOver(const ParticleSet& set, const VectorXd& weights, const CounterRandom& random,
                double probability, MatrixXd& next) {
   const auto dimensions = next.rows();
@@ -128,7 +128,7 @@ SearchOutcome InteractingAnnealing::minimise(const SearchProblem& problem, const
     MatrixXd covariance = centered * centered.transpose();
     covariance.diagonal().array() += kLeastVariance;
     covariance *= kCovarianceShare / (settings_.particles - 1);
-    // Parameters that are held have no variance but the least one; they must not move at all.
+    // Fixed parameters have only the regularisation as variance; they must not move at all.
     const VectorXd moving = (start.sigma.array() > 0.0).cast<double>();
     const MatrixXd root = covariance.llt().matrixL();
     set.replace(next, moving.asDiagonal() * root, own.stream(2));

@@ -8,19 +8,19 @@ namespace markerless_mocap {
 struct AnnealingSettings {
   int particles = 200;
   int layers = 5;
-  /// Annealed particle filter: share of the particles that is to survive a layer.
+  /// Annealed particle filter: fraction of the particles that survive a layer.
   double survival_rate = 0.5;
-  /// Annealed particle filter: probability that a particle takes a run of its parameters from a
+  /// Annealed particle filter: probability that a particle takes a range of its parameters from a
   /// second survivor.
   double crossover = 0.0;
-  /// Interacting simulated annealing: weights of layer k, from 0, are
-  /// exp(-sharpness (k + 1)^0.7 cost).
+  /// Interacting simulated annealing: weights of layer k, from 0, are exp(-inverse_temperature (k +
+  /// 1)^0.7 cost).
   double inverse_temperature = 100.0;
 };
 
-/// Annealed particle filter after Deutscher and Reid 2005: each layer resamples all particles by
-/// weights that let `survival` of them live, and scatters them anew with the spread that the
-/// survivors have in each parameter, at most the last layer's: parameters that matter settle
+/// Annealed particle filter after Deutscher and Reid 2005. Each layer resamples all particles with
+/// weights that give the survival rate, and scatters them with the survivors' standard deviation of
+/// each parameter, limited to that of the last layer. Parameters that affect the cost most converge
 /// first. The result is the weighted mean of the last layer.
 class AnnealedParticleFilter : public Optimiser {
  public:
@@ -33,10 +33,10 @@ class AnnealedParticleFilter : public Optimiser {
   AnnealingSettings settings_;
 };
 
-/// Interacting simulated annealing after Gall et al. 2007: a particle is kept with a probability
-/// that is its weight against the highest, otherwise replaced by one drawn by weight; then all are
-/// scattered with 0.4 times the covariance of the particles. The result is the weighted mean of the
-/// last layer.
+/// Interacting simulated annealing after Gall et al. 2007. A particle is kept with a probability
+/// equal to its weight divided by the maximum weight; otherwise it is replaced by a particle drawn
+/// by weight. Then all particles are scattered with 0.4 times their covariance. The result is the
+/// weighted mean of the last layer.
 class InteractingAnnealing : public Optimiser {
  public:
   /// Throws std::invalid_argument on settings out of range.
@@ -48,9 +48,10 @@ class InteractingAnnealing : public Optimiser {
   AnnealingSettings settings_;
 };
 
-/// Weights exp(-beta (cost - least cost)), their sum 1, with beta such that 1 / sum w^2 is `share`
-/// of the number of finite costs; costs that are not finite weigh 0. Equal when costs are equal.
-/// \param share in (0, 1]
+/// Weights exp(-beta (cost - minimum cost)), normalised to a sum of 1. Beta is chosen so that 1 /
+/// sum w^2 is `fraction` times the number of finite costs. Costs that are not finite get weight 0.
+/// Weights are equal if costs are equal.
+/// \param fraction in (0, 1]
 Eigen::VectorXd survivalWeights(const Eigen::VectorXd& costs, double fraction);
 
 }  // namespace markerless_mocap

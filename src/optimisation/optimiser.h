@@ -6,37 +6,38 @@
 
 namespace markerless_mocap {
 
-/// What is to be minimised. Both functions are called from several threads at once.
+/// A minimisation problem. Both functions are called from several threads.
 struct SearchProblem {
-  /// Costs of `count` candidates that stand one behind the other. Optimisers with stages tell which
-  /// one is asking, from 0; what is not finite counts as infinitely bad.
+  /// Computes the costs of `count` candidates that are stored one after the other. `stage` is the
+  /// index of the calling stage, from 0. A cost that is not finite counts as infinite.
   std::function<void(int stage, const double* candidates, int count, double* costs)> cost;
-  /// Candidates that may not be, beyond the bounds; empty: none.
+  /// Whether a candidate inside the bounds is infeasible; empty: none is.
   std::function<bool(const double* candidate)> infeasible;
-  Eigen::VectorXd lower, upper;  ///< bounds; infinite where there are none
+  Eigen::VectorXd lower, upper;  ///< bounds; infinite if there are none
 };
 
-/// Where a search begins.
+/// Start of a search.
 struct SearchStart {
   Eigen::VectorXd center;
-  Eigen::VectorXd sigma;  ///< how far each parameter may be off: standard deviations; 0 holds it
+  Eigen::VectorXd sigma;  ///< standard deviation of each parameter; 0: the parameter is fixed
 };
 
-/// What a search found.
+/// Result of a search.
 struct SearchOutcome {
-  Eigen::VectorXd best;  ///< the start's centre when nothing was found
+  Eigen::VectorXd best;  ///< the start's centre if nothing was found
   double cost = 0.0;
-  bool found = false;      ///< some candidate had a finite cost
-  int evaluations = 0;     ///< candidates whose cost was asked for
-  int rejected_moves = 0;  ///< moves given up because no draw met the constraints
+  bool found = false;      ///< whether a candidate had a finite cost
+  int evaluations = 0;     ///< number of candidates whose cost was computed
+  int rejected_moves = 0;  ///< number of moves for which no draw met the constraints
 };
 
-/// One interface for all: candidates in, costs out. Stateless: a search depends on its arguments
-/// alone, not on the number of threads.
+/// Interface of all optimisers. Stateless: the result depends on the arguments only, not on the
+/// number of threads.
 class Optimiser {
  public:
   virtual ~Optimiser() = default;
-  /// Throws std::invalid_argument if sizes differ, bounds cross, or sigmas are negative.
+  /// Throws std::invalid_argument if sizes differ, a lower bound is above the upper one, or a sigma
+  /// is negative.
   virtual SearchOutcome minimise(const SearchProblem& problem, const SearchStart& start,
                                  uint64_t seed) const = 0;
 };
@@ -46,15 +47,15 @@ void validateProblem(const SearchProblem& problem);
 /// Throws as Optimiser::minimise() says.
 void validateProblem(const SearchProblem& problem, const SearchStart& start);
 
-/// Whether a candidate is finite, inside the bounds and not forbidden.
+/// Whether a candidate is finite, inside the bounds and not infeasible.
 bool isFeasible(const SearchProblem& problem, const double* candidate);
 
-/// A draw that must meet the constraints has this many attempts (Fleischmann 2012, 5.3.2).
+/// Number of attempts of a draw that must meet the constraints (Fleischmann 2012, 5.3.2).
 constexpr int kDrawAttempts = 10;
 
-/// Draws candidates with `draw(attempt, candidate)` until one is allowed. Failing that, the last
-/// one is moved inside the bounds; failing that too, `candidate` is set to `fallback`.
-/// \return false when it was
+/// Draws candidates with `draw(attempt, candidate)` until one is feasible. If none is, the last one
+/// is moved inside the bounds. If that is not feasible either, `candidate` is set to `fallback`.
+/// \return false if `fallback` was used
 bool drawFeasible(
     const SearchProblem& problem, const Eigen::VectorXd& fallback,
     const std::function<void(int attempt, Eigen::Ref<Eigen::VectorXd> candidate)>& draw,

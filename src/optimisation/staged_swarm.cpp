@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 constexpr double kInitialAcceleration = 2.05, kFinalAcceleration = 2.15;
 constexpr double kMaxVelocity = 2.0;  // sigmas per iteration
-// Particles that one task moves and judges.
+// Number of particles that one task moves and evaluates.
 constexpr int kBatch = 3;
 
 /// One stage's search.
@@ -64,7 +64,8 @@ class StageSearch {
       swarm_.velocity(d, i) = velocities.between(-start_.sigma[d], start_.sigma[d], uint64_t(d));
   }
 
-  /// Eq. 5.8 with the velocity limited, drawn anew from the same place until it is allowed.
+  /// Eq. 5.8 with a limited velocity; drawn again from the same position until the result is
+  /// feasible.
   void move(int i, double acceleration, const CounterRandom& random) {
     const auto dimensions = start_.center.size();
     const double chi = constriction(2.0 * acceleration);

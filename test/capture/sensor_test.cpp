@@ -64,14 +64,14 @@ TEST(SensorTest, gainScalesAndLevelsStayInRange) {
 
 TEST(FlickerTest, gainHasTheSpreadAskedForAndIsRepeatable) {
   double sum = 0.0, squares = 0.0;
-  const int instants = 6000;
-  for (int i = 0; i < instants; ++i) {
+  const int frames = 6000;
+  for (int i = 0; i < frames; ++i) {
     const double off = flickerGain(0.01, i / 30.0, 4) - 1.0;
     sum += off;
     squares += off * off;
   }
-  EXPECT_NEAR(sum / instants, 0.0, 5e-4);
-  EXPECT_NEAR(std::sqrt(squares / instants), 0.01, 5e-4);
+  EXPECT_NEAR(sum / frames, 0.0, 5e-4);
+  EXPECT_NEAR(std::sqrt(squares / frames), 0.01, 5e-4);
   EXPECT_EQ(flickerGain(0.01, 1.5, 4), flickerGain(0.01, 1.5, 4));
   EXPECT_NE(flickerGain(0.01, 1.5, 4), flickerGain(0.01, 1.5, 5));
   EXPECT_EQ(flickerGain(0.0, 1.5, 4), 1.0);

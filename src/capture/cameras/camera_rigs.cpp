@@ -30,9 +30,9 @@ struct LensPlan {
 class RandomStream {
  public:
   explicit RandomStream(uint64_t seed) : state_(splitMix64(seed ^ 0x5269675365656421u)) {}
-  double between(double lowest, double highest) {
+  double between(double low, double high) {
     state_ = splitMix64(state_);
-    return lowest + (highest - lowest) * splitMixUniform(state_);
+    return low + (high - low) * splitMixUniform(state_);
   }
 
  private:

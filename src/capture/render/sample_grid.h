@@ -44,8 +44,8 @@ class SampleGrid {
   std::vector<Eigen::Vector2f> plane_;
   std::vector<Range> rows_, columns_;  ///< plane y of each row, plane x of each column
   Eigen::Vector2d low_, high_;         ///< bounds of the points in the plane
-  double farthest_squared_ =
-      0.0;  ///< maximum squared distance from the axis in the plane, with a margin
+  /// Maximum squared distance from the axis in the plane, with a margin.
+  double farthest_squared_ = 0.0;
   double bend_ = 0.0;
 };
 

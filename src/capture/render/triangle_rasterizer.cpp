@@ -63,7 +63,7 @@ cv::Rect boxOf(const SampleGrid& grid, const Corner* const (&corners)[3]) {
   }
   const double margin = grid.margin((plane_high - plane_low).norm()) + 1e-3;
   const cv::Size size = grid.size();
-  const auto bound = [](double v, int most) { return int(std::clamp(v, 0.0, double(most))); };
+  const auto bound = [](double v, int max) { return int(std::clamp(v, 0.0, double(max))); };
   const cv::Point from(bound(std::ceil(low.x() - margin), size.width),
                        bound(std::ceil(low.y() - margin), size.height));
   const cv::Point to(bound(std::floor(high.x() + margin) + 1.0, size.width),

@@ -7,13 +7,13 @@ namespace markerless_mocap {
 namespace {
 
 constexpr float kTexel = 0.02f;  // metres on the floor
-constexpr float kMaxDistance =
-    12.0f;  // metres from the point under the lamp; shadows further away are not computed
+/// Metres from the point under the lamp; shadows further away are not computed.
+constexpr float kMaxDistance = 12.0f;
 constexpr float kMinBelow = 0.3f;     // metres below the lamp; objects above this cast no shadow
 constexpr int kSearch = 12;           // reach of the search for occluders, texels
 constexpr int kBorder = 2 * kSearch;  // texels
-constexpr float kSlack =
-    1e-3f;  // tolerance of a triangle, so that there are no gaps between neighbours
+/// Tolerance of a triangle, so that there are no gaps between neighbours.
+constexpr float kSlack = 1e-3f;
 constexpr float kMinDistance = 0.05f;  // metres; nearer objects do not shade a vertex
 
 }  // namespace

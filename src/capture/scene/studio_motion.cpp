@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr double kReturnSeconds = 1.0;
 constexpr double kBelow = 0.3,
-                 kAbove =
-                     3.0;  // lower and upper bound of the volume, metres below and above the floor
+                 // Lower and upper bound of the volume, metres below and above the floor.
+    kAbove = 3.0;
 
 std::string motionsIn(const fs::path& folder) {
   std::vector<std::string> names;
@@ -33,10 +33,10 @@ std::string motionsIn(const fs::path& folder) {
 }
 
 double apart(const HumanPose& a, const HumanPose& b) {
-  double most = (a.hips - b.hips).norm();
+  double max_difference = (a.hips - b.hips).norm();
   for (size_t i = 0; i < size_t(kBoneCount); ++i)
-    most = std::max(most, a.R_world_bone[i].angularDistance(b.R_world_bone[i]));
-  return most;
+    max_difference = std::max(max_difference, a.R_world_bone[i].angularDistance(b.R_world_bone[i]));
+  return max_difference;
 }
 
 bool isBvh(const std::string& motion) {

@@ -17,8 +17,8 @@ struct Actor {
   Character character;
   LoopedMotion motion;
   double phase = 0.0;  ///< offset of the motion in time, seconds
-  Eigen::Isometry3d place =
-      Eigen::Isometry3d::Identity();  ///< rotation and translation of the motion
+  /// Rotation and translation of the motion.
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
 
   HumanPose at(double seconds) const;
   SceneObject seenAt(double seconds) const;

@@ -14,11 +14,11 @@ namespace {
 constexpr double kBlur = 1.5e-3;  // fraction of the distance: resolution of a camera
 constexpr double kMinHalf = 1.0, kMaxHalf = 50.0, kMinHeight = 2.0, kMaxHeight = 20.0;
 
-void checkSize(const std::string& what, double value, double least, double most) {
-  if (!(value >= least && value <= most))
+void checkSize(const std::string& what, double value, double min, double max) {
+  if (!(value >= min && value <= max))
     throw std::invalid_argument("the room's " + what + " is " + std::to_string(value) +
-                                " m, allowed is " + std::to_string(int(least)) + " to " +
-                                std::to_string(int(most)));
+                                " m, allowed is " + std::to_string(int(min)) + " to " +
+                                std::to_string(int(max)));
 }
 
 }  // namespace

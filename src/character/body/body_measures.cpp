@@ -5,8 +5,8 @@
 namespace markerless_mocap {
 namespace {
 
-/// A section of a man of 1.75 m and of a woman of 1.65 m, and what weight adds to side, front and
-/// back. Girths and breadths after Gordon et al., ANSUR 1988.
+/// A cross-section of a man of 1.75 m and a woman of 1.65 m, and the increase of side, front and
+/// back with weight. Girths and breadths after Gordon et al., ANSUR 1988.
 struct MeasuredSection {
   LoftSection man, woman;
   double fat_side, fat_front, fat_back;
@@ -28,7 +28,8 @@ std::vector<LoftSection> mixed(const Table& table, const BodyBuild& build) {
   return sections;
 }
 
-// Each row: {at, side centre, front centre, side, front, back} of man and woman; fat.
+// Each row: {at, side centre, front centre, side, front, back} of man and woman; increase with
+// weight.
 const Table kTorso{
     {{.790, 0, -.015, .030, .035, .040}, {.745, 0, -.015, .030, .033, .040}, .005, .005, .01},
     {{.830, 0, -.015, .110, .075, .092}, {.785, 0, -.015, .115, .072, .092}, .01, .01, .01},

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr LoftAxes kUpwards{2, 1, 0}, kSideways{1, 2, 0}, kForwards{0, 1, 2};
-constexpr double kLegGap = 0.009;  ///< of each leg from the middle
+constexpr double kLegGap = 0.009;  ///< distance of each leg from the middle plane, metres
 
 }  // namespace
 
@@ -31,7 +31,7 @@ double BodyShape::torso(const Vector3d& p) const {
   const double neck = skeleton_.headOf(Bone::kNeck).z();
   const Vector3d shoulder = skeleton_.headOf(Bone::kLeftUpperArm);
   double d = torso_.distance(p);
-  // Trapezius and shoulder blade, from the side of the neck to the shoulder's top.
+  // Trapezius and shoulder blade, from the side of the neck to the top of the shoulder.
   d = smoothUnion(d,
                   taperedCapsule(p, Vector3d(0, 0, neck + scaled(0.030)) + at(-.035, .030, 0),
                                  shoulder + at(-.012, -.010, .020), scaled(.034), scaled(.032)),
@@ -93,7 +93,7 @@ PartDistances BodyShape::parts(const Vector3d& p) const {
   parts.torso = torso(p);
   parts.arm = arm_.distance(p - shoulder);
   parts.hand = hand(p - wrist);
-  // Thighs touch; their surfaces must not, or they would not part in a stride.
+  // Thighs touch, but their surfaces must not, so that they can separate in a stride.
   parts.leg = smoothIntersection(leg_.distance(p), scaled(kLegGap) - p.y(), scaled(.008));
   parts.foot = foot_.distance(p - Vector3d(ankle.x(), ankle.y(), 0.0));
   parts.head = head(p);

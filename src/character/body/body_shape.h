@@ -17,14 +17,14 @@ struct PartDistances {
   double head;  ///< with the neck
 };
 
-/// The naked body in the T-pose of a skeleton, as a signed distance. Left and right mirror each
-/// other: only points with y >= 0 are asked for.
+/// The body without clothes in the T-pose of a skeleton, as a signed distance. Left and right are
+/// mirrored: it is evaluated for points with y >= 0 only.
 class BodyShape {
  public:
   BodyShape(const HumanSkeleton& skeleton, const BodyBuild& build);
 
   PartDistances parts(const Eigen::Vector3d& p) const;
-  // Parts together, their seams filled.
+  // Smooth unions of parts.
   double torsoAndArm(const PartDistances& parts) const;
   double torsoAndLeg(const PartDistances& parts) const;
   double whole(const PartDistances& parts) const;

@@ -20,8 +20,8 @@ LoftSection sectionOf(double at, const Numbers& n) {
   return {at, n[0], n[1], n[2], n[3], n[4]};
 }
 
-/// Slope at the knot between two chords: 0 at an extremum, so that nothing overshoots (Fritsch and
-/// Butland 1984).
+/// Slope at the knot between two chords: 0 at an extremum, so that the curve does not overshoot
+/// (Fritsch and Butland 1984).
 double knotSlope(double before, double after, double h_before, double h_after) {
   if (before * after <= 0.0) return 0.0;
   const double w1 = 2.0 * h_after + h_before, w2 = h_after + 2.0 * h_before;
@@ -47,7 +47,7 @@ std::vector<Numbers> knotSlopes(const std::vector<LoftSection>& sections) {
   return slopes;
 }
 
-/// Cubic Hermite between two knots.
+/// Cubic Hermite interpolation between two knots.
 double hermite(double a, double b, double slope_a, double slope_b, double h, double t) {
   const double t2 = t * t, t3 = t2 * t;
   return (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * h * slope_a + (3 * t2 - 2 * t3) * b +

@@ -6,14 +6,14 @@
 
 namespace markerless_mocap {
 
-/// Union of two signed distances whose seam is filled over about `reach` (the quadratic polynomial
-/// smooth minimum of Inigo Quilez).
+/// Smooth union of two signed distances; the seam is filled over about `reach` (quadratic
+/// polynomial smooth minimum of Inigo Quilez).
 inline double smoothUnion(double a, double b, double reach) {
   const double h = std::max(reach - std::abs(a - b), 0.0) / reach;
   return std::min(a, b) - h * h * reach * 0.25;
 }
 
-/// Intersection, its edge rounded over about `reach`.
+/// Smooth intersection; its edge is rounded over about `reach`.
 inline double smoothIntersection(double a, double b, double reach) {
   return -smoothUnion(-a, -b, reach);
 }
@@ -26,7 +26,7 @@ inline double ellipsoid(const Eigen::Vector3d& p, const Eigen::Vector3d& centre,
   return slope > 1e-9 ? k * (k - 1.0) / slope : -half.minCoeff();
 }
 
-/// Signed distance to balls of radius `at_a` .. `at_b` strung from a to b; their hull nearly.
+/// Approximate signed distance to a tapered capsule from a to b with radii `at_a` and `at_b`.
 inline double taperedCapsule(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                              const Eigen::Vector3d& b, double at_a, double at_b) {
   const Eigen::Vector3d ab = b - a;
@@ -34,7 +34,7 @@ inline double taperedCapsule(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   return (p - a - t * ab).norm() - (at_a + t * (at_b - at_a));
 }
 
-/// 0 below centre - half, 1 above centre + half, smooth in between.
+/// Smooth step: 0 below centre - half, 1 above centre + half.
 inline double ramp(double x, double centre, double half) {
   const double t = std::clamp((x - centre + half) / (2.0 * half), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);

@@ -14,7 +14,7 @@ using Field = std::function<double(const Vector3d&)>;
 
 constexpr int kBlock = 4;
 
-/// Signed distances at the half of a lattice with y >= 0; the other half mirrors it.
+/// Signed distances at the half of a lattice with y >= 0; the other half is its mirror image.
 class HalfLattice {
  public:
   HalfLattice(const Field& field, const Eigen::AlignedBox3d& box, double pitch)
@@ -40,7 +40,7 @@ class HalfLattice {
            size_t(i.x());
   }
 
-  /// Blocks far from the surface get their centre's value throughout.
+  /// In blocks far from the surface all values are set to that of the centre.
   void fillSlab(const Field& field, int block_z) {
     Vector3i corner(0, 0, block_z * kBlock);
     for (; corner.y() < size_.y(); corner.y() += kBlock)
@@ -56,8 +56,9 @@ class HalfLattice {
       }
   }
 
-  /// Where a square's inner corners touch only across its diagonal, makes one of them outer, so
-  /// that no edge of the surface is shared by four quads. Returns whether there was any.
+  /// If the inner corners of a square are connected by its diagonal only, one of them is set to
+  /// outer, so that no edge of the surface belongs to four quads. Returns whether there was such a
+  /// square.
   bool partDiagonals() {
     bool any = false;
     Vector3i i;
@@ -88,7 +89,7 @@ class HalfLattice {
   std::vector<float> values_;
 };
 
-/// Mean of the places where the surface crosses the edges of a cell.
+/// Mean of the points at which the surface crosses the edges of a cell.
 bool cellVertex(const HalfLattice& lattice, const Vector3i& cell, Vector3d& vertex) {
   Vector3d sum = Vector3d::Zero();
   int crossings = 0;
@@ -146,7 +147,8 @@ class Net {
         for (cell.x() = lowest_.x(); cell.x() < end.x(); ++cell.x()) visit(cell);
   }
 
-  /// The quad around the lattice edge from `cell`'s corner along axis `a`, if the surface cuts it.
+  /// Adds the quad around the lattice edge from `cell`'s corner along axis `a`, if the surface cuts
+  /// it.
   void addQuad(const Vector3i& cell, int a) {
     const bool inner = lattice_.at(cell) < 0,
                next_inner = lattice_.at(cell + Vector3i::Unit(a)) < 0;
@@ -164,8 +166,8 @@ class Net {
   Surface surface_;
 };
 
-/// Moves each vertex half way to the mean of its neighbours.
-void smoothWeights(Surface& surface) {
+/// Moves each vertex halfway to the mean of its neighbours.
+void smoothVertices(Surface& surface) {
   std::vector<Vector3d> sums(surface.vertices.size(), Vector3d::Zero());
   std::vector<int> counts(surface.vertices.size(), 0);
   for (const std::array<int, 4>& quad : surface.quads)
@@ -177,7 +179,8 @@ void smoothWeights(Surface& surface) {
     surface.vertices[v] = 0.5 * (surface.vertices[v] + sums[v] / counts[v]);
 }
 
-/// Newton steps along the gradient, together no longer than `reach`.
+/// Projects a point onto the surface by Newton steps along the gradient, up to a distance of
+/// `reach`.
 Vector3d ontoSurface(const Field& field, Vector3d p, double reach) {
   const Vector3d start = p;
   const double step = 0.001;
@@ -200,7 +203,7 @@ Vector3d ontoSurface(const Field& field, Vector3d p, double reach) {
 Surface surfaceOf(const Field& field, const Eigen::AlignedBox3d& box, double pitch) {
   Surface surface = Net(HalfLattice(field, box, pitch)).build();
   for (int round = 0; round < 2; ++round) {
-    smoothWeights(surface);
+    smoothVertices(surface);
     tbb::parallel_for(size_t(0), surface.vertices.size(), [&](size_t v) {
       surface.vertices[v] = ontoSurface(field, surface.vertices[v], pitch);
     });

@@ -26,7 +26,7 @@ const Vector3d& pick(const Palette& palette, std::mt19937_64& random) {
   return palette[random() % palette.size()];
 }
 
-/// Smooth noise of about -1 to 1, grain `size` metres.
+/// Smooth noise of about -1 to 1 with a grain of `size` metres.
 double grain(const Vector3d& p, double size) {
   const Vector3d q = p / size;
   return (std::sin(q.x() * 1.7 + 2.1 * std::sin(q.y() * 1.3)) +

@@ -11,11 +11,11 @@ namespace markerless_mocap {
 /// The colours of a person.
 class CharacterColors {
  public:
-  /// \param seed picks the colours; the same seed, the same look
+  /// \param seed selects the colours
   CharacterColors(uint64_t seed, const HumanSkeleton& skeleton);
 
-  /// Red green blue, 0 to 1, of a layer at a point of the body at rest: a pattern or the grain of
-  /// the cloth, eyes and lips on the face.
+  /// Red, green and blue, 0 to 1, of a layer at a point of the body at rest: pattern or grain of
+  /// cloth, eyes and lips of the face.
   Eigen::Vector3f colorAt(const Eigen::Vector3d& p, Layer layer) const;
 
  private:
@@ -24,7 +24,7 @@ class CharacterColors {
 
   double stature_;
   std::array<Eigen::Vector3d, kLayerCount> base_;
-  Eigen::Vector3d second_;  ///< of the shirt's pattern
+  Eigen::Vector3d second_;  ///< second colour of the shirt's pattern
   int pattern_;
 };
 

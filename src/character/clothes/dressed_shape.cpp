@@ -12,10 +12,11 @@ using Eigen::Vector3d;
 using Sections = std::vector<LoftSection>;
 
 constexpr LoftAxes kUpwards{2, 1, 0}, kSideways{1, 2, 0};
-constexpr double kNone = 1e3;  ///< distance to what is not worn, m
+constexpr double kNone = 1e3;  ///< distance to a layer that is not worn, m
 
-/// Sections of cloth that hangs from the widest body above it. \param from first section of the
-/// body that carries it, counted from the top \param share of that width that remains below
+/// Cross-sections of cloth that hangs from the widest section of the body above.
+/// \param from first section of the body that carries it, counted from the top
+/// \param fraction of that width that remains below
 Sections hanging(Sections body, size_t from, double fraction) {
   LoftSection widest;
   for (size_t i = body.size() - from; i-- > 0;) {
@@ -34,7 +35,7 @@ void widen(LoftSection& s, double side, double front, double back) {
   s.back += back;
 }
 
-/// A wide shirt: a hand's breadth of air below the chest.
+/// A wide shirt, with a gap of about 8 cm to the body below the chest.
 Sections shirtSections(const BodyBuild& build) {
   Sections rows = hanging(torsoSections(build), 2, 1.0);
   const double chest = build.length(1.35, 1.27), hem = build.length(0.83, 0.79);
@@ -46,7 +47,7 @@ Sections shirtSections(const BodyBuild& build) {
   return rows;
 }
 
-/// From the shoulder to half way down the forearm, hanging down a little.
+/// From the shoulder to the middle of the forearm, slightly hanging down.
 Sections sleeveSections(const BodyBuild& build) {
   Sections rows = armSections(build);
   std::reverse(rows.begin(), rows.end());
@@ -70,7 +71,7 @@ Sections trouserSections(const BodyBuild& build) {
   return rows;
 }
 
-/// A bell from the waist to below the knee.
+/// A bell shape from the waist to below the knee.
 Sections skirtSections(const BodyBuild& build) {
   const double waist = build.length(1.08, 1.02), hem = build.length(0.44, 0.415);
   Sections rows;
@@ -86,7 +87,7 @@ Sections skirtSections(const BodyBuild& build) {
   return rows;
 }
 
-/// Hair that falls behind the head onto the back. Metres of the woman of 1.65 m.
+/// Long hair behind the head and on the back; metres for the woman of 1.65 m.
 Sections hairFall(const BodyBuild& build) {
   const double f = build.stature / 1.65, back = f * 0.012 * build.fatness;
   Sections rows{{1.270, 0, -.128, .050, .012, .012}, {1.310, 0, -.122, .078, .022, .020},

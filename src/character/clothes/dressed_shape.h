@@ -8,16 +8,16 @@
 
 namespace markerless_mocap {
 
-/// What is seen of a person.
+/// Visible layers of a person.
 enum class Layer { kSkin, kShirt, kTrousers, kSkirt, kShoes, kHair };
 constexpr int kLayerCount = 6;
 
-/// A body with its clothes and hair as signed distances. Mirror-symmetric in y.
+/// A body with clothes and hair as signed distances, mirror-symmetric in y.
 class DressedShape {
  public:
   DressedShape(const BodyShape& body, const CharacterOptions& options);
 
-  /// Metres to the outermost layer, negative inside.
+  /// Signed distance to the outermost layer, metres, negative inside.
   double distance(const Eigen::Vector3d& p) const;
   /// The outermost layer at a point of the surface.
   Layer layerAt(const Eigen::Vector3d& p) const;

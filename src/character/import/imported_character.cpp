@@ -23,7 +23,7 @@ struct UprightRig {
   RigStance stance;
 };
 
-/// The rig in world axes, in the first of its poses in which it stands upright.
+/// The rig in world axes, in the first of its poses that is upright.
 UprightRig uprightRig(const std::string& path) {
   const RiggedScene scene(path);
   for (RestPose pose : {RestPose::kBind, RestPose::kNodes}) {
@@ -44,7 +44,7 @@ UprightRig uprightRig(const std::string& path) {
                               "upright, so up and forward cannot be determined");
 }
 
-/// For each joint the bone that it is, or that is next above it.
+/// For each joint its bone, or the nearest bone above it.
 std::vector<Bone> carriers(const std::vector<NamedJoint>& joints, const BoneMap& bones) {
   std::vector<Bone> carriers(joints.size(), Bone::kHips);
   for (size_t j = 0; j < joints.size(); ++j) {
@@ -69,32 +69,33 @@ std::vector<BoneWeights> boneWeights(const UprightRig& upright) {
   return all;
 }
 
-/// -1 where all weights are zero.
+/// Index of the largest weight; -1 if all weights are zero.
 int heaviest(const BoneWeights& weights) {
-  const auto most = std::max_element(weights.begin(), weights.end());
-  return *most > 0.0f ? int(most - weights.begin()) : -1;
+  const auto max = std::max_element(weights.begin(), weights.end());
+  return *max > 0.0f ? int(max - weights.begin()) : -1;
 }
 
 Bone nearestBone(const HumanSkeleton& skeleton, const Vector3d& point) {
   Bone nearest = Bone::kHips;
-  double least = std::numeric_limits<double>::max();
+  double min_distance = std::numeric_limits<double>::max();
   for (int b = 0; b < kBoneCount; ++b) {
     const Vector3d bone = skeleton.tailOf(Bone(b)) - skeleton.headOf(Bone(b));
     const Vector3d from = point - skeleton.headOf(Bone(b));
     const double length = std::max(bone.squaredNorm(), 1e-12);
     const double distance = (from - std::clamp(from.dot(bone) / length, 0.0, 1.0) * bone).norm();
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min_distance) continue;
+    min_distance = distance;
     nearest = Bone(b);
   }
   return nearest;
 }
 
-/// A bone that the rig does not have takes over from the one above it beyond their joint, going
-/// over by and by. A collar bone takes nothing: its skin stays with the chest.
+/// Moves weights to bones that the rig does not have, from the bone above, with a gradual
+/// transition at their joint. Collar bones get no weight: their skin stays with the chest.
 void distributeToMissing(const BoneMap& bones, const HumanSkeleton& skeleton, const Vector3d& point,
                          BoneWeights& weights) {
-  constexpr double kReach = 0.3;  // to either side of the joint, of the shorter bone's length
+  constexpr double kReach = 0.3;  // reach of the transition to either side of the joint, fraction
+                                  // of the shorter bone's length
   for (int b = 1; b < kBoneCount; ++b) {
     const Bone bone = Bone(b), parent = parentOf(bone);
     if (bones.has(bone) || bone == Bone::kLeftClavicle || bone == Bone::kRightClavicle ||
@@ -124,7 +125,7 @@ VertexWeights fourLargest(const BoneWeights& weights) {
   return largest;
 }
 
-/// The person as it stands in the file.
+/// The person in the pose of the file.
 Character standing(UprightRig& upright) {
   std::vector<BoneWeights> weights = boneWeights(upright);
   RigMeasures measures{upright.rig.joint_positions, upright.rig.mesh.vertices, {}};
@@ -143,7 +144,8 @@ Character standing(UprightRig& upright) {
   return person;
 }
 
-/// Legs straight down, arms straight out; feet keep their slope and roll and turn to the front.
+/// T-pose: legs straight down, arms straight out; feet keep their pitch and roll and point to the
+/// front.
 HumanPose tPose(const HumanSkeleton& bind, const RigStance& stance) {
   HumanSkeleton straight = HumanSkeleton::adult(1.75, 0.5);
   for (Bone bone : {Bone::kLeftThigh, Bone::kLeftShank, Bone::kRightThigh, Bone::kRightShank})
@@ -161,7 +163,8 @@ HumanPose tPose(const HumanSkeleton& bind, const RigStance& stance) {
   return pose;
 }
 
-/// Left and right joints become each other's mirror, those of the middle go to y = 0.
+/// Averages left and right joints so that they mirror each other; joints of the middle are moved to
+/// y = 0.
 void mirrorMeans(PerBone<Vector3d>& joint_positions) {
   const PerBone<Vector3d> given = joint_positions;
   for (size_t b = 0; b < size_t(kBoneCount); ++b) {
@@ -180,7 +183,7 @@ Character inTPose(Character standing, const HumanPose& pose) {
   return person;
 }
 
-/// Feet on z = 0, hips above the origin, as tall as asked for.
+/// Scales the person to the stature and puts it on z = 0 with the hips above the origin.
 void scaleAndPlace(Character& person, double stature) {
   float bottom = std::numeric_limits<float>::max(), top = -bottom;
   for (const Eigen::Vector3f& vertex : person.mesh.vertices) {

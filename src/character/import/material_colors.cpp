@@ -13,13 +13,14 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Base colours of glTF are linear in light, colours of images and of other formats are not.
+/// Converts a linear colour for display. Base colours of glTF are linear; colours of images and
+/// other formats are not.
 Vector3f displayed(const aiColor4D& linear) {
   const auto channel = [](float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 1.0f / 2.2f); };
   return {channel(linear.r), channel(linear.g), channel(linear.b)};
 }
 
-/// The material's own colour; white where a texture stands for it.
+/// The material's own colour; white if it has a texture.
 Vector3f plainColor(const aiMaterial& material, bool textured) {
   aiColor4D color;
   if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS) return displayed(color);
@@ -29,7 +30,8 @@ Vector3f plainColor(const aiMaterial& material, bool textured) {
   return Vector3f::Constant(0.6f);
 }
 
-/// \param u \param v from the image's lower left corner; repeats beyond the image
+/// Colour of an image at texture coordinates u, v, which start at the lower left corner; the image
+/// repeats.
 Vector3f sampled(const cv::Mat& image, float u, float v) {
   if (!std::isfinite(u) || !std::isfinite(v)) return Vector3f::Ones();
   const auto pixel = [](float fraction, int size) {
@@ -73,11 +75,11 @@ std::string withoutEscapes(const std::string& name) {
 cv::Mat MaterialColors::readTexture(const std::string& name) const {
   if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str()))
     return embeddedImage(*embedded);
-  // Paths of another machine lead nowhere: then the file of that name beside the model.
+  // If the path does not exist on this machine, the file of that name beside the model is used.
   const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-  for (const std::string& told : {name, withoutEscapes(name)})
+  for (const std::string& file_name : {name, withoutEscapes(name)})
     for (const std::filesystem::path& file :
-         {folder / told, folder / std::filesystem::path(told).filename()})
+         {folder / file_name, folder / std::filesystem::path(file_name).filename()})
       if (std::filesystem::is_regular_file(file)) return cv::imread(file, cv::IMREAD_COLOR);
   return {};
 }

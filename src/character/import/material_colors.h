@@ -12,18 +12,19 @@ struct aiScene;
 
 namespace markerless_mocap {
 
-/// What a model's meshes look like at their vertices.
+/// Vertex colours of a model's meshes.
 class MaterialColors {
  public:
-  /// \param path of the model: textures are looked for beside it
+  /// \param path path of the model; textures are searched beside it
   MaterialColors(const aiScene& scene, const std::string& path) : scene_(scene), path_(path) {}
 
-  /// Red green blue of each vertex, 0 to 1: the base colour texture's, else the vertex's own, else
-  /// the material's. A texture that cannot be read counts as none.
+  /// Red, green and blue of each vertex, 0 to 1: from the base colour texture, else the vertex's
+  /// own colour, else the material's. A texture that cannot be read is ignored.
   std::vector<Eigen::Vector3f> of(const aiMesh& mesh);
 
  private:
-  /// Of the material's base colour; empty if there is none. \param channel of the coordinates
+  /// Texture of the material's base colour; empty if there is none.
+  /// \param channel output, channel of the texture coordinates
   const cv::Mat& texture(const aiMaterial& material, unsigned& channel);
   cv::Mat readTexture(const std::string& name) const;
 

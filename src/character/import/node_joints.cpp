@@ -60,8 +60,8 @@ std::optional<size_t> NodeJoints::carrierOf(const aiNode& node) const {
   return std::nullopt;
 }
 
-/// From the axes that the mesh was made in to those of the meshes before, by a bone they share or
-/// the nearest that is known.
+/// Transform from the axes of a mesh to those of the earlier meshes, from a common bone or the
+/// nearest known one.
 Matrix4d NodeJoints::meshFrame(const aiMesh& mesh, const Known& known) const {
   for (unsigned b = 0; b < mesh.mNumBones; ++b)
     if (const auto& place = known[jointOf(*mesh.mBones[b])])

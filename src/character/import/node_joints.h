@@ -19,26 +19,27 @@ class aiMatrix4x4t;
 namespace markerless_mocap {
 
 Eigen::Matrix4d matrixOf(const aiMatrix4x4t<float>& matrix);
-/// From the node's axes to the scene's.
+/// Transform from the node's axes to the scene's.
 Eigen::Matrix4d nodeTransform(const aiNode& node);
 
-/// The nodes of a scene that make its rig: bones, what carries them and what hangs on them, without
-/// nodes of meshes.
+/// The nodes of a scene that form its rig: bones, their ancestors and descendants, without nodes of
+/// meshes.
 class NodeJoints {
  public:
-  /// \param scene in which each bone has a node
+  /// \param scene scene in which each bone has a node
   explicit NodeJoints(const aiScene& scene);
 
   const std::vector<NamedJoint>& joints() const { return joints_; }
-  /// From each joint's axes to the scene's as the nodes stand.
+  /// Transforms from each joint's axes to the scene's, in the pose of the nodes.
   const std::vector<Eigen::Matrix4d>& nodeTransforms() const { return transforms_; }
-  /// From each joint's axes to those that the largest mesh was made in (mirrored where the scene
-  /// mirrors it), in the pose in which the meshes were fastened. Joints without a place of their
-  /// own in that pose stand to their neighbours as the nodes do.
+  /// Transforms from each joint's axes to those of the largest mesh (mirrored if the scene mirrors
+  /// it), in the bind pose. Joints without a bind transform have the same transform to their
+  /// neighbours as in the pose of the nodes.
   std::vector<Eigen::Matrix4d> bindTransforms() const;
 
   size_t jointOf(const aiBone& bone) const;
-  /// The bone, or joint below a bone, that is the node or next above it; none if there is none.
+  /// The joint of a node, or the nearest joint above it that is a bone or below one; empty if there
+  /// is none.
   std::optional<size_t> carrierOf(const aiNode& node) const;
 
  private:

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double kAnyStature = 1.75;  // only proportions are used
 
-/// Horizontal and of unit length, to the front if the rig does not tell.
+/// A horizontal unit vector; to the front if the direction is unknown.
 Vector3d levelled(const Vector3d& direction) {
   const Vector3d level(direction.x(), direction.y(), 0.0);
   return level.norm() > 1e-6 ? Vector3d(level.normalized()) : Vector3d(Vector3d::UnitX());
@@ -50,11 +50,11 @@ class Placer {
   Vector3d& head(Bone bone) { return skeleton_.head[size_t(bone)]; }
   Vector3d& tail(Bone bone) { return skeleton_.tail[size_t(bone)]; }
 
-  /// From hips to crown, by heights between the nearest that the rig tells of. Joints that do not
-  /// rise above the one below count as not told of.
+  /// Places the joints from hips to crown; unknown ones are interpolated by height between known
+  /// ones. A joint that is not above the one below it counts as unknown.
   void placeTrunk() {
     const Vector3d shoulders = 0.5 * (head(Bone::kLeftUpperArm) + head(Bone::kRightUpperArm));
-    constexpr double kMinAbove = 0.01;  // of the legs
+    constexpr double kMinAbove = 0.01;  // fraction of the leg length
     for (Bone bone : {Bone::kSpine, Bone::kChest, Bone::kNeck, Bone::kHead}) {
       const Bone below = Bone(int(bone) - 1);
       if (bones_.has(bone) && head(bone).z() > head(below).z() + kMinAbove * stance_.leg_length)
@@ -114,12 +114,13 @@ class Placer {
       head(toes).z() = bottom_ + low * (head(foot).z() - bottom_);
     }
     const double to_ball = (head(toes) - head(foot)).dot(along);
-    const double least = 0.1 * scale_ * adult_.lengthOf(toes);
-    tail(toes) = head(toes) + std::max(whole - to_ball, least) * along;
+    const double min_length = 0.1 * scale_ * adult_.lengthOf(toes);
+    tail(toes) = head(toes) + std::max(whole - to_ball, min_length) * along;
     for (Bone bone : {thigh, shank, foot}) tail(bone) = head(Bone(int(bone) + 1));
   }
 
-  /// How far the bones' vertices lead from a place along a direction; `otherwise` if nowhere.
+  /// Maximum extent of the bones' vertices from a point along a direction; `otherwise` if there are
+  /// none.
   double reach(std::initializer_list<Bone> bones, const Vector3d& from, const Vector3d& along,
                double otherwise) const {
     double farthest = 0.0;
@@ -148,7 +149,7 @@ HumanSkeleton rigSkeleton(const BoneMap& bones, const RigStance& stance,
 }
 
 BoneMap withTrunkByHeight(BoneMap bones, const std::vector<Vector3d>& joint_positions) {
-  // WeightVector of the way from hips to shoulders, see HumanSkeleton::adult().
+  // Fractions of the height from hips to shoulders, see HumanSkeleton::adult().
   constexpr double kSpineHeight = 0.2, kChestHeight = 0.56;
   const auto middle = [&](Bone left) {
     return 0.5 * (joint_positions[size_t(bones[left])].z() +

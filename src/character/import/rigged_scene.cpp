@@ -66,7 +66,7 @@ class Merger {
     append(mesh, blends, weights, whole.topLeftCorner<3, 3>().determinant() < 0.0);
   }
 
-  /// Meshes without bones of their own below a joint's node: eyes, hats.
+  /// Adds meshes without bones below a joint's node, for example eyes and hats.
   void addHanging(const aiNode& node) {
     const std::optional<size_t> joint = nodes_.carrierOf(node);
     for (unsigned m = 0; joint && m < node.mNumMeshes; ++m) {
@@ -102,7 +102,7 @@ class Merger {
     }
   }
 
-  /// A mesh that encloses less than nothing has all its triangles inside out.
+  /// A mesh with a negative volume has inverted triangles; they are turned.
   void turnOutward() {
     ColoredMesh& mesh = result_.mesh;
     Vector3d middle = Vector3d::Zero();
@@ -142,7 +142,8 @@ RiggedScene::RiggedScene(const std::string& path)
     : path_(path), importer_(std::make_unique<Assimp::Importer>()) {
   if (!std::filesystem::is_regular_file(path))
     throw std::invalid_argument(path + ": there is no such file");
-  // Pivots as nodes of their own would stand between the joints; normals would keep vertices apart.
+  // Separate pivot nodes would be between the joints, and normals would keep equal vertices
+  // separate.
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   importer_->SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS);

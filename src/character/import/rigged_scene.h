@@ -20,27 +20,27 @@ struct JointWeight {
   float weight;
 };
 
-/// A rig and the meshes that hang on it, in one pose, in the file's axes and unit.
+/// A rig and its meshes in one pose, in the file's axes and unit.
 struct RiggedMesh {
   std::vector<NamedJoint> joints;  ///< parents before children
   std::vector<Eigen::Vector3d> joint_positions;
   ColoredMesh mesh;
-  std::vector<std::vector<JointWeight>> weights;  ///< of each vertex, may be empty
+  std::vector<std::vector<JointWeight>> weights;  ///< per vertex, may be empty
 };
 
 enum class RestPose {
-  kBind,   ///< in which the skin was fastened to the bones
-  kNodes,  ///< in which the file's nodes stand
+  kBind,   ///< the bind pose
+  kNodes,  ///< the pose of the file's nodes
 };
 
-/// A model file with bones.
+/// A model file with a skeleton.
 class RiggedScene {
  public:
   /// Throws std::invalid_argument if the file cannot be read, has no mesh or no mesh with bones.
   explicit RiggedScene(const std::string& path);
   ~RiggedScene();
 
-  /// Throws std::invalid_argument if a place is not finite.
+  /// The rig and meshes in a pose. Throws std::invalid_argument if a position is not finite.
   RiggedMesh in(RestPose pose) const;
 
  private:

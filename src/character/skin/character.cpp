@@ -22,9 +22,9 @@ DualQuaternion dualQuaternion(const Quaterniond& q, const Vector3d& shift) {
   return {q.coeffs().cast<float>(), (0.5 * (t * q).coeffs()).cast<float>()};
 }
 
-/// Turns about a bone's head, by more or less twist about the bone along it.
+/// Rotation about a bone's head, with a twist about the bone that varies along it.
 struct BoneMotion {
-  Eigen::Vector3f head, along;  ///< along: bone's direction by its length
+  Eigen::Vector3f head, along;  ///< along: the bone's direction divided by its length
   std::array<DualQuaternion, kTwistSteps + 1> steps;
   bool twists = false;
 
@@ -38,16 +38,16 @@ struct BoneMotion {
   }
 };
 
-/// Angle of a rotation's part about an axis (swing-twist decomposition), -pi to pi.
+/// Twist angle of a rotation about an axis (swing-twist decomposition), -pi to pi.
 double twistAngle(const Quaterniond& q, const Vector3d& axis) {
   const double angle = 2.0 * std::atan2(q.vec().dot(axis), q.w());
   return std::remainder(angle, 2.0 * M_PI);
 }
 
-/// Where skin does not follow its bone's twist: at the root of upper arm and thigh it stays with
-/// the trunk, along the forearm it goes over from the elbow's twist to the hand's.
+/// Correction of the twist of the skin along a bone. At the root of upper arm and thigh the skin
+/// stays with the trunk; along the forearm it changes from the elbow's twist to the hand's.
 struct TwistSpread {
-  double begin = 0.0, end = 0.0;  ///< added at the bone's head and tail, radians
+  double begin = 0.0, end = 0.0;  ///< twist added at the bone's head and tail, radians
 };
 
 TwistSpread twistSpread(const HumanPose& pose, Bone bone, const Vector3d& axis) {
@@ -67,7 +67,7 @@ PerBone<BoneMotion> boneMotions(const HumanSkeleton& skeleton, const HumanPose& 
   PerBone<BoneMotion> motions;
   PerBone<Quaterniond> turns = pose.R_world_bone;
   for (size_t b = 0; b < size_t(kBoneCount); ++b) {
-    // q and -q turn alike but do not blend alike: each on its parent's side.
+    // q and -q are the same rotation but blend differently: the sign nearer to the parent is used.
     if (turns[b].dot(turns[size_t(parentOf(Bone(b)))]) < 0.0) turns[b].coeffs() *= -1.0;
     const Vector3d bone = skeleton.tail[b] - skeleton.head[b], axis = bone.normalized();
     const TwistSpread spread = twistSpread(pose, Bone(b), axis);

@@ -12,9 +12,9 @@ namespace {
 using Eigen::Vector3d;
 using WeightVector = Eigen::Array<double, kBoneCount, 1>;
 
-constexpr int kRounds = 8;  ///< of evening out: about three lattice cells wide
+constexpr int kRounds = 8;  ///< rounds of smoothing; about three lattice cells wide
 
-/// WeightVector of the bones at a point of the left half, from how far past each joint it is.
+/// Weights of the bones at a point of the left half, from its position relative to each joint.
 class WeightField {
  public:
   explicit WeightField(const HumanSkeleton& skeleton) : s_(skeleton) {}
@@ -44,14 +44,14 @@ class WeightField {
     return other;
   }
 
-  /// Beyond a plane from the armpit to the shoulder's top, tilted outwards below.
+  /// Weight beyond a plane from the armpit to the top of the shoulder, tilted outwards below.
   double armWeight(const Vector3d& q) const {
     const Vector3d& shoulder = joint(Bone::kLeftUpperArm);
     const double height = std::min(q.z() - shoulder.z(), scaled(0.04));
     return ramp(q.y() + 0.5 * height, shoulder.y(), scaled(0.055));
   }
 
-  /// Below the groin, which rises outwards; none between the legs' tops.
+  /// Weight below the groin, which rises outwards; 0 between the tops of the legs.
   double legWeight(const Vector3d& q, Layer layer) const {
     const Vector3d& hip = joint(Bone::kLeftThigh);
     const double groin = hip.z() - scaled(0.02) + 0.6 * (q.y() - hip.y());
@@ -62,7 +62,7 @@ class WeightField {
     return layer == Layer::kShirt ? 0.6 * fraction : fraction;
   }
 
-  /// A skirt goes with the thighs the more the lower.
+  /// Weight of the thighs on a skirt; it increases downwards.
   double skirtWeight(const Vector3d& q) const {
     const double hip = joint(Bone::kLeftThigh).z();
     return ramp(hip + scaled(0.02) - q.z(), scaled(0.09), scaled(0.13));
@@ -81,7 +81,7 @@ class WeightField {
     const Vector3d& shoulder = joint(Bone::kLeftUpperArm);
     const double spine = ramp(q.z(), joint(Bone::kSpine).z(), scaled(0.07));
     const double chest = ramp(q.z(), joint(Bone::kChest).z(), scaled(0.09));
-    // The neck's base rises to the back, the jaw belongs to the head.
+    // The base of the neck rises to the back; the jaw belongs to the head.
     const double neck_weight =
         ramp(q.z() + 0.5 * (q.x() - neck.x()), neck.z() - scaled(0.015), scaled(0.035));
     const double chin = 1.2 * std::max(q.x() - scaled(0.03), 0.0);
@@ -107,9 +107,9 @@ class WeightField {
 
   void addLeg(WeightVector& bone_weights, const Vector3d& q, Layer layer, double fraction) const {
     const Vector3d &ankle = joint(Bone::kLeftFoot), &ball = joint(Bone::kLeftToes);
-    if (layer == Layer::kSkirt) {  // between the legs it follows both
+    if (layer == Layer::kSkirt) {  // between the legs it follows both thighs
       const double left = ramp(q.y(), 0.0, scaled(0.14));
-      // Over a bent knee the hem hangs down.
+      // The hem hangs down over a bent knee.
       const double hem =
           0.6 * ramp(joint(Bone::kLeftShank).z() + scaled(0.05) - q.z(), 0.0, scaled(0.10));
       bone_weights[int(Bone::kLeftThigh)] += fraction * (1.0 - hem) * left;

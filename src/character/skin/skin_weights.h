@@ -8,8 +8,9 @@
 
 namespace markerless_mocap {
 
-/// How bones carry a dressed body: shares by place around the joints, then evened out over the
-/// surface. \param layers of each vertex
+/// Skinning weights of a dressed body: computed from the position relative to the joints, then
+/// smoothed over the surface.
+/// \param layers per vertex
 std::vector<VertexWeights> skinWeights(const HumanSkeleton& skeleton, const Surface& surface,
                                        const std::vector<Layer>& layers);
 

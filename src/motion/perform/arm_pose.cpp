@@ -122,7 +122,7 @@ class ArmPoser {
   void reach(const Eigen::Vector3d& shoulder, const Eigen::Vector3d& target,
              const Eigen::Vector3d& bent) {
     const Eigen::Vector3d down_and_out = chest_ * Eigen::Vector3d(-0.35, side_ * 0.5, -0.8);
-    const Eigen::Vector3d pole = (1.0 - target_weight_) * bent + share_ * down_and_out;
+    const Eigen::Vector3d pole = (1.0 - target_weight_) * bent + target_weight_ * down_and_out;
     const double upper = length(bones_.upper), fore = length(bones_.fore);
     const TwoBoneIkResult bend = solveTwoBoneIk(
         shoulder, softIkTarget(shoulder, target, upper + fore), upper, fore, pole, kMaxBend);

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Particles that one task moves and judges.
+// Number of particles that one task moves and evaluates.
 constexpr int kBatch = 8;
 
 }  // namespace

@@ -8,12 +8,12 @@ namespace markerless_mocap {
 /// The particles of an annealed filter with their costs.
 class ParticleSet {
  public:
-  /// Scatters them about the start and judges them.
+  /// Scatters the particles around the start and evaluates them.
   ParticleSet(const SearchProblem& problem, const SearchStart& start, int particles,
               const CounterRandom& random);
 
-  /// Moves each particle to `centers`' column plus `root` times standard normal noise, drawn anew
-  /// until it is allowed, and judges all.
+  /// Moves each particle to its column of `centers` plus `root` times standard normal noise, which
+  /// is drawn again until the particle is feasible, and evaluates all particles.
   void replace(const Eigen::MatrixXd& centers, const Eigen::MatrixXd& root,
                const CounterRandom& random);
 
@@ -25,12 +25,13 @@ class ParticleSet {
  private:
   const SearchProblem& problem_;
   Eigen::VectorXd start_;
-  Eigen::MatrixXd positions_;  // a particle is a column
+  Eigen::MatrixXd positions_;  // one column per particle
   Eigen::VectorXd costs_;
   int evaluations_ = 0, rejected_moves_ = 0;
 };
 
-/// Index by weight. \param share in [0, 1)
+/// Draws an index by weight.
+/// \param fraction uniform random number in [0, 1)
 int drawIndex(const Eigen::VectorXd& weights, double fraction);
 
 /// Standard deviation of each row.
