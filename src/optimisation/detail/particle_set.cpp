@@ -60,8 +60,8 @@ SearchOutcome ParticleSet::outcome(const VectorXd& weights) const {
   return result;
 }
 
-int drawIndex(const VectorXd& weights, double fraction) {
-  double left = fraction * weights.sum();
+int drawIndex(const VectorXd& weights, double u) {
+  double left = u * weights.sum();
   for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) {
     left -= weights[i];
     if (left < 0.0) return int(i);

@@ -31,8 +31,8 @@ class ParticleSet {
 };
 
 /// Draws an index by weight.
-/// \param fraction uniform random number in [0, 1)
-int drawIndex(const Eigen::VectorXd& weights, double fraction);
+/// \param u uniform random number in [0, 1)
+int drawIndex(const Eigen::VectorXd& weights, double u);
 
 /// Standard deviation of each row.
 Eigen::VectorXd spreadOf(const Eigen::MatrixXd& positions);
