@@ -19,14 +19,14 @@ inline Eigen::Matrix3d rotZ(double angle) {
   return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
 }
 
-/// Angle, radians, by which a turn about `axis`, a unit vector, brings `from` nearest to `to`.
+/// Angle of the rotation about `axis`, a unit vector, that brings `from` nearest to `to`, radians.
 inline double angleAbout(const Eigen::Vector3d& axis, const Eigen::Vector3d& from,
                          const Eigen::Vector3d& to) {
   const Eigen::Vector3d f = from - axis * axis.dot(from), t = to - axis * axis.dot(to);
   return std::atan2(axis.dot(f.cross(t)), f.dot(t));
 }
 
-/// The angle plus the full turns that bring it nearest to `near`, radians.
+/// The angle plus the number of full turns that brings it nearest to `near`, radians.
 inline double nearestTurn(double angle, double near) {
   return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
 }

@@ -7,7 +7,7 @@ namespace markerless_mocap {
 /// Frames of all links with the root at the origin and all angles zero.
 LinkPoses zeroPose(const BodyModel& model);
 
-/// The same. Throws std::invalid_argument if a link's axes are not the root's.
+/// The same. Throws std::invalid_argument if the axes of a link differ from those of the root.
 LinkPoses uprightZeroPose(const BodyModel& model);
 
 }  // namespace markerless_mocap

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Everything that is meant for one kind of processor is named here. Elsewhere, and with
-/// MOCAP_PLAIN_KERNELS, these words mean nothing and the plain form of each kernel is left, which
-/// cmake/rooms.cmake tests on any machine.
+/// Macros for code that is specific to a processor. On other processors, and with
+/// MOCAP_PLAIN_KERNELS, they are empty and only the plain form of each kernel is compiled.
+/// cmake/rooms.cmake tests the plain forms on any machine.
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOCAP_PLAIN_KERNELS)
 
@@ -10,7 +10,7 @@
 
 #define MOCAP_X86
 
-/// Before a function that is called only where kHasAvx2.
+/// Marks a function that is called only if kHasAvx2 is true.
 #define MOCAP_AVX2 __attribute__((target("avx2")))
 #define MOCAP_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
 
@@ -28,8 +28,8 @@ inline const bool kHasAvx2 = __builtin_cpu_supports("avx2");
 
 #endif
 
-/// Before a function: compiled once for any processor and once for those that can do this; the
-/// loader takes what fits.
+/// Mark a function that is compiled for any processor and again for processors with these
+/// instructions; the loader selects the version that fits.
 #define MOCAP_WIDEST MOCAP_CLONES("avx2")
 #define MOCAP_FUSED MOCAP_CLONES("fma")
 #define MOCAP_COUNTING MOCAP_CLONES("avx2", "popcnt")

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Particles that one task moves and judges.
+// Number of particles that one task moves and evaluates.
 constexpr int kBatch = 16;
 
 double uniformRandom(uint64_t seed, uint64_t counter) {

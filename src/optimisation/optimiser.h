@@ -44,7 +44,7 @@ class Optimiser {
 
 /// Throws std::invalid_argument if there is no cost, or bounds differ in size or cross.
 void validateProblem(const SearchProblem& problem);
-/// Throws as Optimiser::minimise() says.
+/// Throws std::invalid_argument as Optimiser::minimise().
 void validateProblem(const SearchProblem& problem, const SearchStart& start);
 
 /// Whether a candidate is finite, inside the bounds and not infeasible.

@@ -17,7 +17,7 @@ constexpr double kMaxVelocity = 2.0;  // sigmas per iteration
 // Number of particles that one task moves and evaluates.
 constexpr int kBatch = 3;
 
-/// One stage's search.
+/// The search of one stage.
 class StageSearch {
  public:
   StageSearch(const SearchProblem& problem, const SwarmStage& stage, int index,

@@ -7,7 +7,7 @@ namespace markerless_mocap {
 
 struct ExtremityLabelModel;
 
-/// Five ends that may be a body's.
+/// Five ends that may be the extremities of a body.
 struct ExtremityLabels {
   std::array<int, kUnsidedExtremityCount> extremities{
       -1, -1, -1, -1, -1};   ///< indices of candidates, by UnsidedExtremity; the feet may share one
@@ -24,7 +24,8 @@ ExtremityLabels labelExtremities(const ExtremityCandidates& ends, const TreeGrap
 /// Candidates for the extremities of a body.
 ExtremityCandidates extremityCandidates(const TreeGraph& graph, const TreeVolume& volume);
 
-/// Labels a graph so. \param probability as in ExtremityLabels
+/// Labels the extremities of a graph by labelExtremities().
+/// \param probability output, as in ExtremityLabels
 LabelChoice labelByTemplate(const TreeGraph& graph, const TreeVolume& volume,
                             const ExtremityLabelModel& model, double* probability);
 

@@ -46,11 +46,11 @@ class BodySegmenter {
   /// are labelled torso, and those that are merged with others.
   BodyParts segment(const VisualHull& hull) const;
 
-  /// The same for a frame of a sequence: arms and legs keep their numbers from frame to frame, and
-  /// voxels of a limb that is not seen for a moment are labelled as its where it was. Status and
-  /// curves are by the frame alone.
-  /// \param tracker of the frames before, which this frame is added to if a body's graph is found;
-  ///   null: none
+  /// The same for a frame of a sequence. Arms and legs keep their numbers from frame to frame. A
+  /// limb that is not seen for a short time keeps its label on the voxels where it was. Status and
+  /// curves depend on this frame alone.
+  /// \param tracker state of the previous frames; this frame is added if the graph of a body is
+  ///   found; null: none
   BodyParts segment(const VisualHull& hull, int64_t stamp_ns, PartTracker* tracker) const;
 
  private:

@@ -6,8 +6,7 @@ namespace markerless_mocap {
 
 class PartMemory;
 
-/// What BodySegmenter::segment() remembers of one person from frame to frame: one for each
-/// sequence.
+/// State of BodySegmenter::segment() from frame to frame for one person. Use one per sequence.
 class PartTracker {
  public:
   PartTracker();

@@ -11,20 +11,20 @@ struct ValidityModel;
 /// The text of a model file.
 struct ModelText {
   std::string yaml;
-  std::string where;  ///< what errors call it, say "models/pose_tree_validity.yaml"
+  std::string where;  ///< name for error messages, for example "models/pose_tree_validity.yaml"
 };
 
-/// The learned numbers of the pose tree: how the ends of a skeleton are named, and how likely a
-/// labelling is right. Never changes; copies share the numbers.
+/// The learned models of the pose tree: the labels of the extremities, and the probability that a
+/// labelling is correct. Immutable; copies share the data.
 class PoseTreeModel {
  public:
-  /// models/pose_tree_extremities.yaml and models/pose_tree_validity.yaml, built into the library
-  /// and read at the first call.
+  /// The models of models/pose_tree_extremities.yaml and models/pose_tree_validity.yaml, which are
+  /// built into the library and parsed at the first call.
   static const PoseTreeModel& standard();
-  /// \param extremities, validity as scripts/fit_pose_tree writes them
-  /// Throws std::invalid_argument in one sentence that names the file, the key and what is
-  /// expected: no YAML map, a key missing, unknown or doubled, a number that is not finite, fewer
-  /// than two knots, a range that does not ascend.
+  /// \param extremities, validity in the format that scripts/fit_pose_tree writes
+  /// Throws std::invalid_argument with a message that names the file, the key and the expected
+  /// value: if a text is no YAML map, a key is missing, unknown or repeated, a number is not
+  /// finite, there are fewer than two knots, or a range does not ascend.
   static PoseTreeModel fromYaml(const ModelText& extremities, const ModelText& validity);
 
   const ExtremityLabelModel& extremities() const { return *extremities_; }

@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// What random numbers are for; each purpose has its own.
+/// Purposes of random numbers; each has its own stream.
 enum Purpose : uint64_t { kNoise = 1, kFlicker, kMask, kDrop, kOffset, kCalibration };
 
 uint64_t combinedHash(uint64_t seed, uint64_t purpose) {

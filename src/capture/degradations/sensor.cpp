@@ -9,7 +9,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kBeatHz = 0.7;  // of the mains' frequency with a multiple of the frames'
+constexpr double kBeatHz = 0.7;  // beat of mains and frame rate
 constexpr size_t kTableSize = size_t(1) << 16;
 constexpr size_t kChunk = 128;  // values read from the table at once
 

@@ -14,10 +14,10 @@ namespace markerless_mocap {
 ///   together
 double flickerGain(double amount, double seconds, uint64_t stream);
 
-/// What the sensor makes of a picture: every value times `gain`, plus near-Gaussian noise, rounded
-/// and kept in 0 to 255. The noise depends on nothing but `stream`.
-/// \param noise_stddev standard deviation in grey levels of 255, 0 for none
-/// \param stream a number for seed, camera and instant
+/// Simulates the sensor: all values are multiplied by `gain`, get nearly Gaussian noise, are
+/// rounded and clamped to 0 to 255. The noise depends on `stream` only.
+/// \param noise_stddev standard deviation, grey levels of 255; 0: no noise
+/// \param stream number that depends on seed, camera and frame set
 /// \param image CV_8UC1 or CV_8UC3
 void applySensor(double noise_stddev, double gain, uint64_t stream, cv::Mat& image);
 

@@ -13,9 +13,9 @@
 namespace markerless_mocap {
 namespace {
 
-/// Directions, seen from the centre, in which the other person and the chair are.
+/// Directions of the other person and the chair, seen from the centre, radians.
 constexpr double kOtherBearing = 2.2, kChairBearing = M_PI;
-constexpr double kOtherPhase = 0.43;  // of the motion's period
+constexpr double kOtherPhase = 0.43;  // fraction of the motion's period
 
 /// Options of the second person: another sex, stature and appearance.
 CharacterOptions otherThan(CharacterOptions character) {

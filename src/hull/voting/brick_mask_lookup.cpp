@@ -6,7 +6,7 @@ namespace markerless_mocap {
 namespace {
 
 #ifdef MOCAP_X86
-/// Left and right half of the window, a byte per row: eight pixels from column x on.
+/// Left and right half of the window, one byte per row: eight pixels from column x on.
 struct WindowHalves {
   __m128i left, right;
 };

@@ -15,7 +15,7 @@ uint64_t packTile(const uint8_t* pixels, size_t step, int width, int rows) {
 }
 
 #ifdef MOCAP_X86
-/// Two tiles; bits of pixels that are 0.
+/// Two tiles; a bit is set if its pixel is 0.
 void clearBitsOfTwo(const uint8_t* pixels, size_t step, uint64_t* first, uint64_t* second) {
   const __m128i zero = _mm_setzero_si128();
   *first = *second = 0;

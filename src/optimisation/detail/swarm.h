@@ -10,8 +10,8 @@
 
 namespace markerless_mocap {
 
-/// Places the candidates, the columns of `positions`, with `place(i)` and asks for their costs.
-/// \param batch candidates of one task: enough work to be worth one
+/// Sets the candidates, the columns of `positions`, with `place(i)` and computes their costs.
+/// \param batch number of candidates per task
 template <class PlaceT>
 void evaluateInBatches(const SearchProblem& problem, int stage, int batch, const PlaceT& place,
                        Eigen::MatrixXd& positions, Eigen::VectorXd& costs) {
@@ -23,9 +23,9 @@ void evaluateInBatches(const SearchProblem& problem, int stage, int batch, const
                     });
 }
 
-/// What every particle swarm keeps; a particle is a column. How particles move is up to the caller.
+/// State of a particle swarm, one column per particle. The caller moves the particles.
 struct Swarm {
-  /// \param global_best what is best while no cost is finite
+  /// \param global_best best position as long as no cost is finite
   Swarm(const Eigen::VectorXd& global_best, int particles)
       : position(global_best.size(), particles),
         velocity(Eigen::MatrixXd::Zero(global_best.size(), particles)),
@@ -36,8 +36,8 @@ struct Swarm {
     outcome.cost = HUGE_VAL;
   }
 
-  /// Places and judges all particles; the first time their places become their personal bests.
-  /// Comparing is serial, so that ties fall the same way whatever the number of threads.
+  /// Places and evaluates all particles; the first positions become the personal bests. The update
+  /// of the bests is serial, so that ties do not depend on the number of threads.
   template <class PlaceT>
   void step(const SearchProblem& problem, int stage, int batch, const PlaceT& place) {
     evaluateInBatches(problem, stage, batch, place, position, cost);
@@ -61,7 +61,7 @@ struct Swarm {
 
   Eigen::MatrixXd position, velocity, personal_best;
   Eigen::VectorXd cost, personal_best_cost;
-  SearchOutcome outcome;  ///< so far; the global best is the best of it
+  SearchOutcome outcome;  ///< result so far; its best is the global best
 };
 
 }  // namespace markerless_mocap

@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kSummed = 256;  // nodes summed in single precision before double takes over
+constexpr size_t kSummed = 256;  // nodes per partial sum in single precision
 
 /// L x at a node.
 template <int N>

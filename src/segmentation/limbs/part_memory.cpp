@@ -10,9 +10,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int64_t kLongestGap = 250'000'000;     // ns between frames
-constexpr int64_t kLongestUnseen = 350'000'000;  // ns
-constexpr double kReach = 0.05;                  // metres that a limb moves against the trunk
+constexpr int64_t kMaxGap = 250'000'000;     // ns between frames
+constexpr int64_t kMaxUnseen = 350'000'000;  // ns
+constexpr double kReach = 0.05;              // metres that a limb moves relative to the trunk
 constexpr auto kNothing = uint8_t(kPartCount);
 
 Eigen::Vector3d middleOf(const VoxelGraph& voxels) {
@@ -36,7 +36,7 @@ void exchange(Limbs* limbs, PartLabel first) {
 }  // namespace
 
 void PartMemory::number(int64_t stamp_ns, const VoxelGraph& voxels, Limbs* limbs) {
-  if (stamp_ns <= stamp_ns_ || stamp_ns > stamp_ns_ + kLongestGap) pitch_ = 0.0;
+  if (stamp_ns <= stamp_ns_ || stamp_ns > stamp_ns_ + kMaxGap) pitch_ = 0.0;
   if (pitch_ == 0.0) return;
   for (const PartLabel first : {PartLabel::kArm1, PartLabel::kLeg1})
     if (isNumberedOtherwise(voxels, *limbs, first)) exchange(limbs, first);
@@ -47,7 +47,7 @@ std::array<bool, kPartCount> PartMemory::carryOver(int64_t stamp_ns, const Voxel
                                                    std::vector<PartLabel>* labels) const {
   std::array<bool, kPartCount> carried{}, wanted{};
   for (int part = 1; part < kPartCount; ++part)
-    wanted[part] = !limbs.has(PartLabel(part)) && stamp_ns - seen_ns_[part] <= kLongestUnseen;
+    wanted[part] = !limbs.has(PartLabel(part)) && stamp_ns - seen_ns_[part] <= kMaxUnseen;
   const bool any = std::any_of(wanted.begin(), wanted.end(), [](bool want) { return want; });
   if (pitch_ == 0.0 || !any) return carried;
   const Eigen::Vector3d middle = middleOf(voxels);
@@ -67,7 +67,7 @@ void PartMemory::keep(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& l
     if (limbs.has(PartLabel(part)))
       seen_ns_[part] = stamp_ns;
     else if (pitch_ == 0.0)
-      seen_ns_[part] = stamp_ns - kLongestUnseen - 1;
+      seen_ns_[part] = stamp_ns - kMaxUnseen - 1;
   }
   if (pitch_ != voxels.pitch) {
     pitch_ = voxels.pitch;
@@ -75,12 +75,12 @@ void PartMemory::keep(int64_t stamp_ns, const VoxelGraph& voxels, const Limbs& l
   }
   stamp_ns_ = stamp_ns;
   middle_ = middleOf(voxels);
-  Eigen::Vector3d highest = corner_ = voxels.centers.front();
+  Eigen::Vector3d high = corner_ = voxels.centers.front();
   for (const Eigen::Vector3d& center : voxels.centers) {
     corner_ = corner_.cwiseMin(center);
-    highest = highest.cwiseMax(center);
+    high = high.cwiseMax(center);
   }
-  size_ = placeOf(highest, middle_).array() + 1;
+  size_ = placeOf(high, middle_).array() + 1;
   label_.assign(size_t(size_.x()) * size_t(size_.y()) * size_t(size_.z()), kNothing);
   for (size_t node = 0; node < labels.size(); ++node) {
     const Eigen::Vector3i place = placeOf(voxels.centers[node], middle_);

@@ -9,13 +9,13 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostBytes = size_t(200) << 20;
-constexpr int kMostKept = 60, kFewestKept = 9;
+constexpr size_t kMaxBytes = size_t(200) << 20;
+constexpr int kMaxKept = 60, kMinKept = 9;
 
 /// Number of images of this size that are kept, up to `frames`.
 int affordableImages(const cv::Mat& image, int frames) {
-  const int fitting = int(kMostBytes / (image.total() * image.elemSize()));
-  return std::min({frames, kMostKept, std::max(kFewestKept, fitting)});
+  const int fitting = int(kMaxBytes / (image.total() * image.elemSize()));
+  return std::min({frames, kMaxKept, std::max(kMinKept, fitting)});
 }
 
 uint16_t fixed(double grey) {

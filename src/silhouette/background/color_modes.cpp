@@ -10,7 +10,7 @@ namespace {
 constexpr float kKernelSigmas = 4;
 /// Fraction of the samples that a further mode needs; people who cross the scene have less.
 constexpr double kMinModeFraction = 0.3;
-constexpr int kMostShifts = 10;
+constexpr int kMaxShifts = 10;
 
 float squaredDistance(const float* a, const float* b, int channels) {
   float sum = 0;
@@ -87,7 +87,7 @@ class Samples {
 
 ColorMode shifted(const Samples& samples, int start, float reach) {
   ColorMode mode = samples.meanNear(samples.at(start), reach);
-  for (int i = 0; i < kMostShifts; ++i) {
+  for (int i = 0; i < kMaxShifts; ++i) {
     const ColorMode next = samples.meanNear(mode.mean, reach);
     if (next.count <= mode.count) break;
     mode = next;

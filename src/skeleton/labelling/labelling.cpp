@@ -31,7 +31,7 @@ void Labelling::choose(const PreviousExtremities& last) {
     tree_.rank = choice_.rank;
     tree_.validity = choice_.rank;
   } else {
-    choice_ = labelByTemplate(graph_, volume_, model_.extremities(), &names_probability_);
+    choice_ = labelByTemplate(graph_, volume_, model_.extremities(), &labels_probability_);
   }
 }
 
@@ -97,7 +97,7 @@ void Labelling::assessValidity() {
       std::any_of(std::begin(body_.legs), std::end(body_.legs), empty))
     return;
   validity_features_ =
-      validityFeatures({graph_, volume_, choice_, rerooted_, body_, axes_, names_probability_});
+      validityFeatures({graph_, volume_, choice_, rerooted_, body_, axes_, labels_probability_});
   if (options_.labelling == "template")
     tree_.validity = model_.validity().probability(*validity_features_);
 }

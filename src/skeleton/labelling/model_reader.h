@@ -10,20 +10,20 @@
 
 namespace markerless_mocap {
 
-/// Reads a map of a model file. Throws std::invalid_argument in one sentence that names the file,
-/// the key and what is expected.
+/// Reads a map of a model file. Throws std::invalid_argument with a message that names the file,
+/// the key and the expected value.
 class ModelReader {
  public:
-  /// \param where names the file in errors
+  /// \param where name of the file, for error messages
   ModelReader(const std::string& yaml, const std::string& where);
 
   ModelReader map(const std::string& key);
   double number(const std::string& key);
   PiecewiseLinear curve(const std::string& key);
-  /// One curve for each feature, under the keys of toString(Feature), and nothing else.
+  /// One curve for each feature, under the key toString(Feature). The map must have no other keys.
   template <class Feature, size_t kCount>
   std::array<PiecewiseLinear, kCount> curves(const std::string& key);
-  /// Throws if the map holds a key that was not asked for, or one twice.
+  /// Throws if the map has a key that was not read, or a repeated one.
   void finish() const;
 
  private:
@@ -33,7 +33,7 @@ class ModelReader {
 
   YAML::Node node_;
   std::string file_;
-  std::string path_;  ///< of keys, empty or ending in a slash
+  std::string path_;  ///< prefix of keys, empty or ending in a slash
   std::set<std::string> known_;
 };
 

@@ -7,7 +7,8 @@
 namespace markerless_mocap {
 namespace {
 
-/// Voxels with one of the six nearest neighbours empty that are not kept.
+/// Finds the border: voxels that are not kept and have an empty one among their 6 nearest
+/// neighbours.
 MOCAP_WIDEST void findBorder(ptrdiff_t y, ptrdiff_t z, const uint64_t* __restrict object,
                              const uint64_t* __restrict kept, size_t begin, size_t end,
                              uint64_t* __restrict border) {
