@@ -33,3 +33,8 @@ mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcode
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
+
+# Pictures to joints, over all rooms.
+if(MARKERLESS_MOCAP_TESTS)
+  mocap_room_tests(accuracy mocap_pipeline mocap_capture mocap_evaluation)
+endif()
