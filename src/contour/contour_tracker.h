@@ -16,53 +16,56 @@
 
 namespace markerless_mocap {
 
-/// Fits the body to the silhouettes' contours from instant to instant; where there is no last pose,
-/// part curves and hull propose some.
-class ContourMethod : public BodyTracker {
+/// Fits the body to the silhouette contours of each frame. The last pose predicts the next one.
+/// Without a last pose, an initializer, the pose tree and default postures propose some. An
+/// alternative hypothesis is tracked while front and back, or left and right, are uncertain.
+class ContourTracker : public BodyTracker {
  public:
-  /// Throws std::invalid_argument as makeBodyTracker().
-  ContourMethod(const CameraRig& rig, PersonResources sources, const PersonOptions& person,
-                const ContourOptions& options, InitializerFactory make_initializer);
+  /// Throws std::invalid_argument if an option is out of range, if the rig has no cameras, or if
+  /// the URDF template describes no suitable body.
+  ContourTracker(const CameraRig& rig, PersonResources resources, const PersonOptions& person,
+                 const ContourOptions& options, InitializerFactory make_initializer);
   BodyPose update(const TrackerInput& now) override;
   void estimateShapeNow() override;
   void reset() override;
   const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
 
  private:
-  void takeOver(std::shared_ptr<const TrackedBody> body);
-  /// Whether the estimate was ready.
-  bool takeOverMeasured();
-  void guessStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
+  void setBody(std::shared_ptr<const TrackedBody> body);
+  /// Returns true if an estimate was available.
+  bool useEstimatedShape();
+  void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
   ActiveTrack start(const TrackerInput& now, const ContourObservation& seen);
   ActiveTrack reinitialize(const TrackerInput& now, const ContourObservation& seen,
-                           const ActiveTrack& held);
-  /// Whether what has been started may be claimed.
-  bool isDecided(const ContourFit& fit) const;
+                           const ActiveTrack& active);
+  /// True if a pose that was found by a search may be reported.
+  bool isAccepted(const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
   void reconsider(const TrackerInput& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
-  /// While the body is being measured nothing is claimed.
-  std::optional<BodyPose> measure(int64_t stamp_ns, const ContourObservation& seen,
-                                  const ContourFit& fit);
+  /// Returns a pose without estimate as long as the body shape is being estimated: no pose is
+  /// reported before.
+  std::optional<BodyPose> estimateShape(int64_t stamp_ns, const ContourObservation& seen,
+                                        const ContourFit& fit);
   BodyPose lost(const ContourObservation& seen, const ContourTrackingResult& track) const;
-  BodyPose undecided(const ContourFit& fit) const;
-  BodyPose reported(const ActiveTrack& held);
+  BodyPose unaccepted(const ContourFit& fit) const;
+  BodyPose reported(const ActiveTrack& active);
 
-  PersonResources sources_;
+  PersonResources resources_;
   PersonOptions person_;
   InitializerFactory make_initializer_;
   ContourObserver observer_;
-  ContourHypotheses hypotheses_;
-  bool decided_ = false;   ///< where the person is and faces, since the last start
-  bool reported_ = false;  ///< a pose, since the last start
-  int64_t sure_after_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
-  std::optional<OnlineShapeEstimator> measurer_;
+  ContourMultiHypothesisTracker hypotheses_;
+  bool accepted_ = false;  ///< the pose has been accepted since the last start
+  bool reported_ = false;  ///< a pose has been reported since the last start
+  int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
+  std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
-  std::optional<ContourBody> shape_;                ///< of body_
-  std::optional<ContourUrdfConverter> conversion_;  ///< to body_
-  std::unique_ptr<PoseInitializer> initializer_;    ///< proposes starts
-  std::optional<int64_t> stamp_;                    ///< of the last instant
-  std::string initializer_error_;                   ///< why it proposes nothing
+  std::optional<ContourBody> contour_body_;        ///< with the shape of body_
+  std::optional<ContourUrdfConverter> converter_;  ///< to the joint angles of body_
+  std::unique_ptr<PoseInitializer> initializer_;   ///< proposes poses after a loss
+  std::optional<int64_t> stamp_;                   ///< of the last frame
+  std::string initializer_error_;                  ///< why it proposed no pose
 };
 
 }  // namespace markerless_mocap

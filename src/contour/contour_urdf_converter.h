@@ -11,36 +11,38 @@
 
 namespace markerless_mocap {
 
-/// Between the contour body's pose and the angles of the URDF body of the same sizes. The URDF has
-/// no twist of the spine: its clavicles point at where the twisted shoulders are, so all joints but
-/// the clavicles' roots keep their places. If its ankles are fixed, feet stay at right angles.
+/// Converts between the pose of the contour body and the joint angles of the URDF body of the same
+/// shape. The URDF has no spine twist: its clavicles point to the shoulders of the twisted trunk,
+/// so that all joints but the roots of the clavicles keep their positions. If the URDF's ankles are
+/// fixed, feet are at right angles.
 class ContourUrdfConverter {
  public:
-  /// Throws std::invalid_argument if the model lacks a joint or turns it about other axes than
-  /// urdf/human.urdf.in does.
+  /// Throws std::invalid_argument if the model lacks a joint, or if a joint's axes differ from
+  /// those in urdf/human.urdf.in.
   explicit ContourUrdfConverter(std::shared_ptr<const BodyModel> model);
 
-  /// Of several sets of angles that give the same pose the one nearest to the last one given out is
-  /// taken, so they are continuous from call to call.
-  /// \param angles radians in the model's order; soft limits of the fit may be left by a little
+  /// If several sets of angles give the same pose, the one nearest to the last output is chosen.
+  /// The angles are therefore continuous from call to call.
+  /// \param angles radians, in the order of the model; they may slightly exceed the limits, which
+  ///   are soft in the fit
   void convert(const ContourPose& pose, Eigen::Isometry3d& T_world_body, Eigen::VectorXd& angles);
   /// Forgets the last output.
   void reset();
 
-  /// The contour body's pose that the URDF body stands in; the spine's twist and fixed ankles
-  /// are 0. Throws std::invalid_argument unless there are as many angles as the model has.
+  /// The pose of the contour body for a pose of the URDF body; spine twist and fixed ankles are 0.
+  /// Throws std::invalid_argument if the number of angles is not that of the model.
   ContourPose poseOf(const Eigen::Isometry3d& T_world_body, const Eigen::VectorXd& angles) const;
 
  private:
   int angleOf(const std::string& joint, const Eigen::Vector3d& axis) const;
-  void setBall(size_t ball, const Eigen::Matrix3d& R, Eigen::VectorXd& angles) const;
+  void setSphericalJoint(size_t joint, const Eigen::Matrix3d& R, Eigen::VectorXd& angles) const;
   void setArm(int side, const ContourPose& pose, Eigen::VectorXd& angles) const;
 
   std::shared_ptr<const BodyModel> model_;
   std::array<int, RevoluteJoint::kCount>
-      single_;  ///< position of each angle; -1 if the URDF has none
+      revolute_joints_;  ///< index of each angle; -1 if the URDF has none
   std::array<std::optional<UrdfSphericalJoint>, SphericalJoint::kCount>
-      balls_;  ///< all but the root's
+      spherical_joints_;  ///< all but the root
   Eigen::VectorXd last_;
 };
 

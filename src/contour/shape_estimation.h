@@ -8,49 +8,48 @@
 
 namespace markerless_mocap {
 
-/// One instant that sizes are estimated from.
+/// One frame for the shape estimate.
 struct ShapeSample {
   ContourObservation seen;
   ContourPose start;
-  /// Where joints are known to be, metres, columns as contourPointNames() (a NaN is not known), or
-  /// empty.
+  /// Known joint positions, metres, 3 x number of contourPointNames() (NaN if unknown), or empty.
   Eigen::Matrix3Xd known_points;
 };
 
-/// What is known of a person beforehand.
+/// Prior knowledge of a person.
 struct ShapePrior {
-  ShapeStatistics people;
+  ShapeStatistics shape_statistics;
   double stature = 1.72;    ///< metres
-  double deviation = 0.08;  ///< of the stature, metres
+  double deviation = 0.08;  ///< standard deviation of the stature, metres
 };
 
 /// Settings of the estimate.
 struct ShapeEstimationOptions {
   int iterations = 15;
   double robust_scale_initial = 0.06, robust_scale_final = 0.03;  ///< metres
-  double point_deviation = 0.004;                                 ///< of known points, metres
+  double point_deviation = 0.004;  ///< standard deviation of known points, metres
 };
 
-/// Sizes and poses that explain all instants together.
+/// Shape and poses that fit all frames.
 struct ShapeEstimate {
-  ShapeParameters sizes;
-  ShapeParameters
-      deviation;   ///< standard deviation of each size; 0 of those that are not estimated
-  double stature;  ///< that the template's proportions fit best, metres
-  std::vector<ContourPose> poses;  ///< by instant
-  int samples_used;                ///< with at least two usable views
+  ShapeParameters shape;
+  ShapeParameters deviation;  ///< standard deviation of each parameter; 0 if it is not estimated
+  double stature;             ///< for which the mean shape fits best, metres
+  std::vector<ContourPose> poses;  ///< per frame
+  int samples_used;                ///< frames with at least two usable views
 };
 
-/// Lengths, radii and poses from some thirty instants of different poses: Gauss-Newton over all
-/// together, each instant's pose eliminated by its Schur complement, sizes held to the template of
-/// the stature, which is estimated too (Triggs et al., Bundle adjustment, 2000, 6.1). The result
-/// does not depend on thread count.
-/// \param start sizes to begin with
-/// Throws std::invalid_argument if no instant has two usable views, if an observation is of another
-/// rig, a start is not finite, known points are of a wrong number, or the options are out of range.
+/// Estimates lengths, radii, offsets and poses from some thirty frames of different poses:
+/// Gauss-Newton over all frames; the pose of each frame is eliminated by its Schur complement
+/// (Triggs et al., Bundle adjustment, 2000, 6.1). The prior of the shape depends on the stature,
+/// which is estimated, too. The result does not depend on the number of threads.
+/// \param start initial shape
+/// Throws std::invalid_argument if no frame has two usable views, if an observation is of another
+/// rig, if a start pose is not finite, if the number of known points is wrong, or if an option is
+/// out of range.
 ShapeEstimate estimateShape(const CameraRig& rig, const ContourOptions& contour,
                             const ShapePrior& prior, const ShapeParameters& start,
-                            const std::vector<ShapeSample>& instants,
+                            const std::vector<ShapeSample>& samples,
                             const ShapeEstimationOptions& options);
 
 }  // namespace markerless_mocap

@@ -7,14 +7,14 @@
 
 namespace markerless_mocap {
 
-/// F's parameters (Fleischmann 2012, Table 5.1), x1 to x31 at positions 0 to 30: pelvis roll,
-/// pitch, yaw (rad; about x, y, z, the yaw outermost) and position (m, world); hips, knees,
-/// clavicles, shoulders, elbows, spine, head (rad). Three-axis joints turn about x, y, z in this
-/// order, so the last one turns about the outer segment.
+/// Parameters of Fleischmann 2012, Table 5.1; x1 to x31 have the indices 0 to 30: pelvis roll,
+/// pitch, yaw (rad; about x, y, z, yaw outermost) and position (m, world); then hips, knees,
+/// clavicles, shoulders, elbows, spine and head (rad). Joints with three axes turn about x, y, z in
+/// this order; the last axis belongs to the outer segment.
 constexpr int kFleischmannParameterCount = 31;
 using FleischmannVector = Eigen::Matrix<double, kFleischmannParameterCount, 1>;
 
-/// Position of the first parameter of each joint. Right ones follow F's order.
+/// Index of the first parameter of each joint. The right joints follow Fleischmann's order.
 enum FleischmannJoint {
   kPelvisOrientation = 0,
   kPelvisPosition = 3,
@@ -33,7 +33,7 @@ enum FleischmannJoint {
 };
 constexpr int kHeadTwist = kHeadTurn + 2;
 
-/// What moves rigidly. Left is even, right odd from the upper arms on.
+/// Rigid segments. From the upper arms on, left ones are even and right ones odd.
 enum FleischmannSegment {
   kPelvisSegment = 0,
   kChestSegment,
@@ -51,36 +51,36 @@ enum FleischmannSegment {
   kFleischmannSegments
 };
 
-/// Frames of the segments in the world. A segment's origin is its upper joint; in the zero pose,
-/// standing with hanging arms, all axes are the pelvis's (x forward, y left, z up).
+/// Frames of the segments in the world. The origin of a segment is its upper joint. In the zero
+/// pose, standing with hanging arms, all axes are those of the pelvis (x forward, y left, z up).
 struct FleischmannFrames {
   std::array<Eigen::Matrix3d, kFleischmannSegments> R;
   std::array<Eigen::Vector3d, kFleischmannSegments> p;
 };
 
-/// Lowest and highest value of each parameter.
+/// Minimum and maximum of each parameter.
 struct FleischmannLimits {
   FleischmannVector lower, upper;
-  /// Anatomical limits of standing, walking and reaching people; the pelvis is free.
+  /// Anatomical limits for standing, walking and reaching; the pelvis is free.
   static FleischmannLimits anatomical();
 };
 
-/// The 31-parameter profile of the body model: all joints but wrists and ankles. Immutable.
+/// Fleischmann's kinematic model with 31 parameters: all joints but wrists and ankles. Immutable.
 class FleischmannBodyModel {
  public:
-  /// Measures all lengths in the model's zero pose. Throws std::invalid_argument if a link that is
-  /// needed is missing or rotated in that pose.
+  /// Takes all lengths from the zero pose of the model. Throws std::invalid_argument if a required
+  /// link is missing or is rotated in that pose.
   explicit FleischmannBodyModel(const BodyModel& model);
 
   /// \param v kFleischmannParameterCount values
   void frames(const double* v, FleischmannFrames& out) const;
 
-  /// The parameters of a body whose links stand like this; of the several that give the same pose,
-  /// those nearest to `near`. Exact for poses that the model's joints can take.
+  /// The parameters for given link poses. If several sets of parameters give the same pose, the one
+  /// nearest to `near` is chosen. Exact for poses that the joints of the model can take.
   FleischmannVector parametersOf(const LinkPoses& T_world_link,
                                  const FleischmannVector& near) const;
 
-  /// The model's link that moves with a segment and sits at its origin.
+  /// Index of the model's link that moves with a segment and has the same origin.
   int link(FleischmannSegment segment) const { return link_[segment]; }
   /// World positions of markerNames(), metres.
   std::vector<Eigen::Vector3d> markers(const FleischmannFrames& frames) const;

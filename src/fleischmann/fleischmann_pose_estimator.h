@@ -13,42 +13,43 @@
 
 namespace markerless_mocap {
 
-/// What the search by images says about one instant.
+/// Result of the search in one frame.
 struct FleischmannEstimate {
   PoseStatus status = PoseStatus::kLost;
-  std::string reason;    ///< one sentence when lost
-  FleischmannVector v;   ///< meaningful unless lost
+  std::string reason;    ///< error message if lost
+  FleischmannVector v;   ///< valid unless lost
   FitnessTerms fitness;  ///< of v
-  int views = 0;         ///< that show a person
-  int evaluations = 0;   ///< of the fitness
+  int views = 0;         ///< number of views that show a person
+  int evaluations = 0;   ///< number of fitness evaluations
 };
 
-/// Follows one person from a pose that is given, by comparing the drawn body with silhouettes and
-/// edges: each frame is searched about the last pose, as far as people move in its time
-/// (Fleischmann 2012, 5.3). It never finds a person by itself.
+/// Tracks one person from a given pose by comparing the drawn body with silhouettes and edges. Each
+/// frame is searched around the last pose, within the range of the motion statistics (Fleischmann
+/// 2012, 5.3). It cannot find a person without a start pose.
 class FleischmannPoseEstimator {
  public:
-  /// Throws std::invalid_argument on options out of range.
-  FleischmannPoseEstimator(const CameraRig& rig, const FleischmannBodyModel& profile,
+  /// Throws std::invalid_argument if an option is out of range.
+  FleischmannPoseEstimator(const CameraRig& rig, const FleischmannBodyModel& body_model,
                            const FleischmannBodyShape& body,
                            const FleischmannMotionStatistics& statistics,
                            const FleischmannOptions& options);
 
-  /// The pose at an instant, which is taken as it is. The parameters should lie within the limits.
+  /// Sets the pose at a time without a search. The parameters should be within the limits.
   void start(int64_t stamp_ns, const FleischmannVector& v);
-  /// Looks for the person about a pose that is only roughly right, in rounds that search ever
-  /// nearer to the best so far, and goes on from there. Keeps the last pose if nothing is found.
-  /// \param views as for update() \param better_than fitness that must be surpassed
+  /// Searches around a pose that is only approximately known, in rounds with decreasing range, and
+  /// continues from the result. Keeps the last pose if nothing is found.
+  /// \param views as for update()
+  /// \param better_than the fitness must exceed this
   FleischmannEstimate reinitializeNear(int64_t stamp_ns, const FleischmannVector& v,
                                        const std::vector<FleischmannView>& views,
                                        double better_than = 0.0);
   /// Forgets all poses.
   void reset();
-  /// \param stamp_ns capture time, later than the last one, else the frame is lost
-  /// \param views one for each camera; throws std::invalid_argument if they do not fit the rig
+  /// \param stamp_ns capture time; the frame is lost if it is not later than the last one
+  /// \param views one per camera; throws std::invalid_argument if they do not match the rig
   FleischmannEstimate update(int64_t stamp_ns, const std::vector<FleischmannView>& views);
-  /// Where a search at an instant starts: the last pose, and `prediction` of its last change gone
-  /// on. Only after start().
+  /// Start of the search at a time: the last pose plus the fraction `prediction` of its last
+  /// change, scaled by time. Valid only after start().
   FleischmannVector predicted(int64_t stamp_ns) const;
   const FleischmannFitness& fitness() const { return fitness_; }
 
@@ -59,11 +60,11 @@ class FleischmannPoseEstimator {
   };
   SearchProblem problem() const;
   FleischmannVector withinLimits(const FleischmannVector& v) const;
-  /// Why the last pose is of no use now; empty if it is.
+  /// Error message if the last pose cannot be used; else empty.
   std::string updateError(int64_t stamp_ns, int views) const;
   void search(const SearchStart& start, uint64_t seed, FleischmannEstimate& pose) const;
-  /// Goes on from a pose if it is good enough to be claimed.
-  void take(int64_t stamp_ns, FleischmannEstimate& pose);
+  /// Accepts the estimate if its fitness is sufficient.
+  void accept(int64_t stamp_ns, FleischmannEstimate& pose);
 
   FleischmannFitness fitness_;
   LimbCollision collision_;

@@ -9,17 +9,17 @@
 namespace markerless_mocap {
 namespace {
 
-// A part is seen when the silhouettes show this share of it apart from the rest of the body, and
-// have this share of what sticks out.
-constexpr double kLeastAlone = 0.05, kLeastInside = 0.5;
+// A part is seen if at least the first fraction of it is visible apart from the rest of the body,
+// and at least the second fraction of that is in the silhouettes.
+constexpr double kMinAlone = 0.05, kMinInside = 0.5;
 
-// A pose is questioned when its silhouette fitness falls behind the best of late by this, and given
-// up for one whose whole fitness is clearly better.
-constexpr double kDoubt = 0.03, kClearlyBetter = 0.02;
-constexpr double kForgetting = 0.9995;  // of the best, per instant
-constexpr int64_t kBetweenQuestions_ns = 400000000;
+// The pose is reconsidered if its silhouette fitness is lower than its recent maximum by kMaxDrop.
+// It is replaced if the total fitness of another pose is better by kMinGain.
+constexpr double kMaxDrop = 0.03, kMinGain = 0.02;
+constexpr double kMaximumDecay = 0.9995;  // of the maximum, per frame
+constexpr int64_t kReconsiderInterval_ns = 400000000;
 
-/// By PartLabel.
+/// Indexed by PartLabel.
 constexpr std::array<ConeSet, kPartCount> kPartCones = {
     coneBit(kTorsoCone),
     coneBit(kHeadCone),
@@ -29,35 +29,35 @@ constexpr std::array<ConeSet, kPartCount> kPartCones = {
     coneBit(kRightThighCone) | coneBit(kRightCalfCone)};
 
 bool isSeen(const ConeVisibility& part) {
-  return double(part.alone) > kLeastAlone * double(part.drawn) &&
-         double(part.inside) > kLeastInside * double(part.alone);
+  return double(part.alone) > kMinAlone * double(part.drawn) &&
+         double(part.inside) > kMinInside * double(part.alone);
 }
 
 const FleischmannMotionStatistics& requireMotion(const FleischmannMotionStatistics& motion) {
   if (motion.max_change.isZero())
     throw std::invalid_argument(
-        "pose_fitting/method is fleischmann, which needs motion statistics in which something "
-        "moves");
+        "pose_fitting/method is fleischmann, which needs motion statistics that are not all "
+        "zero");
   return motion;
 }
 
 FleischmannPoseEstimator trackerOf(const CameraRig& rig, const TrackedBody& body,
                                    const FleischmannMotionStatistics& motion,
                                    const FleischmannOptions& options) {
-  const FleischmannBodyModel profile(*body.model);
-  return FleischmannPoseEstimator(rig, profile, FleischmannBodyShape(*body.model, profile),
+  const FleischmannBodyModel body_model(*body.model);
+  return FleischmannPoseEstimator(rig, body_model, FleischmannBodyShape(*body.model, body_model),
                                   requireMotion(motion), options);
 }
 
 }  // namespace
 
-FleischmannTracker::FleischmannTracker(const CameraRig& rig, const PersonResources& sources,
+FleischmannTracker::FleischmannTracker(const CameraRig& rig, const PersonResources& resources,
                                        const PersonOptions& person,
                                        const FleischmannOptions& options,
                                        const FleischmannMotionStatistics& motion,
                                        const InitializerFactory& make_initializer)
     : with_edges_(options.use_edges),
-      body_(initialBody(sources, person.stature)),
+      body_(initialBody(resources, person.stature)),
       conversion_(body_->model),
       tracker_(trackerOf(rig, *body_, motion, options)),
       initializer_(make_initializer(body_->model)) {}
@@ -71,7 +71,7 @@ void FleischmannTracker::reset() {
 
 std::vector<FleischmannView> FleischmannTracker::viewsOf(const TrackerInput& now) const {
   if (now.images.size() != now.masks.size())
-    throw std::invalid_argument(std::to_string(now.images.size()) + " images came with " +
+    throw std::invalid_argument(std::to_string(now.images.size()) + " images were given with " +
                                 std::to_string(now.masks.size()) + " masks");
   std::vector<FleischmannView> views(now.masks.size());
   for (size_t i = 0; i < views.size(); ++i) {
@@ -101,7 +101,8 @@ FleischmannEstimate FleischmannTracker::proposed(const TrackerInput& now,
     none.reason = seen.reason;
     return none;
   }
-  FleischmannUrdfConverter conversion = conversion_;  // what is not claimed leaves no trace
+  FleischmannUrdfConverter conversion = conversion_;  // a copy, because the proposal may be
+                                                      // rejected
   return tracker_.reinitializeNear(
       now.stamp_ns, conversion.parametersOf(seen.T_world_body, seen.angles), views, better_than);
 }
@@ -111,22 +112,22 @@ BodyPose FleischmannTracker::start(const TrackerInput& now,
   const FleischmannEstimate found = proposed(now, views, 0.0);
   if (found.status == PoseStatus::kTracked) {
     usual_ = found.fitness.silhouette;
-    next_reconsideration_ns_ = now.stamp_ns + kBetweenQuestions_ns;
+    next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
     return reported(found, PoseStatus::kReinitialized);
   }
   BodyPose lost;
-  lost.reason = "no pose to start from: " + found.reason;
+  lost.reason = "no start pose: " + found.reason;
   return lost;
 }
 
 std::optional<FleischmannEstimate> FleischmannTracker::reconsider(
     const TrackerInput& now, const std::vector<FleischmannView>& views,
     const FleischmannEstimate& found) {
-  usual_ = std::max(kForgetting * usual_, found.fitness.silhouette);
-  if (now.stamp_ns < next_reconsideration_ns_ || found.fitness.silhouette > usual_ - kDoubt)
+  usual_ = std::max(kMaximumDecay * usual_, found.fitness.silhouette);
+  if (now.stamp_ns < next_reconsideration_ns_ || found.fitness.silhouette > usual_ - kMaxDrop)
     return std::nullopt;
-  next_reconsideration_ns_ = now.stamp_ns + kBetweenQuestions_ns;
-  const FleischmannEstimate other = proposed(now, views, found.fitness.total() + kClearlyBetter);
+  next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
+  const FleischmannEstimate other = proposed(now, views, found.fitness.total() + kMinGain);
   if (other.status != PoseStatus::kTracked) return std::nullopt;
   return other;
 }

@@ -14,13 +14,13 @@
 
 namespace markerless_mocap {
 
-/// Searches the body by silhouettes and edges from instant to instant (Fleischmann 2012); where
-/// there is no last pose, it starts near the one that part curves and hull propose.
+/// Searches the pose by silhouettes and edges in each frame (Fleischmann 2012). Without a last
+/// pose, the search starts near the one that an initializer proposes.
 class FleischmannTracker : public BodyTracker {
  public:
-  /// Throws std::invalid_argument as makeBodyTracker(), and if the motion statistics let nothing
-  /// move.
-  FleischmannTracker(const CameraRig& rig, const PersonResources& sources,
+  /// Throws std::invalid_argument if an option is out of range, if the rig has no cameras, if the
+  /// URDF template describes no suitable body, or if all motion statistics are 0.
+  FleischmannTracker(const CameraRig& rig, const PersonResources& resources,
                      const PersonOptions& person, const FleischmannOptions& options,
                      const FleischmannMotionStatistics& motion,
                      const InitializerFactory& make_initializer);
@@ -30,11 +30,12 @@ class FleischmannTracker : public BodyTracker {
 
  private:
   std::vector<FleischmannView> viewsOf(const TrackerInput& now) const;
-  /// The pose that part curves and hull tell of this instant alone, searched on.
+  /// The pose that the initializer proposes for this frame only, improved by a search.
   FleischmannEstimate proposed(const TrackerInput& now, const std::vector<FleischmannView>& views,
                                double better_than);
   BodyPose start(const TrackerInput& now, const std::vector<FleischmannView>& views);
-  /// A swarm that has lost a limb rarely finds it again, but it looks less like the person.
+  /// Tries the initializer's proposal if the fitness has decreased. A swarm that has lost a limb
+  /// rarely finds it again, but its fitness is lower. Returns the proposal if it is clearly better.
   std::optional<FleischmannEstimate> reconsider(const TrackerInput& now,
                                                 const std::vector<FleischmannView>& views,
                                                 const FleischmannEstimate& found);
@@ -44,9 +45,9 @@ class FleischmannTracker : public BodyTracker {
   std::shared_ptr<const TrackedBody> body_;
   FleischmannUrdfConverter conversion_;
   FleischmannPoseEstimator tracker_;
-  std::unique_ptr<PoseInitializer> initializer_;  ///< proposes starts
-  std::optional<int64_t> stamp_;                  ///< of the last instant
-  double usual_ = 0.0;  ///< silhouette fitness, near the best of this track
+  std::unique_ptr<PoseInitializer> initializer_;  ///< proposes poses after a loss
+  std::optional<int64_t> stamp_;                  ///< of the last frame
+  double usual_ = 0.0;  ///< slowly decaying maximum of the silhouette fitness
   int64_t next_reconsideration_ns_ = 0;
 };
 

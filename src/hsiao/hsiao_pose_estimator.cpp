@@ -13,22 +13,22 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kShortestStep = 1.0 / 60.0, kLongestStep = 0.2;  // seconds
-// A turn about is believed when its advantage, a share of the cost summed over frames, exceeds
-// this; the sum fades by kEvidenceFade a frame.
+constexpr double kMinStep = 1.0 / 60.0, kMaxStep = 0.2;  // seconds
+// A pose with opposite heading is accepted if its relative advantage in cost, summed over frames,
+// exceeds this. The sum decays by kEvidenceDecay per frame.
 constexpr double kTurnEvidence = 0.6;
-constexpr double kEvidenceFade = 0.8;
-// A body seen again must fit this much better to replace the one that is followed.
-constexpr double kReplaceShare = 0.95;
+constexpr double kEvidenceDecay = 0.8;
+// The cost of a basic fit relative to the tracked pose must be lower than this to replace it.
+constexpr double kReplaceRatio = 0.95;
 
-// What an unseen arm may be moved from where it was last seen, radians: the hull still tells a
-// little of the shoulder, nothing of the elbow.
-constexpr double kUnseenShoulderReach = 0.4;
-constexpr double kUnseenElbowReach = 0.3;
+// Range of an unseen arm around its last seen angles, radians: the hull constrains the shoulder
+// weakly and the elbow hardly at all.
+constexpr double kUnseenShoulderRange = 0.4;
+constexpr double kUnseenElbowRange = 0.3;
 
-// A pose that the hull alone carries on must agree with it nearly as well as the last one with
+// A pose that is tracked by the hull alone must agree with it nearly as well as the last pose from
 // parts.
-constexpr double kCarriedShare = 0.93;
+constexpr double kHullOnlyRatio = 0.93;
 
 HsiaoVector hangingArms() {
   HsiaoVector v = HsiaoVector::Zero();
@@ -55,7 +55,7 @@ HsiaoRefinerSettings refinerSettings(const HsiaoOptions& o) {
   return s;
 }
 
-// Why there is nothing to fit to; empty if there is.
+// Error message if there is no usable hull; else empty.
 std::string hullError(const VisualHull& hull) {
   if (hull.status == HullStatus::kOk && !hull.voxels.empty()) return "";
   return hull.reason.empty() ? "there is no hull" : hull.reason;
@@ -68,22 +68,22 @@ std::string segmentationError(const BodyParts& parts) {
   return "";
 }
 
-// Legs that pass each other touch, and their curves may change sides there.
+// Legs that pass each other touch, and their curves may be exchanged there.
 bool areLegsMerged(const BodyParts& parts) {
   const PartCurve& one = parts.part(PartLabel::kLeg1);
   const PartCurve& other = parts.part(PartLabel::kLeg2);
   return (one.seen && !one.whole) || (other.seen && !other.whole);
 }
 
-// With a leg missing an arm may pass for one, and nothing but the last pose tells.
+// If a leg is missing, an arm may be mistaken for it, and only the last pose could tell.
 bool canStartFrom(const std::array<bool, kPartCount>& seen) {
   return seen[size_t(PartLabel::kTorso)] && seen[size_t(PartLabel::kHead)] &&
          seen[size_t(PartLabel::kLeg1)] && seen[size_t(PartLabel::kLeg2)];
 }
 
-Eigen::Vector3d facing(const HsiaoBodyModel& profile, const HsiaoVector& v) {
+Eigen::Vector3d facing(const HsiaoBodyModel& body_model, const HsiaoVector& v) {
   HsiaoFrames frames;
-  profile.frames(v.data(), frames);
+  body_model.frames(v.data(), frames);
   return frames.R[kTorsoSegment].col(0);
 }
 
@@ -93,45 +93,46 @@ struct HsiaoPoseEstimator::State {
   State(std::shared_ptr<const BodyModel> the_model, const HsiaoOptions& the_options)
       : options(the_options),
         model(std::move(the_model)),
-        profile(std::make_shared<HsiaoBodyModel>(*model)),
-        shape(*model, *profile),
-        fitter(*profile, fitterSettings(options)),
-        refiner(*profile, shape, refinerSettings(options)),
-        judge(*profile, shape, options),
-        conversion(model, profile) {}
+        body_model(std::make_shared<HsiaoBodyModel>(*model)),
+        shape(*model, *body_model),
+        fitter(*body_model, fitterSettings(options)),
+        refiner(*body_model, shape, refinerSettings(options)),
+        validator(*body_model, shape, options),
+        conversion(model, body_model) {}
 
   BodyPose validateStart(const HsiaoObservation& now, const HsiaoVector& v) const;
-  BodyPose follow(double seconds, const HsiaoObservation& now);
+  BodyPose track(double seconds, const HsiaoObservation& now);
   BodyPose trackByHull(const VisualHull& hull, const BodyPose& lost);
   BodyPose report(BodyPose pose, const HsiaoVector& v);
-  std::optional<HsiaoRefinement> startAnew(const HsiaoObservation& now, int attempts) const;
+  std::optional<HsiaoRefinement> fitBasicAndRefine(const HsiaoObservation& now, int attempts) const;
   HsiaoRefinement refine(const HsiaoObservation& now, const HsiaoVector& v) const;
   HsiaoFit fitTemporal(const HsiaoObservation& now, double seconds) const;
   HsiaoFit predictConstantVelocity() const;
   bool isReplaced(const HsiaoObservation& now, const HsiaoFit& temporal,
                   const HsiaoRefinement& kept, HsiaoRefinement& other);
-  bool isTurnBelieved(const HsiaoRefinement& kept, const HsiaoRefinement& other);
-  void rememberArms(const HsiaoVector& v, const std::array<bool, kPartCount>& seen);
-  void forget();
+  bool isTurnAccepted(const HsiaoRefinement& kept, const HsiaoRefinement& other);
+  void storeSeenArms(const HsiaoVector& v, const std::array<bool, kPartCount>& seen);
+  void clear();
   uint64_t seed() const { return uint64_t(options.seed) * 1000003u; }
 
   HsiaoOptions options;
   std::shared_ptr<const BodyModel> model;
-  std::shared_ptr<const HsiaoBodyModel> profile;
+  std::shared_ptr<const HsiaoBodyModel> body_model;
   HsiaoBodyShape shape;
   HsiaoHierarchicalFitter fitter;
   HsiaoRefiner refiner;
-  HsiaoPoseValidator judge;
+  HsiaoPoseValidator validator;
   HsiaoUrdfConverter conversion;
 
-  std::optional<int64_t> stamp, pose_stamp;  // of the last instant, of the last pose from parts
+  std::optional<int64_t> stamp, pose_stamp;  // of the last frame; of the last pose from parts
   std::optional<HsiaoVector> last, before;
-  BodyPose from_parts;                    // the last one
-  HsiaoVector arms_seen = hangingArms();  // arm angles when each was last seen; else unused
+  BodyPose from_parts;                    // last pose from parts
+  HsiaoVector arms_seen = hangingArms();  // arm angles when each arm was last seen; other elements
+                                          // are unused
   double turn_evidence = 0.0;
 };
 
-void HsiaoPoseEstimator::State::forget() {
+void HsiaoPoseEstimator::State::clear() {
   last.reset();
   before.reset();
   pose_stamp.reset();
@@ -144,13 +145,13 @@ HsiaoRefinement HsiaoPoseEstimator::State::refine(const HsiaoObservation& now,
                                                   const HsiaoVector& v) const {
   HsiaoBounds range = fitter.limits();
   HsiaoFrames frames;
-  profile->frames(v.data(), frames);
-  const std::array<double, kPartCount> errors = judge.partErrors(frames, now);
+  body_model->frames(v.data(), frames);
+  const std::array<double, kPartCount> errors = validator.partErrors(frames, now);
   for (int side = 0; side < 2; ++side) {
     if (std::isfinite(errors[size_t(PartLabel::kArm1) + side])) continue;
     for (const int k : {3, 5, 7, 9}) {
       const int p = hsiaoTheta(k + side);
-      const double reach = k == 9 ? kUnseenElbowReach : kUnseenShoulderReach;
+      const double reach = k == 9 ? kUnseenElbowRange : kUnseenShoulderRange;
       range.lower[p] = std::max(range.lower[p], arms_seen[p] - reach);
       range.upper[p] = std::min(range.upper[p], arms_seen[p] + reach);
     }
@@ -159,15 +160,15 @@ HsiaoRefinement HsiaoPoseEstimator::State::refine(const HsiaoObservation& now,
   return refiner.refine(start, range, {&now.curves, &now.parts, &now.hull, &now.field});
 }
 
-void HsiaoPoseEstimator::State::rememberArms(const HsiaoVector& v,
-                                             const std::array<bool, kPartCount>& seen) {
+void HsiaoPoseEstimator::State::storeSeenArms(const HsiaoVector& v,
+                                              const std::array<bool, kPartCount>& seen) {
   for (int side = 0; side < 2; ++side)
     if (seen[size_t(PartLabel::kArm1) + side])
       for (const int k : {3, 5, 7, 9}) arms_seen[hsiaoTheta(k + side)] = v[hsiaoTheta(k + side)];
 }
 
-std::optional<HsiaoRefinement> HsiaoPoseEstimator::State::startAnew(const HsiaoObservation& now,
-                                                                    int attempts) const {
+std::optional<HsiaoRefinement> HsiaoPoseEstimator::State::fitBasicAndRefine(
+    const HsiaoObservation& now, int attempts) const {
   std::optional<HsiaoRefinement> best;
   const HsiaoVector rest = last ? *last : hangingArms();
   for (int attempt = 0; attempt < attempts; ++attempt)
@@ -179,7 +180,7 @@ std::optional<HsiaoRefinement> HsiaoPoseEstimator::State::startAnew(const HsiaoO
 }
 
 HsiaoFit HsiaoPoseEstimator::State::fitTemporal(const HsiaoObservation& now, double seconds) const {
-  const double step = std::clamp(seconds, kShortestStep, kLongestStep);
+  const double step = std::clamp(seconds, kMinStep, kMaxStep);
   HsiaoVector reach = HsiaoVector::Constant(options.max_joint_velocity * step);
   reach.segment<6>(kHsiaoCenter).setConstant(options.max_root_speed * step);
   std::vector<HsiaoVector> guesses;
@@ -187,58 +188,58 @@ HsiaoFit HsiaoPoseEstimator::State::fitTemporal(const HsiaoObservation& now, dou
   return fitter.fitTemporal(now.curves, *last, reach, guesses, seed());
 }
 
-// From where the last motion leads the refinement goes the shortest way.
+// The refinement of the predicted pose has the shortest distance to cover.
 HsiaoFit HsiaoPoseEstimator::State::predictConstantVelocity() const {
   HsiaoFit fit;
   fit.v = before ? HsiaoVector(2.0 * *last - *before) : *last;
   return fit;
 }
 
-bool HsiaoPoseEstimator::State::isTurnBelieved(const HsiaoRefinement& kept,
+bool HsiaoPoseEstimator::State::isTurnAccepted(const HsiaoRefinement& kept,
                                                const HsiaoRefinement& other) {
-  turn_evidence = kEvidenceFade * turn_evidence + (kept.cost - other.cost) / kept.cost;
+  turn_evidence = kEvidenceDecay * turn_evidence + (kept.cost - other.cost) / kept.cost;
   turn_evidence = std::max(0.0, turn_evidence);
   return turn_evidence > kTurnEvidence;
 }
 
-// Basic against temporal (Hsiao 2008, 3.2.2.5). The hull has the last word, since it tells fingers
-// from elbows and toes from heels better than the curves do.
+// Comparison of basic and temporal PSO (Hsiao 2008, 3.2.2.5). The refined cost decides, because the
+// hull distinguishes fingers from elbows and toes from heels better than the curves do.
 bool HsiaoPoseEstimator::State::isReplaced(const HsiaoObservation& now, const HsiaoFit& temporal,
                                            const HsiaoRefinement& kept, HsiaoRefinement& other) {
   const HsiaoFit basic = fitter.fitBasic(now.curves, *last, seed()).front();
-  const bool turned = facing(*profile, basic.v).dot(facing(*profile, kept.v)) < 0.0;
+  const bool turned = facing(*body_model, basic.v).dot(facing(*body_model, kept.v)) < 0.0;
   const double advantage = temporal.error_m - basic.error_m;
   if (advantage <= (turned ? 0.0 : options.reset_threshold)) {
-    turn_evidence *= kEvidenceFade;
+    turn_evidence *= kEvidenceDecay;
     return false;
   }
   other = refine(now, basic.v);
-  if (turned) return isTurnBelieved(kept, other);
-  return other.cost < kReplaceShare * kept.cost;
+  if (turned) return isTurnAccepted(kept, other);
+  return other.cost < kReplaceRatio * kept.cost;
 }
 
 BodyPose HsiaoPoseEstimator::State::validateStart(const HsiaoObservation& now,
                                                   const HsiaoVector& v) const {
-  BodyPose pose = judge.judge(v, now);
+  BodyPose pose = validator.validate(v, now);
   if (pose.status == PoseStatus::kLost) return pose;
   pose.status = PoseStatus::kReinitialized;
   if (!canStartFrom(pose.part_seen)) {
     pose.status = PoseStatus::kLost;
-    pose.reason = "a track starts with torso, head and both legs in view; " + pose.reason;
+    pose.reason = "torso, head and both legs must be seen at the start; " + pose.reason;
   }
   return pose;
 }
 
-BodyPose HsiaoPoseEstimator::State::follow(double seconds, const HsiaoObservation& now) {
+BodyPose HsiaoPoseEstimator::State::track(double seconds, const HsiaoObservation& now) {
   HsiaoRefinement found;
   BodyPose pose;
   if (last) {
-    const bool legs_told = !areLegsMerged(now.parts);
-    const HsiaoFit temporal = legs_told ? fitTemporal(now, seconds) : predictConstantVelocity();
+    const bool legs_separate = !areLegsMerged(now.parts);
+    const HsiaoFit temporal = legs_separate ? fitTemporal(now, seconds) : predictConstantVelocity();
     found = refine(now, temporal.v);
-    pose = judge.judge(found.v, now);
+    pose = validator.validate(found.v, now);
     HsiaoRefinement other;
-    if (legs_told && isReplaced(now, temporal, found, other)) {
+    if (legs_separate && isReplaced(now, temporal, found, other)) {
       const BodyPose started = validateStart(now, other.v);
       if (started.status != PoseStatus::kLost) {
         pose = started;
@@ -247,7 +248,7 @@ BodyPose HsiaoPoseEstimator::State::follow(double seconds, const HsiaoObservatio
     }
   }
   if (pose.status == PoseStatus::kLost) {
-    found = *startAnew(now, options.initialization_attempts);
+    found = *fitBasicAndRefine(now, options.initialization_attempts);
     pose = validateStart(now, found.v);
   }
   if (pose.status == PoseStatus::kLost) return pose;
@@ -257,24 +258,25 @@ BodyPose HsiaoPoseEstimator::State::follow(double seconds, const HsiaoObservatio
   } else {
     before = last;
   }
-  rememberArms(found.v, pose.part_seen);
+  storeSeenArms(found.v, pose.part_seen);
   from_parts = report(pose, found.v);
   return from_parts;
 }
 
-// Legs that pass each other have no parts for some instants; the hull still holds the body.
+// Legs that pass each other have no part curves for some frames; the hull still constrains the
+// body.
 BodyPose HsiaoPoseEstimator::State::trackByHull(const VisualHull& hull, const BodyPose& lost) {
   const BodyParts none;
-  const HsiaoObservation now(*profile, none, hull, options.samples_per_curve);
+  const HsiaoObservation now(*body_model, none, hull, options.samples_per_curve);
   const HsiaoRefinement found = refine(now, *last);
-  BodyPose pose = judge.judge(found.v, now);
+  BodyPose pose = validator.validate(found.v, now);
   if (pose.status == PoseStatus::kLost ||
-      pose.hull_explained < kCarriedShare * from_parts.hull_explained ||
-      pose.body_in_hull < kCarriedShare * from_parts.body_in_hull)
+      pose.hull_explained < kHullOnlyRatio * from_parts.hull_explained ||
+      pose.body_in_hull < kHullOnlyRatio * from_parts.body_in_hull)
     return lost;
   pose.skeleton_error_m = std::numeric_limits<double>::quiet_NaN();
   pose.part_seen = from_parts.part_seen;
-  pose.reason = "carried on by the hull alone: " + lost.reason;
+  pose.reason = "tracked by the hull alone: " + lost.reason;
   before = last;
   return report(pose, found.v);
 }
@@ -298,7 +300,7 @@ const BodyModel& HsiaoPoseEstimator::model() const {
 }
 
 void HsiaoPoseEstimator::reset() {
-  state_->forget();
+  state_->clear();
   state_->stamp.reset();
 }
 
@@ -308,14 +310,13 @@ BodyPose HsiaoPoseEstimator::update(int64_t stamp_ns, const BodyParts& parts,
   if (s.stamp && stamp_ns <= *s.stamp) reset();
   s.stamp = stamp_ns;
   const double seconds = s.pose_stamp ? 1e-9 * double(stamp_ns - *s.pose_stamp) : 0.0;
-  if (seconds > s.options.max_pose_age) s.forget();
+  if (seconds > s.options.max_pose_age) s.clear();
   BodyPose pose;
   pose.reason = hullError(hull);
   if (!pose.reason.empty()) return pose;
   pose.reason = segmentationError(parts);
   if (pose.reason.empty()) {
-    pose =
-        s.follow(seconds, HsiaoObservation(*s.profile, parts, hull, s.options.samples_per_curve));
+    pose = s.track(seconds, HsiaoObservation(*s.body_model, parts, hull, s.options.samples_per_curve));
     if (pose.status != PoseStatus::kLost) {
       s.pose_stamp = stamp_ns;
       return pose;

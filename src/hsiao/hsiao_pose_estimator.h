@@ -11,15 +11,17 @@
 
 namespace markerless_mocap {
 
-/// Follows one person through time by fitting H's 23-parameter profile to the part curves
-/// (Hsiao 2008, 3.2.2): hierarchical swarm, basic against temporal, re-initialisation. The pose is
-/// then refined against the hull and must agree with it, or it is lost.
+/// Tracks one person by fitting Hsiao's model with 23 parameters to the part curves (Hsiao 2008,
+/// 3.2.2): hierarchical PSO, comparison of basic and temporal PSO, re-initialisation. The pose is
+/// then refined with the hull (not in the thesis). It is lost if it does not agree with the hull.
 class HsiaoPoseEstimator : public PoseInitializer {
  public:
-  /// Throws std::invalid_argument on options out of range or a model that the profile cannot move.
+  /// Throws std::invalid_argument if an option is out of range, or if a joint of the model does not
+  /// suit Hsiao's parameters.
   HsiaoPoseEstimator(std::shared_ptr<const BodyModel> model, const HsiaoOptions& options);
   ~HsiaoPoseEstimator() override;
-  /// \param stamp_ns capture time; a stamp not after the last one restarts the track
+  /// \param stamp_ns capture time; a stamp that is not later than the last one restarts the
+  ///   tracking
   BodyPose update(int64_t stamp_ns, const BodyParts& parts, const VisualHull& hull) override;
   void reset() override;
   const BodyModel& model() const;

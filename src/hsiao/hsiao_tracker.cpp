@@ -4,9 +4,9 @@
 
 namespace markerless_mocap {
 
-HsiaoTracker::HsiaoTracker(const PersonResources& sources, const PersonOptions& person,
+HsiaoTracker::HsiaoTracker(const PersonResources& resources, const PersonOptions& person,
                            const HsiaoOptions& options)
-    : body_(initialBody(sources, person.stature)), tracker_(body_->model, options) {}
+    : body_(initialBody(resources, person.stature)), tracker_(body_->model, options) {}
 
 BodyPose HsiaoTracker::update(const TrackerInput& now) {
   return tracker_.update(now.stamp_ns, now.parts, now.hull);

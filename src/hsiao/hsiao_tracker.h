@@ -10,10 +10,11 @@
 
 namespace markerless_mocap {
 
-/// Fits the part curves and the hull (Hsiao 2008); the body has the proportions of its stature.
+/// Fits the body to the part curves and the hull (Hsiao 2008). The body has the mean proportions of
+/// its stature.
 class HsiaoTracker : public BodyTracker {
  public:
-  HsiaoTracker(const PersonResources& sources, const PersonOptions& person,
+  HsiaoTracker(const PersonResources& resources, const PersonOptions& person,
                const HsiaoOptions& options);
   BodyPose update(const TrackerInput& now) override;
   void reset() override { tracker_.reset(); }

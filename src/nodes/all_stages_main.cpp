@@ -1,13 +1,13 @@
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
-// All stages named on the command line in one process, so that messages pass without copies. Unlike
-// a nodelet manager, whose nodelets are taken out by the processes that brought them, it alone
-// decides when they end: a manager that is stopped together with those processes can crash.
+// Runs all stages named on the command line in one process, so that messages are passed without
+// copies. A nodelet manager is no alternative: the processes that loaded its nodelets unload them,
+// and a manager that is stopped together with those processes can crash.
 int main(int argc, char** argv) {
   ros::init(argc, argv, "mocap");
   if (argc < 2) {
-    ROS_FATAL("mocap: no stage is named, allowed are names such as silhouette visual_hull");
+    ROS_FATAL("mocap: no stage is given, allowed are names such as silhouette visual_hull");
     return 1;
   }
   nodelet::Loader loader(false);

@@ -44,7 +44,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     VisualHull hull;
     BodyParts parts;
     try {
-      if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
+      if (!grid_) throw std::invalid_argument("no hull/grid has been received yet");
       hull = hullFromMessage(cloud, *grid_);
       parts = segmenter_->segment(hull, int64_t(cloud.header.stamp.toNSec()), &memory_);
     } catch (const std::exception& error) {
@@ -60,7 +60,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
   void report(const BodyParts& parts) {
     status_->count(toString(parts.status));
     if (parts.status == SegmentationStatus::kOk)
-      status_->good("all six parts are seen");
+      status_->ok("all six parts are seen");
     else
       status_->problem(parts.reason);
   }

@@ -1,8 +1,8 @@
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
-// A process of its own for one nodelet: the node has the stage's name and returns 1 if the nodelet
-// refuses its parameters.
+// Runs one nodelet in a process of its own. The node has the name of the stage. It returns 1 if the
+// nodelet rejects its parameters.
 int main(int argc, char** argv) {
   ros::init(argc, argv, MOCAP_NODE);
   nodelet::Loader loader;

@@ -15,8 +15,7 @@
 
 namespace markerless_mocap {
 
-/// `hull/points` -> `pose_tree`, and for those who look on `pose_tree/markers`,
-/// `pose_tree/skeleton`.
+/// `hull/points` -> `pose_tree`, and for display `pose_tree/markers`, `pose_tree/skeleton`.
 class PoseTreeNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -44,7 +43,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     forgetOnTimeJump(cloud.header.stamp);
     PoseTree tree;
     try {
-      if (!grid_) throw std::invalid_argument("no hull/grid has come yet");
+      if (!grid_) throw std::invalid_argument("no hull/grid has been received yet");
       tree = builder_->build(hullFromMessage(cloud, *grid_));
     } catch (const std::exception& error) {
       tree = PoseTree();
@@ -65,7 +64,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
   void report(const PoseTree& tree) {
     status_->count(toString(tree.status));
     if (tree.valid())
-      status_->good("the tree is labelled");
+      status_->ok("the tree is labelled");
     else
       status_->problem(tree.reason);
   }

@@ -10,14 +10,15 @@
 namespace markerless_mocap {
 namespace {
 
-/// Proposes starts from part curves and hull.
+/// Makes initializers that propose poses from part curves and hull.
 InitializerFactory initializers(HsiaoOptions options) {
   return [options](std::shared_ptr<const BodyModel> model) {
     return std::make_unique<HsiaoPoseEstimator>(std::move(model), options);
   };
 }
 
-/// A start is one proposal among several that contours refine: one search for it does.
+/// The contour tracker refines several proposals, and this is only one of them: one attempt is
+/// enough.
 HsiaoOptions withOneAttempt(HsiaoOptions options) {
   options.initialization_attempts = 1;
   return options;
@@ -25,21 +26,22 @@ HsiaoOptions withOneAttempt(HsiaoOptions options) {
 
 }  // namespace
 
-std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& sources,
+std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& resources,
                                              const TrackerOptions& options) {
   options.validate();
   const PersonOptions& person = options.person;
   if (options.method == "hsiao")
-    return std::make_unique<HsiaoTracker>(sources, person, options.hsiao);
+    return std::make_unique<HsiaoTracker>(resources, person, options.hsiao);
   if (rig.empty())
-    throw std::invalid_argument("pose_fitting/method is " + options.method +
-                                ", which needs cameras; without any, allowed is hsiao");
+    throw std::invalid_argument(
+        "pose_fitting/method is " + options.method +
+        ", which needs a rig with cameras; without cameras, allowed is hsiao");
   if (options.method == "fleischmann")
     return std::make_unique<FleischmannTracker>(
-        rig, sources, person, options.fleischmann,
+        rig, resources, person, options.fleischmann,
         FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()), initializers(options.hsiao));
-  return std::make_unique<ContourMethod>(rig, sources, person, options.contour,
-                                         initializers(withOneAttempt(options.hsiao)));
+  return std::make_unique<ContourTracker>(rig, resources, person, options.contour,
+                                          initializers(withOneAttempt(options.hsiao)));
 }
 
 }  // namespace markerless_mocap

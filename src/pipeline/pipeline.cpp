@@ -11,7 +11,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMostAtWork = 6;  // instants at once: their images are held in memory
+constexpr size_t kMaxFramesInFlight = 6;  // frame sets; each keeps its images in memory
 
 void checkSize(const Camera& camera, const cv::Mat& pixels, const char* what) {
   if (pixels.empty() || (pixels.cols == camera.width() && pixels.rows == camera.height())) return;
@@ -37,12 +37,12 @@ std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
 
 }  // namespace
 
-Pipeline::Pipeline(CameraRig rig, const PersonResources& sources, const PipelineOptions& options)
+Pipeline::Pipeline(CameraRig rig, const PersonResources& resources, const PipelineOptions& options)
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
       segmenter_(options.segmentation),
       tree_builder_(options.pose_tree),
-      tracker_(makeBodyTracker(carver_.rig(), sources, options.fitting)) {
+      tracker_(makeBodyTracker(carver_.rig(), resources, options.fitting)) {
   for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
 }
 
@@ -63,7 +63,7 @@ const std::vector<Pipeline::Stage>& Pipeline::stages() {
 
 void Pipeline::run(const Stage& stage, Work& work) {
   if (work.result.learning) return;
-  watch_(stage.name, [&] { (this->*stage.work)(work.instant, &work.result); });
+  watch_(stage.name, [&] { (this->*stage.work)(work.frame_set, &work.result); });
 }
 
 PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame>& frames) {
@@ -77,20 +77,21 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
   tbb::filter<void, Item> chain =
       tbb::make_filter<void, Item>(kInOrder, [&](tbb::flow_control& control) -> Item {
-        std::optional<FrameSet> instant = source();
-        if (instant) return std::make_shared<Work>(Work{std::move(*instant), {}});
+        std::optional<FrameSet> frame_set = source();
+        if (frame_set) return std::make_shared<Work>(Work{std::move(*frame_set), {}});
         control.stop();
         return nullptr;
       });
   for (const Stage& stage : stages())
     chain &= tbb::make_filter<Item, Item>(kInOrder, [&](const Item& item) {
-      // While it waits for its own loops, no other stage's work gets in between.
+      // While a stage waits for its own parallel loops, its thread must not start the work of
+      // another stage.
       tbb::this_task_arena::isolate([&] { run(stage, *item); });
       return item;
     });
-  tbb::parallel_pipeline(kMostAtWork,
+  tbb::parallel_pipeline(kMaxFramesInFlight,
                          chain & tbb::make_filter<Item, void>(kInOrder, [&](const Item& item) {
-                           sink(item->instant, item->result);
+                           sink(item->frame_set, item->result);
                          }));
 }
 
@@ -105,8 +106,8 @@ void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   }
 }
 
-void Pipeline::extractSilhouettes(const FrameSet& instant, PipelineResult* result) {
-  const std::vector<CameraFrame>& frames = instant.frames;
+void Pipeline::extractSilhouettes(const FrameSet& frame_set, PipelineResult* result) {
+  const std::vector<CameraFrame>& frames = frame_set.frames;
   checkFrames(frames);
   std::vector<cv::Mat> found(frames.size());
   std::vector<char> learning(frames.size(), false);
@@ -126,20 +127,20 @@ void Pipeline::extractSilhouettes(const FrameSet& instant, PipelineResult* resul
   if (!result->learning) result->masks = std::move(found);
 }
 
-void Pipeline::carve(const FrameSet& instant, PipelineResult* result) {
-  result->hull = carver_.carve(viewsOf(instant.frames, result->masks));
+void Pipeline::carve(const FrameSet& frame_set, PipelineResult* result) {
+  result->hull = carver_.carve(viewsOf(frame_set.frames, result->masks));
 }
 
-void Pipeline::segment(const FrameSet& instant, PipelineResult* result) {
-  result->parts = segmenter_.segment(result->hull, instant.stamp_ns, &part_memory_);
+void Pipeline::segment(const FrameSet& frame_set, PipelineResult* result) {
+  result->parts = segmenter_.segment(result->hull, frame_set.stamp_ns, &part_tracker_);
 }
 
 void Pipeline::buildTree(const FrameSet&, PipelineResult* result) {
   result->tree = tree_builder_.build(result->hull);
 }
 
-void Pipeline::track(const FrameSet& instant, PipelineResult* result) {
-  result->pose = tracker_->update({instant.stamp_ns, result->masks, imagesOf(instant.frames),
+void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
+  result->pose = tracker_->update({frame_set.stamp_ns, result->masks, imagesOf(frame_set.frames),
                                    result->hull, result->parts, result->tree});
   result->body = tracker_->body();
 }

@@ -22,7 +22,7 @@ struct Ring {
   double radius;
 };
 
-/// From the pole at a to the pole at b: the caps up to where the cone touches them.
+/// Circles from the pole at a to the pole at b, including the spherical caps.
 std::vector<Ring> ringsOf(const Eigen::Vector3d& a, double radius_a, const Eigen::Vector3d& b,
                           double radius_b, const Eigen::Vector3d& axis) {
   const double length = (b - a).norm();

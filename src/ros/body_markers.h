@@ -7,9 +7,9 @@
 
 namespace markerless_mocap {
 
-/// The body's surface where it is, one triangle list per part: green where the part's expected
-/// error is a centimetre or less, over yellow to red where it is five or more, grey where it is
-/// not told. Parts that are not seen, and all when the pose is lost, are deleted.
+/// Markers of the body's surface, one triangle list per part. The colour shows the estimated
+/// standard deviation of the part: green up to 1 cm, over yellow to red from 5 cm on, grey if there
+/// is none. Parts that are not seen, and all parts of a lost pose, are deleted.
 visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPose& pose,
                                             const std_msgs::Header& header);
 

@@ -18,19 +18,18 @@ namespace markerless_mocap {
 int64_t nanosecondsOf(const ros::Time& stamp);
 ros::Time rosTime(int64_t nanoseconds);
 
-/// A calibration for Camera from what a driver and tf say. Throws std::invalid_argument naming the
-/// camera: size 0, all-zero or non-finite K, a distortion model other than plumb_bob or
-/// rational_polynomial, a region of interest or binning (K would not fit the pixels), a transform
-/// that is not finite or whose quaternion is not of length 1.
-/// \param T_world_camera optical frame to world
+/// Calibration of a camera from camera_info and tf. Throws std::invalid_argument, naming the
+/// camera, if the size is 0, if K is all zero or not finite, if the distortion model is not
+/// plumb_bob or rational_polynomial, if there is a region of interest or binning (K would not fit
+/// the pixels), or if the transform is not finite or its quaternion has not length 1.
 CameraCalibration calibrationFromMessage(const std::string& name,
                                          const sensor_msgs::CameraInfo& info,
                                          const geometry_msgs::Transform& T_world_camera);
 
-/// R is the identity, P = [K | 0]; the header is left to the caller.
+/// R is the identity, P = [K | 0]; the caller fills in the header.
 sensor_msgs::CameraInfo messageFromCalibration(const CameraCalibration& calibration);
 
-/// The frame of a camera that nobody named otherwise: <camera>_optical.
+/// Default frame of a camera: <camera>_optical.
 std::string opticalFrame(const std::string& camera);
 
 /// world -> <camera>_optical of every camera.

@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// Each camera's field of view as a line pyramid with its name at the apex, in the world frame.
-/// \param depth length of the pyramid along the optical axis, metres
+/// Field of view of each camera as a pyramid of lines with the camera's name at the apex, in the
+/// world frame.
 visualization_msgs::MarkerArray cameraMarkers(const CameraRig& rig, const std_msgs::Header& header,
                                               double depth);
 

@@ -22,7 +22,7 @@ void checkField(const sensor_msgs::PointCloud2& cloud, const std::string& name, 
     if (field.name == name && field.datatype == type && fits) return;
   }
   throw std::invalid_argument("hull cloud has no field \"" + name +
-                              "\" of the type that hull/points has");
+                              "\" of the type in hull/points");
 }
 
 void checkCloud(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
@@ -39,7 +39,7 @@ void checkCloud(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
   for (const char* name : kByteFields) checkField(cloud, name, PointField::UINT8, 1);
 }
 
-/// Linear index of the voxel whose centre the point is.
+/// Linear index of the voxel with this centre.
 uint32_t voxelAt(const VoxelLattice& lattice, const Eigen::Vector3d& point) {
   const Eigen::Vector3d cell = (point - lattice.origin) / lattice.pitch;
   const Eigen::Vector3d corner = cell.array().floor();
@@ -49,7 +49,8 @@ uint32_t voxelAt(const VoxelLattice& lattice, const Eigen::Vector3d& point) {
   if (!point.allFinite() || !inside || !(off_center < 0.1))
     throw std::invalid_argument("hull cloud does not lie on the grid: (" +
                                 std::to_string(point.x()) + ", " + std::to_string(point.y()) +
-                                ", " + std::to_string(point.z()) + ") is no voxel centre");
+                                ", " + std::to_string(point.z()) +
+                                ") is not the centre of a voxel");
   const Eigen::Vector3i at = corner.cast<int>();
   return lattice.index(at.x(), at.y(), at.z());
 }
@@ -109,7 +110,8 @@ VoxelLattice latticeFromMessage(const VoxelGrid& grid) {
                       lattice.pitch > 0.0 && lattice.size.minCoeff() > 0;
   if (!usable)
     throw std::invalid_argument(
-        "voxel grid is unusable, allowed are a finite origin, a positive pitch and sizes from 1");
+        "voxel grid is unusable, allowed are a finite origin, a positive pitch and sizes of 1 or "
+        "more");
   return lattice;
 }
 
@@ -117,7 +119,7 @@ sensor_msgs::PointCloud2 messageFromHull(const VisualHull& hull, const std_msgs:
   sensor_msgs::PointCloud2 cloud = emptyCloud(header, hull.voxels.size());
   sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
   sensor_msgs::PointCloud2Iterator<uint8_t> r(cloud, "r"), g(cloud, "g"), b(cloud, "b");
-  sensor_msgs::PointCloud2Iterator<uint8_t> bytes(cloud, "views");  // the seven byte fields
+  sensor_msgs::PointCloud2Iterator<uint8_t> bytes(cloud, "views");  // the seven uint8 fields
   for (const HullVoxel& voxel : hull.voxels) {
     const Eigen::Vector3f center = hull.lattice.center(voxel.index).cast<float>();
     std::copy_n(center.data(), 3, &xyz[0]);

@@ -17,7 +17,7 @@ bool isBayer8(const std::string& encoding) {
          encoding == encodings::BAYER_GBRG8 || encoding == encodings::BAYER_GRBG8;
 }
 
-/// What its pixels become.
+/// Encoding of the converted pixels.
 const std::string& usableEncoding(const sensor_msgs::Image& message) {
   const bool usable = encodings::isMono(message.encoding) || encodings::isColor(message.encoding) ||
                       isBayer8(message.encoding);
@@ -25,17 +25,17 @@ const std::string& usableEncoding(const sensor_msgs::Image& message) {
     throw std::invalid_argument(
         "image of frame \"" + message.header.frame_id + "\" has the encoding \"" +
         message.encoding +
-        "\", allowed are mono8, bgr8, rgb8, bayer_....8 and what converts to them");
+        "\", allowed are mono8, bgr8, rgb8, bayer_....8 and encodings that convert to them");
   return encodings::isMono(message.encoding) ? encodings::MONO8 : encodings::BGR8;
 }
 
-/// \param encoding empty: as it is
+/// \param encoding of the result; empty: that of the message
 cv::Mat sharedPixels(const sensor_msgs::Image& message, const std::string& encoding) {
   try {
     return cv_bridge::toCvShare(message, nullptr, encoding)->image;
-  } catch (const std::exception& error) {  // cv_bridge's and OpenCV's own
+  } catch (const std::exception& error) {  // from cv_bridge or OpenCV
     throw std::invalid_argument("image of frame \"" + message.header.frame_id +
-                                "\" is unreadable: " + error.what());
+                                "\" cannot be read: " + error.what());
   }
 }
 

@@ -7,17 +7,17 @@
 
 namespace markerless_mocap {
 
-/// Pixels of an image message: CV_8UC1 from a grey encoding, CV_8UC3 (BGR) from any colour one
-/// (mono8, mono16, bgr8, rgb8, bgra8, rgba8, the four Bayer patterns of 8 bits). Throws
-/// std::invalid_argument on another encoding or too little data. The result owns its pixels.
+/// Pixels of an image message: CV_8UC1 from a grey encoding, CV_8UC3 (BGR) from a colour encoding
+/// (mono8, mono16, bgr8, rgb8, bgra8, rgba8, the four 8-bit Bayer patterns). The result owns its
+/// pixels. Throws std::invalid_argument on another encoding or too little data.
 cv::Mat matFromMessage(const sensor_msgs::Image& message);
 
-/// The same without a copy where pixels need no conversion: the result must not outlive the
-/// message.
+/// As matFromMessage(), but without a copy if the pixels need no conversion: the message must
+/// outlive the result.
 cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 
-/// As matFromMessage() from JPEG, PNG or whatever else OpenCV decodes. Throws std::invalid_argument
-/// if it cannot be decoded.
+/// As matFromMessage() from JPEG, PNG or another format that OpenCV decodes. Throws
+/// std::invalid_argument if the image cannot be decoded.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
 
 /// A mask (CV_8UC1, 0 | 255) from a message; every non-zero pixel becomes 255. Throws

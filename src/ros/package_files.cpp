@@ -36,17 +36,17 @@ void writeText(const std::string& path, const std::string& text) {
 
 PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
                                     const std::string& body_file) {
-  PersonResources sources = PersonResources::standard();
-  sources.body_id = body_id;
-  if (!urdf_template.empty()) sources.urdf_template = readText(urdf_template);
-  if (!body_file.empty()) sources.measured = shapeFromYaml(readText(body_file), body_file);
-  return sources;
+  PersonResources resources = PersonResources::standard();
+  resources.body_id = body_id;
+  if (!urdf_template.empty()) resources.urdf_template = readText(urdf_template);
+  if (!body_file.empty()) resources.known_shape = shapeFromYaml(readText(body_file), body_file);
+  return resources;
 }
 
-void writeBodyFile(const std::string& path, const ShapeParameters& sizes) {
+void writeBodyFile(const std::string& path, const ShapeParameters& shape) {
   const std::string unfinished = path + ".part";
   std::ofstream file(unfinished);
-  file << shapeToYaml(sizes);
+  file << shapeToYaml(shape);
   file.close();
   if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0)
     throw std::runtime_error("cannot write the body file " + path);

@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 
 YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value) {
-  // XmlRpcValue's const accessors are missing for some types: read a copy.
+  // XmlRpcValue lacks const accessors for some types, so a copy is read.
   XmlRpc::XmlRpcValue v(value);
   switch (v.getType()) {
     case XmlRpc::XmlRpcValue::TypeInvalid:
@@ -31,7 +31,8 @@ YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value) {
       return map;
     }
     default:
-      throw std::invalid_argument("a parameter is a date or binary, allowed are text and numbers");
+      throw std::invalid_argument(
+          "a parameter is a date or binary data, allowed are text and numbers");
   }
 }
 

@@ -10,16 +10,16 @@
 
 namespace markerless_mocap {
 
-/// A value of the parameter server as YAML. Throws std::invalid_argument on dates and binaries,
+/// A value of the parameter server as YAML. Throws std::invalid_argument on dates and binary data,
 /// which no option has.
 YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value);
 
-/// All parameters in a node handle's namespace as one YAML map; empty map if there are none.
+/// All parameters in the namespace of a node handle as one YAML map; empty if there are none.
 YAML::Node parametersOf(const ros::NodeHandle& handle);
 
-/// Fills several options structs from one map, such as a stage's options and its node's own.
+/// Fills several option structs from one map, such as the options of a stage and of its node.
 /// Throws std::invalid_argument on a key that belongs to none of them, and as `loadOptions`.
-/// All structs have the same kStage. \param where name of the node, used in error sentences
+/// All structs have the same kStage. \param where name of the node for error messages
 template <class... OptionsT>
 void loadOptionsTogether(const YAML::Node& node, const std::string& where, OptionsT&... options) {
   using First = std::tuple_element_t<0, std::tuple<OptionsT...>>;

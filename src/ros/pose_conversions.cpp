@@ -21,7 +21,7 @@ bool isSeen(const BodyModel& model, const BodyPose& pose, const BodyJoint& joint
   return pose.part_seen[static_cast<size_t>(partOfJoint(baseName(model, joint.name)))];
 }
 
-/// By link: whether its part is seen or one that hangs on it.
+/// Per link: true if its part or that of a descendant is seen.
 std::vector<bool> neededLinks(const BodyModel& model, const BodyPose& pose) {
   std::vector<bool> needed(model.links().size(), false);
   for (auto joint = model.joints().rbegin(); joint != model.joints().rend(); ++joint) {

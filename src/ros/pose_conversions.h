@@ -12,29 +12,28 @@
 
 namespace markerless_mocap {
 
-/// Part of the body that a joint moves, from its name without the id ("l_y_shoulder"). The left
-/// limb is number 1. What is no limb and no head is the torso.
+/// Part of the body that a joint moves, from the joint's name without the id ("l_y_shoulder"). Limb
+/// number 1 is the left one. A joint of no limb and not of the head belongs to the torso.
 PartLabel partOfJoint(const std::string& base_name);
 
-/// Names a user reads: torso, head, l_arm, r_arm, l_leg, r_leg.
+/// Names for users: torso, head, l_arm, r_arm, l_leg, r_leg.
 const char* sidedPartName(PartLabel label);
 
-/// Status, pose, angles and fitness. Joints of parts that are not seen are left out and the parts
-/// named; a lost pose carries no joints.
+/// Status, pose, angles and quality. Joints of parts that are not seen are left out, and these
+/// parts are listed. A lost pose has no joints.
 BodyPoseMsg messageFromPose(const BodyModel& model, const BodyPose& pose,
                             const std_msgs::Header& header);
 
-/// Names and angles (rad) of the joints of seen parts; none when lost.
+/// Names and angles (rad) of the joints of seen parts; none if the pose is lost.
 sensor_msgs::JointState jointStateFromPose(const BodyModel& model, const BodyPose& pose,
                                            const std_msgs::Header& header);
 
-/// header.frame_id -> body_<id>. Throws std::invalid_argument when the pose is lost or not finite:
-/// there is no transform then.
+/// header.frame_id -> body_<id>. Throws std::invalid_argument if the pose is lost or not finite.
 geometry_msgs::TransformStamped rootTransform(const BodyModel& model, const BodyPose& pose,
                                               const std_msgs::Header& header);
 
-/// Parent -> child for every link of seen parts and those they hang on, root first, so that frames
-/// connect. Throws as `rootTransform`.
+/// Parent -> child for every link of a seen part and for its ancestors, root first, so that all
+/// frames are connected. Throws as `rootTransform`.
 std::vector<geometry_msgs::TransformStamped> linkTransforms(const BodyModel& model,
                                                             const BodyPose& pose,
                                                             const std_msgs::Header& header);

@@ -40,13 +40,13 @@ Eigen::Vector3d vectorOf(const XyzT& message, const char* what) {
   return p;
 }
 
-/// The enumerator that toString() gives the name.
+/// The enumerator whose toString() is the name.
 template <class NamedT>
 NamedT named(const std::string& name, int count, const char* kind) {
   for (int i = 0; i < count; ++i)
     if (name == toString(NamedT(i))) return NamedT(i);
   throw std::invalid_argument("PoseTree has the " + std::string(kind) + " \"" + name +
-                              "\", which is none");
+                              "\", which is unknown");
 }
 
 void checkNode(int32_t node, const PoseTree& tree, const char* what) {

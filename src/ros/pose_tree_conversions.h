@@ -11,24 +11,24 @@
 
 namespace markerless_mocap {
 
-/// Colour of a part wherever it is shown, red green blue; arms and legs as by partColor().
+/// Colour of a part in all displays, red green blue; arms and legs as in partColor().
 std::array<uint8_t, 3> treeColor(TreePart part);
 
-/// All but the skeleton, which travels as skeletonCloud(). Tips and joints that are not found are
-/// left out.
+/// The tree without the skeleton, which is published as skeletonCloud(). Extremities and joints
+/// that were not found are left out.
 PoseTreeMsg messageFromPoseTree(const PoseTree& tree, const std_msgs::Header& header);
 
-/// The tree back, without its skeleton. Throws std::invalid_argument on an unknown status, part or
-/// name, lists that differ in length, a parent behind its child, a node that is none, or a value
-/// that is not finite.
+/// The tree from its message, without the skeleton. Throws std::invalid_argument on an unknown
+/// status, part or name, lists of different lengths, a parent that is not before its child, an
+/// invalid node index, or a value that is not finite.
 PoseTree poseTreeFromMessage(const PoseTreeMsg& message);
 
-/// x y z (float32, metres) of each voxel of the skeleton.
+/// Centre of each voxel of the skeleton: x y z (float32, metres).
 sensor_msgs::PointCloud2 skeletonCloud(const PoseTree& tree, const std_msgs::Header& header);
 
-/// The tree's edges in the colours of their parts, named balls at the tips and an arrow forward
-/// from the origin; faint, with the reason above, unless the tree is valid. What is not there is
-/// deleted.
+/// The edges of the tree in the colours of their parts, labelled spheres at the extremities, and an
+/// arrow from the origin in the forward direction. An invalid tree is faint, with the reason above
+/// it. Other markers are deleted.
 visualization_msgs::MarkerArray treeMarkers(const PoseTree& tree, const std_msgs::Header& header);
 
 }  // namespace markerless_mocap

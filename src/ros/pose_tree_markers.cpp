@@ -10,7 +10,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-// Metres on the screen.
+// Sizes of the markers, metres.
 constexpr double kEdgeWidth = 0.012, kTipSize = 0.07, kTextAbove = 0.09;
 constexpr double kNameSize = 0.07, kReasonSize = 0.05;
 constexpr double kArrowLength = 0.4, kArrowWidth = 0.025, kArrowHead = 0.06;
@@ -53,10 +53,10 @@ class MarkerSet {
     const TreeExtremity& tip = tree_.extremity(extremity);
     const int id = int(extremity);
     const auto color = treeColor(partAt(extremity));
-    Marker& ball = add("tips", id, Marker::SPHERE, tip.node >= 0);
-    ball.pose.position = tf2::toMsg(tip.position);
-    ball.scale.x = ball.scale.y = ball.scale.z = kTipSize;
-    ball.color = colorMessage(color, alpha_);
+    Marker& sphere = add("tips", id, Marker::SPHERE, tip.node >= 0);
+    sphere.pose.position = tf2::toMsg(tip.position);
+    sphere.scale.x = sphere.scale.y = sphere.scale.z = kTipSize;
+    sphere.color = colorMessage(color, alpha_);
     std::string name = toString(extremity);
     for (char& c : name)
       if (c == '_') c = ' ';

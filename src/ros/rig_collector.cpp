@@ -27,7 +27,7 @@ RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_f
   for (const CameraCalibration& camera : rig)
     if (std::find(cameras_.begin(), cameras_.end(), camera.name) == cameras_.end())
       spare += (spare.empty() ? "" : ", ") + camera.name;
-  if (!spare.empty()) remark_ = rig_file + " also has " + spare + ", which nobody asks for";
+  if (!spare.empty()) unused_cameras_ = rig_file + " also has " + spare + ", which is not used";
 }
 
 bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
@@ -43,10 +43,10 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
   std::string without_info;
   for (size_t i = 0; i < cameras_.size(); ++i)
     if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
-  if (!without_info.empty()) return "no camera_info has come from " + without_info;
+  if (!without_info.empty()) return "no camera_info has been received from " + without_info;
   for (size_t i = 0; i < cameras_.size(); ++i) {
     const std::string& frame = infos_[i]->header.frame_id;
-    if (frame.empty()) return "camera_info of " + cameras_[i] + " names no frame";
+    if (frame.empty()) return "camera_info of " + cameras_[i] + " has an empty frame_id";
     if (!tf.canTransform(world_frame_, frame, ros::Time(0)))
       return "tf does not connect " + frame + " of " + cameras_[i] + " to " + world_frame_;
   }

@@ -11,39 +11,38 @@
 
 namespace markerless_mocap {
 
-/// Gathers what the cameras say about themselves until the rig is known, or takes it from a file,
-/// which then stands for all that they say.
+/// Collects camera_info until the rig is known. A rig file replaces camera_info and tf.
 class RigCollector {
  public:
   /// \param cameras names, in the order of the rig
-  /// \param world_frame frame that the rig is given in
-  /// \param rig_file in place of camera_info and tf; empty: none
-  /// Throws as readRig() and camerasNamed() do.
+  /// \param world_frame frame of the rig
+  /// \param rig_file instead of camera_info and tf; empty: none. Throws as readRig() and
+  ///   camerasNamed().
   RigCollector(std::vector<std::string> cameras, std::string world_frame,
                const std::string& rig_file = "");
 
   const std::vector<std::string>& cameras() const { return cameras_; }
-  /// Whether the rig comes from a file: nobody needs to listen to camera_info.
+  /// True if the rig comes from a file: no camera_info is needed.
   bool isFromFile() const { return file_.has_value(); }
-  /// One sentence on cameras of the file that are not among those wanted; empty: there are none.
-  const std::string& remark() const { return remark_; }
-  /// Keeps the message; returns whether it says anything new about the rig.
+  /// Message about cameras of the file that are not in `cameras`; empty if there are none.
+  const std::string& unusedCameras() const { return unused_cameras_; }
+  /// Stores the message; returns true if it changes the rig.
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }
 
-  /// One sentence: cameras without camera_info, or a frame that tf does not connect to the world.
-  /// Empty when nothing is missing.
+  /// Message about what is missing: cameras without camera_info, or a frame that tf does not
+  /// connect to the world. Empty if nothing is missing.
   std::string missing(const tf2::BufferCore& tf) const;
 
-  /// Throws std::invalid_argument with the sentence of missing(), or as calibrationFromMessage().
+  /// Throws std::invalid_argument with the message of missing(), or as calibrationFromMessage().
   CameraRig rig(const tf2::BufferCore& tf) const;
 
  private:
   std::vector<std::string> cameras_;
   std::string world_frame_;
   std::vector<std::optional<sensor_msgs::CameraInfo>> infos_;
-  std::optional<CameraRig> file_;  ///< the rig if it is a file's
-  std::string remark_;
+  std::optional<CameraRig> file_;  ///< the rig of the file, if there is one
+  std::string unused_cameras_;
 };
 
 }  // namespace markerless_mocap

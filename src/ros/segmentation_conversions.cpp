@@ -9,8 +9,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kCurveWidth = 0.03;  // metres on the screen
-constexpr double kDimmed = 0.35;      // of the colour of a part that is carried over
+constexpr double kCurveWidth = 0.03;  // width of the line, metres
+constexpr double kDimmed = 0.35;      // brightness of a part that is carried over
 
 uint8_t statusToMessage(SegmentationStatus status) {
   switch (status) {
@@ -60,7 +60,7 @@ PartCurve curveFromMessage(const BodyPart& message) {
 }  // namespace
 
 std::array<uint8_t, 3> partColor(PartLabel label) {
-  // Okabe and Ito's colours, told apart with any colour vision.
+  // Colours of Okabe and Ito, distinguishable with any colour vision.
   constexpr std::array<std::array<uint8_t, 3>, kPartCount> kColors{{{153, 153, 153},
                                                                     {240, 228, 66},
                                                                     {230, 159, 0},
@@ -72,7 +72,7 @@ std::array<uint8_t, 3> partColor(PartLabel label) {
 
 namespace {
 
-/// Of each part, darker where its labels are carried over from the frames before.
+/// Colour of each part, darker if its labels are carried over from earlier frames.
 std::array<std::array<uint8_t, 3>, kPartCount> colorsOf(const BodyParts& parts) {
   std::array<std::array<uint8_t, 3>, kPartCount> colors;
   for (size_t label = 0; label < kPartCount; ++label) {

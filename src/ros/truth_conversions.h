@@ -12,13 +12,13 @@
 
 namespace markerless_mocap {
 
-/// \param points metres, one for each name; throws std::invalid_argument if they are not
+/// \param points metres, one per name; throws std::invalid_argument if the numbers differ
 JointPositions messageFromPoints(const std::vector<std::string>& names,
                                  const std::vector<Eigen::Vector3d>& points,
                                  const std_msgs::Header& header);
 
-/// All angles of a body (radians), in the order of angleNames(). Throws std::invalid_argument
-/// unless there is one for each.
+/// All joint angles of a body (radians), in the order of angleNames(). Throws std::invalid_argument
+/// if the number of angles is wrong.
 sensor_msgs::JointState messageFromAngles(const BodyModel& model, const Eigen::VectorXd& angles,
                                           const std_msgs::Header& header);
 

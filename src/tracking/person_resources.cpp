@@ -5,10 +5,11 @@
 namespace markerless_mocap {
 
 PersonResources PersonResources::standard() {
-  PersonResources sources;
-  sources.urdf_template = humanUrdfTemplate();
-  sources.people = ShapeStatistics::fromYaml(contourBodyYaml(), "models/contour_body.yaml");
-  return sources;
+  PersonResources resources;
+  resources.urdf_template = humanUrdfTemplate();
+  resources.shape_statistics =
+      ShapeStatistics::fromYaml(contourBodyYaml(), "models/contour_body.yaml");
+  return resources;
 }
 
 }  // namespace markerless_mocap

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kLongestGap = 0.5;         // seconds
-constexpr double kFarthestTurn = M_PI / 2;  // radians from one instant to the next
+constexpr double kFarthestTurn = M_PI / 2;  // radians between two frames
 constexpr double kTrendCutoff = 4.0;        // Hz
 constexpr double kFullTurn = 2.0 * M_PI;
 
@@ -22,13 +22,13 @@ double shortest(double angle) {
   return std::remainder(angle, kFullTurn);
 }
 
-/// Of the difference to the last value that a first-order low-pass takes over.
+/// Weight that a first-order low-pass gives to the new value.
 double smoothingFactor(double cutoff_hz, double seconds) {
   const double turned = kFullTurn * cutoff_hz * seconds;
   return turned / (1.0 + turned);
 }
 
-/// From `a` to `b` in the world, the shorter way.
+/// Shortest rotation from `a` to `b` in the world.
 Vector3d turnBetween(const Quaterniond& a, const Quaterniond& b) {
   const AngleAxisd turn(b * a.conjugate());
   return shortest(turn.angle()) * turn.axis();
@@ -39,8 +39,8 @@ Quaterniond turnBy(const Vector3d& turn) {
   return angle > 0.0 ? Quaterniond(AngleAxisd(angle, turn / angle)) : Quaterniond::Identity();
 }
 
-/// The same angle but for full turns, as near to `raw` as limits allow; at a limit if none of them
-/// is inside. A raw angle beyond the limits is let be.
+/// The same angle up to full turns, within the limits and as near to `raw` as possible; at a limit
+/// if no such angle is inside. Unchanged if the raw angle itself exceeds the limits.
 double keptWithin(const BodyJoint& joint, double raw, double angle) {
   const double near = raw + shortest(angle - raw);
   if (raw < joint.lower || raw > joint.upper) return near;

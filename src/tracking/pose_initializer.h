@@ -11,18 +11,18 @@
 
 namespace markerless_mocap {
 
-/// Proposes poses for a tracker that has none. Not thread-safe.
+/// Proposes poses to a tracker that has none. Not thread-safe.
 class PoseInitializer {
  public:
   virtual ~PoseInitializer() = default;
-  /// kLost with the reason if it has no proposal. It may build on what it proposed before; after
-  /// reset() only on this.
+  /// A proposed pose; kLost with the reason if there is none. The proposal may depend on earlier
+  /// calls since the last reset().
   /// \param stamp_ns capture time, nanoseconds
   virtual BodyPose update(int64_t stamp_ns, const BodyParts& parts, const VisualHull& hull) = 0;
   virtual void reset() = 0;
 };
 
-/// Makes one for a body.
+/// Makes an initializer for a body.
 using InitializerFactory =
     std::function<std::unique_ptr<PoseInitializer>(std::shared_ptr<const BodyModel> model)>;
 

@@ -9,20 +9,20 @@
 
 namespace markerless_mocap {
 
-double statureOf(const ShapeParameters& sizes) {
+double statureOf(const ShapeParameters& shape) {
   using L = ContourLength;
-  return sizes[L::kAnkleHeight] + sizes[L::kShank] + sizes[L::kThigh] + sizes[L::kTorso] +
-         sizes[L::kNeck] + sizes[L::kHead];
+  return shape[L::kAnkleHeight] + shape[L::kShank] + shape[L::kThigh] + shape[L::kTorso] +
+         shape[L::kNeck] + shape[L::kHead];
 }
 
-std::string shapeToYaml(const ShapeParameters& sizes) {
+std::string shapeToYaml(const ShapeParameters& shape) {
   std::string text =
-      "# Sizes of one person, metres: distances between joints, then radii of round cones' ends "
-      "and\n"
-      "# what these ends are away from the joints (x forward, y outward or left, z up the limb).\n";
+      "# Body shape of one person, metres: distances between joints, then the round cones. Each\n"
+      "# end of a cone has a radius and an offset from the joint (x forward, y outward or to the\n"
+      "# left, z up the limb).\n";
   for (int i = 0; i < kShapeParameterCount; ++i) {
     char line[96];
-    std::snprintf(line, sizeof line, "%s: %.6f\n", shapeParameterName(i).c_str(), sizes[i]);
+    std::snprintf(line, sizeof line, "%s: %.6f\n", shapeParameterName(i).c_str(), shape[i]);
     text += line;
   }
   return text;
@@ -35,23 +35,24 @@ ShapeParameters shapeFromYaml(const std::string& yaml, const std::string& where)
   } catch (const YAML::Exception& fault) {
     throw std::invalid_argument(where + " is not YAML: " + fault.msg);
   }
-  if (!root.IsMap()) throw std::invalid_argument(where + " must map names of sizes to metres");
-  ShapeParameters sizes;
+  if (!root.IsMap())
+    throw std::invalid_argument(where + " must map names of shape parameters to metres");
+  ShapeParameters shape;
   std::set<std::string> known;
   for (int i = 0; i < kShapeParameterCount; ++i) {
     const std::string& name = shapeParameterName(i);
     known.insert(name);
     const YAML::Node node = root[name];
-    if (!node) throw std::invalid_argument(where + " lacks the size " + name);
-    sizes[i] = node.IsScalar() ? node.as<double>(NAN) : NAN;
-    if (!std::isfinite(sizes[i]) || (!isOffset(i) && !(sizes[i] > 0)))
+    if (!node) throw std::invalid_argument(where + " lacks the shape parameter " + name);
+    shape[i] = node.IsScalar() ? node.as<double>(NAN) : NAN;
+    if (!std::isfinite(shape[i]) || (!isOffset(i) && !(shape[i] > 0)))
       throw std::invalid_argument(where + ": " + name + " must be a " +
                                   (isOffset(i) ? "" : "positive ") + "number of metres");
   }
   for (const auto& entry : root)
     if (const auto key = entry.first.as<std::string>(""); !known.count(key))
-      throw std::invalid_argument(where + " has the unknown size " + key);
-  return sizes;
+      throw std::invalid_argument(where + " has the unknown shape parameter " + key);
+  return shape;
 }
 
 }  // namespace markerless_mocap

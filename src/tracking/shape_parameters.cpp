@@ -19,13 +19,14 @@ constexpr const char* kConeNames[] = {"pelvis",  "chest", "yoke",  "neck", "head
 constexpr const char* kValueNames[] = {"radius", "offset_x", "offset_y", "offset_z"};
 
 constexpr const char* kMeaning =
-    "# The body that silhouettes are fitted with: round cones about a skeleton. Every size is\n"
-    "# [mean, standard deviation over people] as a share of the stature; deviation 0: never\n"
-    "# estimated. Lengths are between joints, as the URDF has them. A cone's end a is the one\n"
-    "# nearer to the hips (arms: to the shoulder); its offset is from where the lengths alone "
-    "would\n"
-    "# put it, in the frame of its segment: x forward, y to the left, z up while standing with\n"
-    "# hanging arms, of the left side; the right side mirrors it.\n";
+    "# The contour body: round cones about a skeleton. Each shape parameter is given as\n"
+    "# [mean, standard deviation over people], as fractions of the stature. A parameter of\n"
+    "# deviation 0 is not estimated. Lengths are between joints, as in the URDF. End a of a cone "
+    "is\n"
+    "# the one nearer to the hips (arms: to the shoulder). An offset is relative to the point "
+    "that\n"
+    "# the lengths alone determine, in the frame of the segment: x forward, y to the left, z up\n"
+    "# while standing with hanging arms, for the left side; the right side is mirrored.\n";
 
 void checkStature(double stature) {
   if (!(stature >= 0.5 && stature <= 2.5))
@@ -37,9 +38,10 @@ double decimal(double value) {
   return std::round(value * 1e5) * 1e-5;
 }
 
-/// Mean and deviation under one key.
-void readSize(const YAML::Node& node, const std::string& where, int size, ShapeStatistics& out) {
-  const std::string name = where + ": size " + shapeParameterName(size);
+/// Mean and standard deviation of one parameter.
+void readSize(const YAML::Node& node, const std::string& where, int parameter,
+              ShapeStatistics& out) {
+  const std::string name = where + ": shape parameter " + shapeParameterName(parameter);
   const auto number = [&](size_t i) {
     double value = NAN;
     if (!node.IsSequence() || node.size() != 2 || !YAML::convert<double>::decode(node[i], value) ||
@@ -47,17 +49,17 @@ void readSize(const YAML::Node& node, const std::string& where, int size, ShapeS
       throw std::invalid_argument(name + " must be two numbers, mean and standard deviation");
     return value;
   };
-  out.mean[size] = number(0);
-  out.deviation[size] = number(1);
-  if (!isOffset(size) && !(out.mean[size] > 0))
+  out.mean[parameter] = number(0);
+  out.deviation[parameter] = number(1);
+  if (!isOffset(parameter) && !(out.mean[parameter] > 0))
     throw std::invalid_argument(name + " must be positive");
-  if (out.deviation[size] < 0)
+  if (out.deviation[parameter] < 0)
     throw std::invalid_argument(name + " must have a deviation of at least 0");
 }
 
 }  // namespace
 
-const std::string& shapeParameterName(int size) {
+const std::string& shapeParameterName(int parameter) {
   static const std::array<std::string, kShapeParameterCount> names = [] {
     std::array<std::string, kShapeParameterCount> out;
     for (size_t i = 0; i < ContourLength::kCount; ++i) out[i] = kLengthNames[i];
@@ -68,39 +70,40 @@ const std::string& shapeParameterName(int size) {
               std::string(kConeNames[kind]) + "_cone/" + (end ? "b/" : "a/") + kValueNames[value];
     return out;
   }();
-  return names.at(size_t(size));
+  return names.at(size_t(parameter));
 }
 
-bool isOffset(int size) {
-  return size >= ContourLength::kCount && (size - ContourLength::kCount) % kValuesPerEnd != 0;
+bool isOffset(int parameter) {
+  return parameter >= ContourLength::kCount &&
+         (parameter - ContourLength::kCount) % kValuesPerEnd != 0;
 }
 
-BodyProportions proportionsOf(const ShapeParameters& sizes) {
+BodyProportions proportionsOf(const ShapeParameters& shape) {
   BodyProportions p;
-  p.torso = sizes[ContourLength::kTorso];
-  p.neck = sizes[ContourLength::kNeck];
-  p.head = sizes[ContourLength::kHead];
-  p.upper_arm = sizes[ContourLength::kUpperArm];
-  p.forearm = sizes[ContourLength::kForearm];
-  p.hand = sizes[ContourLength::kHand];
-  p.thigh = sizes[ContourLength::kThigh];
-  p.shank = sizes[ContourLength::kShank];
-  p.foot = sizes[ContourLength::kFoot];
-  p.ankle_height = sizes[ContourLength::kAnkleHeight];
-  p.shoulder_width = sizes[ContourLength::kShoulderWidth];
-  p.hip_width = sizes[ContourLength::kHipWidth];
-  // The URDF's radii of these ends at girth 1: urdf/human.urdf.in.
-  p.girth = (sizes[radiusIndex(ContourCone::kChest, 1)] / 0.109 +
-             sizes[radiusIndex(ContourCone::kThigh, 0)] / 0.087 +
-             sizes[radiusIndex(ContourCone::kCalf, 0)] / 0.057 +
-             sizes[radiusIndex(ContourCone::kUpperArm, 1)] / 0.045) /
+  p.torso = shape[ContourLength::kTorso];
+  p.neck = shape[ContourLength::kNeck];
+  p.head = shape[ContourLength::kHead];
+  p.upper_arm = shape[ContourLength::kUpperArm];
+  p.forearm = shape[ContourLength::kForearm];
+  p.hand = shape[ContourLength::kHand];
+  p.thigh = shape[ContourLength::kThigh];
+  p.shank = shape[ContourLength::kShank];
+  p.foot = shape[ContourLength::kFoot];
+  p.ankle_height = shape[ContourLength::kAnkleHeight];
+  p.shoulder_width = shape[ContourLength::kShoulderWidth];
+  p.hip_width = shape[ContourLength::kHipWidth];
+  // The radii of these cone ends in urdf/human.urdf.in at girth 1.
+  p.girth = (shape[radiusIndex(ContourCone::kChest, 1)] / 0.109 +
+             shape[radiusIndex(ContourCone::kThigh, 0)] / 0.087 +
+             shape[radiusIndex(ContourCone::kCalf, 0)] / 0.057 +
+             shape[radiusIndex(ContourCone::kUpperArm, 1)] / 0.045) /
             4;
   return p;
 }
 
 ShapeStatistics ShapeStatistics::handMade() {
-  // Ends of radii at a stature of 1.75 m, as drawn in urdf/human.urdf.in; halves of trunk and
-  // pelvis stand side by side.
+  // Radii of the two ends at a stature of 1.75 m, as in urdf/human.urdf.in. Pelvis and chest
+  // consist of two cones each, side by side.
   constexpr double kRadii[ContourCone::kCount][2] = {
       {0.106, 0.106}, {0.104, 0.109}, {0.058, 0.058}, {0.056, 0.056},
       {0.075, 0.080}, {0.054, 0.045}, {0.042, 0.032}, {0.032, 0.026},
@@ -123,17 +126,18 @@ ShapeStatistics ShapeStatistics::handMade() {
   return made;
 }
 
-ShapeStatistics ShapeStatistics::fromPeople(const std::vector<ShapeParameters>& sizes,
+ShapeStatistics ShapeStatistics::fromPeople(const std::vector<ShapeParameters>& shapes,
                                             const std::vector<double>& statures) {
-  if (sizes.empty() || sizes.size() != statures.size())
-    throw std::invalid_argument("a template needs at least one person and each one's stature");
+  if (shapes.empty() || shapes.size() != statures.size())
+    throw std::invalid_argument(
+        "shape statistics need at least one person, and one stature per person");
   for (const double stature : statures) checkStature(stature);
-  const double people = double(sizes.size());
+  const double people = double(shapes.size());
   ShapeStatistics out;
-  for (size_t i = 0; i < sizes.size(); ++i) out.mean += sizes[i] / statures[i] / people;
+  for (size_t i = 0; i < shapes.size(); ++i) out.mean += shapes[i] / statures[i] / people;
   ShapeParameters variance = ShapeParameters::Zero();
-  for (size_t i = 0; i < sizes.size(); ++i)
-    variance.array() += (sizes[i] / statures[i] - out.mean).array().square() / people;
+  for (size_t i = 0; i < shapes.size(); ++i)
+    variance.array() += (shapes[i] / statures[i] - out.mean).array().square() / people;
   for (int i = 0; i < kShapeParameterCount; ++i) {
     if (isOffset(i))
       out.deviation[i] = out.mean[i] == 0 && variance[i] == 0
@@ -145,7 +149,7 @@ ShapeStatistics ShapeStatistics::fromPeople(const std::vector<ShapeParameters>& 
   return out;
 }
 
-ShapeParameters ShapeStatistics::sizes(double stature) const {
+ShapeParameters ShapeStatistics::meanShape(double stature) const {
   checkStature(stature);
   return stature * mean;
 }
@@ -157,19 +161,23 @@ ShapeStatistics ShapeStatistics::fromYaml(const std::string& yaml, const std::st
   } catch (const YAML::Exception& fault) {
     throw std::invalid_argument(where + " is not YAML: " + fault.msg);
   }
-  if (!root.IsMap()) throw std::invalid_argument(where + " must map names of sizes to two numbers");
+  if (!root.IsMap())
+    throw std::invalid_argument(where + " must map names of shape parameters to two numbers");
   std::set<std::string> known;
   for (int i = 0; i < kShapeParameterCount; ++i) known.insert(shapeParameterName(i));
   std::set<std::string> seen;
   for (const auto& entry : root) {
     const std::string key = entry.first.as<std::string>("");
-    if (!known.count(key)) throw std::invalid_argument(where + " has the unknown size " + key);
-    if (!seen.insert(key).second) throw std::invalid_argument(where + " has two sizes " + key);
+    if (!known.count(key))
+      throw std::invalid_argument(where + " has the unknown shape parameter " + key);
+    if (!seen.insert(key).second)
+      throw std::invalid_argument(where + " gives twice the shape parameter " + key);
   }
   ShapeStatistics out;
   for (int i = 0; i < kShapeParameterCount; ++i) {
     const YAML::Node node = root[shapeParameterName(i)];
-    if (!node) throw std::invalid_argument(where + " lacks the size " + shapeParameterName(i));
+    if (!node)
+      throw std::invalid_argument(where + " lacks the shape parameter " + shapeParameterName(i));
     readSize(node, where, i, out);
   }
   return out;

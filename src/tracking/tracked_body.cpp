@@ -5,28 +5,29 @@
 namespace markerless_mocap {
 namespace {
 
-std::shared_ptr<const TrackedBody> bodyOf(const PersonResources& sources,
+std::shared_ptr<const TrackedBody> bodyOf(const PersonResources& resources,
                                           const BodyProportions& proportions,
-                                          const ShapeParameters& sizes, bool measured) {
+                                          const ShapeParameters& shape, bool measured) {
   auto body = std::make_shared<TrackedBody>();
-  body->urdf = fillUrdfTemplate(sources.urdf_template, sources.body_id, proportions);
-  body->model = std::make_shared<const BodyModel>(BodyModel::fromUrdf(body->urdf, sources.body_id));
-  body->sizes = sizes;
-  body->measured = measured;
+  body->urdf = fillUrdfTemplate(resources.urdf_template, resources.body_id, proportions);
+  body->model =
+      std::make_shared<const BodyModel>(BodyModel::fromUrdf(body->urdf, resources.body_id));
+  body->shape = shape;
+  body->shape_estimated = measured;
   return body;
 }
 
 }  // namespace
 
-std::shared_ptr<const TrackedBody> initialBody(const PersonResources& sources, double stature) {
-  if (sources.measured) return bodyFromShape(sources, *sources.measured);
-  return bodyOf(sources, BodyProportions::fromStature(stature), sources.people.sizes(stature),
-                false);
+std::shared_ptr<const TrackedBody> initialBody(const PersonResources& resources, double stature) {
+  if (resources.known_shape) return bodyFromShape(resources, *resources.known_shape);
+  return bodyOf(resources, BodyProportions::fromStature(stature),
+                resources.shape_statistics.meanShape(stature), false);
 }
 
-std::shared_ptr<const TrackedBody> bodyFromShape(const PersonResources& sources,
-                                                 const ShapeParameters& sizes) {
-  return bodyOf(sources, proportionsOf(sizes), sizes, true);
+std::shared_ptr<const TrackedBody> bodyFromShape(const PersonResources& resources,
+                                                 const ShapeParameters& shape) {
+  return bodyOf(resources, proportionsOf(shape), shape, true);
 }
 
 }  // namespace markerless_mocap

@@ -14,7 +14,7 @@ namespace markerless_mocap {
 namespace {
 
 ShapeParameters plainSizes() {
-  return ShapeStatistics::handMade().sizes(1.75);
+  return ShapeStatistics::handMade().meanShape(1.75);
 }
 
 TEST(ContourPose, StepsLeadFromPoseToPose) {
@@ -32,13 +32,13 @@ TEST(ContourPose, TurnsByItsVector) {
 }
 
 TEST(ContourBody, StandsAsTheUrdfDoes) {
-  const ShapeParameters sizes = plainSizes();
-  const BodyModel urdf = human(proportionsOf(sizes));
+  const ShapeParameters shape = plainSizes();
+  const BodyModel urdf = human(proportionsOf(shape));
   LinkPoses T_world_link;
   urdf.forwardKinematics(Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(urdf.angleCount()),
                          T_world_link);
   const auto markers = markerPositions(urdf, T_world_link);
-  const Eigen::Matrix3Xd points = ContourBody(sizes).points(ContourPose());
+  const Eigen::Matrix3Xd points = ContourBody(shape).points(ContourPose());
   ASSERT_EQ(size_t(points.cols()), contourPointNames().size());
   for (size_t i = 0; i < markers.size(); ++i)
     EXPECT_LT((points.col(Eigen::Index(i)) - markers[i]).norm(), 0.002) << markerNames()[i];
@@ -47,10 +47,10 @@ TEST(ContourBody, StandsAsTheUrdfDoes) {
 TEST(ContourBody, MirrorsRightFromLeft) {
   ContourFrames frames;
   ContourWorldCones cones;
-  ShapeParameters sizes = plainSizes();
-  sizes[offsetIndex(ContourCone::kThigh, 1)] = 0.02;
-  sizes[offsetIndex(ContourCone::kThigh, 1) + 1] = 0.01;
-  const ContourBody body(sizes);
+  ShapeParameters shape = plainSizes();
+  shape[offsetIndex(ContourCone::kThigh, 1)] = 0.02;
+  shape[offsetIndex(ContourCone::kThigh, 1) + 1] = 0.01;
+  const ContourBody body(shape);
   body.place(ContourPose(), frames);
   body.place(frames, cones);
   for (int c = 0; c + 1 < kContourCones; ++c) {
@@ -82,10 +82,10 @@ TEST(ContourBody, DerivativesByPoseAreThoseOfDifferences) {
 }
 
 TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
-  const ShapeParameters sizes = plainSizes();
+  const ShapeParameters shape = plainSizes();
   const ContourPose pose = stride();
   ContourFrames frames;
-  ContourBody(sizes).place(pose, frames);
+  ContourBody(shape).place(pose, frames);
   const auto place = [&](const ShapeParameters& s, size_t cone, int end) {
     ContourFrames moved_frames;
     ContourWorldCones cones;
@@ -101,17 +101,17 @@ TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
       for (int i = 0; i < kShapeParameterCount; ++i) {
         const ShapeParameters step = 1e-4 * ShapeParameters::Unit(i);
         const Eigen::Vector3d difference =
-            (place(sizes + step, c, end) - place(sizes - step, c, end)) / 2e-4;
+            (place(shape + step, c, end) - place(shape - step, c, end)) / 2e-4;
         EXPECT_LT((J.col(i) - difference).norm(), 1e-9) << shapeParameterName(i);
       }
     }
 }
 
 TEST(ContourBody, RefusesSizesThatNoBodyHas) {
-  ShapeParameters sizes = plainSizes();
-  sizes[ContourLength::kThigh] = 0;
-  EXPECT_EQ(errorTextOf([&] { ContourBody body(sizes); }),
-            "size thigh of a body is 0.000000, it must be finite and positive");
+  ShapeParameters shape = plainSizes();
+  shape[ContourLength::kThigh] = 0;
+  EXPECT_EQ(errorTextOf([&] { ContourBody body(shape); }),
+            "shape parameter thigh of a body is 0.000000, it must be finite and positive");
 }
 
 TEST(ShapeStatistics, ReadsWhatItWrites) {
@@ -119,12 +119,12 @@ TEST(ShapeStatistics, ReadsWhatItWrites) {
   const ShapeStatistics read = ShapeStatistics::fromYaml(made.text(), "file");
   EXPECT_LT((read.mean - made.mean).cwiseAbs().maxCoeff(), 6e-6);
   EXPECT_LT((read.deviation - made.deviation).cwiseAbs().maxCoeff(), 6e-6);
-  EXPECT_NEAR(made.sizes(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
+  EXPECT_NEAR(made.meanShape(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
 }
 
 TEST(ShapeStatistics, IsTheMeanOfPeople) {
-  const ShapeParameters one = ShapeStatistics::handMade().sizes(1.6);
-  ShapeParameters other = ShapeStatistics::handMade().sizes(1.8);
+  const ShapeParameters one = ShapeStatistics::handMade().meanShape(1.6);
+  ShapeParameters other = ShapeStatistics::handMade().meanShape(1.8);
   const int offset = offsetIndex(ContourCone::kChest, 1) + 1, thigh = ContourLength::kThigh;
   other[offset] += 1.8 * 0.01;
   const ShapeStatistics both = ShapeStatistics::fromPeople({one, other}, {1.6, 1.8});
@@ -139,11 +139,11 @@ TEST(ShapeStatistics, IsTheMeanOfPeople) {
 TEST(ShapeStatistics, SaysWhatIsWrongWithAFile) {
   std::string text = ShapeStatistics::handMade().text();
   EXPECT_EQ(errorTextOf([&] { ShapeStatistics::fromYaml(text + "tail: [1, 0]\n", "f"); }),
-            "f has the unknown size tail");
+            "f has the unknown shape parameter tail");
   EXPECT_EQ(errorTextOf([&] { ShapeStatistics::fromYaml(text + "thigh: [0.2, 0]\n", "f"); }),
-            "f has two sizes thigh");
+            "f gives twice the shape parameter thigh");
   EXPECT_EQ(errorTextOf([] { ShapeStatistics::fromYaml("torso: [0.3, 0]", "f"); }),
-            "f lacks the size neck");
+            "f lacks the shape parameter neck");
   EXPECT_EQ(errorTextOf([] { ShapeStatistics::fromYaml("[", "f"); }).substr(0, 13),
             "f is not YAML");
   const size_t at = text.find("thigh: [0.24500");
@@ -151,8 +151,8 @@ TEST(ShapeStatistics, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(errorTextOf([&] {
               ShapeStatistics::fromYaml(std::string(text).replace(at, 15, "thigh: [-0.2450"), "f");
             }),
-            "f: size thigh must be positive");
-  EXPECT_THROW(ShapeStatistics::handMade().sizes(3.0), std::invalid_argument);
+            "f: shape parameter thigh must be positive");
+  EXPECT_THROW(ShapeStatistics::handMade().meanShape(3.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 class ContourFitterTest : public ::testing::Test {
  protected:
   ContourFitterTest()
-      : rig(drawnRig(6)), body(ShapeStatistics::handMade().sizes(1.75)), fitter(rig, options) {
+      : rig(drawnRig(6)), body(ShapeStatistics::handMade().meanShape(1.75)), fitter(rig, options) {
     seen = ContourObserver(rig, options).observe(drawnMasks(rig, body, stride()));
   }
   double error(const ContourPose& pose) const { return jointDistance(body, pose, body, stride()); }
@@ -53,7 +53,7 @@ std::vector<Neighbour> neighbours(const ContourBody& body, const ContourPose& po
       out.push_back({body, boxPlus(pose, step * PoseIncrement::Unit(i))});
   for (int i = 0; i < kShapeParameterCount; ++i)
     for (const double step : {by, -by})
-      out.push_back({ContourBody(body.sizes() + step * ShapeParameters::Unit(i)), pose});
+      out.push_back({ContourBody(body.shape() + step * ShapeParameters::Unit(i)), pose});
   return out;
 }
 
@@ -196,7 +196,7 @@ TEST_F(ContourFitterTest, FollowsFromThePredictedPose) {
 
 TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
   ShapeParameters stump =
-      body.sizes();  // forearms and hands so short that nothing is drawn of them
+      body.shape();  // forearms and hands so short that nothing is drawn of them
   stump[ContourLength::kForearm] = stump[ContourLength::kHand] = 0.01;
   const ContourObservation cut =
       ContourObserver(rig, options).observe(drawnMasks(rig, ContourBody(stump), stride()));

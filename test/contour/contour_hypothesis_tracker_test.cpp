@@ -17,7 +17,7 @@ class ContourTrackerTest : public ::testing::Test {
  protected:
   ContourTrackerTest()
       : rig(drawnRig(6)),
-        body(ShapeStatistics::handMade().sizes(1.75)),
+        body(ShapeStatistics::handMade().meanShape(1.75)),
         tracker(rig, {}),
         observer(rig, {}) {}
   ContourObservation see(const ContourPose& pose) const {
@@ -40,15 +40,15 @@ class ContourTrackerTest : public ::testing::Test {
   }
   /// Forearms and hands thicker than those that are drawn, metres.
   ContourBody withFatForearms(double by) const {
-    ShapeParameters sizes = body.sizes();
+    ShapeParameters shape = body.shape();
     for (const int kind : {int(ContourCone::kForearm), int(ContourCone::kHand)})
-      for (const int end : {0, 1}) sizes[radiusIndex(kind, end)] += by;
-    return ContourBody(sizes);
+      for (const int end : {0, 1}) shape[radiusIndex(kind, end)] += by;
+    return ContourBody(shape);
   }
 
   CameraRig rig;
   ContourBody body;
-  ContourTracker tracker;
+  ContourHypothesisTracker tracker;
   ContourObserver observer;
 };
 

@@ -22,7 +22,7 @@ ContourOptions fewRays() {
 }
 
 ContourBody drawnBody() {
-  return ContourBody(ShapeStatistics::handMade().sizes(1.75));
+  return ContourBody(ShapeStatistics::handMade().meanShape(1.75));
 }
 
 class ContourHypothesesTest : public ::testing::Test {
@@ -56,7 +56,7 @@ class ContourHypothesesTest : public ::testing::Test {
   CameraRig rig = drawnRig(5);
   ContourBody body = drawnBody();
   ContourObserver observer{rig, fewRays()};
-  ContourHypotheses held{rig, fewRays()};
+  ContourMultiHypothesisTracker held{rig, fewRays()};
 };
 
 TEST_F(ContourHypothesesTest, AStartFromTheRightPoseStays) {
@@ -176,7 +176,7 @@ TEST_F(ContourHypothesesTest, ALaterStartFromNoPoseChangesNothing) {
 TEST_F(ContourHypothesesTest, ChallengeWithTheSamePoseChangesNothing) {
   start(at(0));
   update(1);
-  ContourHypotheses other = held;
+  ContourMultiHypothesisTracker other = held;
   other.proposeAlternative(kFrame_ns, see(at(1)), body, {disturbed(at(1), 0.05, 0.02, 7)});
   EXPECT_FALSE(other.hasAlternative());
   EXPECT_TRUE(other.isUnambiguous());
@@ -201,9 +201,9 @@ TEST_F(ContourHypothesesTest, ChallengeOfNothingIsNothing) {
 }
 
 TEST_F(ContourHypothesesTest, FrontAndBackStayUndecidedWhileNothingTellsThemApart) {
-  ShapeParameters sizes = body.sizes();
-  sizes[ContourLength::kFoot] = 0.03;  // toes are all that tells of one who stands upright
-  const ContourBody without_toes(sizes);
+  ShapeParameters shape = body.shape();
+  shape[ContourLength::kFoot] = 0.03;  // toes are all that tells of one who stands upright
+  const ContourBody without_toes(shape);
   ContourPose upright;
   upright.position.z() = 0.92;
   const ContourObservation seen = observer.observe(drawnMasks(rig, without_toes, upright));

@@ -116,7 +116,7 @@ TEST(ContourObserver, RefusesMasksOfOtherCameras) {
 
 TEST(ContourObserver, IsTheSameOnAnyNumberOfThreads) {
   const CameraRig rig = drawnRig(4);
-  const ContourBody body(ShapeStatistics::handMade().sizes(1.7));
+  const ContourBody body(ShapeStatistics::handMade().meanShape(1.7));
   const auto masks = drawnMasks(rig, body, stride());
   const ContourObserver observer(rig, {});
   const auto on = [&](size_t threads) {

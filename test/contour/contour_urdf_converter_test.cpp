@@ -10,8 +10,8 @@ namespace {
 
 class ContourConversionTest : public ::testing::Test {
  protected:
-  ContourConversionTest() : sizes(ShapeStatistics::handMade().sizes(1.75)), body(sizes) {
-    model = std::make_shared<BodyModel>(human(proportionsOf(sizes)));
+  ContourConversionTest() : shape(ShapeStatistics::handMade().meanShape(1.75)), body(shape) {
+    model = std::make_shared<BodyModel>(human(proportionsOf(shape)));
   }
   /// Greatest distance between the URDF's joints and the contour body's, metres.
   double farthest(ContourUrdfConverter& conversion, const ContourPose& pose) {
@@ -27,7 +27,7 @@ class ContourConversionTest : public ::testing::Test {
     return most;
   }
 
-  ShapeParameters sizes;
+  ShapeParameters shape;
   ContourBody body;
   std::shared_ptr<const BodyModel> model;
   Eigen::VectorXd angles;

@@ -25,7 +25,7 @@ class CommonPosturesTest : public testing::Test {
  protected:
   Eigen::Matrix3Xd points(size_t pose) const { return body.points(poses.at(pose)); }
 
-  ContourBody body{ShapeStatistics::handMade().sizes(1.75)};
+  ContourBody body{ShapeStatistics::handMade().meanShape(1.75)};
   std::vector<ContourPose> poses = defaultPostures(hullAbout());
 };
 

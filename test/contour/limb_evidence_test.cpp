@@ -12,17 +12,17 @@ using Deviations = std::array<double, ContourLimb::kCount>;
 
 /// A body so stout that an arm which hangs lies within its trunk.
 ContourBody stout() {
-  ShapeParameters sizes = ShapeStatistics::handMade().sizes(1.75);
+  ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.75);
   for (const int kind : {ContourCone::kPelvis, ContourCone::kChest, ContourCone::kThigh})
-    for (const int end : {0, 1}) sizes[radiusIndex(kind, end)] *= 2.2;
-  return ContourBody(sizes);
+    for (const int end : {0, 1}) shape[radiusIndex(kind, end)] *= 2.2;
+  return ContourBody(shape);
 }
 
 /// Four cameras see a person whose right arm points to the side, while the left one hangs.
 class LimbEvidenceTest : public ::testing::Test {
  protected:
   LimbEvidenceTest()
-      : rig(drawnRig(4)), slim(ShapeStatistics::handMade().sizes(1.75)), fitter(rig, options) {
+      : rig(drawnRig(4)), slim(ShapeStatistics::handMade().meanShape(1.75)), fitter(rig, options) {
     pose.position.z() = 0.92;
     pose.rotations[SphericalJoint::kRightShoulder] = expSO3({-1.3, 0, 0});
     pose.angles[RevoluteJoint::kLeftElbow] = pose.angles[RevoluteJoint::kRightElbow] = 0.2;

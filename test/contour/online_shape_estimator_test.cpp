@@ -20,15 +20,15 @@ ContourOptions fewRays() {
 
 /// A person smaller than believed, with long thighs.
 ShapeParameters truth() {
-  ShapeParameters sizes = ShapeStatistics::handMade().sizes(1.65);
-  sizes[ContourLength::kThigh] *= 1.05;
-  sizes[radiusIndex(ContourCone::kThigh, 0)] *= 1.1;
-  return sizes;
+  ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.65);
+  shape[ContourLength::kThigh] *= 1.05;
+  shape[radiusIndex(ContourCone::kThigh, 0)] *= 1.1;
+  return shape;
 }
 
 ShapePrior believed() {
   ShapePrior prior;
-  prior.people = ShapeStatistics::handMade();
+  prior.shape_statistics = ShapeStatistics::handMade();
   prior.stature = 1.8;
   return prior;
 }
@@ -62,12 +62,12 @@ class BodyMeasurerTest : public ::testing::Test {
   void count(int64_t milliseconds, const ContourFit& fit, OnlineShapeEstimator& by) const {
     by.add(milliseconds * kMillisecond_ns, {}, body, fit);
   }
-  static double offBy(const ShapeParameters& sizes) {
-    return (sizes - truth()).head<ContourLength::kCount>().norm();
+  static double offBy(const ShapeParameters& shape) {
+    return (shape - truth()).head<ContourLength::kCount>().norm();
   }
 
   CameraRig rig = drawnRig(5);
-  ContourBody body{believed().people.sizes(1.8)};
+  ContourBody body{believed().shape_statistics.meanShape(1.8)};
   ContourObserver observer{rig, fewRays()};
 };
 
@@ -115,18 +115,18 @@ TEST_F(BodyMeasurerTest, SizesComeNearerToThePersonsOnceThereAreEnoughPoses) {
   OnlineShapeEstimator measurer = this->measurer(false);
   for (unsigned i = 0; i < kPoses; ++i) {
     EXPECT_FALSE(measurer.isEstimating()) << i;
-    EXPECT_FALSE(measurer.sizes()) << i;
+    EXPECT_FALSE(measurer.shape()) << i;
     show(i, measurer);
   }
   EXPECT_TRUE(measurer.isEstimating());
   show(kPoses, measurer);
   EXPECT_EQ(measurer.poses(), kPoses) << "no more are taken in";
-  const std::optional<ShapeParameters> sizes = measurer.sizes();
-  ASSERT_TRUE(sizes);
-  EXPECT_LT(offBy(*sizes), 0.4 * offBy(body.sizes()));
-  EXPECT_NEAR((*sizes)[ContourLength::kThigh], truth()[ContourLength::kThigh], 0.015);
+  const std::optional<ShapeParameters> shape = measurer.shape();
+  ASSERT_TRUE(shape);
+  EXPECT_LT(offBy(*shape), 0.4 * offBy(body.shape()));
+  EXPECT_NEAR((*shape)[ContourLength::kThigh], truth()[ContourLength::kThigh], 0.015);
   const int thigh = radiusIndex(ContourCone::kThigh, 0);
-  EXPECT_NEAR((*sizes)[thigh], truth()[thigh], 0.006);
+  EXPECT_NEAR((*shape)[thigh], truth()[thigh], 0.006);
 }
 
 TEST_F(BodyMeasurerTest, InBackgroundTheResultIsTheSame) {
@@ -135,9 +135,9 @@ TEST_F(BodyMeasurerTest, InBackgroundTheResultIsTheSame) {
     show(i, waiting);
     show(i, background);
   }
-  std::optional<ShapeParameters> sizes;
-  while (!(sizes = background.sizes())) std::this_thread::yield();
-  EXPECT_EQ(*sizes, *waiting.sizes());
+  std::optional<ShapeParameters> shape;
+  while (!(shape = background.shape())) std::this_thread::yield();
+  EXPECT_EQ(*shape, *waiting.shape());
 }
 
 TEST_F(BodyMeasurerTest, EstimatesFromTheFewItHasWhenAskedTo) {
@@ -147,9 +147,9 @@ TEST_F(BodyMeasurerTest, EstimatesFromTheFewItHasWhenAskedTo) {
   for (unsigned i = 0; i < 2; ++i) show(i, measurer);
   measurer.estimateNow();
   EXPECT_TRUE(measurer.isEstimating());
-  const std::optional<ShapeParameters> sizes = measurer.sizes();
-  ASSERT_TRUE(sizes);
-  EXPECT_LT(offBy(*sizes), offBy(body.sizes()));
+  const std::optional<ShapeParameters> shape = measurer.shape();
+  ASSERT_TRUE(shape);
+  EXPECT_LT(offBy(*shape), offBy(body.shape()));
 }
 
 TEST_F(BodyMeasurerTest, OneWhoHardlyMovesIsMeasuredFromFewerPosesAfterAWhile) {

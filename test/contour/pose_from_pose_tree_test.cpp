@@ -128,7 +128,7 @@ TEST(PoseOfTree, AStraightLimbFacesWhereTheTrunkDoes) {
 }
 
 TEST(PoseOfTree, LimbsOfABodyInStrideComeOutWhereTheyAre) {
-  const ContourBody body(ShapeStatistics::handMade().sizes(1.75));
+  const ContourBody body(ShapeStatistics::handMade().meanShape(1.75));
   ContourPose truth = stride();
   truth.angles[A::kSpinePitch] = truth.angles[A::kSpineTwist] = 0;  // a tree tells of none
   const Eigen::Matrix3Xd points = body.points(truth);

@@ -28,7 +28,7 @@ CameraRig misjudged(const CameraRig& rig, double pixels) {
 class SelfCalibrationTest : public ::testing::Test {
  protected:
   SelfCalibrationTest()
-      : truth(drawnRig(6)), body(ShapeStatistics::handMade().sizes(1.7)), told(truth) {}
+      : truth(drawnRig(6)), body(ShapeStatistics::handMade().meanShape(1.7)), told(truth) {}
 
   void film(const CameraRig& calibration, int count = 8) {
     told = calibration;
@@ -73,8 +73,8 @@ TEST_F(SelfCalibrationTest, FindsHowCamerasPointRelativeToEachOther) {
     EXPECT_LT(found.corrections[c].deviation.maxCoeff(), settings.sigma_px);
     EXPECT_GT(found.corrections[c].rays, 500u);
   }
-  EXPECT_EQ(found.sentence().rfind("the cameras' pointing is corrected: by 8 instants", 0), 0u)
-      << found.sentence();
+  EXPECT_EQ(found.summary().rfind("the camera orientations are corrected: in 8 frames", 0), 0u)
+      << found.summary();
 }
 
 TEST_F(SelfCalibrationTest, PerspectiveTellsAShiftOfAllCamerasTogether) {
@@ -103,9 +103,10 @@ TEST_F(SelfCalibrationTest, ARigThatIsRightStaysAndIsSaidTo) {
     EXPECT_EQ(found.rig[c].calibration().T_world_camera.matrix(),
               truth[c].calibration().T_world_camera.matrix());
   for (const OrientationCorrection& one : found.corrections) EXPECT_LT(one.pixels.norm(), 0.3);
-  EXPECT_EQ(found.sentence().rfind("the calibration is kept, as no other is surely better: ", 0),
+  EXPECT_EQ(found.summary().rfind(
+                "the calibration is unchanged, because no other is significantly better: ", 0),
             0u)
-      << found.sentence();
+      << found.summary();
 }
 
 TEST_F(SelfCalibrationTest, PosesComeWithTheRig) {
@@ -138,21 +139,21 @@ TEST_F(SelfCalibrationTest, TooFewInstantsSaySo) {
   EXPECT_EQ(found.status, OrientationRefinementStatus::kTooFewSamples);
   EXPECT_EQ(found.rig.size(), told.size());
   EXPECT_EQ(
-      found.sentence(),
-      "the cameras' pointing was not estimated: only 3 instants of different postures could be "
-      "fitted, needed are 4");
+      found.summary(),
+      "the camera orientations were not estimated: only 3 frames of different postures could be "
+      "fitted, at least 4 are needed");
 }
 
 TEST_F(SelfCalibrationTest, RefusesOtherRigsAndBadSettings) {
   film(truth, 4);
   settings.sigma_px = 0.0;
   EXPECT_EQ(errorTextOf([&] { estimate(); }),
-            "contour: an estimate of the cameras' pointing needs at least one iteration, positive "
-            "deviations and an outlier distance that does not grow");
+            "contour: the refinement of camera orientations needs at least one iteration, positive "
+            "deviations, and a robust scale that does not increase");
   settings = {};
   told.pop_back();
   EXPECT_EQ(errorTextOf([&] { estimate(); }),
-            "contour: an instant for the estimate of pointing is of another rig");
+            "contour: a sample for the refinement of camera orientations is of another rig");
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 class SizeEstimatorTest : public ::testing::Test {
  protected:
   SizeEstimatorTest() : rig(drawnRig(6)) {
-    prior.people = ShapeStatistics::handMade();
+    prior.shape_statistics = ShapeStatistics::handMade();
     prior.stature = 1.75;
-    truth = prior.people.sizes(1.68);
+    truth = prior.shape_statistics.meanShape(1.68);
     truth[ContourLength::kThigh] *= 1.05;
     truth[ContourLength::kForearm] *= 0.93;
     truth[radiusIndex(ContourCone::kChest, 1)] *= 1.2;
@@ -32,7 +32,8 @@ class SizeEstimatorTest : public ::testing::Test {
     }
   }
   ShapeEstimate estimate() const {
-    return estimateShape(rig, options, prior, prior.people.sizes(prior.stature), instants, {});
+    return estimateShape(rig, options, prior, prior.shape_statistics.meanShape(prior.stature),
+                         instants, {});
   }
 
   CameraRig rig;
@@ -49,10 +50,10 @@ TEST_F(SizeEstimatorTest, FindsLengthsRadiiAndStatureTogether) {
   EXPECT_NEAR(found.stature, 1.68, 0.03);
   for (const int size : {int(ContourLength::kThigh), int(ContourLength::kForearm),
                          int(ContourLength::kUpperArm), int(ContourLength::kTorso)})
-    EXPECT_NEAR(found.sizes[size], truth[size], 0.015) << shapeParameterName(size);
+    EXPECT_NEAR(found.shape[size], truth[size], 0.015) << shapeParameterName(size);
   for (const int size : {radiusIndex(ContourCone::kChest, 1), radiusIndex(ContourCone::kThigh, 0)})
-    EXPECT_NEAR(found.sizes[size], truth[size], 0.006) << shapeParameterName(size);
-  const ContourBody body(truth), fitted(found.sizes);
+    EXPECT_NEAR(found.shape[size], truth[size], 0.006) << shapeParameterName(size);
+  const ContourBody body(truth), fitted(found.shape);
   for (size_t i = 0; i < poses.size(); ++i)
     EXPECT_LT(jointDistance(body, poses[i], fitted, found.poses[i]), 0.015);
   EXPECT_GT(found.deviation[ContourLength::kThigh], 0);
@@ -67,7 +68,7 @@ TEST_F(SizeEstimatorTest, KnownPointsPinTheJointsDown) {
     instants[i].known_points.col(3).setConstant(std::nan(""));
   }
   const ShapeEstimate found = estimate();
-  const ContourBody fitted(found.sizes);
+  const ContourBody fitted(found.shape);
   for (size_t i = 0; i < poses.size(); ++i)
     EXPECT_LT(jointDistance(body, poses[i], fitted, found.poses[i]), 0.003);
 }
@@ -77,7 +78,7 @@ TEST_F(SizeEstimatorTest, IsTheSameOnAnyNumberOfThreads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return estimate();
   };
-  EXPECT_EQ(on(1).sizes, on(2).sizes);
+  EXPECT_EQ(on(1).shape, on(2).shape);
 }
 
 TEST_F(SizeEstimatorTest, LeavesInstantsWithoutMasksOut) {
@@ -85,7 +86,7 @@ TEST_F(SizeEstimatorTest, LeavesInstantsWithoutMasksOut) {
   EXPECT_EQ(estimate().samples_used, 5);
   for (ShapeSample& instant : instants) instant.seen = instants[2].seen;
   EXPECT_EQ(errorTextOf([&] { estimate(); }),
-            "contour: no instant has two masks to estimate sizes from");
+            "contour: no sample for the shape estimate has two usable masks");
 }
 
 TEST_F(SizeEstimatorTest, RefusesPointsThatItDoesNotKnow) {

@@ -10,8 +10,8 @@ namespace markerless_mocap {
 namespace {
 
 struct Figure {
-  FleischmannBodyModel profile{sampleBody()};
-  FleischmannBodyShape body{sampleBody(), profile};
+  FleischmannBodyModel body_model{sampleBody()};
+  FleischmannBodyShape body{sampleBody(), body_model};
 };
 
 TEST(FleischmannBodyShape, conesAreWhereTheirLimbsAre) {
@@ -39,7 +39,7 @@ TEST(FleischmannBodyShape, resizesEachConeByItself) {
   const Figure figure;
   std::array<FleischmannConeScale, kFleischmannConeCount> sizes;
   sizes[kTorsoCone] = {1.1, 0.9, 1.2};
-  const FleischmannBodyShape body = figure.body.resized(sizes);
+  const FleischmannBodyShape body = figure.body.scaled(sizes);
   const FleischmannCone &before = figure.body.cones()[kTorsoCone],
                         &after = body.cones()[kTorsoCone];
   EXPECT_NEAR(after.v.norm(), 1.1 * before.v.norm(), 1e-12);
@@ -47,8 +47,8 @@ TEST(FleischmannBodyShape, resizesEachConeByItself) {
   EXPECT_NEAR(after.taper, 1.2 * before.taper, 1e-12);
   EXPECT_EQ(body.cones()[kHeadCone].u, figure.body.cones()[kHeadCone].u);
   sizes[kHeadCone].width = 0.0;
-  EXPECT_EQ(errorTextOf([&] { figure.body.resized(sizes); }),
-            "sizes of cone 9 must be factors above 0");
+  EXPECT_EQ(errorTextOf([&] { figure.body.scaled(sizes); }),
+            "scale factors of cone 9 must be greater than 0");
 }
 
 // Every point of a cone's surface projects to the inner side of the two lines, and some to each
@@ -58,7 +58,7 @@ TEST(ConeOutlines, linesTouchTheProjectedSurface) {
   const Camera camera = ringCamera(0.7);
   const ViewCamera view(camera, 1);
   FleischmannFrames frames;
-  figure.profile.frames(stride().data(), frames);
+  figure.body_model.frames(stride().data(), frames);
   FleischmannWorldCones cones;
   ConePlacer(figure.body).place(frames, cones);
   ConeCorners corners;
@@ -93,7 +93,7 @@ TEST(ConeOutlines, cornersGoThroughTheFullLensModel) {
   const std::vector<double> D = {-0.2, 0.05, 0.002, -0.001, 0.01};
   const Camera plain = ringCamera(0.7), lens = ringCamera(0.7, 644, 484, D);
   FleischmannFrames frames;
-  figure.profile.frames(stride().data(), frames);
+  figure.body_model.frames(stride().data(), frames);
   FleischmannWorldCones cones;
   ConePlacer(figure.body).place(frames, cones);
   ConeCorners straight, bent;
@@ -113,7 +113,7 @@ TEST(ConeOutlines, halfAnImageHasItsPixelCentresBetweenThoseOfTheWhole) {
   const Figure figure;
   const Camera camera = ringCamera(0.7);
   FleischmannFrames frames;
-  figure.profile.frames(stride().data(), frames);
+  figure.body_model.frames(stride().data(), frames);
   FleischmannWorldCones cones;
   ConePlacer(figure.body).place(frames, cones);
   ConeCorners whole, half;
@@ -123,7 +123,7 @@ TEST(ConeOutlines, halfAnImageHasItsPixelCentresBetweenThoseOfTheWhole) {
   EXPECT_NEAR(half.y[0][0], (whole.y[0][0] - 0.5) / 2, 1e-3);
   EXPECT_EQ(ViewCamera(camera, 2).width(), 322);
   EXPECT_EQ(errorTextOf([&] { ViewCamera(camera, 1000); }),
-            "camera 'cam': an image of 644 x 484 cannot be made 1000 times smaller");
+            "camera 'cam': an image of 644 x 484 cannot be downsampled by 1000");
 }
 
 TEST(ConeOutlines, whatIsBehindOrSeenAlongItsAxisHasNone) {
@@ -131,7 +131,7 @@ TEST(ConeOutlines, whatIsBehindOrSeenAlongItsAxisHasNone) {
   FleischmannFrames frames;
   FleischmannVector v = stride();
   v.segment<3>(kPelvisPosition) << 8.0, 8.0, 0.9;  // behind the camera
-  figure.profile.frames(v.data(), frames);
+  figure.body_model.frames(v.data(), frames);
   FleischmannWorldCones cones;
   ConePlacer(figure.body).place(frames, cones);
   ConeCorners corners;
@@ -141,7 +141,7 @@ TEST(ConeOutlines, whatIsBehindOrSeenAlongItsAxisHasNone) {
   CameraCalibration above = ringCamera(0).calibration();
   above.T_world_camera.linear() << 0, -1, 0, -1, 0, 0, 0, 0, -1;
   above.T_world_camera.translation() << 0, 0, 5;
-  figure.profile.frames(FleischmannVector::Zero().eval().data(), frames);
+  figure.body_model.frames(FleischmannVector::Zero().eval().data(), frames);
   ConePlacer(figure.body).place(frames, cones);
   ViewCamera(Camera(above), 1).outlines(cones, corners);
   EXPECT_FALSE(corners.seen[kHeadCone]);
@@ -152,7 +152,7 @@ TEST(LimbCollision, findsCrossedLegsAndLetsWalkingPass) {
   const LimbCollision collide(figure.body, 0.5);
   const auto collides = [&](const FleischmannVector& v) {
     FleischmannFrames frames;
-    figure.profile.frames(v.data(), frames);
+    figure.body_model.frames(v.data(), frames);
     return collide(frames);
   };
   EXPECT_FALSE(collides(FleischmannVector::Zero()));
@@ -166,7 +166,7 @@ TEST(LimbCollision, findsCrossedLegsAndLetsWalkingPass) {
   arm[kLeftElbow] = 1.5;
   EXPECT_TRUE(collides(arm));
   FleischmannFrames frames;
-  figure.profile.frames(crossed.data(), frames);
+  figure.body_model.frames(crossed.data(), frames);
   EXPECT_FALSE(LimbCollision(figure.body, 0.0)(frames));
 }
 

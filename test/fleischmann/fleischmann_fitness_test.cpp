@@ -15,16 +15,16 @@ namespace {
 
 struct Figure {
   CameraRig rig = ringOfFour();
-  FleischmannBodyModel profile{sampleBody()};
-  FleischmannBodyShape body{sampleBody(), profile};
+  FleischmannBodyModel body_model{sampleBody()};
+  FleischmannBodyShape body{sampleBody(), body_model};
   FleischmannFitness fitness;
 
   explicit Figure(const FleischmannImageOptions& options = {})
-      : fitness(rig, profile, body, options) {}
+      : fitness(rig, body_model, body, options) {}
 
   /// What four cameras see of a grey person before a brighter wall.
   std::vector<FleischmannView> viewsOf(const FleischmannVector& pose) const {
-    FleischmannFitness painter(rig, profile, body, FleischmannImageOptions());
+    FleischmannFitness painter(rig, body_model, body, FleischmannImageOptions());
     std::vector<FleischmannView> views;
     for (int i = 0; i < 4; ++i) {
       FleischmannView view;
@@ -159,7 +159,7 @@ TEST(FleischmannFitness, sentencesNameTheCameraAndWhatIsWrong) {
             "camera 'cam': the silhouette must be mono8 and of the camera's size");
   views.pop_back();
   EXPECT_EQ(errorTextOf([&] { figure.fitness.observe(views); }),
-            "3 views came from a rig of 4 cameras");
+            "3 views were given, the rig has 4 cameras");
 }
 
 // Five of ten points of each line lie on a bright half; the torso has a third line.
@@ -207,11 +207,11 @@ TEST(EdgeMap, isHighestOnTheOutlineAndFadesAway) {
   EXPECT_GT(map.at<uint8_t>(60, 56), map.at<uint8_t>(60, 52));
   // Both rows of pixels beside the step are edges, so the blurred profile is that of two lines:
   // exp(-d^2 / 18) at distances d and d + 1.
-  const auto profile = [](double d) {
+  const auto body_model = [](double d) {
     return std::exp(-d * d / 18) + std::exp(-(d + 1) * (d + 1) / 18);
   };
-  EXPECT_NEAR(map.at<uint8_t>(60, 63) / double(map.at<uint8_t>(60, 60)), profile(3) / profile(0),
-              0.02);
+  EXPECT_NEAR(map.at<uint8_t>(60, 63) / double(map.at<uint8_t>(60, 60)),
+              body_model(3) / body_model(0), 0.02);
   cv::Mat colored;
   cv::cvtColor(image, colored, cv::COLOR_GRAY2BGR);
   EXPECT_EQ(cv::countNonZero(edgeMap(colored, silhouette, {60.0, 6, 3.0}) != map), 0);

@@ -21,7 +21,7 @@ TEST(FleischmannMotionStatistics, keepsTheLargestChangeOfEachParameterAtSixtyFra
   EXPECT_EQ(statistics.max_change[0], 0.0);
   EXPECT_NEAR(statistics.over(1.0 / 20)[3], 0.06, 1e-12);
   EXPECT_EQ(errorTextOf([&] { statistics.add(a, b, 0.0); }),
-            "motion statistics: two frames must be some time apart");
+            "motion statistics: the time between two frames must be positive");
 }
 
 TEST(FleischmannMotionStatistics, readsWhatItWrites) {
@@ -37,8 +37,7 @@ TEST(FleischmannMotionStatistics, sentencesNameTheParameter) {
   const auto refused = [](const std::string& yaml) {
     return errorTextOf([&] { FleischmannMotionStatistics::fromYaml(yaml); });
   };
-  EXPECT_EQ(refused(text + "left_wing: 0.1\n"),
-            "motion statistics: there is no parameter left_wing");
+  EXPECT_EQ(refused(text + "left_wing: 0.1\n"), "motion statistics: unknown parameter left_wing");
   EXPECT_EQ(refused("pelvis_roll: 0.1\n"), "motion statistics: pelvis_pitch is missing");
   EXPECT_EQ(refused(text + "? [a, b]\n: 1\n"),
             "motion statistics: its keys must be names of parameters");
@@ -46,8 +45,8 @@ TEST(FleischmannMotionStatistics, sentencesNameTheParameter) {
   std::string negative = text;
   negative.replace(negative.find("left_knee: 0.00000"), 18, "left_knee: -1");
   EXPECT_EQ(refused(negative),
-            "motion statistics: left_knee must be a number of at least 0, its largest change "
-            "between frames");
+            "motion statistics: left_knee must be a number of at least 0 (maximum change "
+            "between frames)");
   std::string word = text;
   word.replace(word.find("left_knee: 0.00000"), 18, "left_knee: fast");
   EXPECT_EQ(refused(word), refused(negative));

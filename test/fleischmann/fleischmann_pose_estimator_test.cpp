@@ -14,9 +14,9 @@ constexpr int64_t kFrame_ns = 1000000000 / 60;
 /// A person of cones who strides on, filmed by four cameras.
 struct Walk {
   CameraRig rig = ringOfFour();
-  FleischmannBodyModel profile{sampleBody()};
-  FleischmannBodyShape body{sampleBody(), profile};
-  FleischmannFitness painter{rig, profile, body, FleischmannImageOptions()};
+  FleischmannBodyModel body_model{sampleBody()};
+  FleischmannBodyShape body{sampleBody(), body_model};
+  FleischmannFitness painter{rig, body_model, body, FleischmannImageOptions()};
   FleischmannMotionStatistics statistics;
 
   Walk() {
@@ -46,14 +46,14 @@ struct Walk {
   }
 
   FleischmannPoseEstimator tracker(const FleischmannOptions& options = {}) const {
-    return FleischmannPoseEstimator(rig, profile, body, statistics, options);
+    return FleischmannPoseEstimator(rig, body_model, body, statistics, options);
   }
 
   double meanError(const FleischmannVector& found, int frame) const {
     FleischmannFrames here, there;
-    profile.frames(found.data(), here);
-    profile.frames(at(frame).data(), there);
-    const auto a = profile.markers(here), b = profile.markers(there);
+    body_model.frames(found.data(), here);
+    body_model.frames(at(frame).data(), there);
+    const auto a = body_model.markers(here), b = body_model.markers(there);
     double sum = 0.0;
     for (size_t m = 0; m < a.size(); ++m) sum += (a[m] - b[m]).norm();
     return sum / double(a.size());
@@ -110,7 +110,7 @@ TEST(FleischmannPoseEstimator, startsNearAPoseThatIsRoughlyRight) {
   EXPECT_EQ(tracker.reinitializeNear(0, rough, std::vector<FleischmannView>(4)).reason,
             "no camera shows a person");
   tracker.reset();
-  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(1)).reason, "no pose is known to start from");
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(1)).reason, "there is no pose to start from");
 }
 
 TEST(FleischmannPoseEstimator, keepsThePoseThatNoneIsBetterThan) {
@@ -120,7 +120,7 @@ TEST(FleischmannPoseEstimator, keepsThePoseThatNoneIsBetterThan) {
   const FleischmannEstimate pose =
       tracker.reinitializeNear(kFrame_ns, Walk::at(1), walk.viewsAt(1), 2.0);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "the pose found is not better than the one known");
+  EXPECT_EQ(pose.reason, "the new pose is not better than the current one");
   EXPECT_EQ(tracker.predicted(kFrame_ns), Walk::at(0));
 }
 
@@ -138,19 +138,20 @@ TEST(FleischmannPoseEstimator, keepsAStartThatIsPerfect) {
 TEST(FleischmannPoseEstimator, saysWhyThereIsNoPose) {
   const Walk walk;
   FleischmannPoseEstimator tracker = walk.tracker();
-  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason, "no pose is known to start from");
+  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason, "there is no pose to start from");
   tracker.start(0, Walk::at(0));
   FleischmannEstimate pose = tracker.update(kFrame_ns, std::vector<FleischmannView>(4));
   EXPECT_EQ(pose.status, PoseStatus::kLost);
   EXPECT_EQ(pose.reason, "no camera shows a person");
   EXPECT_EQ(pose.views, 0);
-  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason, "the instant is not after the last one");
+  EXPECT_EQ(tracker.update(0, walk.viewsAt(0)).reason,
+            "the time stamp is not later than the last one");
   EXPECT_EQ(tracker.update(1000000000, walk.viewsAt(0)).reason,
             "the last pose is too old to start from");
   // The pose before the gap is still good enough for the next frame.
   EXPECT_EQ(tracker.update(2 * kFrame_ns, walk.viewsAt(2)).status, PoseStatus::kTracked);
   EXPECT_EQ(errorTextOf([&] { tracker.update(3 * kFrame_ns, {}); }),
-            "0 views came from a rig of 4 cameras");
+            "0 views were given, the rig has 4 cameras");
 }
 
 TEST(FleischmannPoseEstimator, doesNotClaimWhatTheSilhouettesDeny) {
@@ -161,7 +162,7 @@ TEST(FleischmannPoseEstimator, doesNotClaimWhatTheSilhouettesDeny) {
   tracker.start(0, elsewhere);
   const FleischmannEstimate pose = tracker.update(kFrame_ns, walk.viewsAt(0));
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose near the one to start from looks like the silhouettes");
+  EXPECT_EQ(pose.reason, "no pose near the start pose agrees with the silhouettes");
 }
 
 TEST(FleischmannPoseEstimator, oneViewLessIsNoHindrance) {

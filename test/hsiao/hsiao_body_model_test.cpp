@@ -20,8 +20,8 @@ class HsiaoProfileTest : public testing::Test {
  protected:
   Vector3d bone(const HsiaoVector& v, PartLabel part, int node) const {
     HsiaoFrames frames;
-    profile_->frames(v.data(), frames);
-    return profile_->bones(part)[node].inWorld(frames);
+    body_model_->frames(v.data(), frames);
+    return body_model_->bones(part)[node].inWorld(frames);
   }
   HsiaoVector randomVector(int seed) const {
     const HsiaoLimits limits = HsiaoLimits::fromThesis();
@@ -37,11 +37,11 @@ class HsiaoProfileTest : public testing::Test {
     return v;
   }
   std::shared_ptr<const BodyModel> body_ = testBody();
-  std::shared_ptr<const HsiaoBodyModel> profile_ = std::make_shared<HsiaoBodyModel>(*body_);
+  std::shared_ptr<const HsiaoBodyModel> body_model_ = std::make_shared<HsiaoBodyModel>(*body_);
 };
 
 TEST_F(HsiaoProfileTest, AllAnglesZeroIsTheThesisTPose) {
-  HsiaoVector v = standing(*profile_);
+  HsiaoVector v = standing(*body_model_);
   v[hsiaoTheta(3)] = v[hsiaoTheta(4)] = 0.0;
   for (int side = 0; side < 2; ++side) {
     const PartLabel arm = PartLabel(int(PartLabel::kArm1) + side);
@@ -55,7 +55,7 @@ TEST_F(HsiaoProfileTest, AllAnglesZeroIsTheThesisTPose) {
 }
 
 TEST_F(HsiaoProfileTest, AnglesTurnAsInTheThesis) {
-  HsiaoVector v = standing(*profile_);
+  HsiaoVector v = standing(*body_model_);
   v[hsiaoTheta(9)] = -M_PI / 2;  // left elbow: forearm of the hanging arm forward
   v[hsiaoTheta(10)] = M_PI / 2;
   v[hsiaoTheta(16)] = M_PI / 2;   // right knee: shank back
@@ -71,7 +71,7 @@ TEST_F(HsiaoProfileTest, AnglesTurnAsInTheThesis) {
 }
 
 TEST_F(HsiaoProfileTest, SpinTurnsTheBodyAboutItsOwnLeaningAxis) {
-  HsiaoVector v = standing(*profile_);
+  HsiaoVector v = standing(*body_model_);
   v.segment<3>(kHsiaoNeck) += Vector3d(0.2, 0.1, 0.0);
   const Vector3d neck = bone(v, PartLabel::kTorso, 1), shoulder = bone(v, PartLabel::kArm1, 0);
   const Vector3d center = v.segment<3>(kHsiaoCenter), axis = (neck - center).normalized();
@@ -88,7 +88,7 @@ TEST_F(HsiaoProfileTest, TheConvertedUrdfPoseHasTheSameJoints) {
       {PartLabel::kArm2, {"r_shoulder", "r_elbow", "r_wrist"}},
       {PartLabel::kLeg1, {"l_hip", "l_knee", "l_ankle"}},
       {PartLabel::kLeg2, {"r_hip", "r_knee", "r_ankle"}}};
-  HsiaoUrdfConverter conversion(body_, profile_);
+  HsiaoUrdfConverter conversion(body_, body_model_);
   for (int seed = 0; seed < 200; ++seed) {
     const HsiaoVector v = randomVector(seed);
     Eigen::Isometry3d root;
@@ -101,17 +101,17 @@ TEST_F(HsiaoProfileTest, TheConvertedUrdfPoseHasTheSameJoints) {
         ASSERT_LT((links[body_->linkIndex(names[i])].translation() - bone(v, part, i)).norm(), 1e-6)
             << names[i] << " seed " << seed;
     HsiaoFrames frames;
-    profile_->frames(v.data(), frames);
+    body_model_->frames(v.data(), frames);
     ASSERT_LT((links[body_->linkIndex("l_ankle")].linear() - frames.R[kShankSegment]).norm(), 1e-6);
     ASSERT_LT((links[body_->linkIndex("head")].linear() - frames.R[kHeadSegment]).norm(), 1e-6);
   }
 }
 
 TEST_F(HsiaoProfileTest, AnArmSwingsThroughHangingWithoutAJump) {
-  HsiaoUrdfConverter conversion(body_, profile_);
+  HsiaoUrdfConverter conversion(body_, body_model_);
   Eigen::VectorXd last;
   for (int step = -60; step <= 60; ++step) {
-    HsiaoVector v = standing(*profile_);
+    HsiaoVector v = standing(*body_model_);
     v[hsiaoTheta(3)] += degrees(0.5 * step);  // sideways, through hanging, across the body
     v[hsiaoTheta(14)] = degrees(0.5 * step);
     Eigen::Isometry3d root;
@@ -125,8 +125,8 @@ TEST_F(HsiaoProfileTest, AnArmSwingsThroughHangingWithoutAJump) {
 }
 
 TEST_F(HsiaoProfileTest, ARaisedArmKeepsItsShoulderInsideItsLimits) {
-  HsiaoUrdfConverter conversion(body_, profile_);
-  HsiaoVector v = standing(*profile_);
+  HsiaoUrdfConverter conversion(body_, body_model_);
+  HsiaoVector v = standing(*body_model_);
   v[hsiaoTheta(3)] = v[hsiaoTheta(4)] = 0.0;
   Eigen::Isometry3d root;
   Eigen::VectorXd angles;

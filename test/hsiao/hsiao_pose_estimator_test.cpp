@@ -19,10 +19,10 @@ constexpr int64_t kFrame = 33333333;  // ns
 
 class PoseTrackerTest : public testing::Test {
  protected:
-  BodyPose show(const HsiaoVector& v) { return show(curvesOf(profile_, v), v); }
+  BodyPose show(const HsiaoVector& v) { return show(curvesOf(body_model_, v), v); }
   BodyPose show(const BodyParts& parts, const HsiaoVector& v) {
     stamp_ += kFrame;
-    return tracker_.update(stamp_, parts, hullOf(profile_, shape_, v));
+    return tracker_.update(stamp_, parts, hullOf(body_model_, shape_, v));
   }
   // Mean and largest distance of the fifteen markers, metres.
   std::pair<double, double> distance(const BodyPose& pose, const HsiaoVector& truth) const {
@@ -45,8 +45,8 @@ class PoseTrackerTest : public testing::Test {
   }
 
   std::shared_ptr<const BodyModel> body_ = testBody();
-  HsiaoBodyModel profile_{*body_};
-  HsiaoBodyShape shape_{*body_, profile_};
+  HsiaoBodyModel body_model_{*body_};
+  HsiaoBodyShape shape_{*body_, body_model_};
   HsiaoPoseEstimator tracker_{body_, HsiaoOptions{}};
   int64_t stamp_ = 0;
 };
@@ -54,7 +54,7 @@ class PoseTrackerTest : public testing::Test {
 TEST_F(PoseTrackerTest, RecoversAPoseFromItsOwnCurvesAndHullWhateverItFaces) {
   for (const double yaw : {0.0, 90.0, 180.0, -120.0}) {
     tracker_.reset();
-    const HsiaoVector v = stepping(profile_, degrees(yaw));
+    const HsiaoVector v = stepping(body_model_, degrees(yaw));
     const BodyPose pose = show(v);
     ASSERT_EQ(pose.status, PoseStatus::kReinitialized) << pose.reason;
     const auto [mean, largest] = distance(pose, v);
@@ -65,7 +65,7 @@ TEST_F(PoseTrackerTest, RecoversAPoseFromItsOwnCurvesAndHullWhateverItFaces) {
 }
 
 TEST_F(PoseTrackerTest, FollowsAMovingPersonAndSaysSo) {
-  HsiaoVector v = stepping(profile_, 0.0);
+  HsiaoVector v = stepping(body_model_, 0.0);
   show(v);
   for (int i = 0; i < 5; ++i) {
     v[0] += 0.04;
@@ -80,7 +80,7 @@ TEST_F(PoseTrackerTest, FollowsAMovingPersonAndSaysSo) {
 }
 
 TEST_F(PoseTrackerTest, KeepsLegsApartThatPassEachOther) {
-  HsiaoVector v = stepping(profile_, 0.0);
+  HsiaoVector v = stepping(body_model_, 0.0);
   const double stride = 0.35;
   const auto stand = [&](double share) {
     v[hsiaoTheta(13)] = stride * share;
@@ -90,7 +90,7 @@ TEST_F(PoseTrackerTest, KeepsLegsApartThatPassEachOther) {
   show(v);
   for (int i = 1; i <= 10; ++i) {
     stand(1.0 - 0.2 * i);
-    BodyParts parts = curvesOf(profile_, v);
+    BodyParts parts = curvesOf(body_model_, v);
     PartCurve& one = parts.parts[size_t(PartLabel::kLeg1)];
     PartCurve& other = parts.parts[size_t(PartLabel::kLeg2)];
     if (i >= 3 && i <= 7) {  // they touch, and each is drawn where the other is
@@ -109,10 +109,10 @@ TEST_F(PoseTrackerTest, KeepsLegsApartThatPassEachOther) {
 }
 
 TEST_F(PoseTrackerTest, StartsAnewWhenThePersonJumps) {
-  HsiaoVector v = stepping(profile_, 0.0);
+  HsiaoVector v = stepping(body_model_, 0.0);
   show(v);
   ASSERT_EQ(show(v).status, PoseStatus::kTracked);
-  v = stepping(profile_, degrees(170));
+  v = stepping(body_model_, degrees(170));
   v[1] += 0.9;
   v[4] += 0.9;
   const BodyPose pose = show(v);
@@ -121,8 +121,8 @@ TEST_F(PoseTrackerTest, StartsAnewWhenThePersonJumps) {
 }
 
 TEST_F(PoseTrackerTest, IsLostWithTheReasonOfTheStageThatFailed) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   parts.status = SegmentationStatus::kInvalid;
   parts.reason = "no body is recognised";
   BodyPose pose = show(parts, v);
@@ -131,7 +131,7 @@ TEST_F(PoseTrackerTest, IsLostWithTheReasonOfTheStageThatFailed) {
   VisualHull nobody;
   nobody.status = HullStatus::kEmptyMasks;
   nobody.reason = "all masks are empty";
-  pose = tracker_.update(stamp_ += kFrame, curvesOf(profile_, v), nobody);
+  pose = tracker_.update(stamp_ += kFrame, curvesOf(body_model_, v), nobody);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
   EXPECT_EQ(pose.reason, "all masks are empty");
 }
@@ -143,14 +143,14 @@ BodyParts withoutParts() {
 }
 
 TEST_F(PoseTrackerTest, HullCarriesAPoseOnForAWhileAndSaysSo) {
-  HsiaoVector v = stepping(profile_, 0.0);
+  HsiaoVector v = stepping(body_model_, 0.0);
   show(v);
   for (int i = 0; i < 3; ++i) {
     v[0] += 0.03;
     v[3] += 0.03;
     const BodyPose pose = show(withoutParts(), v);
     ASSERT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
-    EXPECT_EQ(pose.reason, "carried on by the hull alone: no body is recognised");
+    EXPECT_EQ(pose.reason, "tracked by the hull alone: no body is recognised");
     EXPECT_TRUE(std::isnan(pose.skeleton_error_m));
     EXPECT_LT(distance(pose, v).first, 0.03) << "frame " << i;
   }
@@ -161,7 +161,7 @@ TEST_F(PoseTrackerTest, HullCarriesAPoseOnForAWhileAndSaysSo) {
 }
 
 TEST_F(PoseTrackerTest, HullOfAnotherPoseCarriesNothingOn) {
-  HsiaoVector v = stepping(profile_, 0.0);
+  HsiaoVector v = stepping(body_model_, 0.0);
   show(v);
   v[1] += 0.9;
   v[4] += 0.9;
@@ -169,8 +169,8 @@ TEST_F(PoseTrackerTest, HullOfAnotherPoseCarriesNothingOn) {
 }
 
 TEST_F(PoseTrackerTest, DoesNotClaimABodyBesideAThingOfItsOwnSize) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  VisualHull hull = hullOf(profile_, shape_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  VisualHull hull = hullOf(body_model_, shape_, v);
   const size_t body = hull.voxels.size();
   for (int k = 10; k < 40; ++k)
     for (int j = 70; j < 90; ++j)
@@ -180,14 +180,14 @@ TEST_F(PoseTrackerTest, DoesNotClaimABodyBesideAThingOfItsOwnSize) {
         hull.voxels.push_back(voxel);
       }
   ASSERT_GT(hull.voxels.size(), body * 2);
-  const BodyPose pose = tracker_.update(stamp_ += kFrame, curvesOf(profile_, v), hull);
+  const BodyPose pose = tracker_.update(stamp_ += kFrame, curvesOf(body_model_, v), hull);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
   EXPECT_NE(pose.reason.find("of the hull"), std::string::npos) << pose.reason;
 }
 
 TEST_F(PoseTrackerTest, ReportsAnArmThatIsNotSeen) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   parts.status = SegmentationStatus::kPartial;
   parts.parts[size_t(PartLabel::kArm2)] = PartCurve{};
   const BodyPose pose = show(parts, v);
@@ -197,7 +197,7 @@ TEST_F(PoseTrackerTest, ReportsAnArmThatIsNotSeen) {
 }
 
 TEST_F(PoseTrackerTest, TimeGoingBackwardsRestartsTheTrack) {
-  const HsiaoVector v = stepping(profile_, 0.0);
+  const HsiaoVector v = stepping(body_model_, 0.0);
   show(v);
   ASSERT_EQ(show(v).status, PoseStatus::kTracked);
   stamp_ = 0;
@@ -205,22 +205,23 @@ TEST_F(PoseTrackerTest, TimeGoingBackwardsRestartsTheTrack) {
 }
 
 TEST_F(PoseTrackerTest, GivesTheSameBytesTwice) {
-  const HsiaoVector v = stepping(profile_, 1.0);
+  const HsiaoVector v = stepping(body_model_, 1.0);
   const BodyPose first = show(v);
   HsiaoPoseEstimator again(body_, HsiaoOptions{});
-  const BodyPose second = again.update(kFrame, curvesOf(profile_, v), hullOf(profile_, shape_, v));
+  const BodyPose second =
+      again.update(kFrame, curvesOf(body_model_, v), hullOf(body_model_, shape_, v));
   EXPECT_EQ(first.angles, second.angles);
   EXPECT_EQ(first.T_world_body.matrix(), second.T_world_body.matrix());
 }
 
 TEST(HsiaoHierarchicalFitter, ObeysTheJointLimits) {
-  const HsiaoBodyModel profile(*testBody());
+  const HsiaoBodyModel body_model(*testBody());
   HsiaoFitterSettings settings;
   settings.limits.upper[14] = settings.limits.upper[15] = 0.1;  // stiff knees
-  const HsiaoVector v = stepping(profile, 0.0);
-  const HsiaoSkeletonError error(profile, curvesOf(profile, v), 16);
-  const HsiaoHierarchicalFitter fitter(profile, settings);
-  for (const HsiaoFit& fit : fitter.fitBasic(error, standing(profile), 1))
+  const HsiaoVector v = stepping(body_model, 0.0);
+  const HsiaoSkeletonError error(body_model, curvesOf(body_model, v), 16);
+  const HsiaoHierarchicalFitter fitter(body_model, settings);
+  for (const HsiaoFit& fit : fitter.fitBasic(error, standing(body_model), 1))
     for (int k = 1; k <= kHsiaoAngles; ++k) {
       EXPECT_GE(fit.v[hsiaoTheta(k)], settings.limits.lower[k - 1]) << "theta " << k;
       EXPECT_LE(fit.v[hsiaoTheta(k)], settings.limits.upper[k - 1]) << "theta " << k;
@@ -228,12 +229,12 @@ TEST(HsiaoHierarchicalFitter, ObeysTheJointLimits) {
 }
 
 TEST(HsiaoHierarchicalFitter, TemporalFitStaysWithinReachOfTheLastPose) {
-  const HsiaoBodyModel profile(*testBody());
-  const HsiaoHierarchicalFitter fitter(profile, HsiaoFitterSettings{});
-  const HsiaoVector last = stepping(profile, 0.0);
+  const HsiaoBodyModel body_model(*testBody());
+  const HsiaoHierarchicalFitter fitter(body_model, HsiaoFitterSettings{});
+  const HsiaoVector last = stepping(body_model, 0.0);
   HsiaoVector v = last;
   v[hsiaoTheta(15)] += 0.8;
-  const HsiaoSkeletonError error(profile, curvesOf(profile, v), 16);
+  const HsiaoSkeletonError error(body_model, curvesOf(body_model, v), 16);
   const HsiaoVector reach = HsiaoVector::Constant(0.2);
   const HsiaoFit fit = fitter.fitTemporal(error, last, reach, {}, 1);
   // The neck is put back to its distance from the centre, so it is left out here.

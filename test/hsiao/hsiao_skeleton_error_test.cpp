@@ -63,43 +63,43 @@ class SkeletonErrorTest : public testing::Test {
  protected:
   double errorAt(const BodyParts& parts, const HsiaoVector& v) const {
     HsiaoFrames frames;
-    profile_.frames(v.data(), frames);
-    return HsiaoSkeletonError(profile_, parts, 16)(frames, kAll);
+    body_model_.frames(v.data(), frames);
+    return HsiaoSkeletonError(body_model_, parts, 16)(frames, kAll);
   }
-  HsiaoBodyModel profile_{*testBody()};
+  HsiaoBodyModel body_model_{*testBody()};
 };
 
 TEST_F(SkeletonErrorTest, IsZeroAtThePoseThatTheCurvesCameFrom) {
-  const HsiaoVector v = stepping(profile_, 0.7);
-  EXPECT_LT(errorAt(curvesOf(profile_, v), v), 0.005);
+  const HsiaoVector v = stepping(body_model_, 0.7);
+  EXPECT_LT(errorAt(curvesOf(body_model_, v), v), 0.005);
 }
 
 TEST_F(SkeletonErrorTest, GrowsByTheDistanceThatABodyIsMovedSideways) {
-  const HsiaoVector v = stepping(profile_, 0.0);
+  const HsiaoVector v = stepping(body_model_, 0.0);
   HsiaoVector moved = v;
   moved[1] += 0.1;
   moved[4] += 0.1;
-  EXPECT_NEAR(errorAt(curvesOf(profile_, v), moved), 0.1, 0.005);
+  EXPECT_NEAR(errorAt(curvesOf(body_model_, v), moved), 0.1, 0.005);
 }
 
 TEST_F(SkeletonErrorTest, DoesNotMindWhichArmIsCalledFirst) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   std::swap(parts.parts[2], parts.parts[3]);
   std::swap(parts.parts[4], parts.parts[5]);
   EXPECT_LT(errorAt(parts, v), 0.005);
 }
 
 TEST_F(SkeletonErrorTest, NeverTakesAnArmForALeg) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   std::swap(parts.parts[2], parts.parts[4]);
   EXPECT_GT(errorAt(parts, v), 0.1);
 }
 
 TEST_F(SkeletonErrorTest, LeavesOutPartsThatAreNotWhole) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   for (Vector3d& point : parts.parts[2].points) point.z() += 1.0;
   const double with = errorAt(parts, v);
   parts.parts[2].whole = false;
@@ -108,8 +108,8 @@ TEST_F(SkeletonErrorTest, LeavesOutPartsThatAreNotWhole) {
 }
 
 TEST_F(SkeletonErrorTest, AcceptsAnArmThatBeginsLate) {
-  const HsiaoVector v = stepping(profile_, 0.0);
-  BodyParts parts = curvesOf(profile_, v);
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  BodyParts parts = curvesOf(body_model_, v);
   std::vector<Vector3d>& points = parts.parts[2].points;
   points.erase(points.begin(), points.begin() + 6);
   EXPECT_LT(errorAt(parts, v), 0.005);

@@ -59,23 +59,23 @@ class HullAgreementTest : public testing::Test {
  protected:
   HullAgreement measure(const HsiaoVector& body, const VisualHull& hull) const {
     HsiaoFrames frames;
-    profile_.frames(body.data(), frames);
+    body_model_.frames(body.data(), frames);
     return measureHullAgreement(shape_, frames, hull, HullDistanceField(hull), 0.04);
   }
-  HsiaoBodyModel profile_{*testBody()};
-  HsiaoBodyShape shape_{*testBody(), profile_};
+  HsiaoBodyModel body_model_{*testBody()};
+  HsiaoBodyShape shape_{*testBody(), body_model_};
 };
 
 TEST_F(HullAgreementTest, ABodyAgreesWithItsOwnHull) {
-  const HsiaoVector v = stepping(profile_, 0.3);
-  const HullAgreement agreement = measure(v, hullOf(profile_, shape_, v));
+  const HsiaoVector v = stepping(body_model_, 0.3);
+  const HullAgreement agreement = measure(v, hullOf(body_model_, shape_, v));
   EXPECT_EQ(agreement.hull_explained, 1.0);
   EXPECT_GT(agreement.body_in_hull, 0.97);
 }
 
 TEST_F(HullAgreementTest, ABodyBesideTheHullExplainsNothing) {
-  HsiaoVector v = stepping(profile_, 0.3);
-  const VisualHull hull = hullOf(profile_, shape_, v);
+  HsiaoVector v = stepping(body_model_, 0.3);
+  const VisualHull hull = hullOf(body_model_, shape_, v);
   v[1] += 2.0;
   v[4] += 2.0;
   const HullAgreement agreement = measure(v, hull);

@@ -21,10 +21,10 @@ inline double degrees(double value) {
 }
 
 /// Upright at (1, 2), hips about 0.9 m high, facing `yaw`, arms hanging.
-inline HsiaoVector standing(const HsiaoBodyModel& profile, double yaw = 0.0) {
+inline HsiaoVector standing(const HsiaoBodyModel& body_model, double yaw = 0.0) {
   HsiaoVector v = HsiaoVector::Zero();
   v.segment<3>(kHsiaoCenter) << 1.0, 2.0, 1.2;
-  v.segment<3>(kHsiaoNeck) << 1.0, 2.0, 1.2 + profile.halfTorso();
+  v.segment<3>(kHsiaoNeck) << 1.0, 2.0, 1.2 + body_model.halfTorso();
   v[kHsiaoSpin] = yaw;
   v[hsiaoTheta(3)] = -M_PI / 2;
   v[hsiaoTheta(4)] = M_PI / 2;
@@ -32,8 +32,8 @@ inline HsiaoVector standing(const HsiaoBodyModel& profile, double yaw = 0.0) {
 }
 
 /// Mid-step: arms half raised and bent, one knee bent.
-inline HsiaoVector stepping(const HsiaoBodyModel& profile, double yaw) {
-  HsiaoVector v = standing(profile, yaw);
+inline HsiaoVector stepping(const HsiaoBodyModel& body_model, double yaw) {
+  HsiaoVector v = standing(body_model, yaw);
   v[hsiaoTheta(3)] = degrees(-35);
   v[hsiaoTheta(4)] = degrees(50);
   v[hsiaoTheta(7)] = degrees(-25);
@@ -63,14 +63,14 @@ inline Eigen::Vector3d alongLine(const std::vector<Eigen::Vector3d>& line, doubl
 }
 
 /// Part curves of a person in the pose `v`: its bones, arms without fingers as a hull shows them.
-inline BodyParts curvesOf(const HsiaoBodyModel& profile, const HsiaoVector& v) {
+inline BodyParts curvesOf(const HsiaoBodyModel& body_model, const HsiaoVector& v) {
   HsiaoFrames frames;
-  profile.frames(v.data(), frames);
+  body_model.frames(v.data(), frames);
   BodyParts parts;
   parts.status = SegmentationStatus::kOk;
   for (int part = 0; part < kPartCount; ++part) {
     std::vector<Eigen::Vector3d> line;
-    for (const HsiaoSegmentPoint& node : profile.bones(PartLabel(part)))
+    for (const HsiaoSegmentPoint& node : body_model.bones(PartLabel(part)))
       line.push_back(node.inWorld(frames));
     const bool arm = part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
     PartCurve& curve = parts.parts[part];
@@ -84,10 +84,10 @@ inline BodyParts curvesOf(const HsiaoBodyModel& profile, const HsiaoVector& v) {
 }
 
 /// Voxels of 30 mm inside the body's shape in the pose `v`.
-inline VisualHull hullOf(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
+inline VisualHull hullOf(const HsiaoBodyModel& body_model, const HsiaoBodyShape& shape,
                          const HsiaoVector& v) {
   HsiaoFrames frames;
-  profile.frames(v.data(), frames);
+  body_model.frames(v.data(), frames);
   std::vector<HsiaoWorldCone> cones;
   shape.inWorld(frames, cones);
   VisualHull hull;

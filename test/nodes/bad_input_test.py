@@ -115,7 +115,7 @@ class HullElsewhere(HullNode):
 
 class Hull(HullNode):
     def test_no_camera_info(self):
-        self.expect('no camera_info has come from a, b', [])
+        self.expect('no camera_info has been received from a, b', [])
 
     def test_no_tf(self):
         self.expect('tf does not connect nowhere of a to world', [info('nowhere'), info('b_optical')])
@@ -210,7 +210,7 @@ class OtherStages(Diagnosed):
             message = PointCloud2()
             message.header.stamp = stamp
             points.publish(message)
-        self.send_until('no hull/grid has come yet', send)
+        self.send_until('no hull/grid has been received yet', send)
         return {a.status for a in answers}
 
     def test_hull_without_grid(self):
@@ -287,7 +287,7 @@ class FittingContours(FittingNode):
     both = [info('a_optical'), info('b_optical')]
 
     def test_no_camera_info(self):
-        self.expect('no camera_info has come from b', [info('a_optical')])
+        self.expect('no camera_info has been received from b', [info('a_optical')])
         self.assertTrue(self.poses)
 
     def test_no_tf(self):
@@ -306,7 +306,7 @@ class FittingContours(FittingNode):
         self.expect('the person shows in 0 silhouettes', self.both, late=0.05)
 
     def test_a_stage_that_says_nothing_is_named(self):
-        self.expect('what pose_tree says of this instant has not come', self.both,
+        self.expect('pose_tree has sent nothing for this frame set', self.both,
                     stages=['hull/points', 'segmentation/points', 'segmentation/parts'])
 
 

@@ -102,7 +102,7 @@ class Refusals(unittest.TestCase):
         self.expect_of_file('URDF', 'urdf_template', '<robot name="r"><link name="base"/></robot>')
 
     def test_body_file_that_is_none(self):
-        self.expect_of_file('lacks the size torso', 'body_file', 'height: 1.8')
+        self.expect_of_file('lacks the shape parameter torso', 'body_file', 'height: 1.8')
 
 
 if __name__ == '__main__':

@@ -8,7 +8,7 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from markerless_mocap.msg import BodyPose
 
-LACK = 'instants without the silhouette of cam7'
+LACK = 'frame sets without the silhouette of cam7'
 
 
 class StoppedCamera(unittest.TestCase):

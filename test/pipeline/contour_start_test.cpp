@@ -11,7 +11,7 @@ namespace {
 
 constexpr int64_t kFrame_ns = 33333333;
 
-const char* const kOnce = "the person is found, but in one instant only";
+const char* const kOnce = "a person was found, but another frame must confirm the pose";
 
 /// The masks with holes and specks, others in every frame.
 std::vector<cv::Mat> spoilt(int frame) {
@@ -53,12 +53,12 @@ PoseTree rightTree(int frame) {
 class ContourStartTest : public testing::Test {
  protected:
   ContourStartTest() {
-    sources.urdf_template = humanTemplate();
-    sources.measured = truth();
+    resources.urdf_template = humanTemplate();
+    resources.known_shape = truth();
     options.contour.rays = 400;
     options.person.shape_poses = 6;
   }
-  void make() { tracker = makeBodyTracker(drawnRig(5), sources, options); }
+  void make() { tracker = makeBodyTracker(drawnRig(5), resources, options); }
   BodyPose show(int frame, const std::vector<cv::Mat>& masks, const PoseTree& tree) {
     return tracker->update({(frame + 1) * kFrame_ns, masks, {}, hull, parts, tree});
   }
@@ -66,7 +66,7 @@ class ContourStartTest : public testing::Test {
     return errorOf(*tracker->body()->model, pose, frame);
   }
 
-  PersonResources sources;
+  PersonResources resources;
   TrackerOptions options;
   VisualHull hull;  // empty, and so are the parts: the tree and the masks must do
   BodyParts parts;
@@ -131,13 +131,13 @@ TEST_F(ContourStartTest, APersonWithFurnitureIsNeverClaimed) {
     }
     const BodyPose pose = show(frame, masks, rightTree(0));
     EXPECT_EQ(pose.status, PoseStatus::kLost) << pose.silhouette_overlap;
-    EXPECT_EQ(pose.reason.find("no pose covers the silhouettes, the best one's overlap is 0."), 0u)
+    EXPECT_EQ(pose.reason.find("no pose covers the silhouettes, the best overlap is 0."), 0u)
         << pose.reason;
   }
 }
 
 TEST_F(ContourStartTest, ABodyIsNotMeasuredFromWhatIsNotDecided) {
-  sources.measured.reset();
+  resources.known_shape.reset();
   make();
   EXPECT_EQ(show(0, spoilt(0), rightTree(0)).reason,
             "the body is being measured, 0 of 6 different poses have been seen");

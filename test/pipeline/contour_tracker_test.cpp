@@ -21,11 +21,11 @@ TrackerOptions contourOptions() {
 
 class ContourMethodTest : public testing::Test {
  protected:
-  ContourMethodTest() { sources.urdf_template = humanTemplate(); }
+  ContourMethodTest() { resources.urdf_template = humanTemplate(); }
 
-  void make() { tracker = makeBodyTracker(rig, sources, options); }
+  void make() { tracker = makeBodyTracker(rig, resources, options); }
   void makeMeasured() {
-    sources.measured = truth();
+    resources.known_shape = truth();
     make();
   }
   BodyPose show(const std::vector<cv::Mat>& masks, const PoseTree& tree) {
@@ -40,8 +40,8 @@ class ContourMethodTest : public testing::Test {
   double error(const BodyPose& pose, int frame) const {
     return errorOf(*tracker->body()->model, pose, frame);
   }
-  static double offBy(const ShapeParameters& sizes) {
-    return (sizes - truth()).head<ContourLength::kCount>().norm();
+  static double offBy(const ShapeParameters& shape) {
+    return (shape - truth()).head<ContourLength::kCount>().norm();
   }
   static std::string beingMeasured(int poses) {
     return "the body is being measured, " + std::to_string(poses) + " of " +
@@ -50,7 +50,7 @@ class ContourMethodTest : public testing::Test {
 
   CameraRig rig = drawnRig(5);
   ContourBody person{truth()};
-  PersonResources sources;
+  PersonResources resources;
   TrackerOptions options = contourOptions();
   VisualHull hull;  // empty, and so are the parts: the tree and the masks must do
   BodyParts parts;
@@ -62,7 +62,7 @@ TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
   make();
   EXPECT_EQ(show(0).reason, beingMeasured(1));
   const auto believed = tracker->body();
-  EXPECT_FALSE(believed->measured);
+  EXPECT_FALSE(believed->shape_estimated);
   int frame = 1, poses = 1;
   BodyPose pose;
   while ((pose = show(frame++)).reason != "the body has just been measured") {
@@ -78,10 +78,11 @@ TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
   EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
   EXPECT_TRUE(pose.reason.empty());
   const auto measured = tracker->body();
-  EXPECT_TRUE(measured->measured);
-  EXPECT_LT(offBy(measured->sizes), 0.5 * offBy(sources.people.sizes(options.person.stature)));
-  EXPECT_EQ(measured->urdf, fillUrdfTemplate(sources.urdf_template, sources.body_id,
-                                             proportionsOf(measured->sizes)));
+  EXPECT_TRUE(measured->shape_estimated);
+  EXPECT_LT(offBy(measured->shape),
+            0.5 * offBy(resources.shape_statistics.meanShape(options.person.stature)));
+  EXPECT_EQ(measured->urdf, fillUrdfTemplate(resources.urdf_template, resources.body_id,
+                                             proportionsOf(measured->shape)));
   for (int i = 1; i <= 12; ++i) {
     pose = show(frame + i);
     EXPECT_EQ(pose.status, PoseStatus::kTracked) << i;
@@ -93,32 +94,33 @@ TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
 TEST_F(ContourMethodTest, MeasuringBeginsWithTheStatureThatExplainsTheMasksBest) {
   options.person.stature = 1.9;
   make();
-  EXPECT_EQ(tracker->body()->sizes, sources.people.sizes(1.9));
+  EXPECT_EQ(tracker->body()->shape, resources.shape_statistics.meanShape(1.9));
   show(0);
-  EXPECT_EQ(tracker->body()->sizes, sources.people.sizes(1.7)) << "of 1.5, 1.6, ...";
-  EXPECT_FALSE(tracker->body()->measured);
+  EXPECT_EQ(tracker->body()->shape, resources.shape_statistics.meanShape(1.7))
+      << "of 1.5, 1.6, ...";
+  EXPECT_FALSE(tracker->body()->shape_estimated);
 }
 
 TEST_F(ContourMethodTest, MeasuresInBackgroundWhileInstantsGoOn) {
   make();
-  for (int frame = 0; !tracker->body()->measured && frame < 30; ++frame) show(frame);
-  const ShapeParameters at_once = tracker->body()->sizes;
-  sources.in_background = true;
+  for (int frame = 0; !tracker->body()->shape_estimated && frame < 30; ++frame) show(frame);
+  const ShapeParameters at_once = tracker->body()->shape;
+  resources.in_background = true;
   make();
   int frame = 0;
-  for (; !tracker->body()->measured && frame < 1000; ++frame) show(frame);
-  ASSERT_TRUE(tracker->body()->measured);
-  EXPECT_EQ(tracker->body()->sizes, at_once);
+  for (; !tracker->body()->shape_estimated && frame < 1000; ++frame) show(frame);
+  ASSERT_TRUE(tracker->body()->shape_estimated);
+  EXPECT_EQ(tracker->body()->shape, at_once);
   EXPECT_LT(error(show(frame), frame), 0.02);
 }
 
 TEST_F(ContourMethodTest, MeasuresFromTheFewPosesThereAreWhenAskedTo) {
   make();
   tracker->estimateShapeNow();
-  EXPECT_FALSE(tracker->body()->measured) << "from nothing";
+  EXPECT_FALSE(tracker->body()->shape_estimated) << "from nothing";
   for (int frame = 0; frame < 6; ++frame) show(frame);
   tracker->estimateShapeNow();
-  EXPECT_TRUE(tracker->body()->measured);
+  EXPECT_TRUE(tracker->body()->shape_estimated);
   const BodyPose pose = show(6);
   EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
   EXPECT_LT(error(pose, 6), 0.03);
@@ -127,8 +129,8 @@ TEST_F(ContourMethodTest, MeasuresFromTheFewPosesThereAreWhenAskedTo) {
 TEST_F(ContourMethodTest, SizesThatAreGivenAreNotMeasured) {
   makeMeasured();
   const auto body = tracker->body();
-  EXPECT_TRUE(body->measured);
-  EXPECT_EQ(body->sizes, truth());
+  EXPECT_TRUE(body->shape_estimated);
+  EXPECT_EQ(body->shape, truth());
   for (int frame = 0; frame < 8; ++frame) {
     const BodyPose pose = show(frame);
     EXPECT_EQ(pose.status, frame ? PoseStatus::kTracked : PoseStatus::kReinitialized);
@@ -147,10 +149,10 @@ TEST_F(ContourMethodTest, MeasuresNothingWhenToldNotTo) {
   options.person.measure = false;
   make();
   const auto body = tracker->body();
-  EXPECT_EQ(body->sizes, sources.people.sizes(1.75));
+  EXPECT_EQ(body->shape, resources.shape_statistics.meanShape(1.75));
   for (int frame = 0; frame < 15; ++frame) EXPECT_NE(show(frame).status, PoseStatus::kLost);
   EXPECT_TRUE(tracker->body() == body);
-  EXPECT_FALSE(body->measured);
+  EXPECT_FALSE(body->shape_estimated);
 }
 
 TEST_F(ContourMethodTest, FollowsByMasksAloneOnceStarted) {
@@ -169,7 +171,7 @@ TEST_F(ContourMethodTest, IsLostWithTheMasksAndFoundAgain) {
   for (int frame = 0; frame < 3; ++frame) show(frame);
   const BodyPose gone = showNothing();
   EXPECT_EQ(gone.status, PoseStatus::kLost);
-  EXPECT_EQ(gone.reason, "the person shows in 0 silhouettes, needed are 2");
+  EXPECT_EQ(gone.reason, "the person is visible in 0 silhouettes, at least 2 are needed");
   const BodyPose unknown = showMasks(4);
   EXPECT_EQ(unknown.status, PoseStatus::kLost);
   EXPECT_EQ(unknown.reason, "there is no hull");
@@ -185,8 +187,7 @@ TEST_F(ContourMethodTest, DoesNotStartOnWhatIsNoPerson) {
   box(cv::Rect(60, 90, 200, 60)) = 255;
   const BodyPose pose = show(std::vector<cv::Mat>(rig.size(), box), treeOf(person, at(0), false));
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason.rfind("no pose covers the silhouettes, the best one's overlap is 0.", 0),
-            0u)
+  EXPECT_EQ(pose.reason.rfind("no pose covers the silhouettes, the best overlap is 0.", 0), 0u)
       << pose.reason;
 }
 
@@ -208,7 +209,7 @@ TEST_F(ContourMethodTest, ATreeThatTakesLeftForRightIsSeenThrough) {
   for (int frame = 0; frame < 15; ++frame) {
     const BodyPose pose = show(masksAt(frame), treeOf(person, at(frame), true));
     if (pose.status == PoseStatus::kLost) {
-      EXPECT_EQ(pose.reason, "the person is found, front and back are not told apart yet");
+      EXPECT_EQ(pose.reason, "a person was found, but front and back cannot be distinguished yet");
       EXPECT_FALSE(told) << frame;
       continue;
     }
@@ -224,22 +225,22 @@ TEST_F(ContourMethodTest, RefusesMasksThatDoNotFitTheRig) {
   std::vector<cv::Mat> masks = masksAt(0);
   masks.pop_back();
   EXPECT_EQ(errorTextOf([&] { show(masks, PoseTree{}); }),
-            "contour: 4 masks of 5 cameras were given");
+            "contour: 4 masks were given, the rig has 5 cameras");
   masks.push_back(cv::Mat::zeros(10, 10, CV_8UC1));
   EXPECT_NE(errorTextOf([&] { show(masks, PoseTree{}); }).find("cam4"), std::string::npos);
 }
 
 TEST_F(ContourMethodTest, NeedsCamerasAndAUrdf) {
   rig.clear();
-  EXPECT_EQ(
-      errorTextOf([&] { make(); }),
-      "pose_fitting/method is contour, which needs cameras; without any, allowed is hsiao");
+  EXPECT_EQ(errorTextOf([&] { make(); }),
+            "pose_fitting/method is contour, which needs a rig with cameras; without cameras, "
+            "allowed is hsiao");
   options.method = "hsiao";
   make();
-  EXPECT_FALSE(tracker->body()->measured);
+  EXPECT_FALSE(tracker->body()->shape_estimated);
   options = contourOptions();
   rig = drawnRig(2);
-  sources.urdf_template = "<robot name=\"nobody\"><link name=\"a\"/></robot>";
+  resources.urdf_template = "<robot name=\"nobody\"><link name=\"a\"/></robot>";
   EXPECT_THROW(make(), std::invalid_argument);
 }
 

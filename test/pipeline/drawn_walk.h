@@ -14,9 +14,9 @@ namespace markerless_mocap {
 
 /// Someone smaller than believed.
 inline ShapeParameters truth() {
-  ShapeParameters sizes = ShapeStatistics::handMade().sizes(1.66);
-  sizes[ContourLength::kThigh] *= 1.04;
-  return sizes;
+  ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.66);
+  shape[ContourLength::kThigh] *= 1.04;
+  return shape;
 }
 
 /// Walks in a circle with swinging arms.

@@ -142,13 +142,13 @@ TEST_F(FleischmannTrackerTest, startsFromPartsAndFollowsByMasksAlone) {
     EXPECT_LT(error(pose, frame), 0.05) << frame;
   }
   EXPECT_EQ(tracker_->body()->model->angleCount(), pose.angles.size());
-  EXPECT_FALSE(tracker_->body()->measured);
+  EXPECT_FALSE(tracker_->body()->shape_estimated);
 }
 
 TEST_F(FleischmannTrackerTest, saysThatThereIsNoPoseToStartFrom) {
   const BodyPose pose = show(seeMasks(0));
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose to start from: no body is recognised");
+  EXPECT_EQ(pose.reason, "no start pose: no body is recognised");
 }
 
 TEST_F(FleischmannTrackerTest, isLostWithoutMasksAndGoesOnAfterwards) {
@@ -157,7 +157,7 @@ TEST_F(FleischmannTrackerTest, isLostWithoutMasksAndGoesOnAfterwards) {
   for (cv::Mat& mask : nobody.masks) mask.setTo(0);
   const BodyPose pose = show(nobody);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose to start from: no body is recognised");
+  EXPECT_EQ(pose.reason, "no start pose: no body is recognised");
   EXPECT_EQ(show(seeMasks(1)).status, PoseStatus::kTracked);
 }
 
@@ -189,7 +189,7 @@ TEST_F(FleischmannTrackerTest, oneCameraIsNotEnough) {
   for (int i = 1; i < 4; ++i) seen.masks[size_t(i)] = cv::Mat();
   const BodyPose pose = show(seen);
   EXPECT_EQ(pose.status, PoseStatus::kLost);
-  EXPECT_EQ(pose.reason, "no pose to start from: one camera alone shows a person, needed are two");
+  EXPECT_EQ(pose.reason, "no start pose: only one camera shows a person, at least two are needed");
 }
 
 TEST_F(FleischmannTrackerTest, startsAgainAfterAGapAndWhenTimeGoesBack) {
@@ -240,15 +240,15 @@ TEST_F(FleischmannTrackerTest, dependsOnNoThreads) {
 TEST_F(FleischmannTrackerTest, refusesWhatItCannotUse) {
   EXPECT_EQ(
       errorTextOf([&] { trackerFor(rig_, FleischmannMotionStatistics()); }),
-      "pose_fitting/method is fleischmann, which needs motion statistics in which something moves");
+      "pose_fitting/method is fleischmann, which needs motion statistics that are not all zero");
   TrackerOptions fleischmann;
   fleischmann.method = "fleischmann";
-  EXPECT_EQ(
-      errorTextOf([&] { makeBodyTracker({}, PersonResources::standard(), fleischmann); }),
-      "pose_fitting/method is fleischmann, which needs cameras; without any, allowed is hsiao");
+  EXPECT_EQ(errorTextOf([&] { makeBodyTracker({}, PersonResources::standard(), fleischmann); }),
+            "pose_fitting/method is fleischmann, which needs a rig with cameras; without cameras, "
+            "allowed is hsiao");
   Seen seen = see(0);
   seen.images.pop_back();
-  EXPECT_EQ(errorTextOf([&] { show(seen); }), "3 images came with 4 masks");
+  EXPECT_EQ(errorTextOf([&] { show(seen); }), "3 images were given with 4 masks");
 }
 
 }  // namespace

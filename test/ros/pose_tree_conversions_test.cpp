@@ -115,11 +115,11 @@ TEST(PoseTreeConversions, BadMessagesAreRefusedInASentence) {
   EXPECT_EQ(refusalAfter([](PoseTreeMsg* m) { m->tip_nodes[1] = 9; }),
             "PoseTree has a tip at node 9 of 5");
   EXPECT_EQ(refusalAfter([](PoseTreeMsg* m) { m->tip_names[0] = "nose"; }),
-            "PoseTree has the tip \"nose\", which is none");
+            "PoseTree has the tip \"nose\", which is unknown");
   EXPECT_EQ(refusalAfter([](PoseTreeMsg* m) { m->tip_positions.clear(); }),
             "PoseTree has names, nodes and positions of tips of different lengths");
   EXPECT_EQ(refusalAfter([](PoseTreeMsg* m) { m->joint_names[0] = "l_wing"; }),
-            "PoseTree has the joint \"l_wing\", which is none");
+            "PoseTree has the joint \"l_wing\", which is unknown");
   EXPECT_EQ(refusalAfter([](PoseTreeMsg* m) { m->joint_names.emplace_back("r_elbow"); }),
             "PoseTree has names and positions of joints of different lengths");
 }

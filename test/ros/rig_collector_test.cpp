@@ -31,7 +31,7 @@ void place(tf2::BufferCore& tf, const std::string& frame) {
 TEST(RigCollector, NamesTheCamerasWithoutInfo) {
   RigCollector collector({"a", "b", "c"}, "world");
   collector.add(1, infoIn("b_optical"));
-  EXPECT_EQ(collector.missing(tf2::BufferCore()), "no camera_info has come from a, c");
+  EXPECT_EQ(collector.missing(tf2::BufferCore()), "no camera_info has been received from a, c");
 }
 
 TEST(RigCollector, NamesTheFrameThatTfDoesNotConnect) {
@@ -47,7 +47,7 @@ TEST(RigCollector, NamesTheFrameThatTfDoesNotConnect) {
 TEST(RigCollector, NeverTakesAnEmptyFrameForTheWorld) {
   RigCollector collector({"a"}, "world");
   collector.add(0, infoIn(""));
-  EXPECT_EQ(collector.missing(tf2::BufferCore()), "camera_info of a names no frame");
+  EXPECT_EQ(collector.missing(tf2::BufferCore()), "camera_info of a has an empty frame_id");
 }
 
 TEST(RigCollector, GivesTheRigInTheOrderOfTheNames) {
@@ -97,9 +97,9 @@ TEST_F(RigFromFile, CamerasThatAreLackingOrLeftOverAreNamed) {
               RigCollector({"a", "left", "d"}, "world", file_);
             }),
             file_ + ": the rig lacks left, d, its cameras are a, b, c");
-  EXPECT_EQ(RigCollector({"b"}, "world", file_).remark(),
-            file_ + " also has a, c, which nobody asks for");
-  EXPECT_EQ(RigCollector({"c", "b", "a"}, "world", file_).remark(), "");
+  EXPECT_EQ(RigCollector({"b"}, "world", file_).unusedCameras(),
+            file_ + " also has a, c, which is not used");
+  EXPECT_EQ(RigCollector({"c", "b", "a"}, "world", file_).unusedCameras(), "");
   EXPECT_EQ(errorTextOf<std::runtime_error>([] { RigCollector({"a"}, "world", "/no/such/file"); }),
             "cannot read the rig /no/such/file");
 }

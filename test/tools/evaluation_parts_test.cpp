@@ -108,9 +108,9 @@ TEST_F(EvaluationPartsTest, RefusesAnotherWorld) {
   EXPECT_EQ(record.hulls[0].pitch, kPitch);
   const std::string sentence =
       errorTextOf<std::runtime_error>([&] { evaluateParts(JointTrack(), "map", record, 1); });
-  EXPECT_EQ(
-      sentence,
-      "the segmented hulls are in the frame world, the truth in map: they cannot be compared");
+  EXPECT_EQ(sentence,
+            "the segmented hulls are in the frame world, the ground truth in map: they cannot be "
+            "compared");
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ TEST_F(EvaluationTest, SkippedSecondsAreLeftOut) {
   EXPECT_LT(found.joints.D_spread.max, kSameTransforms_mm);
   request_.skip = 60;
   EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
-            "nothing is left to judge: the truth lasts less than the time to skip");
+            "nothing is left to evaluate: the ground truth is shorter than the time to skip");
 }
 
 TEST_F(EvaluationTest, AResultThatIsLostThroughoutIsAResult) {
@@ -214,8 +214,9 @@ TEST_F(EvaluationTest, WithoutExactMasksJointsAreJudgedAndANoteSaysSo) {
   writeResults(nothing);
   const Evaluation found = judged();
   EXPECT_LT(found.joints.D_spread.max, kSameTransforms_mm);
-  EXPECT_EQ(found.notes, std::vector<std::string>{"Silhouettes and hull are not judged: the truth "
-                                                  "has no exact masks."});
+  EXPECT_EQ(found.notes,
+            std::vector<std::string>{"Silhouettes and hull are not evaluated: the ground truth "
+                                     "has no exact masks."});
 }
 
 TEST_F(EvaluationTest, FaultsAreOneSentenceEach) {
@@ -239,7 +240,7 @@ TEST_F(EvaluationTest, OtherWorldsAndOtherTimesAreRefused) {
   writeTruth();
   writeResults(nothing, "map");
   EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); }),
-            "the results are in the frame map, the truth in world: they cannot be compared");
+            "the results are in the frame map, the ground truth in world: they cannot be compared");
   writeResults(nothing, "world", 3600 * int64_t(1000000000));
   EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); })
                 .rfind("truth and results do not overlap in time: the "

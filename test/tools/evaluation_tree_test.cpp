@@ -148,7 +148,7 @@ TEST_F(EvaluationTreeTest, TreesInAnotherFrameAreRefused) {
   trees.world_frame = "map";
   EXPECT_EQ(
       errorTextOf<std::runtime_error>([&] { evaluateTrees(trees.joints, "world", trees, 0); }),
-      "the pose trees are in the frame map, the truth in world: they cannot be compared");
+      "the pose trees are in the frame map, the ground truth in world: they cannot be compared");
 }
 
 }  // namespace

@@ -101,8 +101,8 @@ TEST_F(ImportMatrices, MillimetresBecomeMetres) {
   options_.world.scale_to_metres = 0.001;
   const ImportResult result = import();
   EXPECT_NEAR(result.cameras[0].T_world_camera.translation().z(), 0.001, 1e-6);
-  ASSERT_EQ(result.remarks.size(), 1u);
-  EXPECT_NE(result.remarks[0].find("is the unit right"), std::string::npos);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("is the unit right"), std::string::npos);
 }
 
 TEST_F(ImportMatrices, MissingImageOfOneCameraIsToldAndLeavesNoBag) {

@@ -103,7 +103,7 @@ TEST_F(ImportVideos, BackgroundComesFirstAtTheVideosPace) {
   const ImportResult result = import();
   EXPECT_EQ(result.frame_sets, 2 + 3);
   EXPECT_EQ(result.fps, 20.0);
-  EXPECT_TRUE(result.remarks.empty());
+  EXPECT_TRUE(result.warnings.empty());
   Recording recording(options_.output, {});
   std::vector<int64_t> stamps;
   std::vector<bool> somebody;
@@ -132,8 +132,8 @@ TEST_F(ImportVideos, ShorterVideoIsRemarkedOn) {
   writeVideo(path("cam2/video.avi"), 2, true);
   const ImportResult result = import();
   EXPECT_EQ(result.frame_sets, 2 + 2);
-  ASSERT_EQ(result.remarks.size(), 1u);
-  EXPECT_EQ(result.remarks[0].substr(0, 34), "the video of cam2 has 2 frames, th");
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(result.warnings[0].substr(0, 34), "the video of cam2 has 2 frames, th");
 }
 
 TEST_F(ImportVideos, MissingPiecesAreToldAndLeaveNoBag) {
@@ -141,9 +141,9 @@ TEST_F(ImportVideos, MissingPiecesAreToldAndLeaveNoBag) {
             "no folder in " + input_.folder + " has a video video.avi");
   writeRecording();
   input_.background_frames = 9;
-  EXPECT_EQ(
-      errorTextOf<std::exception>([&] { import(); }),
-      "the background video of cam0 ends 5 frames too early: ask for fewer background frames");
+  EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
+            "the background video of cam0 ends 5 frames too early: reduce the number of background "
+            "frames");
   std::filesystem::remove(path("cam1/config.xml"));
   EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "cannot read " + path("cam1/config.xml"));

@@ -119,7 +119,7 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
   summary.print(text);
   EXPECT_NE(text.str().find("3 lost"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("3 times: "), std::string::npos) << text.str();
-  EXPECT_NE(text.str().find("No instant has a pose"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("No frame has a pose"), std::string::npos) << text.str();
 }
 
 TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
@@ -166,7 +166,7 @@ TEST_F(OfflineRun, ProgressWithoutTerminalIsALineEveryTenPercentFromZero) {
   runOffline(options_, &notes, false);
   const std::string text = notes.str();
   EXPECT_EQ(text.find('\r'), std::string::npos);
-  EXPECT_EQ(text.find("the body could not be measured: its stature is taken as 1.7"), 0u) << text;
+  EXPECT_EQ(text.find("the body could not be measured: its stature is set to 1.7"), 0u) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 11) << text;
   EXPECT_NE(text.find("mocap_offline 100 %"), std::string::npos) << text;
 }
@@ -190,7 +190,7 @@ TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
   writeText("broken.yaml", "visual_hull: {pitch: [\n");
   EXPECT_EQ(errorTextOf<std::exception>([&] {
               readConfiguration(path("broken.yaml"));
-            }).find(path("broken.yaml") + " is no YAML: "),
+            }).find(path("broken.yaml") + " is not YAML: "),
             0u);
   EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
             "cannot read the configuration " + path("none.yaml"));

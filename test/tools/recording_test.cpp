@@ -103,7 +103,7 @@ TEST_F(RecordingTest, ChosenCamerasKeepTheirOrder) {
   EXPECT_EQ(refusal("in.bag", options),
             "camera cam9 is not in the bag, it has cam0, cam1, cam2, cam3");
   options.cameras = {"cam1"};
-  EXPECT_EQ(refusal("in.bag", options), "camera cam1 is the only one, two are needed at least");
+  EXPECT_EQ(refusal("in.bag", options), "camera cam1 is the only one, at least two are needed");
 }
 
 TEST_F(RecordingTest, MasksAreReadOnlyWhenAskedFor) {
@@ -123,12 +123,13 @@ TEST_F(RecordingTest, MasksAreReadOnlyWhenAskedFor) {
 TEST_F(RecordingTest, BagThatIsNoneMissingOrCutOffIsTold) {
   EXPECT_EQ(refusal("none.bag"), "there is no bag " + path("none.bag"));
   writeText("text.bag", "this is no bag");
-  EXPECT_NE(refusal("text.bag").find("text.bag is no bag or was cut off"), std::string::npos);
+  EXPECT_NE(refusal("text.bag").find("text.bag is not a bag or was cut off"), std::string::npos);
   writeText("nothing.bag", "");
-  EXPECT_NE(refusal("nothing.bag").find("nothing.bag is no bag or was cut off"), std::string::npos);
+  EXPECT_NE(refusal("nothing.bag").find("nothing.bag is not a bag or was cut off"),
+            std::string::npos);
   writeBag("cut.bag");
   cutInHalf("cut.bag");
-  EXPECT_NE(refusal("cut.bag").find("cut.bag is no bag or was cut off"), std::string::npos);
+  EXPECT_NE(refusal("cut.bag").find("cut.bag is not a bag or was cut off"), std::string::npos);
 }
 
 TEST_F(RecordingTest, BagWithoutCamerasSaysWhichTopicsAreMissed) {

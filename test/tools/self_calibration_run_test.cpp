@@ -96,9 +96,9 @@ TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
               found.corrections[kTurned].turn * (c == kTurned ? 1 : 0.5));
   const std::vector<std::string> sentences = calibrationMessages(found, path("found.yaml"));
   ASSERT_EQ(sentences.size(), 2 + truth_.size());
-  EXPECT_EQ(sentences[0].rfind("self-calibration: the cameras' pointing is corrected: by ", 0), 0u)
+  EXPECT_EQ(sentences[0].rfind("self-calibration: the camera orientations are corrected: in ", 0), 0u)
       << sentences[0];
-  EXPECT_EQ(sentences[1 + kTurned].rfind("cam2 is turned by 0.", 0), 0u) << sentences[1 + kTurned];
+  EXPECT_EQ(sentences[1 + kTurned].rfind("cam2 is rotated by 0.", 0), 0u) << sentences[1 + kTurned];
   EXPECT_EQ(sentences.back(), "the corrected rig is written to " + path("found.yaml"));
 
   run_.recording.rig = path("found.yaml");
@@ -116,7 +116,7 @@ TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
   const std::vector<std::string> sentences = calibrationMessages(found, "found.yaml");
   ASSERT_EQ(sentences.size(), 1u);
-  EXPECT_EQ(sentences[0].rfind("self-calibration: the calibration is kept, as no other is", 0), 0u)
+  EXPECT_EQ(sentences[0].rfind("self-calibration: the calibration is unchanged, because no other is", 0), 0u)
       << sentences[0];
   EXPECT_NE(sentences[0].find("; found.yaml is not written"), std::string::npos);
 }
@@ -129,8 +129,8 @@ TEST_F(SelfCalibrationRun, WithoutAPersonItSaysSo) {
   const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
   EXPECT_EQ(calibrationMessages(found, "found.yaml"),
             std::vector<std::string>{
-                "self-calibration: the cameras' pointing was not estimated: only 0 instants of "
-                "different postures could be fitted, needed are 4; found.yaml is not written"});
+                "self-calibration: the camera orientations were not estimated: only 0 frames of "
+                "different postures could be fitted, at least 4 are needed; found.yaml is not written"});
   EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
 }
 

@@ -8,10 +8,10 @@ namespace markerless_mocap {
 namespace {
 
 ShapeParameters someone() {
-  ShapeParameters sizes = ShapeStatistics::handMade().sizes(1.68);
-  sizes[ContourLength::kThigh] = 0.412345;
-  sizes[offsetIndex(ContourCone::kYoke, 1) + 2] = -0.0123;
-  return sizes;
+  ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.68);
+  shape[ContourLength::kThigh] = 0.412345;
+  shape[offsetIndex(ContourCone::kYoke, 1) + 2] = -0.0123;
+  return shape;
 }
 
 /// someone() with the line of one size replaced; an empty line takes it out.
@@ -45,14 +45,15 @@ TEST(SizesFile, HasOneLineForEachSizeBelowItsMeaning) {
 }
 
 TEST(SizesFile, RefusesWhatIsNoMapOfSizes) {
-  EXPECT_EQ(refusal("[1, 2]"), "anna.yaml must map names of sizes to metres");
-  EXPECT_EQ(refusal(""), "anna.yaml must map names of sizes to metres");
+  EXPECT_EQ(refusal("[1, 2]"), "anna.yaml must map names of shape parameters to metres");
+  EXPECT_EQ(refusal(""), "anna.yaml must map names of shape parameters to metres");
   EXPECT_EQ(refusal("thigh: [").rfind("anna.yaml is not YAML: ", 0), 0u);
 }
 
 TEST(SizesFile, RefusesASizeThatIsMissingOrUnknown) {
-  EXPECT_EQ(refusal(with("thigh", "")), "anna.yaml lacks the size thigh");
-  EXPECT_EQ(refusal(shapeToYaml(someone()) + "tail: 0.3\n"), "anna.yaml has the unknown size tail");
+  EXPECT_EQ(refusal(with("thigh", "")), "anna.yaml lacks the shape parameter thigh");
+  EXPECT_EQ(refusal(shapeToYaml(someone()) + "tail: 0.3\n"),
+            "anna.yaml has the unknown shape parameter tail");
 }
 
 TEST(SizesFile, RefusesWhatNoBodyMeasures) {
@@ -74,11 +75,11 @@ TEST(SizesFile, AnOffsetMayBeNegativeButMustBeANumber) {
 }
 
 TEST(StatureOf, IsTheSumFromFloorToCrown) {
-  EXPECT_NEAR(statureOf(ShapeStatistics::handMade().sizes(1.68)), 1.68, 0.005);
-  ShapeParameters sizes = someone();
-  sizes[ContourLength::kShank] += 0.03;
-  sizes[ContourLength::kForearm] += 0.5;  // hangs beside
-  EXPECT_NEAR(statureOf(sizes) - statureOf(someone()), 0.03, 1e-12);
+  EXPECT_NEAR(statureOf(ShapeStatistics::handMade().meanShape(1.68)), 1.68, 0.005);
+  ShapeParameters shape = someone();
+  shape[ContourLength::kShank] += 0.03;
+  shape[ContourLength::kForearm] += 0.5;  // hangs beside
+  EXPECT_NEAR(statureOf(shape) - statureOf(someone()), 0.03, 1e-12);
 }
 
 }  // namespace

@@ -9,10 +9,11 @@
 
 namespace markerless_mocap {
 
-/// The only place that knows all methods: a new one is added here and in TrackerOptions.
-/// Throws std::invalid_argument on options out of range, a URDF template that gives no body, or a
-/// rig without cameras for a method that needs their masks.
-std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& sources,
+/// Makes the tracker that options.method names. This is the only place that knows all methods: a
+/// new method is added here and in TrackerOptions. Throws std::invalid_argument if an option is out
+/// of range, if the URDF template describes no body, or if the rig has no cameras and the method
+/// needs their masks.
+std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& resources,
                                              const TrackerOptions& options);
 
 }  // namespace markerless_mocap

@@ -28,8 +28,9 @@ struct PipelineOptions {
   TrackerOptions fitting;
 };
 
-/// Reads a configuration file's map: one section per stage (its kStage), each optional. Throws
-/// std::invalid_argument on an unknown section or key, naming the nearest known one.
+/// Reads the map of a configuration file: one optional section per stage, named by its kStage.
+/// Throws std::invalid_argument on an unknown section or key; the message names the most similar
+/// known one.
 PipelineOptions loadPipelineOptions(const YAML::Node& root);
 
 /// Calls `function(section, options)` for every stage, in the order of processing.
@@ -42,58 +43,59 @@ void forEachStage(PipelineOptions& options, const Function& function) {
   function(TrackerOptions::kStage, options.fitting);
 }
 
-/// One camera's share of an instant; empty mats where missing.
+/// The part of a frame set that comes from one camera. A mat is empty if it is missing.
 struct CameraFrame {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1
-  cv::Mat mask;   ///< CV_8UC1 0 | 255; when given, background subtraction is passed by
+  cv::Mat mask;   ///< CV_8UC1 0 | 255; if given, the background subtraction is skipped
 };
 
-/// What the cameras saw at one instant.
+/// Images or masks of all cameras at one time.
 struct FrameSet {
   int64_t stamp_ns = 0;             ///< capture time
   std::vector<CameraFrame> frames;  ///< in the order of the rig
-  std::any owner;                   ///< keeps pixels alive that the frames' mats only point to
+  std::any owner;  ///< keeps the pixels alive if the mats of `frames` only refer to them
 };
 
-/// Everything the stages make of one instant.
+/// The results of all stages for one frame set.
 struct PipelineResult {
-  bool learning = false;       ///< backgrounds are being learned, too few cameras have a mask yet;
-                               ///< nothing else is filled
+  bool learning = false;  ///< too few cameras have learned their background; all other members are
+                          ///< empty
   std::vector<cv::Mat> masks;  ///< one per camera, CV_8UC1 0 | 255; empty where missing
   VisualHull hull;
   BodyParts parts;
   PoseTree tree;
   BodyPose pose;
-  std::shared_ptr<const TrackedBody> body;  ///< whose pose it is
+  std::shared_ptr<const TrackedBody> body;  ///< the body that `pose` refers to
 };
 
-/// The stages chained in one process; same code as the nodes. The result does not depend on the
-/// number of threads, nor on whether instants are processed one by one or in a stream.
+/// All stages in one process, with the same code as the nodes. The result depends neither on the
+/// number of threads nor on whether frame sets are processed one by one or in a stream.
 class Pipeline {
  public:
-  /// Called in place of a stage's work on one instant, which it must do; `stage` is its kStage. In
-  /// a stream several threads call it.
+  /// Called instead of the work of a stage on one frame set; it must call `work`. `stage` is the
+  /// stage's kStage. In a stream, it is called from several threads.
   using StageWatch = std::function<void(const char* stage, const std::function<void()>& work)>;
-  /// Nothing when there are no more instants.
+  /// Returns nothing after the last frame set.
   using Source = std::function<std::optional<FrameSet>()>;
   using Sink = std::function<void(const FrameSet&, const PipelineResult&)>;
 
-  /// Throws std::invalid_argument on options or a rig that a stage refuses.
-  Pipeline(CameraRig rig, const PersonResources& sources, const PipelineOptions& options);
+  /// Throws std::invalid_argument if a stage rejects its options or the rig.
+  Pipeline(CameraRig rig, const PersonResources& resources, const PipelineOptions& options);
 
   /// \param stamp_ns capture time, nanoseconds
-  /// \param frames one per camera of the rig, in its order; throws std::invalid_argument on a wrong
-  ///   count, or an image or mask whose size is not its camera's (the sentence names it)
+  /// \param frames one per camera, in the order of the rig. Throws std::invalid_argument if their
+  ///   number is wrong, or if an image or mask differs in size from its camera; the message names
+  ///   the camera.
   PipelineResult process(int64_t stamp_ns, const std::vector<CameraFrame>& frames);
 
-  /// Processes all instants of the source, each stage being at work on another one. Source and sink
-  /// are called side by side with the stages, each in the order of time and never twice at once.
-  /// Throws as process() and what source and sink throw.
+  /// Processes all frame sets of the source. The stages work in parallel, each on a different frame
+  /// set. Source and sink run in parallel with the stages; each is called in the order of time and
+  /// never concurrently with itself. Throws as process(), and what source and sink throw.
   void processStream(const Source& source, const Sink& sink);
 
   const CameraRig& rig() const { return carver_.rig(); }
-  /// The person's body now; it changes when it has been measured. Not while a stream is processed:
-  /// there, results have it.
+  /// The current body of the person; it changes after its shape has been estimated. Do not call
+  /// this while a stream is processed: use PipelineResult::body there.
   const std::shared_ptr<const TrackedBody>& body() const { return tracker_->body(); }
   /// As BodyTracker::estimateShapeNow().
   void estimateShapeNow() { tracker_->estimateShapeNow(); }
@@ -101,7 +103,7 @@ class Pipeline {
 
  private:
   struct Work {
-    FrameSet instant;
+    FrameSet frame_set;
     PipelineResult result;
   };
   struct Stage;
@@ -109,17 +111,17 @@ class Pipeline {
 
   void run(const Stage& stage, Work& work);
   void checkFrames(const std::vector<CameraFrame>& frames) const;
-  void extractSilhouettes(const FrameSet& instant, PipelineResult* result);
-  void carve(const FrameSet& instant, PipelineResult* result);
-  void segment(const FrameSet& instant, PipelineResult* result);
-  void buildTree(const FrameSet& instant, PipelineResult* result);
-  void track(const FrameSet& instant, PipelineResult* result);
+  void extractSilhouettes(const FrameSet& frame_set, PipelineResult* result);
+  void carve(const FrameSet& frame_set, PipelineResult* result);
+  void segment(const FrameSet& frame_set, PipelineResult* result);
+  void buildTree(const FrameSet& frame_set, PipelineResult* result);
+  void track(const FrameSet& frame_set, PipelineResult* result);
 
   int min_views_;
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;
-  PartTracker part_memory_;
+  PartTracker part_tracker_;
   PoseTreeBuilder tree_builder_;
   std::unique_ptr<BodyTracker> tracker_;
   StageWatch watch_ = [](const char*, const std::function<void()>& work) { work(); };

@@ -1,8 +1,8 @@
 #pragma once
 
-// The generated messages live in the package's namespace, where the library has structs of the same
-// names. Here the message types are called BodyPartsMsg, BodyPoseMsg and PoseTreeMsg. Code that
-// uses both includes this header, never the generated ones.
+// The generated messages are in the namespace of the package, where the core has structs of the
+// same names. This header names the message types BodyPartsMsg, BodyPoseMsg and PoseTreeMsg.
+// Include it instead of the generated headers.
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Vector3.h>

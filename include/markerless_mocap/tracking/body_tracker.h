@@ -13,7 +13,7 @@
 
 namespace markerless_mocap {
 
-/// What the stages made of one instant. All must outlive the call it is given to.
+/// Input of a tracker at one time. All references must stay valid during the call.
 struct TrackerInput {
   int64_t stamp_ns;                    ///< capture time
   const std::vector<cv::Mat>& masks;   ///< by camera, CV_8UC1 0 | 255; empty where missing
@@ -23,17 +23,20 @@ struct TrackerInput {
   const PoseTree& tree;
 };
 
-/// Follows one person from frame set to frame set; every method is one. Not thread-safe.
+/// Tracks the pose of one person over time. Every tracking method implements this interface. Not
+/// thread-safe.
 class BodyTracker {
  public:
   virtual ~BodyTracker();
-  /// \param now stamps that do not rise restart the track. Throws std::invalid_argument on masks or
-  ///   images that do not fit the rig
+  /// The pose at the time of `now`. It is kLost, with the reason, if there is none.
+  /// \param now a stamp that is not later than the last one restarts the tracking. Throws
+  ///   std::invalid_argument if masks or images do not match the rig
   virtual BodyPose update(const TrackerInput& now) = 0;
   virtual void reset() = 0;
-  /// Measures the body from what has been seen so far, however little, instead of waiting for more.
+  /// Estimates the shape of the body from the frames seen so far instead of waiting for more.
   virtual void estimateShapeNow() {}
-  /// The person's body now; it changes when it has been measured, within update() only.
+  /// The current body of the person. It changes only in update(), after its shape has been
+  /// estimated.
   virtual const std::shared_ptr<const TrackedBody>& body() const = 0;
 };
 

@@ -7,15 +7,16 @@
 
 namespace markerless_mocap {
 
-/// What is known of the person before anything is seen.
+/// What is known about the person before the first frame.
 struct PersonResources {
   std::string body_id = "person1";
-  std::string urdf_template;                             ///< text of urdf/human.urdf.in
-  ShapeStatistics people = ShapeStatistics::handMade();  ///< what bodies look like
-  std::optional<ShapeParameters> measured;  ///< sizes of this person from an earlier run
-  bool in_background = false;  ///< the body is measured while instants go on; else update() waits
+  std::string urdf_template;                                       ///< text of urdf/human.urdf.in
+  ShapeStatistics shape_statistics = ShapeStatistics::handMade();  ///< prior of the body shape
+  std::optional<ShapeParameters> known_shape;  ///< shape of this person from an earlier run
+  bool in_background = false;  ///< if true, the shape is estimated in a thread of its own; if
+                               ///< false, update() waits for it
 
-  /// The package's own URDF template and its learned body (models/contour_body.yaml).
+  /// The URDF template and the learned body shape (models/contour_body.yaml) of this package.
   static PersonResources standard();
 };
 

@@ -6,15 +6,15 @@
 
 namespace markerless_mocap {
 
-/// Height of the person who stands upright, metres: the sum of the lengths from floor to crown.
-double statureOf(const ShapeParameters& sizes);
+/// Height of the upright person, metres: the sum of the lengths from floor to crown.
+double statureOf(const ShapeParameters& shape);
 
-/// A person's sizes as YAML: one line each, metres.
-std::string shapeToYaml(const ShapeParameters& sizes);
+/// The shape of a person as YAML: one line per parameter, metres.
+std::string shapeToYaml(const ShapeParameters& shape);
 
-/// What shapeToYaml() wrote. Throws std::invalid_argument in one sentence that names `where` and
-/// the size: no YAML map, a size missing or unknown, no finite number, or a length or radius that
-/// is not positive.
+/// Reads what shapeToYaml() wrote. Throws std::invalid_argument if the text is no YAML map, if a
+/// parameter is missing, unknown or no finite number, or if a length or radius is not positive. The
+/// message names `where` and the parameter.
 ShapeParameters shapeFromYaml(const std::string& yaml, const std::string& where);
 
 }  // namespace markerless_mocap

@@ -27,7 +27,8 @@ struct ContourLength {
   };
 };
 
-/// Round cones of the body. All but neck and head exist on both sides, mirrored.
+/// Round cones of the body: two spheres of different radius and their convex hull. All but neck and
+/// head exist on both sides, mirrored.
 struct ContourCone {
   enum Kind {
     kPelvis,
@@ -46,8 +47,9 @@ struct ContourCone {
   };
 };
 
-/// One end of a cone has a radius and an offset from where the lengths alone would put it: where
-/// the joint sits in the flesh. The offset is in the frame of the segment, of the left side.
+/// Each end of a cone has a radius and an offset. The offset is the vector from the joint, or from
+/// the point that the lengths alone determine, to the centre of the end. It is given in the frame
+/// of the segment, for the left side.
 constexpr int kValuesPerEnd = 4;
 constexpr int radiusIndex(int kind, int end) {
   return ContourLength::kCount + (2 * kind + end) * kValuesPerEnd;
@@ -58,40 +60,44 @@ constexpr int offsetIndex(int kind, int end) {
 constexpr int kShapeParameterCount =
     ContourLength::kCount + 2 * ContourCone::kCount * kValuesPerEnd;
 
-/// All sizes of a body, metres: the lengths, then radius and offset x y z of each end of each kind
-/// of cone.
+/// Shape parameters of a body, metres: the lengths, then radius and offset x y z of each end of
+/// each kind of cone.
 using ShapeParameters = Eigen::Matrix<double, kShapeParameterCount, 1>;
 
 /// "torso", "thigh_cone/a/radius", "thigh_cone/b/offset_x", ...
-const std::string& shapeParameterName(int size);
-bool isOffset(int size);
+const std::string& shapeParameterName(int parameter);
+bool isOffset(int parameter);
 
-/// The lengths as the URDF takes them; girth from the estimated radii of chest, thigh and arm.
-BodyProportions proportionsOf(const ShapeParameters& sizes);
+/// The lengths for the URDF; girth is the mean ratio of the radii of chest, thigh, calf and upper
+/// arm to those of the URDF.
+BodyProportions proportionsOf(const ShapeParameters& shape);
 
-/// What bodies look like: every size as a share of the stature, its mean and standard deviation
-/// over people. A size of deviation zero is never estimated.
+/// Mean and standard deviation of each shape parameter over people, as fractions of the stature. A
+/// parameter of deviation 0 is not estimated.
 struct ShapeStatistics {
   ShapeParameters mean = ShapeParameters::Zero();
   ShapeParameters deviation = ShapeParameters::Zero();
 
-  /// Lengths of BodyProportions::fromStature() and the radii that urdf/human.urdf.in draws; only
-  /// lengths and radii vary. To begin with where no template was learned.
+  /// The lengths of BodyProportions::fromStature() and the radii in urdf/human.urdf.in. Offsets
+  /// have deviation 0. Used if no statistics were learned.
   static ShapeStatistics handMade();
-  /// Mean over people whose sizes are known. As people who serve as examples rarely scatter as all
-  /// people do, lengths are let vary by 5 % and radii, which clothes change, by 25 %; offsets by
-  /// twice their own scatter and 2 mm per metre of stature. An offset that is 0 in all stays so.
-  /// \param statures metres, of each. Throws std::invalid_argument unless there are as many of
-  /// both, at least one, and they are in 0.5 to 2.5 m.
-  static ShapeStatistics fromPeople(const std::vector<ShapeParameters>& sizes,
+  /// Mean over people of known shape. The sample is usually too small for its deviations to hold
+  /// for all people. The deviations are therefore set to 5 % for lengths, 25 % for radii, which
+  /// clothes change, and for offsets to twice the deviation of the sample and 0.002 of the stature
+  /// (root sum of squares). An offset that is 0 for all people stays fixed.
+  /// \param shapes of each person, metres
+  /// \param statures of each person, metres. Throws std::invalid_argument if there is no person, if
+  ///   the two numbers differ, or if a stature is not in 0.5 to 2.5 m
+  static ShapeStatistics fromPeople(const std::vector<ShapeParameters>& shapes,
                                     const std::vector<double>& statures);
+  /// The mean shape at a stature, metres.
   /// \param stature metres, 0.5 to 2.5, else std::invalid_argument
-  ShapeParameters sizes(double stature) const;
-  /// Throws std::invalid_argument in one sentence that names `where` and the size: no YAML map, a
-  /// size missing, doubled or unknown, not a pair of finite numbers, a length or radius that is not
-  /// positive, a negative deviation.
+  ShapeParameters meanShape(double stature) const;
+  /// Throws std::invalid_argument if the text is no YAML map, if a parameter is missing, given
+  /// twice, unknown or no pair of finite numbers, if the mean of a length or radius is not
+  /// positive, or if a deviation is negative. The message names `where` and the parameter.
   static ShapeStatistics fromYaml(const std::string& yaml, const std::string& where);
-  /// What fromYaml() reads, with its meaning in comments.
+  /// The text for fromYaml(), with comments that describe it.
   std::string text() const;
 };
 

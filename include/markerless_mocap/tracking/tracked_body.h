@@ -9,21 +9,22 @@
 
 namespace markerless_mocap {
 
-/// The person that is followed.
+/// The tracked person.
 struct TrackedBody {
   std::string urdf;
   std::shared_ptr<const BodyModel> model;
-  /// Of the body that contours are fitted with.
-  ShapeParameters sizes;
-  bool measured = false;  ///< sizes are this person's, else those of people of the stature
+  /// parameters of the contour body, metres
+  ShapeParameters shape;
+  bool shape_estimated = false;  ///< true: shape of this person; false: mean shape of people of
+                                 ///< this stature
 };
 
-/// The person as far as known before anything is seen. Throws std::invalid_argument as
-/// makeBodyTracker().
-std::shared_ptr<const TrackedBody> initialBody(const PersonResources& sources, double stature);
+/// The person before the first frame: the shape of an earlier run, or else the mean shape at the
+/// stature. Throws std::invalid_argument if the URDF template describes no body.
+std::shared_ptr<const TrackedBody> initialBody(const PersonResources& resources, double stature);
 
-/// The person of measured sizes.
-std::shared_ptr<const TrackedBody> bodyFromShape(const PersonResources& sources,
-                                                 const ShapeParameters& sizes);
+/// The person with a known shape.
+std::shared_ptr<const TrackedBody> bodyFromShape(const PersonResources& resources,
+                                                 const ShapeParameters& shape);
 
 }  // namespace markerless_mocap

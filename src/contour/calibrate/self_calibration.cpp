@@ -13,19 +13,20 @@
 namespace markerless_mocap {
 namespace {
 
-// As in the fit of a pose: 1/rad^2 and 1/m^2.
+// As in ContourFitter: 1/rad^2 and 1/m^2.
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
-constexpr double kLongestTurn = 0.35;   // per step, rad or m
-constexpr double kLongestShift = 10.0;  // per step, pixels
+constexpr double kMaxTurn = 0.35;   // per step, rad or m
+constexpr double kMaxShift = 10.0;  // per step, pixels
 
-constexpr int kMinSamples = 4;  // two for either half
+constexpr int kMinSamples = 4;  // two for each half
 
-// For the fits that judge: their starts fit the one rig or the other.
-constexpr RobustSchedule kJudging{12, 0.12, 0.03};
+// For validation: the start pose fits either the given or the corrected rig.
+constexpr RobustSchedule kValidation{12, 0.12, 0.03};
 
-using Instants = std::vector<const OrientationSample*>;
+using Samples = std::vector<const OrientationSample*>;
 
-/// What of one instant is left when its pose is eliminated, and how to find the pose again.
+/// The equations of one sample after its pose is eliminated, and the back substitution for the
+/// pose.
 struct ReducedOrientationSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd g;
@@ -34,18 +35,18 @@ struct ReducedOrientationSystem {
   std::vector<size_t> explained;
 };
 
-/// The cameras' shifts that explain some instants.
+/// Estimates the image shifts of the cameras from a set of samples.
 class OrientationRefiner {
  public:
   OrientationRefiner(const CameraRig& rig, const ContourOptions& contour, const ContourBody& body,
-                     const Instants& instants, const OrientationRefinementOptions& options)
+                     const Samples& samples, const OrientationRefinementOptions& options)
       : rig_(rig),
         contour_(contour),
         body_(body),
-        instants_(instants),
+        samples_(samples),
         options_(options),
         pixels_(ImageShifts::Zero(Eigen::Index(2 * rig.size()))) {
-    for (const OrientationSample* instant : instants) poses_.push_back(instant->start);
+    for (const OrientationSample* sample : samples) poses_.push_back(sample->start);
   }
 
   void run() {
@@ -55,12 +56,12 @@ class OrientationRefiner {
   }
 
   const ImageShifts& pixels() const { return pixels_; }
-  /// \param disagreement of parts of the instants: of what is no scatter from one to the next
+  /// \param disagreement half the difference between the estimates of the two halves
   std::vector<OrientationCorrection> corrections(const ImageShifts& disagreement) const;
 
  private:
-  std::vector<ReducedOrientationSystem> reducedInstants(double outlier) const;
-  ReducedOrientationSystem reduced(const CameraRig& turned, size_t instant, double outlier) const;
+  std::vector<ReducedOrientationSystem> reducedSamples(double outlier) const;
+  ReducedOrientationSystem reduced(const CameraRig& turned, size_t sample, double outlier) const;
   Eigen::MatrixXd prior() const {
     return Eigen::MatrixXd::Identity(pixels_.size(), pixels_.size()) /
            (options_.sigma_px * options_.sigma_px);
@@ -70,17 +71,17 @@ class OrientationRefiner {
   const CameraRig& rig_;
   const ContourOptions& contour_;
   const ContourBody& body_;
-  const Instants& instants_;
+  const Samples& samples_;
   const OrientationRefinementOptions& options_;
   ImageShifts pixels_;
   std::vector<ContourPose> poses_;
 };
 
-ReducedOrientationSystem OrientationRefiner::reduced(const CameraRig& turned, size_t instant,
+ReducedOrientationSystem OrientationRefiner::reduced(const CameraRig& turned, size_t sample,
                                                      double outlier) const {
-  const ContourObservation seen = rotatedObservation(instants_[instant]->seen, rig_, turned);
+  const ContourObservation seen = rotatedObservation(samples_[sample]->seen, rig_, turned);
   OrientationNormalEquations all =
-      orientationNormalEquations(turned, contour_, body_, seen, poses_[instant], outlier);
+      orientationNormalEquations(turned, contour_, body_, seen, poses_[sample], outlier);
   all.pose.H.diagonal().head<3>().array() += kMoveDamping;
   all.pose.H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
   const Eigen::LLT<Eigen::MatrixXd> pose(all.pose.H);
@@ -91,16 +92,16 @@ ReducedOrientationSystem OrientationRefiner::reduced(const CameraRig& turned, si
   return out;
 }
 
-std::vector<ReducedOrientationSystem> OrientationRefiner::reducedInstants(double outlier) const {
+std::vector<ReducedOrientationSystem> OrientationRefiner::reducedSamples(double outlier) const {
   const CameraRig turned = rotatedRig(rig_, pixels_);
-  std::vector<ReducedOrientationSystem> parts(instants_.size());
+  std::vector<ReducedOrientationSystem> parts(samples_.size());
   tbb::parallel_for(size_t(0), parts.size(),
                     [&](size_t i) { parts[i] = reduced(turned, i, outlier); });
   return parts;
 }
 
 void OrientationRefiner::step(double outlier) {
-  const std::vector<ReducedOrientationSystem> parts = reducedInstants(outlier);
+  const std::vector<ReducedOrientationSystem> parts = reducedSamples(outlier);
   Eigen::MatrixXd H = prior();
   Eigen::VectorXd g = prior() * pixels_;
   for (const ReducedOrientationSystem& part : parts) {
@@ -108,23 +109,23 @@ void OrientationRefiner::step(double outlier) {
     g += part.g;
   }
   const Eigen::VectorXd shift = Eigen::VectorXd(-Eigen::LLT<Eigen::MatrixXd>(H).solve(g))
-                                    .cwiseMax(-kLongestShift)
-                                    .cwiseMin(kLongestShift);
+                                    .cwiseMax(-kMaxShift)
+                                    .cwiseMin(kMaxShift);
   pixels_ += shift;
   for (size_t i = 0; i < parts.size(); ++i) {
     const Eigen::VectorXd turn = parts[i].at_rest - parts[i].back * shift;
-    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kLongestTurn).cwiseMin(kLongestTurn));
+    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kMaxTurn).cwiseMin(kMaxTurn));
   }
 }
 
-/// Deviations by the scatter of the instants' own wishes, which holds however the rays of one
-/// instant hang together, by the prior, which is all there is where they wish nothing, and by the
+/// The covariance has three parts: the scatter of the samples' gradients, which holds even if the
+/// rays of one sample are correlated; the prior, for cameras without evidence; and the
 /// disagreement.
 std::vector<OrientationCorrection> OrientationRefiner::corrections(
     const ImageShifts& disagreement) const {
   Eigen::MatrixXd H = prior(), scatter = prior();
   std::vector<OrientationCorrection> out(rig_.size());
-  for (const ReducedOrientationSystem& part : reducedInstants(options_.robust_scale_final)) {
+  for (const ReducedOrientationSystem& part : reducedSamples(options_.robust_scale_final)) {
     H += part.H;
     scatter += part.g * part.g.transpose();
     for (size_t c = 0; c < rig_.size(); ++c) out[c].rays += part.explained[c];
@@ -144,8 +145,8 @@ std::vector<OrientationCorrection> OrientationRefiner::corrections(
   return out;
 }
 
-/// An instant fitted with one rig.
-struct Judged {
+/// Fit of one sample for validation.
+struct ValidationFit {
   ContourPose pose;
   OrientationFit fit;
 };
@@ -159,28 +160,30 @@ double limitedDistance(const PoseProblem& problem, double limit) {
   return std::sqrt(sum / std::max(1.0, double(problem.matches().size())));
 }
 
-/// Fits of instants with the rig turned so far; empty where there is none.
-std::vector<std::optional<Judged>> judged(const CameraRig& rig, const ContourOptions& contour,
-                                          const ContourBody& body, const Instants& instants,
-                                          const ImageShifts& pixels) {
+/// Fits all samples with the rig rotated so far; empty where a fit fails.
+std::vector<std::optional<ValidationFit>> validationFits(const CameraRig& rig,
+                                                         const ContourOptions& contour,
+                                                         const ContourBody& body,
+                                                         const Samples& samples,
+                                                         const ImageShifts& pixels) {
   const CameraRig turned = rotatedRig(rig, pixels);
   const ContourFitter fitter(turned, contour);
-  std::vector<std::optional<Judged>> fits(instants.size());
-  tbb::parallel_for(size_t(0), instants.size(), [&](size_t i) {
-    const ContourObservation seen = rotatedObservation(instants[i]->seen, rig, turned);
-    const ContourFit fit = fitter.fit(seen, body, instants[i]->start, std::nullopt, kJudging);
+  std::vector<std::optional<ValidationFit>> fits(samples.size());
+  tbb::parallel_for(size_t(0), samples.size(), [&](size_t i) {
+    const ContourObservation seen = rotatedObservation(samples[i]->seen, rig, turned);
+    const ContourFit fit = fitter.fit(seen, body, samples[i]->start, std::nullopt, kValidation);
     if (fit.status != ContourFitStatus::kFitted) return;
     PoseProblem problem(seen, turned, contour);
-    problem.evaluate(body, fit.pose, kJudging.robust_scale_final);
-    fits[i] =
-        Judged{fit.pose, {fit.overlap, limitedDistance(problem, kJudging.robust_scale_final)}};
+    problem.evaluate(body, fit.pose, kValidation.robust_scale_final);
+    fits[i] = ValidationFit{
+        fit.pose, {fit.overlap, limitedDistance(problem, kValidation.robust_scale_final)}};
   });
   return fits;
 }
 
-/// Means over pairs of fits, and whether the second ones are surely better.
-void compare(const std::vector<std::optional<Judged>>& before,
-             const std::vector<std::optional<Judged>>& after, OrientationRefinement* out) {
+/// Means over the pairs of fits, and the significance of the gain.
+void compare(const std::vector<std::optional<ValidationFit>>& before,
+             const std::vector<std::optional<ValidationFit>>& after, OrientationRefinement* out) {
   double gain = 0.0, squares = 0.0;
   for (size_t i = 0; i < before.size(); ++i) {
     if (!before[i] || !after[i]) continue;
@@ -203,43 +206,42 @@ void compare(const std::vector<std::optional<Judged>>& before,
   out->significance = gain / n / std::max(std::sqrt(variance), 1e-9);
 }
 
-void check(const CameraRig& rig, const std::vector<OrientationSample>& instants,
+void check(const CameraRig& rig, const std::vector<OrientationSample>& samples,
            const OrientationRefinementOptions& options) {
   if (options.iterations < 1 || !(options.robust_scale_final > 0) ||
       !(options.robust_scale_initial >= options.robust_scale_final) || !(options.sigma_px > 0) ||
-      !(options.min_significance > 0) || !(options.least_gain >= 0))
+      !(options.min_significance > 0) || !(options.min_gain >= 0))
     throw std::invalid_argument(
-        "contour: an estimate of the cameras' pointing needs at least one iteration, positive "
-        "deviations and an outlier distance that does not grow");
-  for (const OrientationSample& instant : instants) {
-    if (instant.seen.views.size() != rig.size())
+        "contour: the refinement of camera orientations needs at least one iteration, positive "
+        "deviations, and a robust scale that does not increase");
+  for (const OrientationSample& sample : samples) {
+    if (sample.seen.views.size() != rig.size())
       throw std::invalid_argument(
-          "contour: an instant for the estimate of pointing is of another rig");
-    if (!instant.start.isFinite())
-      throw std::invalid_argument("contour: a pose to estimate pointing from is not finite");
+          "contour: a sample for the refinement of camera orientations is of another rig");
+    if (!sample.start.isFinite())
+      throw std::invalid_argument(
+          "contour: a start pose for the refinement of camera orientations is not finite");
   }
 }
 
-/// Each half of the instants, fitted with what the other half says of the cameras.
-/// \param disagreement half of what both halves differ by
-std::vector<std::optional<Judged>> judgedByOtherHalf(const CameraRig& rig,
-                                                     const ContourOptions& contour,
-                                                     const ContourBody& body,
-                                                     const Instants& instants,
-                                                     const OrientationRefinementOptions& options,
-                                                     ImageShifts& disagreement) {
-  const auto middle = instants.begin() + std::ptrdiff_t(instants.size() / 2);
-  const Instants halves[2] = {{instants.begin(), middle}, {middle, instants.end()}};
-  ImageShifts said[2];
+/// Cross-validation: fits each half of the samples with the rotations that the other half gives.
+/// \param disagreement half the difference between the estimates of the two halves
+std::vector<std::optional<ValidationFit>> crossValidationFits(
+    const CameraRig& rig, const ContourOptions& contour, const ContourBody& body,
+    const Samples& samples, const OrientationRefinementOptions& options,
+    ImageShifts& disagreement) {
+  const auto middle = samples.begin() + std::ptrdiff_t(samples.size() / 2);
+  const Samples halves[2] = {{samples.begin(), middle}, {middle, samples.end()}};
+  ImageShifts estimated[2];
   for (int half = 0; half < 2; ++half) {
     OrientationRefiner estimation(rig, contour, body, halves[half], options);
     estimation.run();
-    said[half] = estimation.pixels();
+    estimated[half] = estimation.pixels();
   }
-  disagreement = 0.5 * (said[0] - said[1]);
-  std::vector<std::optional<Judged>> fits;
+  disagreement = 0.5 * (estimated[0] - estimated[1]);
+  std::vector<std::optional<ValidationFit>> fits;
   for (int half = 0; half < 2; ++half)
-    for (auto& fit : judged(rig, contour, body, halves[half], said[1 - half]))
+    for (auto& fit : validationFits(rig, contour, body, halves[half], estimated[1 - half]))
       fits.push_back(std::move(fit));
   return fits;
 }
@@ -248,40 +250,40 @@ std::vector<std::optional<Judged>> judgedByOtherHalf(const CameraRig& rig,
 
 OrientationRefinement refineCameraOrientations(const CameraRig& rig, const ContourOptions& contour,
                                                const ContourBody& body,
-                                               const std::vector<OrientationSample>& instants,
+                                               const std::vector<OrientationSample>& samples,
                                                const OrientationRefinementOptions& options) {
   contour.validate();
-  check(rig, instants, options);
+  check(rig, samples, options);
   OrientationRefinement out;
   out.rig = rig;
-  Instants usable;
+  Samples usable;
   std::vector<size_t> places;
-  for (size_t i = 0; i < instants.size(); ++i) {
-    out.poses.push_back(instants[i].start);
-    if (instants[i].seen.usableViews() < 2) continue;
-    usable.push_back(&instants[i]);
+  for (size_t i = 0; i < samples.size(); ++i) {
+    out.poses.push_back(samples[i].start);
+    if (samples[i].seen.usableViews() < 2) continue;
+    usable.push_back(&samples[i]);
     places.push_back(i);
   }
   out.samples_used = int(usable.size());
   if (out.samples_used < kMinSamples) return out;
 
   const ImageShifts none = ImageShifts::Zero(Eigen::Index(2 * rig.size()));
-  const auto before = judged(rig, contour, body, usable, none);
+  const auto before = validationFits(rig, contour, body, usable, none);
   out.samples_used = 0;
   ImageShifts disagreement;
-  compare(before, judgedByOtherHalf(rig, contour, body, usable, options, disagreement), &out);
+  compare(before, crossValidationFits(rig, contour, body, usable, options, disagreement), &out);
   if (out.samples_used < kMinSamples) return out;
 
   OrientationRefiner all(rig, contour, body, usable, options);
   all.run();
   out.corrections = all.corrections(disagreement);
   const bool gains = out.significance >= options.min_significance &&
-                     out.after.distance <= (1.0 - options.least_gain) * out.before.distance &&
+                     out.after.distance <= (1.0 - options.min_gain) * out.before.distance &&
                      out.after.overlap >= out.before.overlap;
   out.status =
       gains ? OrientationRefinementStatus::kCorrected : OrientationRefinementStatus::kNoGain;
   if (gains) out.rig = rotatedRig(rig, all.pixels());
-  const auto fits = gains ? judged(rig, contour, body, usable, all.pixels()) : before;
+  const auto fits = gains ? validationFits(rig, contour, body, usable, all.pixels()) : before;
   for (size_t i = 0; i < fits.size(); ++i)
     if (fits[i]) out.poses[places[i]] = fits[i]->pose;
   return out;

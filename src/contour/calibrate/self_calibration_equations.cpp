@@ -11,13 +11,13 @@ namespace {
 using Eigen::Vector3d;
 using ConeJacobian = Eigen::Matrix<double, 8, kContourDof + 2>;
 
-/// The turn of a camera in its own axes by which its image shifts.
+/// The rotation of a camera, in its own axes, that shifts its image.
 Vector3d turnOfShift(const Camera& camera, double right, double down) {
   const Eigen::Matrix3d& K = camera.calibration().K;
   return {down / K(1, 1), -right / K(0, 0), 0.0};
 }
 
-/// One camera's share of an observation.
+/// The part of an observation that comes from one camera.
 ContourObservation seenBy(size_t camera, const ContourObservation& seen) {
   ContourObservation out;
   out.views.resize(seen.views.size());
@@ -27,8 +27,9 @@ ContourObservation seenBy(size_t camera, const ContourObservation& seen) {
   return out;
 }
 
-/// How a cone's ends move, seen by a camera, with the pose and the camera's shift to the right and
-/// down. That the camera turns is as if the body turned about it the other way.
+/// Derivatives of the ends of a cone, relative to the camera, with respect to the pose and the
+/// image shift of the camera (right, down). A rotation of the camera equals the opposite rotation
+/// of the body about it.
 ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, size_t cone,
                           const ContourWorldCone& placed) {
   const int segment = contourKinematicTree().cones[cone].ends[0].segment;
@@ -44,7 +45,7 @@ ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, siz
   return J;
 }
 
-/// Adds what one camera sees.
+/// Adds the equations of one camera.
 void addCamera(size_t index, const Camera& camera, const PoseProblem& problem,
                OrientationNormalEquations& out) {
   const auto at = Eigen::Index(2 * index);
@@ -111,7 +112,7 @@ OrientationNormalEquations orientationNormalEquations(const CameraRig& rig,
   addPosturePriors(pose, out.pose);
   for (size_t i = 0; i < rig.size(); ++i) {
     const ContourObservation part = seenBy(i, seen);
-    ContourOptions options = contour;  // each ray weighs what it does among all
+    ContourOptions options = contour;  // a ray has the same weight as among the rays of all cameras
     options.effective_rays *= double(part.rays.size()) / std::max(1.0, double(seen.rays.size()));
     PoseProblem problem(part, rig, options);
     problem.evaluate(body, pose, outlier);

@@ -6,18 +6,18 @@
 namespace markerless_mocap {
 namespace {
 
-// After them the pointing moves by less than a tenth of a pixel.
+// In a further round, the orientations would change by less than a tenth of a pixel.
 constexpr int kRounds = 3;
 
-ShapeParameters measuredAgain(const CameraRig& rig, const ContourOptions& contour,
-                              const ShapePrior& prior, const ShapeParameters& sizes,
-                              const std::vector<OrientationSample>& instants,
-                              const OrientationRefinement& pointing) {
+ShapeParameters reestimatedShape(const CameraRig& rig, const ContourOptions& contour,
+                                 const ShapePrior& prior, const ShapeParameters& shape,
+                                 const std::vector<OrientationSample>& samples,
+                                 const OrientationRefinement& refinement) {
   std::vector<ShapeSample> seen;
-  for (size_t i = 0; i < instants.size(); ++i)
+  for (size_t i = 0; i < samples.size(); ++i)
     seen.push_back(
-        {rotatedObservation(instants[i].seen, rig, pointing.rig), pointing.poses[i], {}});
-  return estimateShape(pointing.rig, contour, prior, sizes, seen, {}).sizes;
+        {rotatedObservation(samples[i].seen, rig, refinement.rig), refinement.poses[i], {}});
+  return estimateShape(refinement.rig, contour, prior, shape, seen, {}).shape;
 }
 
 }  // namespace
@@ -25,24 +25,24 @@ ShapeParameters measuredAgain(const CameraRig& rig, const ContourOptions& contou
 OrientationRefinement refineOrientationsAndShape(const CameraRig& rig,
                                                  const ContourOptions& contour,
                                                  const ShapePrior& prior,
-                                                 const ShapeParameters& sizes,
-                                                 const std::vector<OrientationSample>& instants,
+                                                 const ShapeParameters& shape,
+                                                 const std::vector<OrientationSample>& samples,
                                                  const OrientationRefinementOptions& options) {
   OrientationRefinement best =
-      refineCameraOrientations(rig, contour, ContourBody(sizes), instants, options);
+      refineCameraOrientations(rig, contour, ContourBody(shape), samples, options);
   const OrientationFit before = best.before;
-  ShapeParameters measured = sizes;
+  ShapeParameters estimated = shape;
   for (int round = 1; round < kRounds && best.status == OrientationRefinementStatus::kCorrected;
        ++round) {
-    measured = measuredAgain(rig, contour, prior, measured, instants, best);
-    std::vector<OrientationSample> again = instants;
+    estimated = reestimatedShape(rig, contour, prior, estimated, samples, best);
+    std::vector<OrientationSample> again = samples;
     for (size_t i = 0; i < again.size(); ++i) again[i].start = best.poses[i];
     OrientationRefinement next =
-        refineCameraOrientations(rig, contour, ContourBody(measured), again, options);
+        refineCameraOrientations(rig, contour, ContourBody(estimated), again, options);
     if (next.status != OrientationRefinementStatus::kCorrected) break;
     best = std::move(next);
   }
-  best.before = before;  // with the body as measured by the rig as given
+  best.before = before;  // with the initial shape
   return best;
 }
 

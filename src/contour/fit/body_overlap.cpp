@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kFractionBits = 4;  // of a sample, for drawing
+constexpr int kFractionBits = 4;  // of a coordinate, for OpenCV's drawing functions
 
-/// A ball's picture, in samples.
+/// Projection of a sphere, in samples.
 struct Disk {
   Vector2d middle;
   double radius;
@@ -32,7 +32,8 @@ cv::Point fixedPoint(const Vector2d& p) {
   return {int(std::lround(p.x() * kOne)), int(std::lround(p.y() * kOne))};
 }
 
-/// The hull of two disks: both, and the quadrangle between their common tangents.
+/// Draws the convex hull of two disks: both disks, and the quadrangle between their common
+/// tangents.
 void draw(const Disk& a, const Disk& b, cv::Mat& canvas) {
   for (const Disk& disk : {a, b})
     cv::circle(canvas, fixedPoint(disk.middle),
@@ -40,7 +41,7 @@ void draw(const Disk& a, const Disk& b, cv::Mat& canvas) {
                kFractionBits);
   const Vector2d way = b.middle - a.middle;
   const double length = way.norm(), sine = (a.radius - b.radius) / std::max(length, 1e-9);
-  if (std::abs(sine) >= 1) return;  // one disk holds the other
+  if (std::abs(sine) >= 1) return;  // one disk contains the other
   const Vector2d along = way / length, across(-along.y(), along.x());
   const double cosine = std::sqrt(1 - sine * sine);
   const Vector2d one = sine * along + cosine * across, other = sine * along - cosine * across;

@@ -5,8 +5,8 @@
 
 namespace markerless_mocap {
 
-/// How well the body's outline and a view's mask cover each other, 0 to 1: half the share of the
-/// body in the mask plus half the share of the mask in the body (Fleischmann 2012, 5.2.1).
+/// Overlap of the body's outline and the mask of a view, 0 to 1: half the fraction of the body that
+/// is in the mask plus half the fraction of the mask that is in the body (Fleischmann 2012, 5.2.1).
 double viewOverlap(const ContourView& view, const Camera& camera, const ContourWorldCones& cones);
 
 /// Mean of viewOverlap() over the usable views; 0 if there is none.

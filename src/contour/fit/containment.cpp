@@ -12,13 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A ball further out than this is an outlier, metres.
-constexpr double kOutlier = 0.15;
+// Robust scale: a sphere further outside than this is an outlier, metres.
+constexpr double kRobustScale = 0.15;
 
-/// Distance to the person's border at a pixel, and its slope, pixels.
+/// Signed distance to the border of the silhouette at a pixel, pixels, and its gradient.
 struct BorderDistance {
   double value;
-  Vector2d slope;
+  Vector2d gradient;
 };
 
 BorderDistance sample(const ContourView& view, const Vector2d& pixel) {
@@ -34,45 +34,46 @@ BorderDistance sample(const ContourView& view, const Vector2d& pixel) {
   const double above = top[0] + u * (top[next] - top[0]), below = low[0] + u * (low[next] - low[0]);
   BorderDistance border;
   border.value = above + v * (below - above);
-  border.slope.x() = ((1 - v) * (top[next] - top[0]) + v * (low[next] - low[0])) / view.step;
-  border.slope.y() = (below - above) / view.step;
+  border.gradient.x() = ((1 - v) * (top[next] - top[0]) + v * (low[next] - low[0])) / view.step;
+  border.gradient.y() = (below - above) / view.step;
   const Vector2d beyond = (at - inside) * view.step;
   const double away = beyond.norm();
   if (away > 0) {
     border.value += away;
     for (int i = 0; i < 2; ++i)
-      if (beyond[i] != 0) border.slope[i] = beyond[i] / away;
+      if (beyond[i] != 0) border.gradient[i] = beyond[i] / away;
   }
   return border;
 }
 
-/// A ball in one view: how far it sticks out, negative inside, and the derivative by its middle.
-struct BallInView {
-  double excess;
-  Vector3d slope;  ///< world
+/// Distance of a sphere outside the mask of one view, negative inside, metres, and its derivative
+/// with respect to the centre.
+struct SphereInView {
+  double outside;
+  Vector3d gradient;  ///< world
 };
 
-std::optional<BallInView> look(const Camera& camera, const ContourView& view,
-                               const Vector3d& middle, double radius) {
+std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView& view,
+                                         const Vector3d& middle, double radius) {
   const auto pixel = camera.projectInside(middle);
   if (!pixel) return std::nullopt;
   const BorderDistance border = sample(view, *pixel);
   const CameraCalibration& lens = camera.calibration();
   const Vector3d p = lens.T_world_camera.linear().transpose() * (middle - camera.position());
   const double fx = lens.K(0, 0), fy = lens.K(1, 1), f = 0.5 * (fx + fy);
-  BallInView ball;
-  ball.excess = border.value * p.z() / f + radius;
-  const double gx = border.slope.x() * fx / f, gy = border.slope.y() * fy / f;
-  const Vector3d slope(gx, gy, border.value / f - (gx * p.x() + gy * p.y()) / p.z());
-  ball.slope = lens.T_world_camera.linear() * slope;
-  return ball;
+  SphereInView sphere;
+  sphere.outside = border.value * p.z() / f + radius;
+  const double gx = border.gradient.x() * fx / f, gy = border.gradient.y() * fy / f;
+  const Vector3d gradient(gx, gy, border.value / f - (gx * p.x() + gy * p.y()) / p.z());
+  sphere.gradient = lens.T_world_camera.linear() * gradient;
+  return sphere;
 }
 
-/// Calls stick(cone, ball, s, ball in view) for every ball that sticks out of a usable mask, of the
+/// Calls add(cone, sphere, s, result) for every sphere that lies outside a usable mask, for the
 /// cones with wanted(cone).
-template <typename Wanted, typename Stick>
-void forEachExcess(const ContourObservation& seen, const CameraRig& rig,
-                   const ContourWorldCones& cones, const Wanted& wanted, const Stick& stick) {
+template <typename Wanted, typename Add>
+void forEachViolation(const ContourObservation& seen, const CameraRig& rig,
+                      const ContourWorldCones& cones, const Wanted& wanted, const Add& add) {
   for (size_t v = 0; v < rig.size(); ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
     for (size_t c = 0; c < kContourCones; ++c)
@@ -80,8 +81,9 @@ void forEachExcess(const ContourObservation& seen, const CameraRig& rig,
         const double s = double(i) / (kSpheresPerCone - 1);
         const ContourWorldCone& cone = cones[c];
         const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
-        const auto ball = look(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
-        if (ball && ball->excess > 0) stick(c, i, s, *ball);
+        const auto sphere =
+            sphereInView(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
+        if (sphere && sphere->outside > 0) add(c, i, s, *sphere);
       }
   }
 }
@@ -91,23 +93,26 @@ void forEachExcess(const ContourObservation& seen, const CameraRig& rig,
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight,
                                AllConeNormalEquations& sums) {
-  SphereViolation most{};
+  SphereViolation max_outside{};
   const auto all = [](size_t) { return true; };
-  forEachExcess(seen, rig, cones, all, [&](size_t c, size_t i, double s, const BallInView& ball) {
-    most[c][i] = std::max(most[c][i], ball.excess);
-    const double u[4] = {ball.slope.x(), ball.slope.y(), ball.slope.z(), 1.0};
-    sums[c].add(s, u, ball.excess, weight * gemanMcClureWeight(ball.excess, kOutlier));
-  });
-  return most;
+  forEachViolation(
+      seen, rig, cones, all, [&](size_t c, size_t i, double s, const SphereInView& sphere) {
+        max_outside[c][i] = std::max(max_outside[c][i], sphere.outside);
+        const double u[4] = {sphere.gradient.x(), sphere.gradient.y(), sphere.gradient.z(), 1.0};
+        sums[c].add(s, u, sphere.outside,
+                    weight * gemanMcClureWeight(sphere.outside, kRobustScale));
+      });
+  return max_outside;
 }
 
 double containmentEnergy(const ContourObservation& seen, const CameraRig& rig,
                          const ContourWorldCones& cones, ContourLimb::Id limb) {
   double sum = 0.0;
   const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
-  forEachExcess(seen, rig, cones, of_limb, [&](size_t, size_t, double, const BallInView& ball) {
-    sum += gemanMcClureLoss(ball.excess, kOutlier);
-  });
+  forEachViolation(seen, rig, cones, of_limb,
+                   [&](size_t, size_t, double, const SphereInView& sphere) {
+                     sum += gemanMcClureLoss(sphere.outside, kRobustScale);
+                   });
   return sum;
 }
 

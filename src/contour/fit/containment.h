@@ -7,21 +7,22 @@
 
 namespace markerless_mocap {
 
-/// Balls per cone that must lie inside every mask.
+/// Spheres per cone that must lie inside all masks.
 constexpr int kSpheresPerCone = 4;
 
-/// By how much each ball sticks out of the mask it sticks out of most, metres, 0 if of none.
+/// For each sphere, the maximum distance over all views by which it lies outside a mask, metres; 0
+/// if it is inside all of them.
 using SphereViolation = std::array<std::array<double, kSpheresPerCone>, kContourCones>;
 
-/// Adds a residual for each ball of the body that leaves a usable mask: by how much, metres, at the
-/// ball's depth. A camera that does not have the ball's middle in its image says nothing. The
-/// derivatives leave the change of the lens' distortion out.
-/// \param weight of a residual before it is taken for an outlier, 1/m^2
+/// Adds one residual for each sphere and each usable mask that it leaves: the distance outside the
+/// mask, in metres at the depth of the sphere. A view is ignored if the centre of the sphere is not
+/// in its image. The derivatives neglect the variation of the lens distortion.
+/// \param weight of a residual before robust weighting, 1/m^2
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight,
                                AllConeNormalEquations& sums);
 
-/// Sum of robust squares of what sticks out of a limb, in all views, m^2.
+/// Sum of the robust losses of all containment residuals of a limb, in all views, m^2.
 double containmentEnergy(const ContourObservation& seen, const CameraRig& rig,
                          const ContourWorldCones& cones, ContourLimb::Id limb);
 

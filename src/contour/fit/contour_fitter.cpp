@@ -13,11 +13,11 @@
 namespace markerless_mocap {
 namespace {
 
-// Levenberg-Marquardt damping in the units of the Hessian's diagonal: 1/rad^2 and 1/m^2, and a
-// share of the diagonal itself.
-constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kShareDamping = 1e-3;
+// Levenberg-Marquardt damping: absolute terms in the units of the Hessian's diagonal, 1/rad^2 and
+// 1/m^2, and a fraction of the diagonal itself.
+constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kRelativeDamping = 1e-3;
 
-constexpr double kLongestStep = 0.35;  // rad or metres
+constexpr double kMaxStep = 0.35;  // rad or metres
 
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
@@ -32,29 +32,30 @@ void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& 
 
 ContourPose stepped(const ContourPose& pose, const PoseNormalEquations& equations) {
   auto H = equations.H;
-  H.diagonal() *= 1.0 + kShareDamping;
+  H.diagonal() *= 1.0 + kRelativeDamping;
   H.diagonal().head<3>().array() += kMoveDamping;
   H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
   const PoseIncrement step = -Cholesky(H).solve(equations.g);
-  return boxPlus(pose, step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep));
+  return boxPlus(pose, step.cwiseMax(-kMaxStep).cwiseMin(kMaxStep));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
            const std::optional<ContourPrediction>& prediction) {
   if (seen.views.size() != rig.size())
-    throw std::invalid_argument("contour: an observation of " + std::to_string(seen.views.size()) +
-                                " views was given to a rig of " + std::to_string(rig.size()));
+    throw std::invalid_argument("contour: the observation has " +
+                                std::to_string(seen.views.size()) + " views, the rig has " +
+                                std::to_string(rig.size()) + " cameras");
   if (!start.isFinite() || (prediction && !prediction->pose.isFinite()))
-    throw std::invalid_argument("contour: the pose to start from or to expect is not finite");
+    throw std::invalid_argument("contour: the start pose or the predicted pose is not finite");
   if (prediction && !(prediction->seconds > 0))
-    throw std::invalid_argument("contour: a prediction must be of a later instant");
+    throw std::invalid_argument("contour: the time of a prediction must be positive");
 }
 
 }  // namespace
 
 ContourPose predictConstantVelocity(const ContourPose& before, const ContourPose& last,
-                                    double share) {
-  return boxPlus(last, share * boxMinus(last, before));
+                                    double fraction) {
+  return boxPlus(last, fraction * boxMinus(last, before));
 }
 
 double qualityOf(const ContourFit& fit) {
@@ -85,7 +86,7 @@ ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody&
   if (seen.usableViews() < 2) return fit;
   PoseProblem problem(seen, rig_, options_);
   PoseNormalEquations equations;
-  // One evaluation more than steps: the last one is of the pose that is handed out.
+  // The last iteration only evaluates the final pose.
   for (int i = 0; i <= schedule.iterations; ++i) {
     problem.evaluate(body, fit.pose, robustScaleAt(schedule, std::min(i, schedule.iterations - 1)));
     equations.clear();

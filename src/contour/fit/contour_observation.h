@@ -10,49 +10,51 @@
 
 namespace markerless_mocap {
 
-/// The viewing ray of a point on a silhouette's border, which touches the person somewhere. Points
-/// are measured in the plane across the ray: along the border's outward normal and along the
-/// border.
+/// The viewing ray of a point on the contour of a silhouette. The ray touches the surface of the
+/// person somewhere. Points near the ray have two coordinates in the plane perpendicular to it:
+/// along the outward normal of the contour, and along the contour.
 struct ContourRay {
-  Eigen::Vector3f normal, side;      ///< unit, across the ray and each other, world
-  float normal_of_ray, side_of_ray;  ///< of the ray itself in these coordinates, metres
+  Eigen::Vector3f normal, side;      ///< unit vectors in the world, perpendicular to the ray and to
+                                     ///< each other
+  float normal_of_ray, side_of_ray;  ///< coordinates of the ray itself, metres
   int camera;
-  Eigen::Vector2f pixel;  ///< on the border between two pixels
+  Eigen::Vector2f pixel;  ///< between two pixels
 };
 
 enum class ViewStatus { kMissing, kEmpty, kFull, kUsable };
 const char* toString(ViewStatus status);
 
-/// What one camera's mask says, over a box around the person.
+/// The mask of one camera, sampled in a box around the person.
 struct ContourView {
   ViewStatus status = ViewStatus::kMissing;
   int step = 1;      ///< pixels between samples
-  cv::Point corner;  ///< pixel of the first sample / step
-  cv::Mat person;    ///< CV_8UC1, the mask at the samples, 0 | 255
-  /// CV_32FC1: pixels to the person's border, negative inside.
+  cv::Point corner;  ///< first sample: its pixel divided by step
+  cv::Mat person;    ///< CV_8UC1, 0 | 255: the mask at the samples
+  /// CV_32FC1: distance to the border of the silhouette, pixels, negative inside.
   cv::Mat distance;
 };
 
-/// All cameras at one instant.
+/// The silhouettes of all cameras at one time.
 struct ContourObservation {
   std::vector<ContourView> views;  ///< by camera
-  std::vector<ContourRay> rays;    ///< evenly over all contours
+  std::vector<ContourRay> rays;    ///< evenly distributed over all contours
   int usableViews() const;
 };
 
 class RayTable;
 
-/// Turns masks into what a body is fitted to. Immutable; safe to share between threads.
+/// Converts masks to the data that a body is fitted to. Immutable; safe to share between threads.
 class ContourObserver {
  public:
-  /// Throws std::invalid_argument if the options do or there is no camera.
+  /// Throws std::invalid_argument if an option is out of range or the rig has no cameras.
   ContourObserver(const CameraRig& rig, const ContourOptions& options);
   ~ContourObserver();
   const CameraRig& rig() const { return rig_; }
 
-  /// \param masks by camera, CV_8UC1, non-zero = person, of the camera's size; one without data is
-  ///   a camera that says nothing. Throws std::invalid_argument otherwise. Masks without person or
-  ///   without background are left out and say so. The result does not depend on thread count.
+  /// \param masks one per camera, CV_8UC1, non-zero = person, of the size of the camera's image, or
+  ///   empty if missing; else throws std::invalid_argument. A mask without person or without
+  ///   background is not used, see ContourView::status. The result does not depend on the number of
+  ///   threads.
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
 
  private:

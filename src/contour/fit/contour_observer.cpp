@@ -14,27 +14,30 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Of the samples of a view's box: every other pixel up to VGA, fewer of larger images.
+// Samples across the box of a view: every second pixel up to VGA, fewer of larger images.
 constexpr int kSamplesAcross = 330;
 
-// Of the image's width: around the person's box, so that a body near it feels the slope.
+// Margin around the box of the person, as a fraction of the image width. It provides the gradient
+// of the distance to a body near the person.
 constexpr double kMargin = 0.04;
 
-// Pixels of the image's width per pixel of the disk that normals are taken from.
+// Image width divided by the radius of the disk that normals are computed in.
 constexpr int kWidthPerNormalRadius = 160;
 
 void check(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
   if (masks.size() != rig.size())
-    throw std::invalid_argument("contour: " + std::to_string(masks.size()) + " masks of " +
-                                std::to_string(rig.size()) + " cameras were given");
+    throw std::invalid_argument("contour: " + std::to_string(masks.size()) +
+                                " masks were given, the rig has " + std::to_string(rig.size()) +
+                                " cameras");
   for (size_t i = 0; i < masks.size(); ++i)
     if (!masks[i].empty() && (masks[i].type() != CV_8UC1 || masks[i].cols != rig[i].width() ||
                               masks[i].rows != rig[i].height()))
-      throw std::invalid_argument("contour: the mask of camera '" + rig[i].name() +
-                                  "' must have one channel of 8 bits and the camera's size");
+      throw std::invalid_argument(
+          "contour: the mask of camera '" + rig[i].name() +
+          "' must have one channel of 8 bits and the size of the camera's image");
 }
 
-/// Pixels to the border of what is not zero, 0.5 next to it, counted inside only.
+/// Distance of each non-zero pixel to the border, pixels; 0.5 next to it, 0 elsewhere.
 cv::Mat depthOf(const cv::Mat& shape) {
   cv::Mat depth;
   cv::distanceTransform(shape, depth, cv::DIST_L2, cv::DIST_MASK_5, CV_32F);
@@ -47,7 +50,7 @@ void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& vie
   const cv::Rect wide =
       cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
       cv::Rect(0, 0, mask.cols, mask.rows);
-  // Samples of all views lie on multiples of the step.
+  // The samples of all views lie at multiples of the step.
   view.corner = wide.tl() / view.step;
   const cv::Point end = (wide.br() - cv::Point(1, 1)) / view.step;
   view.person.create(end.y - view.corner.y + 1, end.x - view.corner.x + 1, CV_8UC1);
@@ -80,7 +83,7 @@ ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
   return view;
 }
 
-/// False where the border has no direction.
+/// Returns false where the contour has no direction.
 bool castRay(const cv::Mat& mask, const Camera& camera, const RayTable& rays, const Crack& crack,
              ContourRay& ray) {
   const int radius = std::clamp(mask.cols / kWidthPerNormalRadius, 2, 6);
@@ -88,8 +91,9 @@ bool castRay(const cv::Mat& mask, const Camera& camera, const RayTable& rays, co
   if (!(out.squaredNorm() > 0)) return false;
   const Vector2d pixel = crack.pixel(), along = 0.5 * Vector2d(-out.y(), out.x()).normalized();
   const Vector3d ahead = rays.direction(pixel + along), behind = rays.direction(pixel - along);
-  // The plane through the eye that holds the border there; turning the image's normal by a right
-  // angle and looking along the ray, its normal points out of the person.
+  // The tangent plane of the surface contains the camera centre and the contour at this point. Its
+  // normal follows from the image normal, turned by a right angle, and the direction of the ray. It
+  // points away from the person.
   const Vector3d direction = (ahead + behind).normalized();
   const Vector3d normal = ahead.cross(behind).normalized(), side = direction.cross(normal);
   ray.normal = normal.cast<float>();
@@ -100,7 +104,7 @@ bool castRay(const cv::Mat& mask, const Camera& camera, const RayTable& rays, co
   return true;
 }
 
-/// One of `count` places spread evenly over `total`.
+/// Index i of `count` indices that are evenly distributed over `total`.
 size_t spread(size_t i, size_t count, size_t total) {
   return (2 * i + 1) * total / (2 * count);
 }
@@ -121,7 +125,7 @@ int ContourObservation::usableViews() const {
 ContourObserver::ContourObserver(const CameraRig& rig, const ContourOptions& options)
     : rig_(rig), rays_(options.rays) {
   options.validate();
-  if (rig.empty()) throw std::invalid_argument("contour: a rig of at least one camera is needed");
+  if (rig.empty()) throw std::invalid_argument("contour: the rig has no cameras");
   for (const Camera& camera : rig_) pixel_rays_.emplace_back(camera);
 }
 
@@ -134,7 +138,7 @@ ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) c
   std::vector<std::vector<Crack>> cracks(rig_.size());
   tbb::parallel_for(size_t(0), rig_.size(),
                     [&](size_t i) { seen.views[i] = viewOf(masks[i], cracks[i]); });
-  std::vector<size_t> ends;  // of each camera's cracks among all
+  std::vector<size_t> ends;  // per camera: end of its cracks in the list of all
   for (size_t i = 0; i < cracks.size(); ++i)
     ends.push_back((i ? ends.back() : 0) + cracks[i].size());
   const size_t total = ends.back(), count = std::min(size_t(rays_), total);

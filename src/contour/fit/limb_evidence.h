@@ -5,7 +5,7 @@
 
 namespace markerless_mocap {
 
-/// Fills in what speaks for each limb where the problem was last evaluated, at the fit's pose.
+/// Fills in the evidence for each limb. `problem` must have been evaluated at the pose of the fit.
 void gatherEvidence(const ContourObservation& seen, const ContourOptions& options,
                     const ContourBody& body, const PoseProblem& problem, ContourFit& fit);
 

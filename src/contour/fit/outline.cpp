@@ -14,7 +14,7 @@ uint64_t wordAt(const uchar* row) {
   return word;
 }
 
-/// Cracks between the pixels of `row` and those of `other`, x from first to last exclusive.
+/// Finds cracks between the pixels of `row` and those of `other`, for x in [first, last).
 /// \param dx, dy half pixels from the first pixel to the crack
 void compareRows(const uchar* row, const uchar* other, int first, int last, int y, int dx, int dy,
                  std::vector<Crack>& cracks) {
@@ -33,7 +33,7 @@ void compareRows(const uchar* row, const uchar* other, int first, int last, int 
 }  // namespace
 
 void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cracks) {
-  // One pixel more than the box on every side, but never the image's own edge.
+  // The box grows by one pixel on every side, but not to the border of the image.
   const int left = std::max(box.x - 1, 1), right = std::min(box.x + box.width, mask.cols - 2);
   const int top = std::max(box.y - 1, 1), bottom = std::min(box.y + box.height, mask.rows - 2);
   for (int y = top; y <= bottom; ++y) {

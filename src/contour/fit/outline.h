@@ -7,20 +7,19 @@
 
 namespace markerless_mocap {
 
-/// A place between a pixel of the person and one of the background, in half pixels: the one odd
-/// coordinate tells the direction in which the two are neighbours.
+/// Boundary between a pixel of the person and one of the background, in half pixels. One coordinate
+/// is odd; it tells the direction in which the two pixels are neighbours.
 struct Crack {
   int16_t x2, y2;
   Eigen::Vector2d pixel() const { return {0.5 * x2, 0.5 * y2}; }
 };
 
-/// All cracks of a mask inside a box, row by row. Neighbours at the image's edge are no cracks, as
-/// nobody knows where the person ends there. \param mask CV_8UC1
+/// Finds all cracks of a mask inside a box, row by row. The border of the image is no crack,
+/// because the person may continue beyond it. \param mask CV_8UC1
 void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cracks);
 
-/// Normal of the border at a crack, out of the person, pixels: away from the middle of the person's
-/// pixels in a small disk. Zero where the disk is mirror-symmetric (a line one pixel wide).
-/// \param radius of the disk, pixels
+/// Outward normal of the contour at a crack, pixels: it points away from the centroid of the
+/// person's pixels in a small disk. Zero if the disk is mirror-symmetric (a line one pixel wide).
 Eigen::Vector2d outwardNormal(const cv::Mat& mask, const Crack& crack, int radius);
 
 }  // namespace markerless_mocap

@@ -14,39 +14,41 @@ using B = SphericalJoint;
 
 constexpr double kLimitDeviation = 0.05;  // rad beyond a limit
 
-/// An angle's limits and what it is usually: 0, with a deviation; 0: anything is usual. Radians.
-struct AngleRule {
+/// Limits of an angle and the standard deviation of its prior, which has mean 0; a deviation of 0
+/// means no prior. Radians.
+struct AnglePrior {
   double lower, upper, deviation;
 };
-// Limits as in urdf/human.urdf.in where the URDF has the joint.
-constexpr AngleRule kAngleRules[A::kCount] = {
+// Limits as in urdf/human.urdf.in if the URDF has the joint.
+constexpr AnglePrior kAnglePriors[A::kCount] = {
     {-0.6, 1.4, 0.15}, {-0.7, 0.7, 0.15}, {-0.8, 0.8, 0.10},                     // spine
     {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09}, {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09},  // clavicles
     {0.0, 2.7, 0.0},   {0.0, 2.7, 0.0},                                          // elbows
     {-2.7, 0.0, 0.0},  {-2.7, 0.0, 0.0},                                         // knees
     {-0.9, 0.6, 0.3},  {-0.9, 0.6, 0.3}};                                        // ankles
 
-/// A ball's twist about its limb, counted from the pose in which the limb points along `rest`: that
-/// is far from the direction in which twists are not defined, -rest, where no limb gets to.
-struct TwistRule {
-  int ball;
-  Vector3d rest;  ///< of the limb's z in the parent's frame; the limb points along -z
+/// Twist of a spherical joint about its limb, relative to the pose in which the limb points along
+/// `rest`. `rest` is chosen so that the singularity of the twist, -rest, is a direction that no
+/// limb reaches.
+struct TwistPrior {
+  int joint;
+  Vector3d rest;  ///< of the limb's z axis in the parent's frame; the limb points along -z
   double limit, deviation;
 };
-const TwistRule kTwistRules[] = {{B::kNeck, {0, 0, 1}, 1.4, 0.5},
-                                 {B::kLeftShoulder, {-0.6, -0.6, 0.5}, 1.7, 0.8},
-                                 {B::kRightShoulder, {-0.6, 0.6, 0.5}, 1.7, 0.8},
-                                 {B::kLeftHip, {-0.5, 0, 0.9}, 0.9, 0.3},
-                                 {B::kRightHip, {-0.5, 0, 0.9}, 0.9, 0.3}};
+const TwistPrior kTwistPriors[] = {{B::kNeck, {0, 0, 1}, 1.4, 0.5},
+                                   {B::kLeftShoulder, {-0.6, -0.6, 0.5}, 1.7, 0.8},
+                                   {B::kRightShoulder, {-0.6, 0.6, 0.5}, 1.7, 0.8},
+                                   {B::kLeftHip, {-0.5, 0, 0.9}, 0.9, 0.3},
+                                   {B::kRightHip, {-0.5, 0, 0.9}, 0.9, 0.3}};
 
-/// The limb's z must not point further along a direction of the parent than this.
-struct DirectionRule {
-  int ball;
+/// Maximum component of the limb's z axis along a direction in the parent's frame.
+struct DirectionLimit {
+  int joint;
   Vector3d along;
-  double most;
+  double maximum;
 };
-const DirectionRule kDirectionRules[] = {
-    {B::kNeck, {0, 0, -1}, -0.4},          // the head hangs at most so far
+const DirectionLimit kDirectionLimits[] = {
+    {B::kNeck, {0, 0, -1}, -0.4},          // limit of the head's forward bend
     {B::kLeftShoulder, {0, 1, 0}, 0.8},    // across the chest
     {B::kRightShoulder, {0, -1, 0}, 0.8},  //
     {B::kLeftShoulder, {1, 0, 0}, 0.85},   // backwards
@@ -58,37 +60,38 @@ const DirectionRule kDirectionRules[] = {
     {B::kLeftHip, {0, 0, -1}, 0.75},       // to the chest
     {B::kRightHip, {0, 0, -1}, 0.75}};
 
-// An arm that no contour holds hangs: its upper arm's z in the frame of the left clavicle, and the
-// elbow's bend. Away from there by more than the deviation (radians) the pull is the same however
-// far, and any contour outweighs it.
+// An arm without evidence hangs: direction of the upper arm's z axis in the frame of the left
+// clavicle, and angle of the elbow. Beyond the deviation (radians) the pull is constant, and any
+// contour outweighs it.
 const Vector3d kHanging = Vector3d(0.05, -0.13, 1.0).normalized();
 constexpr double kHangingDeviation = 0.1;
 constexpr double kBend = 0.2, kBendDeviation = 0.15;
 
-/// A residual of the three degrees of freedom of a ball.
-struct BallResidual {
+/// Residual of a spherical joint and its gradient with respect to the three degrees of freedom.
+struct SphericalResidual {
   double value;
-  Vector3d slope;
+  Vector3d gradient;
 };
 
-BallResidual twistOf(const TwistRule& rule, const Matrix3d& R) {
+SphericalResidual twistOf(const TwistPrior& rule, const Matrix3d& R) {
   const auto reference = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), rule.rest);
   Eigen::Quaterniond q = reference.conjugate() * Eigen::Quaterniond(R);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
-  // Swing and twist: the twist about z is 2 atan2(z, w); q exp(step) changes w and z by these.
+  // Swing-twist decomposition: the twist about z is 2 atan2(z, w). dw and dz are the derivatives of
+  // w and z for q exp(step).
   const Vector3d dw = -0.5 * q.vec();
   const Vector3d dz = 0.5 * Vector3d(-q.y(), q.x(), q.w());
   const double size = std::max(1e-9, q.z() * q.z() + q.w() * q.w());
   return {2.0 * std::atan2(q.z(), q.w()), 2.0 * (q.w() * dz - q.z() * dw) / size};
 }
 
-BallResidual directionOf(const DirectionRule& rule, const Matrix3d& R) {
+SphericalResidual directionOf(const DirectionLimit& rule, const Matrix3d& R) {
   // R exp(step) z = R z + R (step x z)
   const Vector3d along = R.transpose() * rule.along;
   return {along.z(), Vector3d::UnitZ().cross(along)};
 }
 
-/// What is beyond -limit or limit.
+/// Distance beyond the limits, with sign.
 double excess(double value, double lower, double upper) {
   return value - std::clamp(value, lower, upper);
 }
@@ -97,13 +100,13 @@ double inverseSquare(double deviation) {
   return 1.0 / (deviation * deviation);
 }
 
-/// 1 + half the square of a residual over its deviation where that is small, and linear beyond
-/// (pseudo-Huber): the error, and what the residual's weight is divided by.
-double softened(double residual, double deviation) {
+/// Pseudo-Huber loss plus 1: 1 + half the squared ratio of residual to deviation if it is small,
+/// linear beyond. It is also the divisor of the residual's weight.
+double pseudoHuber(double residual, double deviation) {
   return std::hypot(1.0, residual / deviation);
 }
 
-/// How an arm differs from a hanging one: its direction (1 is a radian) and its bend, radians.
+/// Difference of an arm from the hanging one: direction (unit vectors) and elbow angle, radians.
 struct ArmAtRest {
   Vector3d away;
   double bend;
@@ -116,31 +119,31 @@ ArmAtRest armAtRest(const ContourPose& pose, size_t side) {
           pose.angles[A::kLeftElbow + side] - kBend};
 }
 
-/// Calls add(first dof, slope, residual, weight) for every residual that is at work.
+/// Calls add(first dof, gradient, residual, weight) for every active residual.
 template <typename Add>
 void forEachResidual(const ContourPose& pose, const Add& add) {
   const double hard = inverseSquare(kLimitDeviation);
   const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
   for (int a = 0; a < A::kCount; ++a) {
-    const AngleRule& rule = kAngleRules[a];
+    const AnglePrior& rule = kAnglePriors[a];
     const double angle = pose.angles[size_t(a)], over = excess(angle, rule.lower, rule.upper);
     if (over != 0) add(revoluteDof(a), one, over, hard);
     if (rule.deviation > 0) add(revoluteDof(a), one, angle, inverseSquare(rule.deviation));
   }
-  for (const TwistRule& rule : kTwistRules) {
-    const BallResidual twist = twistOf(rule, pose.rotations[size_t(rule.ball)]);
+  for (const TwistPrior& rule : kTwistPriors) {
+    const SphericalResidual twist = twistOf(rule, pose.rotations[size_t(rule.joint)]);
     const double over = excess(twist.value, -rule.limit, rule.limit);
-    add(sphericalDof(rule.ball), twist.slope, twist.value, inverseSquare(rule.deviation));
-    if (over != 0) add(sphericalDof(rule.ball), twist.slope, over, hard);
+    add(sphericalDof(rule.joint), twist.gradient, twist.value, inverseSquare(rule.deviation));
+    if (over != 0) add(sphericalDof(rule.joint), twist.gradient, over, hard);
   }
-  for (const DirectionRule& rule : kDirectionRules) {
-    const BallResidual direction = directionOf(rule, pose.rotations[size_t(rule.ball)]);
-    const double over = direction.value - rule.most;
-    if (over > 0) add(sphericalDof(rule.ball), direction.slope, over, hard);
+  for (const DirectionLimit& rule : kDirectionLimits) {
+    const SphericalResidual direction = directionOf(rule, pose.rotations[size_t(rule.joint)]);
+    const double over = direction.value - rule.maximum;
+    if (over > 0) add(sphericalDof(rule.joint), direction.gradient, over, hard);
   }
 }
 
-/// Inverse of the right Jacobian of rotations: how the vector of log(R) changes with R exp(step).
+/// Inverse of the right Jacobian of SO(3): the derivative of log(R exp(step)) with respect to step.
 Matrix3d inverseRightJacobian(const Vector3d& turn) {
   const double angle2 = turn.squaredNorm(), angle = std::sqrt(angle2);
   Matrix3d cross;
@@ -153,8 +156,8 @@ Matrix3d inverseRightJacobian(const Vector3d& turn) {
 }  // namespace
 
 void addPosturePriors(const ContourPose& pose, PoseNormalEquations& equations) {
-  forEachResidual(pose, [&](int dof, const auto& slope, double residual, double weight) {
-    equations.add(dof, slope, residual, weight);
+  forEachResidual(pose, [&](int dof, const auto& gradient, double residual, double weight) {
+    equations.add(dof, gradient, residual, weight);
   });
 }
 
@@ -164,15 +167,15 @@ void addArmRestPrior(const ContourPose& pose, PoseNormalEquations& equations) {
     const ArmAtRest arm = armAtRest(pose, side);
     const int shoulder = B::kLeftShoulder + int(side), elbow = A::kLeftElbow + int(side);
     const double weight =
-        inverseSquare(kHangingDeviation) / softened(arm.away.norm(), kHangingDeviation);
+        inverseSquare(kHangingDeviation) / pseudoHuber(arm.away.norm(), kHangingDeviation);
     for (int i = 0; i < 3; ++i) {
-      const DirectionRule along{shoulder, Vector3d::Unit(i), 0};
+      const DirectionLimit along{shoulder, Vector3d::Unit(i), 0};
       equations.add(sphericalDof(shoulder),
-                    directionOf(along, pose.rotations[size_t(shoulder)]).slope, arm.away[i],
+                    directionOf(along, pose.rotations[size_t(shoulder)]).gradient, arm.away[i],
                     weight);
     }
     equations.add(revoluteDof(elbow), one, arm.bend,
-                  inverseSquare(kBendDeviation) / softened(arm.bend, kBendDeviation));
+                  inverseSquare(kBendDeviation) / pseudoHuber(arm.bend, kBendDeviation));
   }
 }
 
@@ -197,8 +200,8 @@ double armRestEnergy(const ContourPose& pose) {
   double energy = 0.0;
   for (const size_t side : {0, 1}) {
     const ArmAtRest arm = armAtRest(pose, side);
-    energy += softened(arm.away.norm(), kHangingDeviation) - 1.0;
-    energy += softened(arm.bend, kBendDeviation) - 1.0;
+    energy += pseudoHuber(arm.away.norm(), kHangingDeviation) - 1.0;
+    energy += pseudoHuber(arm.bend, kBendDeviation) - 1.0;
   }
   return energy;
 }
@@ -229,13 +232,14 @@ double motionPriorEnergy(const ContourPose& pose, const ContourPose& expected,
 double maxLimitViolation(const ContourPose& pose) {
   double worst = 0.0;
   for (size_t a = 0; a < A::kCount; ++a)
-    worst = std::max(worst,
-                     std::abs(excess(pose.angles[a], kAngleRules[a].lower, kAngleRules[a].upper)));
-  for (const TwistRule& rule : kTwistRules)
-    worst = std::max(worst, std::abs(excess(twistOf(rule, pose.rotations[size_t(rule.ball)]).value,
+    worst = std::max(
+        worst, std::abs(excess(pose.angles[a], kAnglePriors[a].lower, kAnglePriors[a].upper)));
+  for (const TwistPrior& rule : kTwistPriors)
+    worst = std::max(worst, std::abs(excess(twistOf(rule, pose.rotations[size_t(rule.joint)]).value,
                                             -rule.limit, rule.limit)));
-  for (const DirectionRule& rule : kDirectionRules)
-    worst = std::max(worst, directionOf(rule, pose.rotations[size_t(rule.ball)]).value - rule.most);
+  for (const DirectionLimit& rule : kDirectionLimits)
+    worst =
+        std::max(worst, directionOf(rule, pose.rotations[size_t(rule.joint)]).value - rule.maximum);
   return worst;
 }
 

@@ -5,27 +5,27 @@
 
 namespace markerless_mocap {
 
-/// Soft joint limits and what postures are common: joints without evidence rest there.
+/// Adds soft joint limits and the prior of common postures: joints without evidence return to it.
 void addPosturePriors(const ContourPose& pose, PoseNormalEquations& equations);
 
-/// Draws the arms to where they hang, as strongly from anywhere: an arm that no contour holds comes
-/// to rest there.
+/// Pulls the arms to the hanging pose with a force that does not grow with the distance: an arm
+/// without evidence comes to rest there.
 void addArmRestPrior(const ContourPose& pose, PoseNormalEquations& equations);
 
-/// The pose with both arms where they hang.
+/// The pose with both arms hanging.
 ContourPose withArmsAtRest(ContourPose pose);
 
-/// Draws the pose to where it is expected. \param turn_deviation rad \param move_deviation metres
+/// Pulls the pose to the expected one. \param turn_deviation rad \param move_deviation metres
 void addMotionPrior(const ContourPose& pose, const ContourPose& expected, double turn_deviation,
                     double move_deviation, PoseNormalEquations& equations);
 
-/// What each of them adds to the error: half the weighted sum of squares but for arms at rest.
+/// Energy of each prior: half the weighted sum of squares; pseudo-Huber loss for arms at rest.
 double postureEnergy(const ContourPose& pose);
 double armRestEnergy(const ContourPose& pose);
 double motionPriorEnergy(const ContourPose& pose, const ContourPose& expected,
                          double turn_deviation, double move_deviation);
 
-/// How far a pose is beyond its soft limits at most, radians (for directions their sine).
+/// Maximum violation of the soft limits, radians (for directions: sine).
 double maxLimitViolation(const ContourPose& pose);
 
 }  // namespace markerless_mocap

@@ -13,7 +13,7 @@ void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, dou
   for (ConeNormalEquations& sum : sums_) sum.clear();
   addRays(outlier);
   const double weight = options_.containment_weight / (options_.ray_sigma * options_.ray_sigma);
-  excess_ = addContainment(seen_, rig_, cones_, weight, sums_);
+  violation_ = addContainment(seen_, rig_, cones_, weight, sums_);
 }
 
 void PoseProblem::addRays(double outlier) {
@@ -33,9 +33,10 @@ void addRay(const ContourRay& ray, const RayMatch& match, double weight,
 }
 
 double robustScaleAt(const RobustSchedule& schedule, int iteration) {
-  const double share = schedule.iterations > 1 ? double(iteration) / (schedule.iterations - 1) : 1;
+  const double fraction =
+      schedule.iterations > 1 ? double(iteration) / (schedule.iterations - 1) : 1;
   return schedule.robust_scale_initial *
-         std::pow(schedule.robust_scale_final / schedule.robust_scale_initial, share);
+         std::pow(schedule.robust_scale_final / schedule.robust_scale_initial, fraction);
 }
 
 }  // namespace markerless_mocap

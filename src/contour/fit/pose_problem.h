@@ -9,22 +9,23 @@
 
 namespace markerless_mocap {
 
-/// One body before one instant's contours: scratch memory and the sums at the last pose.
+/// The fit of one body to one observation: scratch memory, and the normal equations at the last
+/// evaluated pose.
 class PoseProblem {
  public:
-  /// All given must outlive it.
+  /// All arguments must outlive this object.
   PoseProblem(const ContourObservation& seen, const CameraRig& rig, const ContourOptions& options)
       : seen_(seen), rig_(rig), options_(options) {}
 
-  /// Places the body and sums up rays and containment.
-  /// \param outlier distance from which on a ray is mostly ignored, metres
+  /// Places the body and accumulates rays and containment.
+  /// \param outlier scale of the robust loss, metres
   void evaluate(const ContourBody& body, const ContourPose& pose, double outlier);
 
   const ContourFrames& frames() const { return frames_; }
   const ContourWorldCones& cones() const { return cones_; }
   const AllConeNormalEquations& sums() const { return sums_; }
   const std::vector<RayMatch>& matches() const { return matches_; }
-  const SphereViolation& excess() const { return excess_; }
+  const SphereViolation& violation() const { return violation_; }
 
  private:
   void addRays(double outlier);
@@ -36,14 +37,14 @@ class PoseProblem {
   ContourWorldCones cones_;
   AllConeNormalEquations sums_;
   std::vector<RayMatch> matches_;
-  SphereViolation excess_{};
+  SphereViolation violation_{};
 };
 
-/// Adds what a ray tells of the cone it is matched to.
+/// Adds the residual of a ray to the cone that it is matched to.
 void addRay(const ContourRay& ray, const RayMatch& match, double weight,
             AllConeNormalEquations& sums);
 
-/// Robustness of a step, from the first value to the last by equal factors.
+/// Robust scale of a step: a geometric sequence from the initial to the final value.
 double robustScaleAt(const RobustSchedule& schedule, int iteration);
 
 }  // namespace markerless_mocap

@@ -9,11 +9,11 @@ constexpr int kLanes = PackedContourCones::kLanes;
 
 constexpr float kTurnPenalty = 0.06f;  // metres per 1 - cos
 constexpr float kWrongSide = 0.3f;     // cosine below which a cone is on the wrong side
-constexpr float kNothing = 1e-12f;     // square metres: keeps divisions finite
+constexpr float kNothing = 1e-12f;     // square metres: avoids division by zero
 
-/// What a ray and each cone have to do with one another. Seen along the ray a cone is the hull of
-/// two circles and its axis a line; the point s of the axis is the one whose circle the ray is
-/// nearest to, shifted from the foot of the perpendicular by the taper.
+/// Distances between rays and cones. Seen along the ray, a cone is the convex hull of two circles
+/// and its axis a line. s is the point of the axis whose circle is nearest to the ray. It is
+/// shifted from the foot of the perpendicular by the taper.
 struct Lanes {
   float s[kLanes], residual[kLanes], normal[kLanes], side[kLanes], score[kLanes];
 };

@@ -8,7 +8,7 @@
 
 namespace markerless_mocap {
 
-/// Cones side by side, padded to whole vectors with cones that no ray is near to.
+/// Cones as structure of arrays, padded to whole SIMD vectors with cones far from all rays.
 struct PackedContourCones {
   static constexpr int kLanes = 24;
   float ax[kLanes], ay[kLanes], az[kLanes], ra[kLanes];
@@ -17,17 +17,19 @@ struct PackedContourCones {
   explicit PackedContourCones(const ContourWorldCones& cones);
 };
 
-/// The cone that a ray is taken to touch.
+/// The cone that a ray is assumed to touch.
 struct RayMatch {
   int cone;
-  float s;         ///< where on its axis, 0 at a, 1 at b
-  float residual;  ///< distance from ray to surface, metres; negative when the ray cuts the cone
-  float along_normal, along_side;  ///< the residual's derivative by the axis point there
+  float s;         ///< point on its axis, 0 at a, 1 at b
+  float residual;  ///< distance from ray to surface, metres; negative if the ray intersects the
+                   ///< cone
+  float along_normal, along_side;  ///< derivative of the residual with respect to the axis point
 };
 
-/// For each ray the cone to which |distance| + kTurnPenalty (1 - cos) is least; the angle is
-/// between the border's normal and the way from the cone's axis to the ray. A cone on the wrong
-/// side of its border is measured along the normal, which pulls it back through.
+/// Finds for each ray the cone with minimum |distance| + kTurnPenalty (1 - cos), where the angle is
+/// between the contour's normal and the direction from the cone's axis to the ray. If a cone lies
+/// on the wrong side of its contour, the distance is measured along the normal, which pulls the
+/// cone back through the contour.
 void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches);
 

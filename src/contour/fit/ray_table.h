@@ -7,12 +7,12 @@
 
 namespace markerless_mocap {
 
-/// Directions of a camera's viewing rays from a table of undistorted points, linear between its
-/// nodes: exact without distortion, else within some hundredths of a pixel.
+/// Directions of a camera's viewing rays, interpolated linearly in a table of undistorted points:
+/// exact without distortion, else within some hundredths of a pixel.
 class RayTable {
  public:
   explicit RayTable(const Camera& camera);
-  /// World, not normalised. \param pixel inside the image
+  /// Direction in the world, not normalised. \param pixel inside the image
   Eigen::Vector3d direction(const Eigen::Vector2d& pixel) const;
 
  private:

@@ -9,37 +9,37 @@
 namespace markerless_mocap {
 namespace {
 
-// Another pose: the joints have moved by this on average; one who stands still is taken in more
-// rarely.
-constexpr double kOtherPose = 0.04;  // metres
+// A pose differs if the mean displacement of the joints is larger than this. A person who stands
+// still is therefore added rarely.
+constexpr double kMinPoseChange = 0.04;  // metres
 constexpr int64_t kSoonest_ns = 60000000, kLatest_ns = 300000000;
 
-constexpr double kLeastOverlap = 0.7;  // with sizes that are not this person's
+constexpr double kMinOverlap = 0.7;  // with the mean shape
 
-// One who hardly moves is measured from fewer poses after this time.
-constexpr int64_t kPatience_ns = 5000000000;
-constexpr size_t kFewestPoses = 8;
+// After this time, a person who hardly moves is estimated from fewer poses.
+constexpr int64_t kMaxWait_ns = 5000000000;
+constexpr size_t kMinPoses = 8;
 
-// The second estimate starts with correspondences that the first has put right.
+// The second round starts with the correspondences that the first one has improved.
 constexpr int kRounds = 2;
 
 ShapeParameters estimated(const CameraRig& rig, const ContourOptions& contour,
-                          const ShapePrior& prior, std::vector<ShapeSample> instants) {
-  ShapeParameters sizes = prior.people.sizes(prior.stature);
+                          const ShapePrior& prior, std::vector<ShapeSample> samples) {
+  ShapeParameters shape = prior.shape_statistics.meanShape(prior.stature);
   for (int round = 0; round < kRounds; ++round) {
-    const ShapeEstimate estimate = estimateShape(rig, contour, prior, sizes, instants, {});
-    sizes = estimate.sizes;
-    for (size_t i = 0; i < instants.size(); ++i) instants[i].start = estimate.poses[i];
+    const ShapeEstimate estimate = estimateShape(rig, contour, prior, shape, samples, {});
+    shape = estimate.shape;
+    for (size_t i = 0; i < samples.size(); ++i) samples[i].start = estimate.poses[i];
   }
-  return sizes;
+  return shape;
 }
 
-constexpr int kNiceness = 10;  // what goes on meanwhile comes first
+constexpr int kNiceness = 10;  // tracking has priority over the estimate
 
-/// Takes what is left over of one core.
+/// Runs the function in a thread of low priority.
 template <class Function>
 auto unobtrusively(const Function& function) {
-  setpriority(PRIO_PROCESS, 0, kNiceness);  // of this thread alone
+  setpriority(PRIO_PROCESS, 0, kNiceness);  // of this thread only
   return tbb::task_arena(1).execute(function);
 }
 
@@ -55,36 +55,36 @@ OnlineShapeEstimator::OnlineShapeEstimator(const CameraRig& rig, const ContourOp
 
 void OnlineShapeEstimator::add(int64_t stamp_ns, const ContourObservation& seen,
                                const ContourBody& body, const ContourFit& fit) {
-  if (isEstimating() || fit.overlap < kLeastOverlap) return;
+  if (isEstimating() || fit.overlap < kMinOverlap) return;
   const Eigen::Matrix3Xd points = body.points(fit.pose);
-  if (!instants_.empty()) {
-    if (stamp_ns < last_stamp_ns_) {  // time goes on from elsewhere
+  if (!samples_.empty()) {
+    if (stamp_ns < last_stamp_ns_) {  // the clock was set back
       first_stamp_ns_ += stamp_ns - last_stamp_ns_;
       last_stamp_ns_ = stamp_ns;
     }
     const int64_t passed = stamp_ns - last_stamp_ns_;
     const double moved = (points - last_points_).colwise().norm().mean();
-    if (passed < kSoonest_ns || (passed < kLatest_ns && moved < kOtherPose)) return;
+    if (passed < kSoonest_ns || (passed < kLatest_ns && moved < kMinPoseChange)) return;
   }
-  instants_.push_back({seen, fit.pose, {}});
+  samples_.push_back({seen, fit.pose, {}});
   last_points_ = points;
   last_stamp_ns_ = stamp_ns;
-  if (instants_.size() == 1) first_stamp_ns_ = stamp_ns;
-  const bool patient = stamp_ns - first_stamp_ns_ < kPatience_ns || instants_.size() < kFewestPoses;
-  if (instants_.size() >= poses_ || !patient) estimateNow();
+  if (samples_.size() == 1) first_stamp_ns_ = stamp_ns;
+  const bool patient = stamp_ns - first_stamp_ns_ < kMaxWait_ns || samples_.size() < kMinPoses;
+  if (samples_.size() >= poses_ || !patient) estimateNow();
 }
 
 void OnlineShapeEstimator::estimateNow() {
-  if (isEstimating() || instants_.empty()) return;
-  const auto estimate = [rig = rig_, contour = contour_, prior = prior_, instants = instants_] {
-    return estimated(rig, contour, prior, instants);
+  if (isEstimating() || samples_.empty()) return;
+  const auto estimate = [rig = rig_, contour = contour_, prior = prior_, samples = samples_] {
+    return estimated(rig, contour, prior, samples);
   };
   estimate_ = in_background_
                   ? std::async(std::launch::async, [estimate] { return unobtrusively(estimate); })
                   : std::async(std::launch::deferred, estimate);
 }
 
-std::optional<ShapeParameters> OnlineShapeEstimator::sizes() {
+std::optional<ShapeParameters> OnlineShapeEstimator::shape() {
   if (!estimate_.valid()) return std::nullopt;
   if (in_background_ && estimate_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return std::nullopt;

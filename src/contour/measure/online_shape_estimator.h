@@ -10,27 +10,27 @@
 
 namespace markerless_mocap {
 
-/// Gathers instants of different poses and estimates the person's sizes from them, once.
+/// Collects frames of different poses and estimates the shape of the person from them, once.
 class OnlineShapeEstimator {
  public:
-  /// \param poses how many the estimate is made from
-  /// \param in_background the estimate is made while instants go on
+  /// \param poses number of frames that the estimate uses
+  /// \param in_background the estimate runs in a thread of its own
   OnlineShapeEstimator(const CameraRig& rig, const ContourOptions& contour, const ShapePrior& prior,
                        int poses, bool in_background);
 
-  /// The stature that the estimate begins with, metres.
+  /// The stature that the estimate starts with, metres.
   void setStature(double stature) { prior_.stature = stature; }
-  /// Takes an instant in if its pose has changed from the last one taken, or time has passed. The
-  /// estimate begins with enough poses, or after a while with fewer.
+  /// Adds a frame if its pose differs from the last one added, or if some time has passed. The
+  /// estimate starts as soon as there are enough poses, or after some seconds with fewer.
   void add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
            const ContourFit& fit);
-  /// Estimates from the instants taken in so far, if there are any.
+  /// Estimates from the frames added so far, if there are any.
   void estimateNow();
-  /// Instants taken in so far.
-  int poses() const { return int(instants_.size()); }
+  /// Number of frames added so far.
+  int poses() const { return int(samples_.size()); }
   bool isEstimating() const { return estimate_.valid(); }
-  /// The sizes, as soon as there are some.
-  std::optional<ShapeParameters> sizes();
+  /// The estimated shape parameters; empty as long as there are none.
+  std::optional<ShapeParameters> shape();
 
  private:
   CameraRig rig_;
@@ -38,7 +38,7 @@ class OnlineShapeEstimator {
   ShapePrior prior_;
   size_t poses_;
   bool in_background_;
-  std::vector<ShapeSample> instants_;
+  std::vector<ShapeSample> samples_;
   Eigen::Matrix3Xd last_points_;
   int64_t first_stamp_ns_ = 0, last_stamp_ns_ = 0;
   std::future<ShapeParameters> estimate_;

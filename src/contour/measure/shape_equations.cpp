@@ -9,7 +9,7 @@ namespace {
 
 using PointRows = Eigen::Matrix<double, 3, kPoseAndShapeUnknowns>;
 
-/// Derivatives of a ridden point's place by pose and sizes.
+/// Derivatives of the position of an attached point with respect to pose and shape parameters.
 void poseAndShapeJacobian(const ContourFrames& frames, const AttachedPoint& point,
                           const Eigen::Vector3d& at, PointRows& J) {
   poseJacobian(frames, point.segment, at, J.leftCols<kContourDof>());
@@ -61,16 +61,16 @@ void addKnownPoints(const PoseProblem& problem, const ContourBody& body, const C
 }  // namespace
 
 ShapeNormalEquations shapeNormalEquations(const CameraRig& rig, const ContourOptions& contour,
-                                          const ContourBody& body, const ShapeSample& instant,
+                                          const ContourBody& body, const ShapeSample& sample,
                                           const ContourPose& pose, double outlier,
                                           double point_deviation) {
   ShapeNormalEquations equations;
-  PoseProblem problem(instant.seen, rig, contour);
+  PoseProblem problem(sample.seen, rig, contour);
   problem.evaluate(body, pose, outlier);
   addCones(problem, equations);
   addPosture(pose, equations);
-  if (instant.known_points.cols() > 0)
-    addKnownPoints(problem, body, pose, instant.known_points, point_deviation, equations);
+  if (sample.known_points.cols() > 0)
+    addKnownPoints(problem, body, pose, sample.known_points, point_deviation, equations);
   return equations;
 }
 

@@ -11,42 +11,43 @@
 namespace markerless_mocap {
 namespace {
 
-// As in the fit of a pose: 1/rad^2 and 1/m^2.
+// As in ContourFitter: 1/rad^2 and 1/m^2.
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
-constexpr double kLongestTurn = 0.35, kLongestGrowth = 0.03;  // per step: rad or m, m
+constexpr double kMaxTurn = 0.35, kMaxGrowth = 0.03;  // per step: rad or m, m
 
-constexpr double kLeastSize = 0.004;  // of lengths and radii, metres
+constexpr double kMinSize = 0.004;  // minimum length and radius, metres
 
 using Cholesky = Eigen::LLT<Eigen::MatrixXd>;
 
-/// What of one instant is left when its pose is eliminated, and how to find the pose again.
+/// The equations of one sample after its pose is eliminated, and the back substitution for the
+/// pose.
 struct ReducedShapeSystem {
-  Eigen::MatrixXd H;  ///< of the estimated sizes
+  Eigen::MatrixXd H;  ///< of the estimated parameters
   Eigen::VectorXd g;
-  Eigen::MatrixXd back;  ///< pose step = at_rest - back * size step
+  Eigen::MatrixXd back;  ///< pose step = at_rest - back * shape step
   Eigen::VectorXd at_rest;
 };
 
 class Estimation {
  public:
   Estimation(const CameraRig& rig, const ContourOptions& contour, const ShapePrior& prior,
-             const ShapeParameters& start, const std::vector<ShapeSample>& instants,
+             const ShapeParameters& start, const std::vector<ShapeSample>& samples,
              const ShapeEstimationOptions& options)
       : rig_(rig),
         contour_(contour),
         prior_(prior),
         options_(options),
-        sizes_(start),
+        shape_(start),
         stature_(prior.stature) {
-    for (const ShapeSample& instant : instants) {
-      poses_.push_back(instant.start);
-      if (instant.seen.usableViews() >= 2)
-        used_.push_back(&instant);
+    for (const ShapeSample& sample : samples) {
+      poses_.push_back(sample.start);
+      if (sample.seen.usableViews() >= 2)
+        used_.push_back(&sample);
       else
         used_.push_back(nullptr);
     }
     for (int i = 0; i < kShapeParameterCount; ++i)
-      if (prior.people.deviation[i] > 0) active_.push_back(i);
+      if (prior.shape_statistics.deviation[i] > 0) active_.push_back(i);
   }
 
   int usedCount() const {
@@ -57,11 +58,11 @@ class Estimation {
     const RobustSchedule schedule{options_.iterations, options_.robust_scale_initial,
                                   options_.robust_scale_final};
     for (int i = 0; i < options_.iterations; ++i) step(robustScaleAt(schedule, i));
-    return {sizes_, deviation_, stature_, poses_, usedCount()};
+    return {shape_, deviation_, stature_, poses_, usedCount()};
   }
 
  private:
-  ReducedShapeSystem reduced(size_t instant, const ContourBody& body, double outlier) const;
+  ReducedShapeSystem reduced(size_t sample, const ContourBody& body, double outlier) const;
   void addPrior(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
   void step(double outlier);
 
@@ -69,17 +70,17 @@ class Estimation {
   const ContourOptions& contour_;
   const ShapePrior& prior_;
   const ShapeEstimationOptions& options_;
-  std::vector<const ShapeSample*> used_;  ///< null: too few views
-  std::vector<int> active_;               ///< sizes that are estimated
-  ShapeParameters sizes_, deviation_ = ShapeParameters::Zero();
+  std::vector<const ShapeSample*> used_;  ///< null if a sample has too few views
+  std::vector<int> active_;               ///< parameters that are estimated
+  ShapeParameters shape_, deviation_ = ShapeParameters::Zero();
   double stature_;
   std::vector<ContourPose> poses_;
 };
 
-ReducedShapeSystem Estimation::reduced(size_t instant, const ContourBody& body,
+ReducedShapeSystem Estimation::reduced(size_t sample, const ContourBody& body,
                                        double outlier) const {
   ShapeNormalEquations all = shapeNormalEquations(
-      rig_, contour_, body, *used_[instant], poses_[instant], outlier, options_.point_deviation);
+      rig_, contour_, body, *used_[sample], poses_[sample], outlier, options_.point_deviation);
   all.H.diagonal().head<3>().array() += kMoveDamping;
   all.H.diagonal().segment<kContourDof - 3>(3).array() += kTurnDamping;
   const Eigen::Index n = Eigen::Index(active_.size());
@@ -99,30 +100,31 @@ ReducedShapeSystem Estimation::reduced(size_t instant, const ContourBody& body,
   return out;
 }
 
-/// Sizes are the template's times the stature, which is the last unknown. As errors of one
-/// instant's contours are alike in the next, the prior counts once per instant.
+/// The prior mean of the parameters is the mean shape times the stature, which is the last unknown.
+/// Errors of the contours are correlated between samples, so the prior counts once per sample.
 void Estimation::addPrior(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
   const Eigen::Index last = Eigen::Index(active_.size());
-  const double instants = usedCount();
+  const double samples = usedCount();
   for (Eigen::Index i = 0; i < last; ++i) {
     const int size = active_[size_t(i)];
-    const double deviation = prior_.people.deviation[size] * prior_.stature;
-    const double weight = instants / (deviation * deviation), share = prior_.people.mean[size];
-    const double off = sizes_[size] - share * stature_;
+    const double deviation = prior_.shape_statistics.deviation[size] * prior_.stature;
+    const double weight = samples / (deviation * deviation),
+                 mean = prior_.shape_statistics.mean[size];
+    const double off = shape_[size] - mean * stature_;
     H(i, i) += weight;
-    H(i, last) -= weight * share;
-    H(last, i) -= weight * share;
-    H(last, last) += weight * share * share;
+    H(i, last) -= weight * mean;
+    H(last, i) -= weight * mean;
+    H(last, last) += weight * mean * mean;
     g[i] += weight * off;
-    g[last] -= weight * share * off;
+    g[last] -= weight * mean * off;
   }
-  const double weight = instants / (prior_.deviation * prior_.deviation);
+  const double weight = samples / (prior_.deviation * prior_.deviation);
   H(last, last) += weight;
   g[last] += weight * (stature_ - prior_.stature);
 }
 
 void Estimation::step(double outlier) {
-  const ContourBody body(sizes_);
+  const ContourBody body(shape_);
   std::vector<ReducedShapeSystem> parts(used_.size());
   tbb::parallel_for(size_t(0), used_.size(), [&](size_t i) {
     if (used_[i]) parts[i] = reduced(i, body, outlier);
@@ -138,38 +140,37 @@ void Estimation::step(double outlier) {
   addPrior(H, g);
   const Cholesky all(H);
   const Eigen::VectorXd growth =
-      Eigen::VectorXd(-all.solve(g)).cwiseMax(-kLongestGrowth).cwiseMin(kLongestGrowth);
+      Eigen::VectorXd(-all.solve(g)).cwiseMax(-kMaxGrowth).cwiseMin(kMaxGrowth);
   const Eigen::MatrixXd covariance = all.solve(Eigen::MatrixXd::Identity(n + 1, n + 1));
   for (Eigen::Index i = 0; i < n; ++i) {
     const int size = active_[size_t(i)];
-    sizes_[size] += growth[i];
-    if (!isOffset(size)) sizes_[size] = std::max(sizes_[size], kLeastSize);
+    shape_[size] += growth[i];
+    if (!isOffset(size)) shape_[size] = std::max(shape_[size], kMinSize);
     deviation_[size] = std::sqrt(covariance(i, i));
   }
   stature_ += growth[n];
   for (size_t i = 0; i < used_.size(); ++i) {
     if (!used_[i]) continue;
     const Eigen::VectorXd turn = parts[i].at_rest - parts[i].back * growth.head(n);
-    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kLongestTurn).cwiseMin(kLongestTurn));
+    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kMaxTurn).cwiseMin(kMaxTurn));
   }
 }
 
-void check(const CameraRig& rig, const std::vector<ShapeSample>& instants, const ShapePrior& prior,
+void check(const CameraRig& rig, const std::vector<ShapeSample>& samples, const ShapePrior& prior,
            const ShapeEstimationOptions& options) {
   if (options.iterations < 1 || !(options.robust_scale_final > 0) ||
       !(options.robust_scale_initial >= options.robust_scale_final) ||
       !(options.point_deviation > 0) || !(prior.deviation > 0) || !(prior.stature > 0))
     throw std::invalid_argument(
-        "contour: an estimate of sizes needs at least one iteration, positive deviations and an "
-        "outlier distance that does not grow");
+        "contour: the shape estimate needs at least one iteration, positive deviations, and a "
+        "robust scale that does not increase");
   const Eigen::Index points = Eigen::Index(contourPointNames().size());
-  for (const ShapeSample& instant : instants) {
-    if (instant.seen.views.size() != rig.size())
-      throw std::invalid_argument(
-          "contour: an instant for the estimate of sizes is of another rig");
-    if (!instant.start.isFinite())
-      throw std::invalid_argument("contour: a pose to estimate sizes from is not finite");
-    if (instant.known_points.cols() != 0 && instant.known_points.cols() != points)
+  for (const ShapeSample& sample : samples) {
+    if (sample.seen.views.size() != rig.size())
+      throw std::invalid_argument("contour: a sample for the shape estimate is of another rig");
+    if (!sample.start.isFinite())
+      throw std::invalid_argument("contour: a start pose of the shape estimate is not finite");
+    if (sample.known_points.cols() != 0 && sample.known_points.cols() != points)
       throw std::invalid_argument("contour: known points must be those of contourPointNames()");
   }
 }
@@ -178,13 +179,13 @@ void check(const CameraRig& rig, const std::vector<ShapeSample>& instants, const
 
 ShapeEstimate estimateShape(const CameraRig& rig, const ContourOptions& contour,
                             const ShapePrior& prior, const ShapeParameters& start,
-                            const std::vector<ShapeSample>& instants,
+                            const std::vector<ShapeSample>& samples,
                             const ShapeEstimationOptions& options) {
   contour.validate();
-  check(rig, instants, prior, options);
-  Estimation estimation(rig, contour, prior, start, instants, options);
+  check(rig, samples, prior, options);
+  Estimation estimation(rig, contour, prior, start, samples, options);
   if (estimation.usedCount() == 0)
-    throw std::invalid_argument("contour: no instant has two masks to estimate sizes from");
+    throw std::invalid_argument("contour: no sample for the shape estimate has two usable masks");
   return estimation.run();
 }
 

@@ -11,16 +11,16 @@ namespace markerless_mocap {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-ContourBody::ContourBody(const ShapeParameters& sizes) : sizes_(sizes) {
+ContourBody::ContourBody(const ShapeParameters& shape) : shape_(shape) {
   for (int i = 0; i < kShapeParameterCount; ++i)
-    if (!std::isfinite(sizes[i]) || (!isOffset(i) && !(sizes[i] > 0)))
-      throw std::invalid_argument("size " + shapeParameterName(i) + " of a body is " +
-                                  std::to_string(sizes[i]) + ", it must be finite" +
+    if (!std::isfinite(shape[i]) || (!isOffset(i) && !(shape[i] > 0)))
+      throw std::invalid_argument("shape parameter " + shapeParameterName(i) + " of a body is " +
+                                  std::to_string(shape[i]) + ", it must be finite" +
                                   (isOffset(i) ? "" : " and positive"));
   const ContourKinematicTree& tree = contourKinematicTree();
-  for (size_t s = 0; s < ContourSegment::kCount; ++s) joints_[s] = tree.segments[s].joint.at(sizes);
+  for (size_t s = 0; s < ContourSegment::kCount; ++s) joints_[s] = tree.segments[s].joint.at(shape);
   for (size_t c = 0; c < kContourCones; ++c)
-    for (size_t end = 0; end < 2; ++end) ends_[c][end] = tree.cones[c].ends[end].local.at(sizes);
+    for (size_t end = 0; end < 2; ++end) ends_[c][end] = tree.cones[c].ends[end].local.at(shape);
 }
 
 void ContourBody::place(const ContourPose& pose, ContourFrames& frames) const {
@@ -33,9 +33,9 @@ void ContourBody::place(const ContourPose& pose, ContourFrames& frames) const {
     const size_t parent = root ? 0 : size_t(segment.parent);
     Matrix3d R = root ? Matrix3d(Matrix3d::Identity()) : frames.R[parent];
     const Vector3d t = root ? pose.position : Vector3d(frames.t[parent] + R * joints_[s]);
-    if (segment.ball >= 0) {
-      R = R * pose.rotations[size_t(segment.ball)];
-      const int dof = sphericalDof(segment.ball);
+    if (segment.spherical_joint >= 0) {
+      R = R * pose.rotations[size_t(segment.spherical_joint)];
+      const int dof = sphericalDof(segment.spherical_joint);
       frames.axis.middleCols<3>(dof) = R;
       frames.pivot.middleCols<3>(dof).colwise() = t;
     } else {
@@ -57,8 +57,8 @@ void ContourBody::place(const ContourFrames& frames, ContourWorldCones& cones) c
     const size_t s = tree.cones[c].ends[0].segment;
     cones[c].a = frames.t[s] + frames.R[s] * ends_[c][0];
     cones[c].b = frames.t[s] + frames.R[s] * ends_[c][1];
-    cones[c].radius_a = sizes_[tree.cones[c].radius[0]];
-    cones[c].radius_b = sizes_[tree.cones[c].radius[1]];
+    cones[c].radius_a = shape_[tree.cones[c].radius[0]];
+    cones[c].radius_b = shape_[tree.cones[c].radius[1]];
   }
 }
 
@@ -69,7 +69,7 @@ Eigen::Matrix3Xd ContourBody::points(const ContourPose& pose) const {
   Eigen::Matrix3Xd points(3, Eigen::Index(ridden.size()));
   for (size_t i = 0; i < ridden.size(); ++i)
     points.col(Eigen::Index(i)) =
-        frames.t[ridden[i].segment] + frames.R[ridden[i].segment] * ridden[i].local.at(sizes_);
+        frames.t[ridden[i].segment] + frames.R[ridden[i].segment] * ridden[i].local.at(shape_);
   return points;
 }
 

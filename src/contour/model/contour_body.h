@@ -11,7 +11,7 @@
 
 namespace markerless_mocap {
 
-/// Segments that move rigidly, parents before children.
+/// Rigid segments, parents before children.
 struct ContourSegment {
   enum Id {
     kPelvis,
@@ -33,35 +33,36 @@ struct ContourSegment {
   };
 };
 
-/// What evidence is told of.
+/// The parts of the body that evidence is given for.
 struct ContourLimb {
   enum Id { kTrunk, kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kCount };
 };
 
 constexpr int kContourCones = 22;
 
-/// Frames of all segments in the world, and the axis about which each degree of freedom turns.
+/// Frames of all segments in the world, and the axis of each degree of freedom.
 struct ContourFrames {
   std::array<Eigen::Matrix3d, ContourSegment::kCount> R;
   std::array<Eigen::Vector3d, ContourSegment::kCount> t;  ///< metres
-  Eigen::Matrix<double, 3, kContourDof> axis;   ///< world; the direction for the root's position
+  Eigen::Matrix<double, 3, kContourDof> axis;   ///< world; for the root's position: its direction
   Eigen::Matrix<double, 3, kContourDof> pivot;  ///< world, metres
 };
 
-/// A round cone in the world.
+/// A round cone in the world: the convex hull of two spheres.
 struct ContourWorldCone {
   Eigen::Vector3d a, b;       ///< ends, metres
   double radius_a, radius_b;  ///< metres
 };
 using ContourWorldCones = std::array<ContourWorldCone, kContourCones>;
 
-/// The body of 22 round cones on 15 segments that silhouettes are fitted with. Its joints are those
-/// of the URDF body, with a twist of the spine more. Immutable.
+/// The body that is fitted to silhouettes: 22 round cones on 15 segments. Its joints are those of
+/// the URDF body plus a twist of the spine. Immutable.
 class ContourBody {
  public:
-  /// Throws std::invalid_argument unless all sizes are finite and lengths and radii positive.
-  explicit ContourBody(const ShapeParameters& sizes);
-  const ShapeParameters& sizes() const { return sizes_; }
+  /// Throws std::invalid_argument if a parameter is not finite, or if a length or radius is not
+  /// positive.
+  explicit ContourBody(const ShapeParameters& shape);
+  const ShapeParameters& shape() const { return shape_; }
 
   void place(const ContourPose& pose, ContourFrames& frames) const;
   void place(const ContourFrames& frames, ContourWorldCones& cones) const;
@@ -70,16 +71,18 @@ class ContourBody {
   Eigen::Matrix3Xd points(const ContourPose& pose) const;
 
  private:
-  ShapeParameters sizes_;
-  std::array<Eigen::Vector3d, ContourSegment::kCount> joints_;      ///< in the parent's frame
-  std::array<std::array<Eigen::Vector3d, 2>, kContourCones> ends_;  ///< in the segment's frame
+  ShapeParameters shape_;
+  std::array<Eigen::Vector3d, ContourSegment::kCount> joints_;      ///< of each segment, in the
+                                                                    ///< parent's frame
+  std::array<std::array<Eigen::Vector3d, 2>, kContourCones> ends_;  ///< of each cone, in the
+                                                                    ///< segment's frame
 };
 
-/// The limb a cone belongs to, and its kind.
+/// Limb and kind of a cone.
 ContourLimb::Id limbOfCone(int cone);
 ContourCone::Kind kindOfCone(int cone);
 
-/// The fifteen of markerNames(), then l_hand_tip, r_hand_tip, l_foot_tip, r_foot_tip, head_top.
+/// The 15 names of markerNames(), then l_hand_tip, r_hand_tip, l_foot_tip, r_foot_tip, head_top.
 const std::vector<std::string>& contourPointNames();
 
 }  // namespace markerless_mocap

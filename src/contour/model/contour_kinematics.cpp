@@ -10,26 +10,26 @@ using A = RevoluteJoint;
 using L = ContourLength;
 using C = ContourCone;
 
-// Shares of the URDF body, urdf/human.urdf.in: where the waist bends, where the clavicles begin,
-// where the head's middle is and how the foot lies before the ankle.
+// Fractions of the URDF body in urdf/human.urdf.in: position of the waist, roots of the clavicles,
+// centre of the head, and offset of the head.
 constexpr double kWaist = 0.3, kClavicleRoot = 0.1, kHeadMiddle = 0.71, kHeadForward = 0.026;
 constexpr double kHeel = 0.24, kToes = 0.76;
 
 ShapeDependentPoint sized(std::initializer_list<ShapeDependentPoint::Term> terms) {
   return {std::vector<ShapeDependentPoint::Term>(terms)};
 }
-Vector3d up(double share) {
-  return {0, 0, share};
+Vector3d up(double fraction) {
+  return {0, 0, fraction};
 }
-Vector3d left(double share) {
-  return {0, share, 0};
+Vector3d left(double fraction) {
+  return {0, fraction, 0};
 }
-Vector3d forward(double share) {
-  return {share, 0, 0};
+Vector3d forward(double fraction) {
+  return {fraction, 0, 0};
 }
 
-KinematicSegment onBall(int parent, int ball, ShapeDependentPoint joint) {
-  return {parent, ball, -1, {}, std::move(joint), 0};
+KinematicSegment sphericalSegment(int parent, int spherical_joint, ShapeDependentPoint joint) {
+  return {parent, spherical_joint, -1, {}, std::move(joint), 0};
 }
 KinematicSegment onAxes(int parent, int first_angle, std::vector<Vector3d> axes,
                         ShapeDependentPoint joint) {
@@ -45,12 +45,12 @@ void addLimbs(bool right, std::array<KinematicSegment, S::kCount>& s) {
              {-y * Vector3d::UnitZ(), y * Vector3d::UnitX()},
              sized({{L::kTorso, up(1 - kWaist)}, {L::kShoulderWidth, left(y * kClavicleRoot)}}));
   s[S::kLeftUpperArm + side] =
-      onBall(S::kLeftClavicle + side, B::kLeftShoulder + side,
-             sized({{L::kShoulderWidth, left(y * (0.5 - kClavicleRoot))}}));
+      sphericalSegment(S::kLeftClavicle + side, B::kLeftShoulder + side,
+                       sized({{L::kShoulderWidth, left(y * (0.5 - kClavicleRoot))}}));
   s[S::kLeftForearm + side] =
       onAxes(S::kLeftUpperArm + side, A::kLeftElbow + side, bend, sized({{L::kUpperArm, up(-1)}}));
   s[S::kLeftThigh + side] =
-      onBall(S::kPelvis, B::kLeftHip + side, sized({{L::kHipWidth, left(y * 0.5)}}));
+      sphericalSegment(S::kPelvis, B::kLeftHip + side, sized({{L::kHipWidth, left(y * 0.5)}}));
   s[S::kLeftShank + side] =
       onAxes(S::kLeftThigh + side, A::kLeftKnee + side, bend, sized({{L::kThigh, up(-1)}}));
   s[S::kLeftFoot + side] =
@@ -63,23 +63,23 @@ uint64_t bitsFrom(int first, int count) {
 
 std::array<KinematicSegment, S::kCount> segments() {
   std::array<KinematicSegment, S::kCount> s;
-  s[S::kPelvis] = onBall(-1, B::kRoot, {});
+  s[S::kPelvis] = sphericalSegment(-1, B::kRoot, {});
   s[S::kChest] =
       onAxes(S::kPelvis, A::kSpinePitch, {Vector3d::UnitY(), Vector3d::UnitX(), Vector3d::UnitZ()},
              sized({{L::kTorso, up(kWaist)}}));
-  s[S::kHead] =
-      onBall(S::kChest, B::kNeck, sized({{L::kTorso, up(1 - kWaist)}, {L::kNeck, up(1)}}));
+  s[S::kHead] = sphericalSegment(S::kChest, B::kNeck,
+                                 sized({{L::kTorso, up(1 - kWaist)}, {L::kNeck, up(1)}}));
   for (const bool right : {false, true}) addLimbs(right, s);
   for (KinematicSegment& segment : s) {
     segment.dof_mask = segment.parent < 0 ? bitsFrom(0, 3) : s[size_t(segment.parent)].dof_mask;
-    segment.dof_mask |= segment.ball >= 0
-                            ? bitsFrom(sphericalDof(segment.ball), 3)
+    segment.dof_mask |= segment.spherical_joint >= 0
+                            ? bitsFrom(sphericalDof(segment.spherical_joint), 3)
                             : bitsFrom(revoluteDof(segment.first_angle), int(segment.axes.size()));
   }
   return s;
 }
 
-/// Where the lengths put a cone's ends; its template's offsets move them into the flesh.
+/// The ends of a cone without the offsets of the shape.
 struct Bones {
   ContourCone::Kind kind;
   ContourSegment::Id segment;  ///< of the left side

@@ -5,16 +5,16 @@
 
 namespace markerless_mocap {
 
-/// Joints that turn about any axis, held as rotation matrices: no angle of theirs is singular. The
-/// root's rotation takes the pelvis frame (x out of the belly, y to the left, z to the head) to the
-/// world, the others take the outer segment's frame to the inner one's. Identity stands upright
-/// with arms hanging.
+/// Joints with three degrees of freedom, stored as rotation matrices to avoid singularities. The
+/// root's rotation maps the pelvis frame (x forward, y to the left, z up) to the world; the others
+/// map the frame of the outer segment to that of the inner one. Identity is the upright pose with
+/// hanging arms.
 struct SphericalJoint {
   enum Id { kRoot, kNeck, kLeftShoulder, kRightShoulder, kLeftHip, kRightHip, kCount };
 };
 
-/// Joints of known axes, radians; signs as in urdf/human.urdf.in, zero as there. The spine's twist
-/// is positive to the left, the ankles' angle lifts the toes.
+/// Joints with known axes, radians; signs and zero as in urdf/human.urdf.in. A positive spine twist
+/// turns to the left, a positive ankle angle lifts the toes.
 struct RevoluteJoint {
   enum Id {
     kSpinePitch,
@@ -34,22 +34,24 @@ struct RevoluteJoint {
   };
 };
 
-/// Degrees of freedom: 3 of the root's position, 3 of each ball, 1 of each angle, in this order.
+/// Degrees of freedom: 3 of the root's position, 3 of each spherical joint, 1 of each revolute
+/// joint, in this order.
 constexpr int kContourDof = 3 + 3 * SphericalJoint::kCount + RevoluteJoint::kCount;
-constexpr int sphericalDof(int ball) {
-  return 3 + 3 * ball;
+constexpr int sphericalDof(int joint) {
+  return 3 + 3 * joint;
 }
-constexpr int revoluteDof(int angle) {
-  return 3 + 3 * SphericalJoint::kCount + angle;
+constexpr int revoluteDof(int joint) {
+  return 3 + 3 * SphericalJoint::kCount + joint;
 }
 
-/// A change of pose: metres, then radians. A ball's three turn it about its own (outer) axes:
-/// R <- R exp(step).
+/// A change of pose: metres, then radians. A spherical joint turns about the axes of its outer
+/// frame: R <- R exp(step).
 using PoseIncrement = Eigen::Matrix<double, kContourDof, 1>;
 
-/// A body at one instant, whatever its sizes.
+/// A pose of the contour body, independent of its shape.
 struct ContourPose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the hips' middle in the world, metres
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< midpoint of the hips in the world,
+                                                       ///< metres
   std::array<Eigen::Matrix3d, SphericalJoint::kCount> rotations;
   std::array<double, RevoluteJoint::kCount> angles{};
 
@@ -57,14 +59,14 @@ struct ContourPose {
   bool isFinite() const;
 };
 
-/// The pose after a step; rotations stay orthonormal.
+/// The pose after an increment; rotations stay orthonormal.
 ContourPose boxPlus(const ContourPose& pose, const PoseIncrement& step);
-/// The step that leads from one pose to the other: boxPlus(from, boxMinus(to, from)) is `to`.
+/// The increment between two poses: boxPlus(from, boxMinus(to, from)) is `to`.
 PoseIncrement boxMinus(const ContourPose& to, const ContourPose& from);
 
-/// Rotation by a vector's length about its direction (Rodrigues).
+/// Rotation about the direction of a vector by its length, radians (Rodrigues).
 Eigen::Matrix3d expSO3(const Eigen::Vector3d& turn);
-/// The vector whose expSO3() is R, not longer than pi.
+/// The rotation vector of R, not longer than pi.
 Eigen::Vector3d logSO3(const Eigen::Matrix3d& R);
 
 }  // namespace markerless_mocap

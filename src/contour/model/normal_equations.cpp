@@ -7,7 +7,7 @@ namespace markerless_mocap {
 
 void ConeNormalEquations::clear() {
   std::fill(&products_[0][0], &products_[0][0] + 30, 0.0);
-  std::fill(std::begin(slope_), std::end(slope_), 0.0);
+  std::fill(std::begin(gradient_), std::end(gradient_), 0.0);
 }
 
 Eigen::Matrix<double, 8, 8> ConeNormalEquations::hessian() const {
@@ -24,7 +24,7 @@ Eigen::Matrix<double, 8, 8> ConeNormalEquations::hessian() const {
 }
 
 Eigen::Matrix<double, 8, 1> ConeNormalEquations::gradient() const {
-  return Eigen::Map<const Eigen::Matrix<double, 8, 1>>(slope_);
+  return Eigen::Map<const Eigen::Matrix<double, 8, 1>>(gradient_);
 }
 
 void accumulatePoseEquations(const AllConeNormalEquations& sums, const ContourFrames& frames,

@@ -11,37 +11,41 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kVelocityKept = 0.7;  // of the last frame's, in the prediction
-constexpr int64_t kLongestGap_ns = 500000000;
+constexpr double kVelocityFraction =
+    0.7;  // fraction of the last velocity that the prediction keeps
+constexpr int64_t kMaxGap_ns = 500000000;
 
-// Below this overlap there is no person there.
+// With a smaller overlap, the person is lost.
 constexpr double kLostOverlap = 0.65;
 
-// Quality, see below: a drop by the first below what is usual is suspicious; another pose must be
-// better by the second to be taken; the usual value follows by the share.
-constexpr double kDrop = 0.015, kGain = 0.004;
-constexpr double kMoreThanUsual = 1.5;  // damaged masks let the quality vary
-constexpr double kUsualShare = 0.1;
+// Thresholds of the quality: a decrease by kMaxDrop below the usual value is suspicious; another
+// pose replaces the current one if it is better by kMinGain. The usual value is smoothed with the
+// rate kUsualRate.
+constexpr double kMaxDrop = 0.015, kMinGain = 0.004;
+constexpr double kDeviationFactor = 1.5;  // times the usual deviation, which is larger with damaged
+                                          // masks
+constexpr double kUsualRate = 0.1;
 
-constexpr int64_t kBetweenSearches_ns = 150000000;  // after one that found nothing
+constexpr int64_t kSearchInterval_ns = 150000000;  // after a search without success
 
-// A limb that sticks out of masks by so much more than usual, mean over its balls, is suspicious:
-// damaged masks and clothes let limbs that fit stick out, too.
+// A limb is suspicious if it lies outside the masks by more than this above the usual value, mean
+// over its spheres. Damaged masks and clothes let correct limbs leave the masks, too.
 constexpr double kLimbOutside = 0.025;  // metres
 
-// An arm that has been lost from the start on is usual. While rays are left over, the limb that is
-// least certain is looked for now and then.
-constexpr double kAllExplained = 0.985;
-constexpr double kUncertain = 0.025;  // metres, of its end
-constexpr int64_t kBetweenLooks_ns = 500000000;
+// An arm that was lost from the start does not change the usual quality. As long as some rays are
+// not explained, the least certain limb is searched for at intervals.
+constexpr double kMaxExplained = 0.985;
+constexpr double kMaxCertainDeviation = 0.025;  // metres, of the limb's end
+constexpr int64_t kLeastCertainInterval_ns = 500000000;
 
-constexpr double kLooser = 5.0;  // is the prediction when a limb is looked for
+constexpr double kSearchDeviationFactor = 5.0;  // factor on the standard deviation of the
+                                                // prediction during a search
 
-// Contours hardly tell how far a trunk with hanging arms is turned against the pelvis, and it may
-// slide on and on. Beyond the first, radians, it is also fitted from where it is not turned, and
-// that pose is taken if it is better by the second.
-constexpr double kTwisted = 0.3, kUntwistedGain = 0.001;
-constexpr int64_t kBetweenUntwists_ns = 60000000;
+// Contours determine the twist of the trunk poorly while the arms hang, and the twist may drift.
+// Beyond kMaxTwist (radians) the pose is also fitted from a start without twist. That fit is taken
+// if it is better by kUntwistGain.
+constexpr double kMaxTwist = 0.3, kUntwistGain = 0.001;
+constexpr int64_t kUntwistInterval_ns = 60000000;
 
 constexpr RobustSchedule kRetry{10, 0.12, 0.03};
 
@@ -49,14 +53,15 @@ bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
 }
 
-/// By how much the line through the shoulders is turned against the hips, radians to the left.
+/// Rotation of the shoulder line relative to the hips, radians to the left.
 double shoulderTurn(const ContourPose& pose) {
   using A = RevoluteJoint;
   return pose.angles[A::kSpineTwist] +
          0.5 * (pose.angles[A::kRightClavicleYaw] - pose.angles[A::kLeftClavicleYaw]);
 }
 
-/// The pose with shoulders above the hips: arms as they were against the trunk, and hanging.
+/// The pose without twist: once with the arms unchanged relative to the trunk, once with hanging
+/// arms.
 std::vector<ContourPose> untwisted(const ContourPose& pose) {
   ContourPose straight = pose;
   for (const int angle : {RevoluteJoint::kSpineTwist, RevoluteJoint::kLeftClavicleYaw,
@@ -68,15 +73,16 @@ std::vector<ContourPose> untwisted(const ContourPose& pose) {
 }  // namespace
 
 const char* toString(ContourTrackingStatus status) {
-  constexpr const char* kNames[] = {"lost", "tracked", "recovered", "doubtful"};
+  constexpr const char* kNames[] = {"lost", "tracked", "limb recovered", "limb lost"};
   return kNames[size_t(status)];
 }
 
-ContourTracker::ContourTracker(const CameraRig& rig, const ContourOptions& options)
+ContourHypothesisTracker::ContourHypothesisTracker(const CameraRig& rig,
+                                                   const ContourOptions& options)
     : rig_(rig), fitter_(rig, options) {}
 
-ContourTrackingResult ContourTracker::keep(int64_t stamp_ns, const ContourFit& fit,
-                                           ContourTrackingStatus status) {
+ContourTrackingResult ContourHypothesisTracker::keep(int64_t stamp_ns, const ContourFit& fit,
+                                                     ContourTrackingStatus status) {
   if (fit.status != ContourFitStatus::kFitted || fit.overlap < kLostOverlap) {
     last_.reset();
     return {ContourTrackingStatus::kLost, fit};
@@ -85,57 +91,61 @@ ContourTrackingResult ContourTracker::keep(int64_t stamp_ns, const ContourFit& f
   for (size_t i = 0; i < past.outside.size(); ++i) past.outside[i] = fit.limbs[i].outside;
   if (last_) {
     past.before = last_->pose;
-    // Gets better at once and worse slowly, so that a loss does not become what is usual.
-    const double below = std::max(0.0, last_->quality - past.quality);
-    past.quality = std::max(past.quality, last_->quality - kUsualShare * below);
-    past.below = last_->below + kUsualShare * (below - last_->below);
+    // The usual quality rises at once and falls slowly, so that it does not adapt to a loss.
+    const double quality_deviation = std::max(0.0, last_->quality - past.quality);
+    past.quality = std::max(past.quality, last_->quality - kUsualRate * quality_deviation);
+    past.quality_deviation =
+        last_->quality_deviation + kUsualRate * (quality_deviation - last_->quality_deviation);
     for (size_t i = 0; i < past.outside.size(); ++i)
       past.outside[i] = std::min(
-          past.outside[i], last_->outside[i] + kUsualShare * (past.outside[i] - last_->outside[i]));
+          past.outside[i], last_->outside[i] + kUsualRate * (past.outside[i] - last_->outside[i]));
   }
   last_ = past;
   return {status, fit};
 }
 
-ContourTrackingResult ContourTracker::start(int64_t stamp_ns, const ContourObservation& seen,
-                                            const ContourBody& body, const ContourPose& pose) {
+ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
+                                                      const ContourObservation& seen,
+                                                      const ContourBody& body,
+                                                      const ContourPose& pose) {
   ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, RobustSchedule::wide());
-  // Proposals often lack arms, and an arm at rest may hide one that is elsewhere.
+  // Proposals often lack arms, and the arms of a fit may rest at the trunk although they are
+  // elsewhere.
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     if (fit.status == ContourFitStatus::kFitted)
       tryPoses(seen, body, limbAlternatives(seen, body, ContourLimb::Id(limb), fit, fit.pose),
-               std::nullopt, kGain, fit);
+               std::nullopt, kMinGain, fit);
   return startFrom(stamp_ns, fit);
 }
 
-ContourTrackingResult ContourTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
+ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
   last_.reset();
   next_search_ns_ = stamp_ns;
-  next_look_ns_ = stamp_ns + kBetweenLooks_ns;
+  next_least_certain_ns_ = stamp_ns + kLeastCertainInterval_ns;
   next_untwist_ns_ = stamp_ns;
   return keep(stamp_ns, fit, ContourTrackingStatus::kTracked);
 }
 
-std::array<bool, ContourLimb::kCount> ContourTracker::suspicious(const ContourFit& fit) const {
+std::array<bool, ContourLimb::kCount> ContourHypothesisTracker::suspicious(
+    const ContourFit& fit) const {
   std::array<bool, ContourLimb::kCount> limbs{};
-  const bool dropped = qualityOf(fit) < last_->quality - kDrop - kMoreThanUsual * last_->below;
+  const bool dropped =
+      qualityOf(fit) < last_->quality - kMaxDrop - kDeviationFactor * last_->quality_deviation;
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i)
     limbs[i] = dropped || fit.limbs[i].outside > last_->outside[i] + kLimbOutside;
   return limbs;
 }
 
-std::vector<ContourPose> ContourTracker::limbAlternatives(const ContourObservation& seen,
-                                                          const ContourBody& body,
-                                                          ContourLimb::Id limb,
-                                                          const ContourFit& fit,
-                                                          const ContourPose& expected) const {
+std::vector<ContourPose> ContourHypothesisTracker::limbAlternatives(
+    const ContourObservation& seen, const ContourBody& body, ContourLimb::Id limb,
+    const ContourFit& fit, const ContourPose& expected) const {
   return alternativeLimbPoses(seen, rig_, fitter_.options(), body, fit.pose, expected, limb);
 }
 
-bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody& body,
-                              const std::vector<ContourPose>& starts,
-                              const std::optional<ContourPrediction>& prediction, double gain,
-                              ContourFit& fit) const {
+bool ContourHypothesisTracker::tryPoses(const ContourObservation& seen, const ContourBody& body,
+                                        const std::vector<ContourPose>& starts,
+                                        const std::optional<ContourPrediction>& prediction,
+                                        double gain, ContourFit& fit) const {
   std::vector<ContourFit> others(starts.size());
   tbb::parallel_for(size_t(0), starts.size(), [&](size_t i) {
     others[i] = fitter_.fit(seen, body, starts[i], prediction, kRetry);
@@ -150,50 +160,55 @@ bool ContourTracker::tryPoses(const ContourObservation& seen, const ContourBody&
   return better;
 }
 
-bool ContourTracker::retry(const ContourObservation& seen, const ContourBody& body,
-                           const ContourPrediction& prediction, ContourFit& fit) const {
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  bool better = tryPoses(seen, body, {last_->pose}, loose, kGain, fit);
+bool ContourHypothesisTracker::retry(const ContourObservation& seen, const ContourBody& body,
+                                     const ContourPrediction& prediction, ContourFit& fit) const {
+  const ContourPrediction loose{prediction.pose, kSearchDeviationFactor * prediction.seconds};
+  bool better = tryPoses(seen, body, {last_->pose}, loose, kMinGain, fit);
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
     if (better && !any(suspicious(fit))) break;
     if (suspicious(fit)[i])
       better |= tryPoses(seen, body,
                          limbAlternatives(seen, body, ContourLimb::Id(i), fit, prediction.pose),
-                         loose, kGain, fit);
+                         loose, kMinGain, fit);
   }
   return better;
 }
 
-bool ContourTracker::searchLeastCertainLimb(const ContourObservation& seen, const ContourBody& body,
-                                            const ContourPrediction& prediction,
-                                            ContourFit& fit) const {
-  int weakest = ContourLimb::kLeftArm;
-  for (int i = weakest; i < ContourLimb::kCount; ++i)
-    if (fit.limbs[size_t(i)].deviation > fit.limbs[size_t(weakest)].deviation) weakest = i;
-  if (fit.rays_explained > kAllExplained && fit.limbs[size_t(weakest)].deviation < kUncertain)
+bool ContourHypothesisTracker::searchLeastCertainLimb(const ContourObservation& seen,
+                                                      const ContourBody& body,
+                                                      const ContourPrediction& prediction,
+                                                      ContourFit& fit) const {
+  int least_certain = ContourLimb::kLeftArm;
+  for (int i = least_certain; i < ContourLimb::kCount; ++i)
+    if (fit.limbs[size_t(i)].deviation > fit.limbs[size_t(least_certain)].deviation)
+      least_certain = i;
+  if (fit.rays_explained > kMaxExplained &&
+      fit.limbs[size_t(least_certain)].deviation < kMaxCertainDeviation)
     return false;
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  return tryPoses(seen, body,
-                  limbAlternatives(seen, body, ContourLimb::Id(weakest), fit, prediction.pose),
-                  loose, kGain, fit);
+  const ContourPrediction loose{prediction.pose, kSearchDeviationFactor * prediction.seconds};
+  return tryPoses(
+      seen, body,
+      limbAlternatives(seen, body, ContourLimb::Id(least_certain), fit, prediction.pose), loose,
+      kMinGain, fit);
 }
 
-bool ContourTracker::untwist(const ContourObservation& seen, const ContourBody& body,
-                             const ContourPrediction& prediction, ContourFit& fit) const {
-  if (std::abs(shoulderTurn(fit.pose)) < kTwisted) return false;
-  const ContourPrediction loose{prediction.pose, kLooser * prediction.seconds};
-  return tryPoses(seen, body, untwisted(fit.pose), loose, kUntwistedGain, fit);
+bool ContourHypothesisTracker::untwist(const ContourObservation& seen, const ContourBody& body,
+                                       const ContourPrediction& prediction, ContourFit& fit) const {
+  if (std::abs(shoulderTurn(fit.pose)) < kMaxTwist) return false;
+  const ContourPrediction loose{prediction.pose, kSearchDeviationFactor * prediction.seconds};
+  return tryPoses(seen, body, untwisted(fit.pose), loose, kUntwistGain, fit);
 }
 
-ContourTrackingResult ContourTracker::update(int64_t stamp_ns, const ContourObservation& seen,
-                                             const ContourBody& body) {
+ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
+                                                       const ContourObservation& seen,
+                                                       const ContourBody& body) {
   const int64_t gap = last_ ? stamp_ns - last_->stamp_ns : 0;
-  if (!last_ || gap <= 0 || gap > kLongestGap_ns) {
+  if (!last_ || gap <= 0 || gap > kMaxGap_ns) {
     last_.reset();
     return {};
   }
   const ContourPrediction prediction{
-      last_->before ? predictConstantVelocity(*last_->before, last_->pose, kVelocityKept)
+      last_->before ? predictConstantVelocity(*last_->before, last_->pose, kVelocityFraction)
                     : last_->pose,
       1e-9 * double(gap)};
   ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
@@ -201,18 +216,18 @@ ContourTrackingResult ContourTracker::update(int64_t stamp_ns, const ContourObse
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
     const bool search = stamp_ns > next_search_ns_;
     const bool better = search && retry(seen, body, prediction, fit);
-    if (search && !better) next_search_ns_ = stamp_ns + kBetweenSearches_ns;
+    if (search && !better) next_search_ns_ = stamp_ns + kSearchInterval_ns;
     status = any(suspicious(fit)) ? ContourTrackingStatus::kLimbLost
              : better             ? ContourTrackingStatus::kLimbRecovered
                                   : ContourTrackingStatus::kTracked;
   }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_look_ns_) {
-    next_look_ns_ = stamp_ns + kBetweenLooks_ns;
+  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_least_certain_ns_) {
+    next_least_certain_ns_ = stamp_ns + kLeastCertainInterval_ns;
     if (searchLeastCertainLimb(seen, body, prediction, fit))
       status = ContourTrackingStatus::kLimbRecovered;
   }
   if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_untwist_ns_) {
-    next_untwist_ns_ = stamp_ns + kBetweenUntwists_ns;
+    next_untwist_ns_ = stamp_ns + kUntwistInterval_ns;
     if (untwist(seen, body, prediction, fit)) status = ContourTrackingStatus::kLimbRecovered;
   }
   return keep(stamp_ns, fit, status);

@@ -12,48 +12,47 @@ using A = RevoluteJoint;
 using B = SphericalJoint;
 using S = ContourSegment;
 
-constexpr double kKneeKept = 0.3;  // of the bend, when front becomes back
+constexpr double kKneeFraction = 0.3;  // fraction of the bend that is kept when front becomes back
 
-// One of two hypotheses is dropped when the other's quality, summed over instants, is ahead by
-// this.
-constexpr double kDecided = 0.15;
-constexpr double kAhead = 0.05;
-constexpr double kAtOnce = 0.03;  // in one instant
+// A hypothesis is dropped if the summed quality of the other one is better by kDecisionGain.
+constexpr double kDecisionGain = 0.15;
+constexpr double kUnambiguousGain = 0.05;
+constexpr double kClearGain = 0.03;  // in one frame
 
-// Of more poses than the first, those are fitted to the end that a short look likes best.
-constexpr size_t kFinalists = 4;
-constexpr RobustSchedule kFirstLook{6, 0.3, 0.1};
+// If there are many poses, a coarse fit selects those that are fitted to the end.
+constexpr size_t kMaxFinalFits = 4;
+constexpr RobustSchedule kCoarseFit{6, 0.3, 0.1};
 
-constexpr double kElsewhere = 0.15;  // metres, of a limb's end
-constexpr double kSameBody = 0.08;   // metres, mean over the joints: an arm may be elsewhere
+constexpr double kMaxLimbDistance = 0.15;  // metres, of a limb's end
+constexpr double kMaxBodyDistance = 0.08;  // metres, mean over the joints; one arm may differ
 
 bool isLost(const ContourTrackingResult& track) {
   return track.status == ContourTrackingStatus::kLost;
 }
 
 bool isSameBody(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
-  return (body.points(pose) - body.points(other)).colwise().norm().mean() < kSameBody;
+  return (body.points(pose) - body.points(other)).colwise().norm().mean() < kMaxBodyDistance;
 }
 
 }  // namespace
 
-ContourHypotheses::ContourHypotheses(const CameraRig& rig, const ContourOptions& options)
+ContourMultiHypothesisTracker::ContourMultiHypothesisTracker(const CameraRig& rig,
+                                                             const ContourOptions& options)
     : active_(rig, options) {}
 
-bool ContourHypotheses::isUnambiguous() const {
-  return active_.tracking() && (!alternative_ || alternative_gain_ < -kAhead);
+bool ContourMultiHypothesisTracker::isUnambiguous() const {
+  return active_.tracking() && (!alternative_ || alternative_gain_ < -kUnambiguousGain);
 }
 
-void ContourHypotheses::lose() {
+void ContourMultiHypothesisTracker::lose() {
   active_.lose();
   alternative_.reset();
   confirmed_ = false;
 }
 
-std::vector<ContourFit> ContourHypotheses::fitsFrom(const ContourObservation& seen,
-                                                    const ContourBody& body,
-                                                    const std::vector<ContourPose>& poses,
-                                                    const RobustSchedule& schedule) const {
+std::vector<ContourFit> ContourMultiHypothesisTracker::fitsFrom(
+    const ContourObservation& seen, const ContourBody& body, const std::vector<ContourPose>& poses,
+    const RobustSchedule& schedule) const {
   std::vector<ContourFit> fits(poses.size());
   tbb::parallel_for(size_t(0), poses.size(), [&](size_t i) {
     fits[i] = active_.fitter().fit(seen, body, poses[i], std::nullopt, schedule);
@@ -66,67 +65,71 @@ std::vector<ContourFit> ContourHypotheses::fitsFrom(const ContourObservation& se
   return fits;
 }
 
-ContourFit ContourHypotheses::bestFit(const ContourObservation& seen, const ContourBody& body,
-                                      std::vector<ContourPose> poses) const {
-  if (poses.size() > kFinalists) {
-    const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kFirstLook);
+ContourFit ContourMultiHypothesisTracker::bestFit(const ContourObservation& seen,
+                                                  const ContourBody& body,
+                                                  std::vector<ContourPose> poses) const {
+  if (poses.size() > kMaxFinalFits) {
+    const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kCoarseFit);
     poses.clear();
-    for (size_t i = 0; i < std::min(kFinalists, first.size()); ++i) poses.push_back(first[i].pose);
+    for (size_t i = 0; i < std::min(kMaxFinalFits, first.size()); ++i)
+      poses.push_back(first[i].pose);
   }
   const std::vector<ContourFit> fits = fitsFrom(seen, body, poses, RobustSchedule::wide());
   return fits.empty() ? ContourFit{} : fits.front();
 }
 
-void ContourHypotheses::letRival(int64_t stamp_ns, const ContourFit& fit) {
+void ContourMultiHypothesisTracker::setAlternative(int64_t stamp_ns, const ContourFit& fit) {
   alternative_.emplace(active_);
   alternative_gain_ = 0.0;
   if (isLost(alternative_->startFrom(stamp_ns, fit))) alternative_.reset();
 }
 
-ActiveTrack ContourHypotheses::start(int64_t stamp_ns, const ContourObservation& seen,
-                                     const ContourBody& body,
-                                     const std::vector<ContourPose>& poses) {
+ActiveTrack ContourMultiHypothesisTracker::start(int64_t stamp_ns, const ContourObservation& seen,
+                                                 const ContourBody& body,
+                                                 const std::vector<ContourPose>& poses) {
   lose();
   const ContourFit best = bestFit(seen, body, poses);
   if (best.status != ContourFitStatus::kFitted) return {};
-  ActiveTrack held{active_.start(stamp_ns, seen, body, best.pose), true};
-  if (isLost(held.track)) return held;
-  const ContourFit other = bestFit(seen, body, {mirrored(body, held.track.fit.pose)});
-  if (qualityOf(other) > qualityOf(held.track.fit) - kAtOnce) letRival(stamp_ns, other);
-  return held;
+  ActiveTrack active{active_.start(stamp_ns, seen, body, best.pose), true};
+  if (isLost(active.track)) return active;
+  const ContourFit other = bestFit(seen, body, {mirrored(body, active.track.fit.pose)});
+  if (qualityOf(other) > qualityOf(active.track.fit) - kClearGain) setAlternative(stamp_ns, other);
+  return active;
 }
 
-ActiveTrack ContourHypotheses::update(int64_t stamp_ns, const ContourObservation& seen,
-                                      const ContourBody& body) {
-  ActiveTrack held{active_.update(stamp_ns, seen, body), false};
-  if (!alternative_) return held;
+ActiveTrack ContourMultiHypothesisTracker::update(int64_t stamp_ns, const ContourObservation& seen,
+                                                  const ContourBody& body) {
+  ActiveTrack active{active_.update(stamp_ns, seen, body), false};
+  if (!alternative_) return active;
   const ContourTrackingResult other = alternative_->update(stamp_ns, seen, body);
-  const bool both = !isLost(held.track) && !isLost(other);
-  if (both) alternative_gain_ += qualityOf(other.fit) - qualityOf(held.track.fit);
-  held.switched = !isLost(other) && (isLost(held.track) || alternative_gain_ > kDecided);
-  if (held.switched) {
-    held.track = other;
+  const bool both = !isLost(active.track) && !isLost(other);
+  if (both) alternative_gain_ += qualityOf(other.fit) - qualityOf(active.track.fit);
+  active.switched = !isLost(other) && (isLost(active.track) || alternative_gain_ > kDecisionGain);
+  if (active.switched) {
+    active.track = other;
     active_ = *alternative_;
     confirmed_ = false;
   }
-  // Hypotheses often grow together.
-  const bool same = both && !limbsDiffer(body, held.track.fit.pose, other.fit.pose);
-  if (held.switched || isLost(other) || same || alternative_gain_ < -kDecided) alternative_.reset();
-  return held;
+  // Two hypotheses often converge to the same pose.
+  const bool same = both && !limbsDiffer(body, active.track.fit.pose, other.fit.pose);
+  if (active.switched || isLost(other) || same || alternative_gain_ < -kDecisionGain)
+    alternative_.reset();
+  return active;
 }
 
-ActiveTrack ContourHypotheses::reinitialize(int64_t stamp_ns, const ContourObservation& seen,
-                                            const ContourBody& body,
-                                            const std::vector<ContourPose>& poses,
-                                            const ActiveTrack& held) {
-  ContourHypotheses fresh = *this;
+ActiveTrack ContourMultiHypothesisTracker::reinitialize(int64_t stamp_ns,
+                                                        const ContourObservation& seen,
+                                                        const ContourBody& body,
+                                                        const std::vector<ContourPose>& poses,
+                                                        const ActiveTrack& active) {
+  ContourMultiHypothesisTracker fresh = *this;
   const ActiveTrack other = fresh.start(stamp_ns, seen, body, poses);
-  if (isLost(other.track)) return held;
-  const double gain = qualityOf(other.track.fit) - qualityOf(held.track.fit);
-  const bool same = isSameBody(body, held.track.fit.pose, other.track.fit.pose);
-  const bool confirmed = same || (confirmed_ && gain < kAtOnce);
-  ActiveTrack now = held;
-  if (gain >= kAtOnce) {
+  if (isLost(other.track)) return active;
+  const double gain = qualityOf(other.track.fit) - qualityOf(active.track.fit);
+  const bool same = isSameBody(body, active.track.fit.pose, other.track.fit.pose);
+  const bool confirmed = same || (confirmed_ && gain < kClearGain);
+  ActiveTrack now = active;
+  if (gain >= kClearGain) {
     *this = fresh;
     now = {other.track, !same};
   }
@@ -134,20 +137,22 @@ ActiveTrack ContourHypotheses::reinitialize(int64_t stamp_ns, const ContourObser
   return now;
 }
 
-void ContourHypotheses::proposeAlternative(int64_t stamp_ns, const ContourObservation& seen,
-                                           const ContourBody& body,
-                                           const std::vector<ContourPose>& poses) {
+void ContourMultiHypothesisTracker::proposeAlternative(int64_t stamp_ns,
+                                                       const ContourObservation& seen,
+                                                       const ContourBody& body,
+                                                       const std::vector<ContourPose>& poses) {
   if (alternative_ || !active_.tracking()) return;
   const ContourFit best = bestFit(seen, body, poses);
-  if (best.status == ContourFitStatus::kFitted && qualityOf(best) > active_.quality() - kAtOnce &&
+  if (best.status == ContourFitStatus::kFitted &&
+      qualityOf(best) > active_.quality() - kClearGain &&
       limbsDiffer(body, best.pose, active_.pose()))
-    letRival(stamp_ns, best);
+    setAlternative(stamp_ns, best);
 }
 
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
   const Eigen::Matrix3Xd points = body.points(pose), others = body.points(other);
   for (const Eigen::Index end : {5, 8, 11, 14})  // wrists and ankles of contourPointNames()
-    if ((points.col(end) - others.col(end)).norm() > kElsewhere) return true;
+    if ((points.col(end) - others.col(end)).norm() > kMaxLimbDistance) return true;
   return false;
 }
 
@@ -169,7 +174,7 @@ ContourPose mirrored(const ContourBody& body, const ContourPose& pose) {
     out.angles[A::kLeftElbow + side] = pose.angles[A::kLeftElbow + other];
     out.rotations[B::kLeftHip + side] =
         pelvis.transpose() * frames.R[S::kLeftThigh + other] * about;
-    out.angles[A::kLeftKnee + side] = kKneeKept * pose.angles[A::kLeftKnee + other];
+    out.angles[A::kLeftKnee + side] = kKneeFraction * pose.angles[A::kLeftKnee + other];
     out.angles[A::kLeftAnkle + side] = 0.0;
   }
   return out;

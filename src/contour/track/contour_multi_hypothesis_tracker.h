@@ -8,64 +8,65 @@
 
 namespace markerless_mocap {
 
-/// One instant of what is held true.
+/// Result of one frame: the active hypothesis.
 struct ActiveTrack {
   ContourTrackingResult track;
-  bool switched = false;  ///< another hypothesis has taken the place of the one held before
+  bool switched = false;  ///< an alternative has replaced the active hypothesis
 };
 
-/// Follows a pose and, for as long as it takes to decide, one that contradicts it: front for back,
-/// left for right, or what the hull's pose tree says. The one that explains the masks better over
-/// time is held true. Not thread-safe.
-class ContourHypotheses {
+/// Tracks the active hypothesis and, until it is decided, one alternative: front and back
+/// exchanged, left and right exchanged, or the pose of the hull's pose tree. The one whose quality
+/// is better over time becomes active. Not thread-safe.
+class ContourMultiHypothesisTracker {
  public:
-  ContourHypotheses(const CameraRig& rig, const ContourOptions& options);
+  ContourMultiHypothesisTracker(const CameraRig& rig, const ContourOptions& options);
 
-  /// Starts at the best of some poses, against its mirrored one.
+  /// Starts at the best of several poses, with the mirrored pose as alternative.
   ActiveTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                     const std::vector<ContourPose>& poses);
   ActiveTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
-  /// Starts once more, from an instant after its update(): the same body confirms the one held,
-  /// what explains the masks clearly better takes its place. \param held what update() gave
+  /// Starts a second time, on a frame after its update(). If the result is the same body, it
+  /// confirms the active hypothesis. If the result is clearly better, it replaces it. \param active
+  /// result of update()
   ActiveTrack reinitialize(int64_t stamp_ns, const ContourObservation& seen,
                            const ContourBody& body, const std::vector<ContourPose>& poses,
-                           const ActiveTrack& held);
-  /// Lets the best of some poses contradict the one held, unless one does already.
+                           const ActiveTrack& active);
+  /// Takes the best of several poses as alternative, unless there is one already.
   void proposeAlternative(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                           const std::vector<ContourPose>& poses);
   bool hasAlternative() const { return alternative_.has_value(); }
-  /// Whether nothing that contradicts the pose explains the masks nearly as well.
+  /// True if no alternative has nearly the same quality.
   bool isUnambiguous() const;
-  /// Whether a start from a later instant has led to the body that is held.
+  /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
-  /// The best of the fits that begin at some poses.
+  /// The best of the fits that start at several poses.
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
                      std::vector<ContourPose> poses) const;
 
  private:
-  /// Those that succeed, the best first.
+  /// The successful fits, best first.
   std::vector<ContourFit> fitsFrom(const ContourObservation& seen, const ContourBody& body,
                                    const std::vector<ContourPose>& poses,
                                    const RobustSchedule& schedule) const;
-  void letRival(int64_t stamp_ns, const ContourFit& fit);
+  void setAlternative(int64_t stamp_ns, const ContourFit& fit);
 
-  ContourTracker active_;
-  std::optional<ContourTracker> alternative_;
+  ContourHypothesisTracker active_;
+  std::optional<ContourHypothesisTracker> alternative_;
   double alternative_gain_ =
-      0.0;  ///< how much better the rival explains the masks, summed over instants
+      0.0;  ///< quality of the alternative minus that of the active hypothesis, summed over frames
   bool confirmed_ = false;
 };
 
-/// Whether a hand or a foot is far from where it is in the other pose.
+/// True if a hand or a foot is far from its position in the other pose.
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other);
 
-/// The pose of a body that fills the same space turned about: front becomes back, and what was the
-/// left limb's place is the right one's. Knees and ankles straighten, as they bend to one side
-/// only.
+/// The pose with front and back exchanged, for a body that fills the same space: the right limb
+/// takes the position of the left one. Knees and ankles are straightened, because they bend in one
+/// direction only.
 ContourPose mirrored(const ContourBody& body, const ContourPose& pose);
 
-/// The pose with each leg where the other was.
+/// The pose with the two legs exchanged.
 ContourPose withLegsSwapped(const ContourBody& body, const ContourPose& pose);
 
 }  // namespace markerless_mocap

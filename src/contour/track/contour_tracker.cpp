@@ -11,27 +11,29 @@
 namespace markerless_mocap {
 namespace {
 
-// A limb is seen when contours hold its end to this, while posture alone leaves an arm's 0.1 open,
-// and it is not mostly outside the masks.
-constexpr double kSeenDeviation = 0.08, kSeenOutside = 0.10;  // metres
+// A limb counts as seen if the standard deviation of its end is below the first value (posture
+// priors alone give an arm 0.1) and if it lies outside the masks by less than the second.
+constexpr double kMaxSeenDeviation = 0.08, kMaxSeenOutside = 0.10;  // metres
 
-constexpr int64_t kUnsure_ns = 2000000000;  // after a start
-constexpr int64_t kBetweenQuestions_ns = 200000000;
+constexpr int64_t kReconsiderAfterStart_ns = 2000000000;  // after a start
+constexpr int64_t kReconsiderInterval_ns = 200000000;
 
-// A start that explains the masks less is believed when one from a later instant alone leads to the
-// same body. Sizes that are not this person's explain less.
-constexpr double kPlain = 0.90, kPlainUnmeasured = 0.86;
-// A person in a long dress covers 0.78 of the silhouettes with sizes told by one instant, a man and
-// the chair he sits on 0.68: starts that cover no more than this are never believed.
-constexpr double kLeastCovered = 0.72;
-constexpr double kPoor = 0.80;  // other postures are tried when proposals explain less
-constexpr int64_t kBetweenStarts_ns = 50000000;
+// A start of lower quality is accepted only if a start on a later frame leads to the same body. The
+// mean shape gives a lower quality than the person's own.
+constexpr double kMinQuality = 0.90, kMinQualityOfMeanShape = 0.86;
+// A start with a smaller overlap is never accepted. A person in a long dress, with the shape
+// estimated from one frame, gives an overlap of 0.78; a man together with the chair he sits on
+// 0.68.
+constexpr double kMinOverlap = 0.72;
+constexpr double kPoorQuality =
+    0.80;  // default postures are tried if the proposals have a lower quality
+constexpr int64_t kStartInterval_ns = 50000000;
 
-ShapePrior priorOf(const PersonResources& sources, const PersonOptions& person) {
-  return {sources.people, person.stature, person.stature_sigma};
+ShapePrior priorOf(const PersonResources& resources, const PersonOptions& person) {
+  return {resources.shape_statistics, person.stature, person.stature_sigma};
 }
 
-/// Whose limb a part is.
+/// The limb of a body part.
 ContourLimb::Id limbOf(int part) {
   constexpr ContourLimb::Id kLimbs[kPartCount] = {ContourLimb::kTrunk,   ContourLimb::kHead,
                                                   ContourLimb::kLeftArm, ContourLimb::kRightArm,
@@ -45,197 +47,203 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-std::string uncovered(const ContourFit& fit) {
-  return "no pose covers the silhouettes, the best one's overlap is " + number("%.2f", fit.overlap);
+std::string overlapTooSmall(const ContourFit& fit) {
+  return "no pose covers the silhouettes, the best overlap is " + number("%.2f", fit.overlap);
 }
 
 }  // namespace
 
-ContourMethod::ContourMethod(const CameraRig& rig, PersonResources sources,
-                             const PersonOptions& person, const ContourOptions& options,
-                             InitializerFactory make_initializer)
-    : sources_(std::move(sources)),
+ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
+                               const PersonOptions& person, const ContourOptions& options,
+                               InitializerFactory make_initializer)
+    : resources_(std::move(resources)),
       person_(person),
       make_initializer_(std::move(make_initializer)),
       observer_(rig, options),
       hypotheses_(rig, options) {
-  takeOver(initialBody(sources_, person_.stature));
-  if (person_.measure && !body_->measured)
-    measurer_.emplace(rig, options, priorOf(sources_, person_), person_.shape_poses,
-                      sources_.in_background);
+  setBody(initialBody(resources_, person_.stature));
+  if (person_.measure && !body_->shape_estimated)
+    shape_estimator_.emplace(rig, options, priorOf(resources_, person_), person_.shape_poses,
+                             resources_.in_background);
 }
 
-void ContourMethod::takeOver(std::shared_ptr<const TrackedBody> body) {
+void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
   body_ = std::move(body);
-  shape_.emplace(body_->sizes);
-  conversion_.emplace(body_->model);
+  contour_body_.emplace(body_->shape);
+  converter_.emplace(body_->model);
   initializer_ = make_initializer_(body_->model);
 }
 
-void ContourMethod::reset() {
+void ContourTracker::reset() {
   hypotheses_.lose();
-  sure_after_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
+  reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
   initializer_->reset();
-  conversion_->reset();
+  converter_->reset();
   stamp_.reset();
 }
 
-std::vector<ContourPose> ContourMethod::proposals(const TrackerInput& now,
-                                                  const ContourObservation& seen) {
+std::vector<ContourPose> ContourTracker::proposals(const TrackerInput& now,
+                                                   const ContourObservation& seen) {
   std::vector<ContourPose> poses;
   const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
   initializer_error_ = pose.reason;
   if (pose.status != PoseStatus::kLost)
-    poses.push_back(conversion_->poseOf(pose.T_world_body, pose.angles));
+    poses.push_back(converter_->poseOf(pose.T_world_body, pose.angles));
   if (const auto of_tree = poseFromPoseTree(now.tree)) poses.push_back(*of_tree);
-  if (qualityOf(hypotheses_.bestFit(seen, *shape_, poses)) < kPoor)
+  if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
     for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
   return poses;
 }
 
-// Measuring goes a short way only, so it begins with the stature that explains the masks best.
-void ContourMethod::guessStature(const ContourObservation& seen,
-                                 const std::vector<ContourPose>& poses) {
+// The shape estimate converges only from nearby, so it starts with the stature of best quality.
+void ContourTracker::initializeStature(const ContourObservation& seen,
+                                       const std::vector<ContourPose>& poses) {
   double best_stature = person_.stature, best_quality = 0.0;
   for (const double stature : {1.5, 1.6, 1.7, 1.8, 1.9, person_.stature}) {
-    const ContourBody body(sources_.people.sizes(stature));
+    const ContourBody body(resources_.shape_statistics.meanShape(stature));
     const double quality = qualityOf(hypotheses_.bestFit(seen, body, poses));
     if (quality <= best_quality) continue;
     best_quality = quality;
     best_stature = stature;
   }
-  takeOver(initialBody(sources_, best_stature));
-  measurer_->setStature(best_stature);
+  setBody(initialBody(resources_, best_stature));
+  shape_estimator_->setStature(best_stature);
 }
 
-ActiveTrack ContourMethod::start(const TrackerInput& now, const ContourObservation& seen) {
+ActiveTrack ContourTracker::start(const TrackerInput& now, const ContourObservation& seen) {
   if (seen.usableViews() < 2) return {};
   const std::vector<ContourPose> poses = proposals(now, seen);
-  if (measurer_ && !poses.empty()) guessStature(seen, poses);
-  return hypotheses_.start(now.stamp_ns, seen, *shape_, poses);
+  if (shape_estimator_ && !poses.empty()) initializeStature(seen, poses);
+  return hypotheses_.start(now.stamp_ns, seen, *contour_body_, poses);
 }
 
-ActiveTrack ContourMethod::reinitialize(const TrackerInput& now, const ContourObservation& seen,
-                                        const ActiveTrack& held) {
-  if (now.stamp_ns < next_start_ns_) return held;
-  next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
-  initializer_->reset();  // this instant alone shall tell
-  return hypotheses_.reinitialize(now.stamp_ns, seen, *shape_, proposals(now, seen), held);
+ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ContourObservation& seen,
+                                         const ActiveTrack& active) {
+  if (now.stamp_ns < next_start_ns_) return active;
+  next_start_ns_ = now.stamp_ns + kStartInterval_ns;
+  initializer_->reset();  // the proposal must depend on this frame only
+  return hypotheses_.reinitialize(now.stamp_ns, seen, *contour_body_, proposals(now, seen), active);
 }
 
-bool ContourMethod::isDecided(const ContourFit& fit) const {
-  const bool plain = qualityOf(fit) > (measurer_ ? kPlainUnmeasured : kPlain);
-  return fit.overlap > kLeastCovered && hypotheses_.isUnambiguous() &&
-         (plain || hypotheses_.isConfirmed());
+bool ContourTracker::isAccepted(const ContourFit& fit) const {
+  const bool good = qualityOf(fit) > (shape_estimator_ ? kMinQualityOfMeanShape : kMinQuality);
+  return fit.overlap > kMinOverlap && hypotheses_.isUnambiguous() &&
+         (good || hypotheses_.isConfirmed());
 }
 
-// A valid tree is nearly always right, so one that contradicts the pose is heard; while the pose is
-// not sure, other trees and other sides are, too.
-void ContourMethod::reconsider(const TrackerInput& now, const ContourObservation& seen,
-                               const ContourTrackingResult& track) {
-  const bool started = now.stamp_ns < sure_after_ns_;
-  const bool unsure = started || track.status == ContourTrackingStatus::kLimbLost;
+// A valid pose tree is nearly always right, so it becomes the alternative if it contradicts the
+// pose. While the pose is uncertain, an invalid tree and exchanged sides are tried, too.
+void ContourTracker::reconsider(const TrackerInput& now, const ContourObservation& seen,
+                                const ContourTrackingResult& track) {
+  const bool started = now.stamp_ns < reconsider_until_ns_;
+  const bool uncertain = started || track.status == ContourTrackingStatus::kLimbLost;
   if (now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
   std::vector<ContourPose> others;
   const auto of_tree = poseFromPoseTree(now.tree);
-  if (of_tree && (now.tree.valid() || unsure) && limbsDiffer(*shape_, track.fit.pose, *of_tree))
+  if (of_tree && (now.tree.valid() || uncertain) &&
+      limbsDiffer(*contour_body_, track.fit.pose, *of_tree))
     others.push_back(*of_tree);
   if (started) {
-    others.push_back(mirrored(*shape_, track.fit.pose));
-    others.push_back(withLegsSwapped(*shape_, track.fit.pose));
+    others.push_back(mirrored(*contour_body_, track.fit.pose));
+    others.push_back(withLegsSwapped(*contour_body_, track.fit.pose));
   }
   if (others.empty()) return;
-  next_reconsideration_ns_ = now.stamp_ns + kBetweenQuestions_ns;
-  hypotheses_.proposeAlternative(now.stamp_ns, seen, *shape_, others);
+  next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
+  hypotheses_.proposeAlternative(now.stamp_ns, seen, *contour_body_, others);
 }
 
-std::optional<BodyPose> ContourMethod::measure(int64_t stamp_ns, const ContourObservation& seen,
-                                               const ContourFit& fit) {
-  if (!measurer_) return std::nullopt;
+std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
+                                                      const ContourObservation& seen,
+                                                      const ContourFit& fit) {
+  if (!shape_estimator_) return std::nullopt;
   BodyPose pose;
-  if (decided_ && hypotheses_.isUnambiguous()) measurer_->add(stamp_ns, seen, *shape_, fit);
-  if (takeOverMeasured()) {
-    pose.reason = "the body has just been measured";  // the pose is another body's
+  if (accepted_ && hypotheses_.isUnambiguous())
+    shape_estimator_->add(stamp_ns, seen, *contour_body_, fit);
+  if (useEstimatedShape()) {
+    pose.reason = "the body has just been measured";  // the pose belongs to the old body
     return pose;
   }
-  pose.reason = "the body is being measured, " + std::to_string(measurer_->poses()) + " of " +
-                std::to_string(person_.shape_poses) + " different poses have been seen";
+  pose.reason = "the body is being measured, " + std::to_string(shape_estimator_->poses()) +
+                " of " + std::to_string(person_.shape_poses) +
+                " different poses have been seen";
   return pose;
 }
 
-void ContourMethod::estimateShapeNow() {
-  if (!measurer_) return;
-  measurer_->estimateNow();
-  takeOverMeasured();
+void ContourTracker::estimateShapeNow() {
+  if (!shape_estimator_) return;
+  shape_estimator_->estimateNow();
+  useEstimatedShape();
 }
 
-bool ContourMethod::takeOverMeasured() {
-  const std::optional<ShapeParameters> sizes = measurer_->sizes();
-  if (!sizes) return false;
-  takeOver(bodyFromShape(sources_, *sizes));
-  measurer_.reset();
+bool ContourTracker::useEstimatedShape() {
+  const std::optional<ShapeParameters> shape = shape_estimator_->shape();
+  if (!shape) return false;
+  setBody(bodyFromShape(resources_, *shape));
+  shape_estimator_.reset();
   return true;
 }
 
-BodyPose ContourMethod::lost(const ContourObservation& seen,
-                             const ContourTrackingResult& track) const {
+BodyPose ContourTracker::lost(const ContourObservation& seen,
+                              const ContourTrackingResult& track) const {
   BodyPose pose;
   if (seen.usableViews() < 2)
-    pose.reason =
-        "the person shows in " + std::to_string(seen.usableViews()) + " silhouettes, needed are 2";
+    pose.reason = "the person is visible in " + std::to_string(seen.usableViews()) +
+                  " silhouettes, at least 2 are needed";
   else if (track.fit.status != ContourFitStatus::kFitted)
     pose.reason =
         initializer_error_.empty() ? "no pose covers the silhouettes" : initializer_error_;
   else
-    pose.reason = uncovered(track.fit);
+    pose.reason = overlapTooSmall(track.fit);
   return pose;
 }
 
-BodyPose ContourMethod::undecided(const ContourFit& fit) const {
+BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
   BodyPose pose;
-  if (fit.overlap <= kLeastCovered)
-    pose.reason = uncovered(fit);
+  if (fit.overlap <= kMinOverlap)
+    pose.reason = overlapTooSmall(fit);
   else if (hypotheses_.isUnambiguous())
-    pose.reason = "the person is found, but in one instant only";
+    pose.reason = "a person was found, but another frame must confirm the pose";
   else
-    pose.reason = "the person is found, front and back are not told apart yet";
+    pose.reason = "a person was found, but front and back cannot be distinguished yet";
   return pose;
 }
 
-BodyPose ContourMethod::reported(const ActiveTrack& held) {
+BodyPose ContourTracker::reported(const ActiveTrack& active) {
   BodyPose pose;
-  pose.status = held.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
+  pose.status = active.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
   reported_ = true;
-  conversion_->convert(held.track.fit.pose, pose.T_world_body, pose.angles);
-  pose.silhouette_overlap = held.track.fit.overlap;
+  converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
+  pose.silhouette_overlap = active.track.fit.overlap;
   for (int part = 0; part < kPartCount; ++part) {
-    const LimbEvidence& limb = held.track.fit.limbs[limbOf(part)];
+    const LimbEvidence& limb = active.track.fit.limbs[limbOf(part)];
     pose.part_sigma_m[size_t(part)] = limb.deviation;
-    pose.part_seen[size_t(part)] = limb.deviation < kSeenDeviation && limb.outside < kSeenOutside;
+    pose.part_seen[size_t(part)] =
+        limb.deviation < kMaxSeenDeviation && limb.outside < kMaxSeenOutside;
   }
   return pose;
 }
 
-BodyPose ContourMethod::update(const TrackerInput& now) {
+BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const ContourObservation seen = observer_.observe(now.masks);
-  ActiveTrack held = hypotheses_.update(now.stamp_ns, seen, *shape_);
-  if (held.track.status == ContourTrackingStatus::kLost) {
-    held = start(now, seen);
-    decided_ = isDecided(held.track.fit);
-    next_start_ns_ = now.stamp_ns + kBetweenStarts_ns;
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
+  if (active.track.status == ContourTrackingStatus::kLost) {
+    active = start(now, seen);
+    accepted_ = isAccepted(active.track.fit);
+    next_start_ns_ = now.stamp_ns + kStartInterval_ns;
     reported_ = false;
   } else {
-    if (!decided_) held = reinitialize(now, seen, held);
-    decided_ = decided_ || isDecided(held.track.fit);
-    reconsider(now, seen, held.track);
+    if (!accepted_) active = reinitialize(now, seen, active);
+    accepted_ = accepted_ || isAccepted(active.track.fit);
+    reconsider(now, seen, active.track);
   }
-  if (held.switched) sure_after_ns_ = now.stamp_ns + kUnsure_ns;
-  if (held.track.status == ContourTrackingStatus::kLost) return lost(seen, held.track);
-  if (const std::optional<BodyPose> measuring = measure(now.stamp_ns, seen, held.track.fit))
-    return *measuring;
-  return decided_ ? reported(held) : undecided(held.track.fit);
+  if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
+  if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
+  if (const std::optional<BodyPose> estimating =
+          estimateShape(now.stamp_ns, seen, active.track.fit))
+    return *estimating;
+  return accepted_ ? reported(active) : unaccepted(active.track.fit);
 }
 
 }  // namespace markerless_mocap

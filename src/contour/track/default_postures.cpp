@@ -6,7 +6,7 @@ namespace {
 using A = RevoluteJoint;
 using B = SphericalJoint;
 
-/// Radians: how far the trunk leans forward, thighs are bent against it, and knees are bent.
+/// Radians: forward lean of the trunk, angle between thighs and trunk, and bend of the knees.
 struct Posture {
   double lean, thighs, knees;
 };
@@ -19,7 +19,7 @@ Eigen::Vector3d middleOf(const VisualHull& hull) {
   return sum / double(hull.voxels.size());
 }
 
-/// The pelvis in the middle, arms hanging.
+/// The pose with the pelvis at `middle` and hanging arms.
 ContourPose poseOf(const Posture& posture, double direction, const Eigen::Vector3d& middle) {
   ContourPose pose;
   pose.position = middle;

@@ -7,8 +7,8 @@
 
 namespace markerless_mocap {
 
-/// Upright, bent down and crouching, in four directions each, about the middle of the hull: where a
-/// search for a person may begin when neither parts nor a tree tell more. None for an empty hull.
+/// Upright, bent and crouching poses, in four directions each, at the centre of the hull: start
+/// poses for a search without any proposal. Empty for an empty hull.
 std::vector<ContourPose> defaultPostures(const VisualHull& hull);
 
 }  // namespace markerless_mocap

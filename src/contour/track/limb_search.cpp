@@ -14,23 +14,24 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kTriesNear = 240, kTriesAnywhere = 160, kBest = 6, kTriesAround = 10;
-constexpr size_t kPlaces = 4;
-constexpr double kFarApart = 0.12;  // metres, of the limb's ends
+constexpr size_t kSamplesNear = 240, kSamplesAnywhere = 160, kBest = 6, kSamplesAround = 10;
+constexpr size_t kChosen = 4;
+constexpr double kMinDistance = 0.12;  // metres, of the limb's ends
 
-// Standard deviations of tries: balls in turn by these, twists about the limb, hinges; radians.
-constexpr double kBallSpread[] = {0.2, 0.6, 1.5}, kTwistSpread = 1.0, kHingeSpread = 0.6;
-constexpr double kCloser = 0.25;  // of these, around the best of the first tries
+// Standard deviations of the samples, radians: swing of the spherical joint (in turn), its twist,
+// and the hinge.
+constexpr double kSwingDeviation[] = {0.2, 0.6, 1.5}, kTwistDeviation = 1.0, kHingeDeviation = 0.6;
+constexpr double kRefinementFactor = 0.25;  // factor on these for samples around the best ones
 
-// Places are judged sharply, which tells near ones apart, and bluntly, which tells far ones whose
-// surroundings are right: distance from which on a ray is mostly ignored, metres.
-constexpr double kOutliers[] = {0.1, 0.25};
-constexpr size_t kJudges = 2;
-constexpr size_t kRays = 120;  // that places are judged by at most
+// Robust scales of the two costs, metres. The small one distinguishes nearby positions; the large
+// one finds far positions whose surroundings are right.
+constexpr double kRobustScales[] = {0.1, 0.25};
+constexpr size_t kCosts = 2;
+constexpr size_t kMaxRays = 120;  // maximum number of rays in the cost
 
-/// The joints of a limb that are tried, and its end among contourPointNames().
+/// The sampled joints of a limb, and its end in contourPointNames().
 struct LimbJoints {
-  int ball, hinge, end;
+  int joint, hinge, end;
   double hinge_lower, hinge_upper;
 };
 LimbJoints jointsOf(ContourLimb::Id limb) {
@@ -44,32 +45,32 @@ LimbJoints jointsOf(ContourLimb::Id limb) {
 
 struct LimbPoseSample {
   ContourPose pose;
-  std::array<double, kJudges> energy;  ///< by each of kOutliers
+  std::array<double, kCosts> energy;  ///< for each of kRobustScales
   Eigen::Vector3d end;
 };
 
-/// Half the weighted robust squares of the rays given and of what sticks out of masks.
+/// Energy of a limb: robust losses of selected rays, containment, and priors.
 class LimbPoseCost {
  public:
   LimbPoseCost(const ContourObservation& seen, const CameraRig& rig, const ContourOptions& options,
                ContourLimb::Id limb)
       : seen_(seen), rig_(rig), options_(options), limb_(limb) {}
 
-  /// Takes the rays that touch the limb at this pose or that nothing explains.
-  void lookFor(const ContourBody& body, const ContourPose& pose) {
+  /// Selects the rays that touch the limb at this pose and those that nothing explains.
+  void selectRays(const ContourBody& body, const ContourPose& pose) {
     PoseProblem problem(seen_, rig_, options_);
-    problem.evaluate(body, pose, kOutliers[0]);
+    problem.evaluate(body, pose, kRobustScales[0]);
     std::vector<size_t> found;
     for (size_t i = 0; i < seen_.rays.size(); ++i)
       if (std::abs(problem.matches()[i].residual) > kRayExplained ||
           limbOfCone(problem.matches()[i].cone) == limb_)
         found.push_back(i);
-    const size_t step = found.size() / kRays + 1;
+    const size_t step = found.size() / kMaxRays + 1;
     for (size_t i = 0; i < found.size(); i += step) rays_.push_back(seen_.rays[found[i]]);
-    rays_per_ray_ = double(step);
+    rays_per_selected_ = double(step);
   }
 
-  std::array<double, kJudges> energy(const ContourBody& body, const ContourPose& pose) const {
+  std::array<double, kCosts> energy(const ContourBody& body, const ContourPose& pose) const {
     ContourFrames frames;
     ContourWorldCones cones;
     body.place(pose, frames);
@@ -77,16 +78,16 @@ class LimbPoseCost {
     std::vector<RayMatch> matches;
     matchRays(PackedContourCones(cones), rays_, matches);
     const double variance = options_.ray_sigma * options_.ray_sigma;
-    const double one =
-        rays_per_ray_ * options_.effective_rays / double(std::max<size_t>(1, seen_.rays.size()));
+    const double one = rays_per_selected_ * options_.effective_rays /
+                       double(std::max<size_t>(1, seen_.rays.size()));
     const double outside =
         options_.containment_weight * containmentEnergy(seen_, rig_, cones, limb_);
-    std::array<double, kJudges> energies;
+    std::array<double, kCosts> energies;
     energies.fill(0.5 * outside / variance + postureEnergy(pose) + armRestEnergy(pose));
-    for (size_t judge = 0; judge < kJudges; ++judge)
+    for (size_t cost = 0; cost < kCosts; ++cost)
       for (const RayMatch& match : matches)
-        energies[judge] +=
-            0.5 * one / variance * gemanMcClureLoss(match.residual, kOutliers[judge]);
+        energies[cost] +=
+            0.5 * one / variance * gemanMcClureLoss(match.residual, kRobustScales[cost]);
     return energies;
   }
 
@@ -96,97 +97,99 @@ class LimbPoseCost {
   const ContourOptions& options_;
   const ContourLimb::Id limb_;
   std::vector<ContourRay> rays_;
-  double rays_per_ray_ = 1.0;  ///< for how many each stands
+  double rays_per_selected_ = 1.0;  ///< number of rays that each selected ray represents
 };
 
-/// Directions spread evenly over the sphere, neighbours in turn far apart (Fibonacci lattice).
+/// Directions evenly distributed over the sphere; consecutive ones are far apart (Fibonacci
+/// lattice).
 Eigen::Vector3d direction(size_t i, size_t count) {
-  const size_t shuffled = i * 37 % count;  // 37 shares no factor with the count
+  const size_t shuffled = i * 37 % count;  // 37 and the count have no common factor
   const double z = 1.0 - (2.0 * double(shuffled) + 1.0) / double(count);
   const double turn = double(shuffled) * M_PI * (3.0 - std::sqrt(5.0)), r = std::sqrt(1.0 - z * z);
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// The rotation R, turned the shortest way so that its z becomes `z`.
+/// R after the shortest rotation that turns its z axis to `z`.
 Eigen::Matrix3d turnTo(const Eigen::Vector3d& z, const Eigen::Matrix3d& R) {
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(R.col(2)), z).toRotationMatrix() * R;
 }
 
-/// Adds the first few whose ends are not near to one another.
-void choose(const std::vector<LimbPoseSample>& places, std::vector<LimbPoseSample>& chosen) {
-  const size_t enough = chosen.size() + kPlaces;
-  for (const LimbPoseSample& place : places) {
+/// Adds the first few samples whose ends are far from those already chosen.
+void choose(const std::vector<LimbPoseSample>& samples, std::vector<LimbPoseSample>& chosen) {
+  const size_t enough = chosen.size() + kChosen;
+  for (const LimbPoseSample& sample : samples) {
     const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const LimbPoseSample& other) {
-      return (place.end - other.end).norm() < kFarApart;
+      return (sample.end - other.end).norm() < kMinDistance;
     });
-    if (!near) chosen.push_back(place);
+    if (!near) chosen.push_back(sample);
     if (chosen.size() == enough) return;
   }
 }
 
-/// Tries in batches: drawn one after another, judged at once.
+/// Draws samples one after another and evaluates them in parallel batches.
 class LimbPoseSampler {
  public:
-  LimbPoseSampler(const ContourBody& body, const LimbPoseCost& judge, const ContourPose& fitted,
+  LimbPoseSampler(const ContourBody& body, const LimbPoseCost& cost, const ContourPose& fitted,
                   const LimbJoints& joints)
-      : body_(body), judge_(judge), fitted_(fitted), joints_(joints) {}
+      : body_(body), cost_(cost), fitted_(fitted), joints_(joints) {}
 
-  /// Draws a pose whose limb is near to that of `middle` but for the hinge, which is near to
-  /// `bend`. \param share of the spreads
-  void draw(const ContourPose& middle, double bend, double share) {
-    const double spread = share * kBallSpread[places_.size() % std::size(kBallSpread)];
+  /// Draws a pose whose limb is near to that of `middle`, with the hinge near to `bend`. \param
+  /// scale factor on the standard deviations
+  void draw(const ContourPose& middle, double bend, double scale) {
+    const double spread = scale * kSwingDeviation[samples_.size() % std::size(kSwingDeviation)];
     const double x = normal_(random_), y = normal_(random_), twist = normal_(random_);
-    const Eigen::Vector3d turn(spread * x, spread * y, share * kTwistSpread * twist);
-    LimbPoseSample place{fitted_, {}, {}};
-    place.pose.rotations[size_t(joints_.ball)] =
-        middle.rotations[size_t(joints_.ball)] * expSO3(turn);
-    place.pose.angles[size_t(joints_.hinge)] = std::clamp(
-        bend + share * kHingeSpread * normal_(random_), joints_.hinge_lower, joints_.hinge_upper);
-    places_.push_back(place);
+    const Eigen::Vector3d turn(spread * x, spread * y, scale * kTwistDeviation * twist);
+    LimbPoseSample sample{fitted_, {}, {}};
+    sample.pose.rotations[size_t(joints_.joint)] =
+        middle.rotations[size_t(joints_.joint)] * expSO3(turn);
+    sample.pose.angles[size_t(joints_.hinge)] =
+        std::clamp(bend + scale * kHingeDeviation * normal_(random_), joints_.hinge_lower,
+                   joints_.hinge_upper);
+    samples_.push_back(sample);
   }
 
-  /// All places so far, the one that judge likes best first.
-  const std::vector<LimbPoseSample>& judged(size_t judge) {
-    tbb::parallel_for(tbb::blocked_range<size_t>(judged_, places_.size(), 16),
+  /// All samples so far, sorted by one of the costs.
+  const std::vector<LimbPoseSample>& sortedBy(size_t cost) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(evaluated_, samples_.size(), 16),
                       [&](const auto& some) {
                         for (size_t i = some.begin(); i < some.end(); ++i) {
-                          LimbPoseSample& place = places_[i];
-                          place.energy = judge_.energy(body_, place.pose);
-                          place.end = body_.points(place.pose).col(joints_.end);
+                          LimbPoseSample& sample = samples_[i];
+                          sample.energy = cost_.energy(body_, sample.pose);
+                          sample.end = body_.points(sample.pose).col(joints_.end);
                         }
                       });
-    std::stable_sort(places_.begin(), places_.end(),
+    std::stable_sort(samples_.begin(), samples_.end(),
                      [&](const LimbPoseSample& a, const LimbPoseSample& b) {
-                       return a.energy[judge] < b.energy[judge];
+                       return a.energy[cost] < b.energy[cost];
                      });
-    judged_ = places_.size();
-    return places_;
+    evaluated_ = samples_.size();
+    return samples_;
   }
 
  private:
   const ContourBody& body_;
-  const LimbPoseCost& judge_;
+  const LimbPoseCost& cost_;
   const ContourPose& fitted_;
   const LimbJoints joints_;
   std::mt19937 random_{1};
   std::normal_distribution<double> normal_;
-  std::vector<LimbPoseSample> places_;
-  size_t judged_ = 0;
+  std::vector<LimbPoseSample> samples_;
+  size_t evaluated_ = 0;
 };
 
-/// Half of them bend as expected, half anyhow.
-void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbPoseSampler& tries) {
+/// Half of the samples bend as expected, the other half are evenly distributed over the range.
+void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbPoseSampler& sampler) {
   const auto bendOf = [&](size_t i, size_t count) {
     const double range = joints.hinge_upper - joints.hinge_lower;
     return i % 2 ? joints.hinge_lower + range * double(i) / double(count)
                  : expected.angles[size_t(joints.hinge)];
   };
-  for (size_t i = 0; i < kTriesNear; ++i) tries.draw(expected, bendOf(i, kTriesNear), 1.0);
-  for (size_t i = 0; i < kTriesAnywhere; ++i) {
+  for (size_t i = 0; i < kSamplesNear; ++i) sampler.draw(expected, bendOf(i, kSamplesNear), 1.0);
+  for (size_t i = 0; i < kSamplesAnywhere; ++i) {
     ContourPose turned = expected;
-    Eigen::Matrix3d& R = turned.rotations[size_t(joints.ball)];
-    R = turnTo(direction(i, kTriesAnywhere), R);
-    tries.draw(turned, bendOf(i, kTriesAnywhere), kCloser);
+    Eigen::Matrix3d& R = turned.rotations[size_t(joints.joint)];
+    R = turnTo(direction(i, kSamplesAnywhere), R);
+    sampler.draw(turned, bendOf(i, kSamplesAnywhere), kRefinementFactor);
   }
 }
 
@@ -197,21 +200,21 @@ std::vector<ContourPose> alternativeLimbPoses(const ContourObservation& seen, co
                                               const ContourBody& body, const ContourPose& fitted,
                                               const ContourPose& expected, ContourLimb::Id limb) {
   const LimbJoints joints = jointsOf(limb);
-  LimbPoseCost judge(seen, rig, options, limb);
-  judge.lookFor(body, fitted);
-  LimbPoseSampler tries(body, judge, fitted, joints);
-  drawFirst(expected, joints, tries);
+  LimbPoseCost cost(seen, rig, options, limb);
+  cost.selectRays(body, fitted);
+  LimbPoseSampler sampler(body, cost, fitted, joints);
+  drawFirst(expected, joints, sampler);
   std::vector<LimbPoseSample> chosen;
-  for (size_t j = 0; j < kJudges; ++j) {
-    const std::vector<LimbPoseSample>& first = tries.judged(j);
+  for (size_t j = 0; j < kCosts; ++j) {
+    const std::vector<LimbPoseSample>& first = sampler.sortedBy(j);
     const std::vector<LimbPoseSample> best(first.begin(), first.begin() + kBest);
-    for (const LimbPoseSample& place : best)
-      for (size_t i = 0; i < kTriesAround; ++i)
-        tries.draw(place.pose, place.pose.angles[size_t(joints.hinge)], kCloser);
-    choose(tries.judged(j), chosen);
+    for (const LimbPoseSample& sample : best)
+      for (size_t i = 0; i < kSamplesAround; ++i)
+        sampler.draw(sample.pose, sample.pose.angles[size_t(joints.hinge)], kRefinementFactor);
+    choose(sampler.sortedBy(j), chosen);
   }
   std::vector<ContourPose> poses;
-  for (const LimbPoseSample& place : chosen) poses.push_back(place.pose);
+  for (const LimbPoseSample& sample : chosen) poses.push_back(sample.pose);
   return poses;
 }
 

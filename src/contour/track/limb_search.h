@@ -6,10 +6,9 @@
 
 namespace markerless_mocap {
 
-/// Poses that differ from `fit` in one arm or leg only: of many places around where the limb is
-/// expected the few, far apart, that stay inside the masks best and explain most of the rays that
-/// nothing explains yet. Always the same ones for the same arguments.
-/// \param limb one of kLeftArm to kRightLeg
+/// Poses that differ from `fitted` in one arm or leg only. Many positions around the expected one
+/// are sampled. The result is the few best, far apart, that stay inside the masks and explain the
+/// rays that nothing else explains. Deterministic.
 std::vector<ContourPose> alternativeLimbPoses(const ContourObservation& seen, const CameraRig& rig,
                                               const ContourOptions& options,
                                               const ContourBody& body, const ContourPose& fitted,

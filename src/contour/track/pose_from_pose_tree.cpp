@@ -10,14 +10,15 @@ namespace {
 using A = RevoluteJoint;
 using B = SphericalJoint;
 
-// A limb straighter than this tells little of the plane it bends in.
+// A straighter limb does not determine the plane in which it bends.
 constexpr double kStraight = 0.06;  // sine of the bend
 
-/// A limb's three joints and what they move. `sense`: 1 bends forward, -1 backward.
+/// The three joints of a limb and the degrees of freedom that they determine. `sense`: 1 bends
+/// forward, -1 backward.
 struct LimbJoints {
   TreeJoint root, middle, end;
   double sense;
-  size_t ball, hinge;
+  size_t joint, hinge;
 };
 constexpr LimbJoints kLimbs[] = {{TreeJoint::kLeftShoulder, TreeJoint::kLeftElbow,
                                   TreeJoint::kLeftWrist, 1.0, B::kLeftShoulder, A::kLeftElbow},
@@ -28,12 +29,12 @@ constexpr LimbJoints kLimbs[] = {{TreeJoint::kLeftShoulder, TreeJoint::kLeftElbo
                                  {TreeJoint::kRightHip, TreeJoint::kRightKnee,
                                   TreeJoint::kRightAnkle, -1.0, B::kRightHip, A::kRightKnee}};
 
-/// Joints in one place or in one line span no frame.
+/// Coincident or collinear joints span no frame.
 bool isRotation(const Eigen::Matrix3d& R) {
   return std::abs(R.determinant() - 1.0) < 1e-6;  // false for NaN
 }
 
-/// Lays the upper bone from root to middle, its front to where the limb bends.
+/// Aligns the upper bone with root and middle, and its front with the direction of the bend.
 void layLimb(const LimbJoints& limb, const PoseTree& tree, ContourPose& pose) {
   const auto &root = tree.joint(limb.root), &middle = tree.joint(limb.middle),
              &end = tree.joint(limb.end);
@@ -48,7 +49,7 @@ void layLimb(const LimbJoints& limb, const PoseTree& tree, ContourPose& pose) {
   Eigen::Matrix3d upper;
   upper << front, front.cross(along), -along;
   if (!isRotation(upper)) return;
-  pose.rotations[limb.ball] = trunk.transpose() * upper;
+  pose.rotations[limb.joint] = trunk.transpose() * upper;
   pose.angles[limb.hinge] = limb.sense * std::atan2(aside.norm(), along.dot(beyond));
 }
 

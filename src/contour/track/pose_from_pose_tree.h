@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// The pose that a pose tree's joints tell; limbs without joints hang down. Empty without both hips
+/// The pose from the joints of a pose tree; limbs without joints hang down. Empty without both hips
 /// and the neck.
 std::optional<ContourPose> poseFromPoseTree(const PoseTree& tree);
 

@@ -6,14 +6,14 @@
 namespace markerless_mocap {
 namespace {
 
-/// Which of eight bytes are not zero, the first in the lowest bit.
+/// Bits of eight bytes that are not zero, the first byte in the lowest bit.
 uint32_t setBits(const uint8_t* bytes) {
   constexpr uint64_t kLow7 = 0x7f7f7f7f7f7f7f7fu;
   uint64_t eight;
   std::memcpy(&eight, bytes, sizeof(eight));
   if (eight == 0) return 0;
-  const uint64_t tops = ((eight & kLow7) + kLow7) | eight;  // top bit of each byte that is not zero
-  // The product gathers bit 8 i at 56 + i.
+  const uint64_t tops = ((eight & kLow7) + kLow7) | eight;  // top bit of each non-zero byte
+  // The multiplication moves bit 8 i to 56 + i.
   return uint32_t(((tops >> 7 & 0x0101010101010101u) * 0x0102040810204080u) >> 56);
 }
 

@@ -6,9 +6,9 @@
 
 namespace markerless_mocap {
 
-/// A binary image as columns of 32 pixels: word `y` of column `c` holds the pixels 32 c to 32 c +
-/// 31 of row y, the leftmost in the lowest bit. Words of one column lie behind each other, so rows
-/// can be worked on side by side.
+/// A binary image in columns of 32 pixels: word `y` of column `c` holds the pixels 32 c to 32 c +
+/// 31 of row y, the leftmost in the lowest bit. The words of a column are contiguous, so that rows
+/// can be processed in parallel by SIMD instructions.
 class BitImage {
  public:
   BitImage() = default;

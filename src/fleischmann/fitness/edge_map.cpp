@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// The part of the image that edges of the person can reach, blurred.
+/// The part of the image that can contain blurred edges of the person.
 cv::Rect reachOf(const cv::Mat& silhouette, const EdgeSettings& settings) {
   const cv::Rect body = cv::boundingRect(silhouette);
   if (body.empty()) return {};
@@ -31,7 +31,8 @@ cv::Mat edgeMap(const cv::Mat& image, const cv::Mat& silhouette, const EdgeSetti
   if (silhouette.type() != CV_8UC1 || image.size() != silhouette.size() ||
       (image.type() != CV_8UC1 && image.type() != CV_8UC3))
     throw std::invalid_argument(
-        "edges need an 8-bit image of one or three channels and a mono8 silhouette of its size");
+        "edges need an 8-bit image of one or three channels and a mono8 silhouette of the same "
+        "size");
   cv::Mat map = cv::Mat::zeros(image.size(), CV_8UC1);
   const cv::Rect part = reachOf(silhouette, settings);
   if (part.empty()) return map;

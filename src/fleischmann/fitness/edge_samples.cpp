@@ -15,7 +15,7 @@ void sampleLine(const cv::Mat& map, const Pixel& from, const Pixel& to, int samp
   const uint8_t* data = map.data;
   const int step = int(map.step[0]);
   const float dx = (to.x - from.x) / float(samples), dy = (to.y - from.y) / float(samples);
-  // Half a pixel more, so that cutting off rounds to the nearest pixel.
+  // Plus half a pixel, so that truncation rounds to the nearest pixel.
   const float x0 = from.x + 0.5f * dx + 0.5f, y0 = from.y + 0.5f * dy + 0.5f;
   const auto x = [&](int i) { return x0 + float(i) * dx; };
   const auto y = [&](int i) { return y0 + float(i) * dy; };

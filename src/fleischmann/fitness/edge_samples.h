@@ -7,13 +7,14 @@
 
 namespace markerless_mocap {
 
-/// Sum of the edge map at points along the body's edges, and how many of them are in the image.
+/// Sum of the edge map at points along the edges of the body, and the number of these points in the
+/// image.
 struct EdgeSum {
   int64_t sum = 0;  ///< of values 0 to 255
   int points = 0;
 };
 
-/// \param samples points on each edge, in the middles of as many equal pieces
+/// \param samples points per edge, at the centres of equal sections
 EdgeSum sampleEdges(const ConeCorners& corners, const cv::Mat& map, const EdgeSelection& choice,
                     int samples);
 

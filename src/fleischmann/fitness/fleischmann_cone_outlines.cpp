@@ -10,21 +10,23 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr float kNearest = 1e-3f;    // metres before a camera
-constexpr float kLeastSize = 1e-6f;  // squared distance from a cone's axis, in its half axes
+constexpr float kMinDepth = 1e-3f;            // minimum depth, metres
+constexpr float kMinSquaredDistance = 1e-6f;  // minimum squared distance from a cone's axis,
+                                              // relative to its half axes
 
 void setLane(ConeVectors& vectors, int lane, const Eigen::Vector3d& value) {
   for (int c = 0; c < 3; ++c) vectors[c][lane] = float(value[c]);
 }
 
-/// The camera seen from each cone: places in its end's half axes.
+/// The camera centre in the frame of each cone, relative to the half axes of its end.
 struct CameraPlaces {
-  ConeFloats x, y;    ///< across
-  ConeFloats size;    ///< of the cone's section at the camera's height
-  ConeFloats inside;  ///< squared distance across beyond that size; above 0 outside of the cone
+  ConeFloats x, y;    ///< perpendicular to the axis
+  ConeFloats size;    ///< scale of the cross-section at the height of the camera
+  ConeFloats inside;  ///< squared distance from the axis minus the squared scale; positive if the
+                      ///< camera is outside the cone
 };
 
-// The loops run over all lanes without branches, so that they become vectors.
+// The loops have no branches, so that the compiler vectorises them.
 MOCAP_WIDEST void seeCamera(const FleischmannWorldCones& w, const ViewCamera::Numbers& numbers,
                             CameraPlaces& result) {
   const ViewCamera::Numbers n = numbers;
@@ -43,8 +45,8 @@ MOCAP_WIDEST void seeCamera(const FleischmannWorldCones& w, const ViewCamera::Nu
   result = out;
 }
 
-/// Directions, in an end's half axes, of the two lines of the visible contour: where the tangent
-/// plane holds the camera, cos(t - direction of the camera) = size / distance.
+/// Directions of the two contour lines, relative to the half axes of an end. The tangent plane
+/// contains the camera if cos(t - direction of the camera) = scale / distance.
 struct ContourLines {
   ConeFloats cosine[2], sine[2];
 };
@@ -53,7 +55,7 @@ void findContour(const CameraPlaces& at, ContourLines& out) {
   for (int i = 0; i < kFleischmannConeCount; ++i) {
     const float x = at.x[i], y = at.y[i], size = at.size[i];
     const float root = std::sqrt(std::max(at.inside[i], 0.0f));
-    const float inverse = 1.0f / std::max(x * x + y * y, kLeastSize);
+    const float inverse = 1.0f / std::max(x * x + y * y, kMinSquaredDistance);
     out.cosine[0][i] = (size * x - root * y) * inverse;
     out.sine[0][i] = (size * y + root * x) * inverse;
     out.cosine[1][i] = (size * x + root * y) * inverse;
@@ -61,15 +63,15 @@ void findContour(const CameraPlaces& at, ContourLines& out) {
   }
 }
 
-/// One corner of every cone.
+/// One corner of all cones.
 struct CornerLanes {
   ConeFloats x, y;
-  ConeFloats depth;           ///< metres before the camera
+  ConeFloats depth;           ///< metres
   ConeFloats radius_squared;  ///< on the image plane
 };
 
-/// The point of an end's ellipse at (cosine, sine), projected. No branches and no output that could
-/// overlap the input, so that the lanes become vectors.
+/// Projects the point of an end's ellipse at (cosine, sine). No branches and no aliasing, so that
+/// the compiler vectorises the loop.
 MOCAP_WIDEST void projectCorners(const FleischmannWorldCones& w, const ViewCamera::Numbers& numbers,
                                  const ConeVectors& center, const ConeFloats& scale,
                                  const ConeFloats& cosine, const ConeFloats& sine,
@@ -98,7 +100,8 @@ MOCAP_WIDEST void projectCorners(const FleischmannWorldCones& w, const ViewCamer
   result = out;
 }
 
-/// The camera tells no radius, only whether it projects a point.
+/// Camera has no accessor for this radius. It is found by bisection on whether a point is
+/// projected.
 double largestRadius(const Camera& camera) {
   const auto projects = [&](double radius) {
     const Eigen::Vector3d point(radius, 0, 1);
@@ -155,8 +158,8 @@ ViewCamera::ViewCamera(const Camera& camera, int downsampling)
   if (downsampling < 1 || width_ < 1 || height_ < 1)
     throw std::invalid_argument("camera '" + camera.name() + "': an image of " +
                                 std::to_string(camera.width()) + " x " +
-                                std::to_string(camera.height()) + " cannot be made " +
-                                std::to_string(downsampling) + " times smaller");
+                                std::to_string(camera.height()) + " cannot be downsampled by " +
+                                std::to_string(downsampling));
   const CameraCalibration& c = camera.calibration();
   const Eigen::Isometry3d T = c.T_world_camera.inverse();
   for (int i = 0; i < 3; ++i) {
@@ -164,7 +167,8 @@ ViewCamera::ViewCamera(const Camera& camera, int downsampling)
     numbers_.t[i] = float(T.translation()[i]);
     numbers_.position[i] = float(camera.position()[i]);
   }
-  // Whole coordinates are pixel centres: the first pixel of r becomes -0.5 + 0.5 / r.
+  // Integer coordinates are pixel centres: the centre of the first reduced pixel is at -0.5 + 0.5 r
+  // of the original.
   const double s = 1.0 / downsampling;
   numbers_.fx = float(s * c.K(0, 0));
   numbers_.skew = float(s * c.K(0, 1));
@@ -187,14 +191,15 @@ void ViewCamera::outlines(const FleischmannWorldCones& cones, ConeCorners& out) 
   ContourLines lines{};
   seeCamera(cones, numbers_, places);
   findContour(places, lines);
-  for (int i = 0; i < kFleischmannConeCount; ++i) out.seen[i] = places.inside[i] > kLeastSize;
+  for (int i = 0; i < kFleischmannConeCount; ++i)
+    out.seen[i] = places.inside[i] > kMinSquaredDistance;
   const auto corner = [&](int at, const ConeVectors& center, const ConeFloats& scale, int side) {
     CornerLanes lanes;
     projectCorners(cones, numbers_, center, scale, lines.cosine[side], lines.sine[side], lanes);
     out.x[at] = lanes.x;
     out.y[at] = lanes.y;
     for (int i = 0; i < kFleischmannConeCount; ++i)
-      out.seen[i] &= int(lanes.depth[i] > kNearest) &
+      out.seen[i] &= int(lanes.depth[i] > kMinDepth) &
                      int(lanes.radius_squared[i] < numbers_.max_radius_squared);
   };
   corner(0, cones.a, whole, 0);

@@ -7,23 +7,23 @@
 
 namespace markerless_mocap {
 
-/// Cones stand side by side in vectors; the places behind the tenth are empty.
+/// Cones are stored as structure of arrays; elements after the tenth are unused.
 constexpr int kConeLanes = 16;
 using ConeFloats = std::array<float, kConeLanes>;
 
-/// A vector of three for each cone.
+/// A 3-vector per cone.
 using ConeVectors = std::array<ConeFloats, 3>;
 
 /// The ten cones in the world.
 struct alignas(32) FleischmannWorldCones {
   ConeVectors a, b;    ///< centres of the ends
   ConeVectors u, v;    ///< half axes at a
-  ConeVectors un, vn;  ///< the same, divided by their squared lengths
-  ConeVectors growth;  ///< gradient of the size along the axis; 1 at a
+  ConeVectors un, vn;  ///< u and v divided by their squared lengths
+  ConeVectors growth;  ///< gradient of the scale along the axis; the scale at a is 1
   ConeFloats taper;
 };
 
-/// Brings the cones to where their segments are.
+/// Places the cones in the world.
 class ConePlacer {
  public:
   explicit ConePlacer(const FleischmannBodyShape& body);
@@ -39,32 +39,32 @@ class ConePlacer {
   ConeFloats taper_;
 };
 
-/// Corners of the cones' outlines in the order a, b, b, a around each, pixels.
+/// Corners of the cones' outlines, pixels, in the order a, b, b, a around each outline.
 struct alignas(32) ConeCorners {
   std::array<ConeFloats, 4> x, y;
-  /// 0 where a cone has no outline: seen along its axis, or not wholly before the camera.
+  /// 0 if a cone has no outline: seen along its axis, or not completely in front of the camera.
   std::array<int, kConeLanes> seen;
 };
 
-/// A camera in single precision for many points at once, with the full lens model.
+/// A camera in single precision with the full lens model, for many points at once.
 class ViewCamera {
  public:
-  /// \param reduction whole number by which the image is made smaller
+  /// \param downsampling integer factor by which the image is reduced
   ViewCamera(const Camera& camera, int downsampling);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// The visible contour of a truncated cone is two of its straight lines: those along which the
-  /// tangent plane holds the camera. Their ends are the corners.
+  /// The visible contour of a truncated cone consists of two of its straight lines: those whose
+  /// tangent plane contains the camera centre. The corners are the ends of these lines.
   void outlines(const FleischmannWorldCones& cones, ConeCorners& out) const;
 
-  /// What the projection needs; plain numbers.
+  /// Plain numbers for the projection.
   struct Numbers {
     float R[3][3], t[3];  ///< world to camera
     float position[3];
     float fx, skew, cx, fy, cy;
     float k[8];                ///< OpenCV order
-    float max_radius_squared;  ///< of undistorted image-plane points
+    float max_radius_squared;  ///< maximum radius of undistorted image-plane points
   };
 
  private:

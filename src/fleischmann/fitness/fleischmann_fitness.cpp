@@ -21,7 +21,7 @@ constexpr ConeSet kAllCones = (1u << kFleischmannConeCount) - 1;
 struct FleischmannFitness::View {
   ViewCamera camera;
   std::string name;
-  cv::Size full;  ///< size of the images that come
+  cv::Size full;  ///< size of the images from the camera
   BitImage silhouette{};
   int64_t area = 0;
   cv::Mat edges{};
@@ -34,7 +34,7 @@ struct FleischmannFitness::Cones {
   ConePlacer placer;
 };
 
-/// What a thread draws on.
+/// Canvas of one thread.
 struct FleischmannFitness::Scratch {
   FleischmannFrames frames;
   FleischmannWorldCones cones;
@@ -63,13 +63,15 @@ namespace {
 
 void requireFit(const FleischmannView& view, const std::string& name, const cv::Size& size) {
   if (view.silhouette.type() != CV_8UC1 || view.silhouette.size() != size)
-    throw std::invalid_argument("camera '" + name +
-                                "': the silhouette must be mono8 and of the camera's size");
+    throw std::invalid_argument(
+        "camera '" + name +
+        "': the silhouette must be mono8 and of the size of the camera's image");
   if (!view.image.empty() && view.image.size() != size)
-    throw std::invalid_argument("camera '" + name + "': the image must have the silhouette's size");
+    throw std::invalid_argument("camera '" + name +
+                                "': the image must have the size of the silhouette");
 }
 
-/// A pixel of the smaller mask is set when at least half of those under it are.
+/// A pixel of the reduced mask is set if at least half of its original pixels are.
 cv::Mat reducedMask(const cv::Mat& mask, const cv::Size& size, int downsampling) {
   cv::Mat small;
   const cv::Rect used(0, 0, size.width * downsampling, size.height * downsampling);
@@ -105,10 +107,10 @@ void FleischmannFitness::View::take(const FleischmannView& seen,
   has_edges = true;
 }
 
-FleischmannFitness::FleischmannFitness(const CameraRig& rig, const FleischmannBodyModel& profile,
+FleischmannFitness::FleischmannFitness(const CameraRig& rig, const FleischmannBodyModel& body_model,
                                        const FleischmannBodyShape& body,
                                        const FleischmannImageOptions& options)
-    : profile_(profile), options_(options), cones_(new Cones{ConePlacer(body)}) {
+    : body_model_(body_model), options_(options), cones_(new Cones{ConePlacer(body)}) {
   options.validate();
   for (const Camera& camera : rig) {
     const ViewCamera view(camera, options.downsampling);
@@ -124,13 +126,13 @@ FleischmannFitness::Scratch& FleischmannFitness::scratch() const {
 }
 
 void FleischmannFitness::place(const double* candidate, Scratch& scratch) const {
-  profile_.frames(candidate, scratch.frames);
+  body_model_.frames(candidate, scratch.frames);
   cones_->placer.place(scratch.frames, scratch.cones);
 }
 
 int FleischmannFitness::observe(const std::vector<FleischmannView>& views) {
   if (views.size() != views_.size())
-    throw std::invalid_argument(std::to_string(views.size()) + " views came from a rig of " +
+    throw std::invalid_argument(std::to_string(views.size()) + " views were given, the rig has " +
                                 std::to_string(views_.size()) + " cameras");
   for (size_t i = 0; i < views.size(); ++i)
     if (!views[i].silhouette.empty()) requireFit(views[i], views_[i].name, views_[i].full);

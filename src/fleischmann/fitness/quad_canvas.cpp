@@ -9,26 +9,27 @@
 namespace markerless_mocap {
 namespace {
 
-// Pixels by which a side must rise to bound rows; flatter ones have no finite slope.
+// Minimum height of a side in pixels; flatter sides do not bound rows, as their inverse gradient is
+// not finite.
 constexpr float kFlat = 1e-6f;
 
-/// A side of a quad as x over y.
+/// A side of a quadrilateral, x as a function of y.
 struct Line {
   float x, y, slope;
 };
 
-/// The sides left and right of a quad's inside. A convex quad has at most three of each; what is
-/// missing repeats another.
+/// The left and right sides of a quadrilateral. A convex quadrilateral has at most three of each;
+/// unused elements repeat another side.
 struct Sides {
   Line left[3], right[3];
 };
 
-/// First pixel and one behind the last pixel of each row, `low` above `high` where there is none.
+/// First pixel and end of each row's span; `low` is greater than `high` in an empty row.
 MOCAP_WIDEST void findSpans(const Sides& sides, int first_row, int rows, int width, int32_t* low,
                             int32_t* high) {
   const Line l[3] = {sides.left[0], sides.left[1], sides.left[2]};
   const Line r[3] = {sides.right[0], sides.right[1], sides.right[2]};
-  const float most = float(width);
+  const float limit = float(width);
   for (int i = 0; i < rows; ++i) {
     const float y = float(first_row + i);
     const float left =
@@ -37,15 +38,16 @@ MOCAP_WIDEST void findSpans(const Sides& sides, int first_row, int rows, int wid
     const float right =
         std::min(std::min(r[0].x + (y - r[0].y) * r[0].slope, r[1].x + (y - r[1].y) * r[1].slope),
                  r[2].x + (y - r[2].y) * r[2].slope);
-    const float from = std::min(std::max(left, 0.0f), most);
-    const float to = std::min(std::max(right, -1.0f), most - 1.0f);
+    const float from = std::min(std::max(left, 0.0f), limit);
+    const float to = std::min(std::max(right, -1.0f), limit - 1.0f);
     const int32_t from_whole = int32_t(from), to_whole = int32_t(to);
     low[i] = from_whole + (float(from_whole) < from);
     high[i] = to_whole - (float(to_whole) > to) + 1;
   }
 }
 
-/// Sets the spans' bits in one column. A shift by 32 is done in two, since one would be undefined.
+/// Sets the bits of the spans in one column. A shift by 32 is split in two, because it would be
+/// undefined behaviour.
 MOCAP_WIDEST void fillColumn(const int32_t* low, const int32_t* high, int rows, int first_pixel,
                              uint32_t* words) {
   for (int i = 0; i < rows; ++i) {
@@ -87,7 +89,7 @@ struct QuadCanvas::Placed {
 QuadCanvas::QuadCanvas(int width, int height)
     : image_(width, height), low_(size_t(height)), high_(size_t(height)) {}
 
-/// False when no pixel can be inside.
+/// Returns false if no pixel can be inside.
 bool QuadCanvas::place(const Quad& quad, int width, int height, Placed& out) {
   float x_low = quad.x[0], x_high = x_low, y_low = quad.y[0], y_high = y_low, area = 0.0f;
   for (int i = 0; i < 4; ++i) {
@@ -113,7 +115,7 @@ bool QuadCanvas::place(const Quad& quad, int width, int height, Placed& out) {
     const float rise = quad.y[next] - quad.y[i];
     if (std::abs(rise) < kFlat) continue;
     const Line line = {quad.x[i], quad.y[i], (quad.x[next] - quad.x[i]) / rise};
-    // Around a quad of positive area (y points down) the sides on the left go up.
+    // In a quadrilateral of positive area (y points down), the left sides go up.
     const bool left = (rise < 0.0f) == (area > 0.0f);
     if (left && lefts < 3) out.sides.left[lefts++] = line;
     if (!left && rights < 3) out.sides.right[rights++] = line;

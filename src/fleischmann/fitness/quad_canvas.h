@@ -8,26 +8,26 @@
 
 namespace markerless_mocap {
 
-/// Corners of a convex quadrilateral in order around it, pixels; whole numbers are pixel centres.
+/// Corners of a convex quadrilateral in order around it, pixels; integers are pixel centres.
 struct Quad {
   std::array<float, 4> x, y;
 };
 
-/// Pixels of a drawing, and how many of them the silhouette has too.
+/// Number of drawn pixels, and number of those that are in the silhouette, too.
 struct Overlap {
   int64_t drawn = 0, shared = 0;
 };
 
-/// Draws unions of convex quads: a pixel is set when its centre lies in one of them, borders
-/// included. Only the part that was drawn on is cleared and counted.
+/// Draws unions of convex quadrilaterals: a pixel is set if its centre lies in one of them or on
+/// its border. Only the region that was drawn on is cleared and counted.
 class QuadCanvas {
  public:
   QuadCanvas() = default;
   QuadCanvas(int width, int height);
 
-  /// Clears the last drawing and draws this one. Corners may lie anywhere.
+  /// Clears the last drawing and draws the quadrilaterals. Corners may lie outside the canvas.
   void draw(const Quad* quads, int count);
-  /// \param silhouette of the canvas's size
+  /// \param silhouette of the size of the canvas
   Overlap overlap(const BitImage& silhouette) const;
   const BitImage& image() const { return image_; }
 
@@ -41,7 +41,7 @@ class QuadCanvas {
 
   BitImage image_;
   Window window_;
-  std::vector<int32_t> low_, high_;  // spans of one quad by row
+  std::vector<int32_t> low_, high_;  // span of one quadrilateral in each row
 };
 
 }  // namespace markerless_mocap

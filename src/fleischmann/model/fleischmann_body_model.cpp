@@ -33,7 +33,7 @@ constexpr std::array<SegmentPlan, kFleischmannSegments> kSegments = {{
     {kRightThigh, "r_knee"},
 }};
 
-/// Where a side's joints stand in the vector, and the sign that mirrors it.
+/// Indices of the joints of one side, and the sign that mirrors angles.
 struct Side {
   int hip, knee, clavicle, shoulder, elbow;
   double sign;
@@ -42,13 +42,13 @@ constexpr std::array<Side, 2> kSides = {
     {{kLeftHip, kLeftKnee, kLeftClavicle, kLeftShoulder, kLeftElbow, 1.0},
      {kRightHip, kRightKnee, kRightClavicle, kRightShoulder, kRightElbow, -1.0}}};
 
-/// Segments by which the fifteen markers are carried, in the order of markerNames().
+/// Segments of the fifteen markers, in the order of markerNames().
 constexpr std::array<FleischmannSegment, 15> kMarkerSegments = {
     kPelvisSegment, kSkullSegment,  kSkullSegment,  kLeftUpperArm,  kLeftLowerArm,
     kLeftLowerArm,  kRightUpperArm, kRightLowerArm, kRightLowerArm, kLeftThigh,
     kLeftCalf,      kLeftCalf,      kRightThigh,    kRightCalf,     kRightCalf};
 
-/// Rx(x) Ry(y) Rz(z), multiplied out.
+/// Rx(x) Ry(y) Rz(z), expanded.
 Matrix3d rotXYZ(double x, double y, double z) {
   const double cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y),
                cz = std::cos(z), sz = std::sin(z);
@@ -58,8 +58,8 @@ Matrix3d rotXYZ(double x, double y, double z) {
       .finished();
 }
 
-/// Angles t with R = Rx(t0) Ry(t1) Rz(t2), the nearest to `near`; where only the sum of the outer
-/// two is defined, the last keeps its value.
+/// Angles t with R = Rx(t0) Ry(t1) Rz(t2), nearest to `near`. In gimbal lock, the last angle keeps
+/// its value.
 Vector3d anglesXYZ(const Matrix3d& R, const Vector3d& near) {
   const double sine = std::clamp(R(0, 2), -1.0, 1.0);
   if (std::abs(sine) > 1.0 - 1e-12) {
@@ -131,14 +131,14 @@ void FleischmannBodyModel::frames(const double* v, FleischmannFrames& out) const
   for (int i = 0; i < 2; ++i) {
     const Side& at = kSides[i];
     const double s = at.sign;
-    const auto ball = [&](int first) {
+    const auto joint = [&](int first) {
       return rotXYZ(s * v[first], -v[first + 1], s * v[first + 2]);
     };
     place(kLeftClavicleSegment + i,
           rotXYZ(-s * v[at.clavicle + 1], 0.0, s * v[at.clavicle]).transpose());
-    place(kLeftUpperArm + i, ball(at.shoulder));
+    place(kLeftUpperArm + i, joint(at.shoulder));
     place(kLeftLowerArm + i, rotY(-v[at.elbow]));
-    place(kLeftThigh + i, ball(at.hip));
+    place(kLeftThigh + i, joint(at.hip));
     place(kLeftCalf + i, rotY(v[at.knee]));
   }
 }
@@ -161,7 +161,7 @@ FleischmannVector FleischmannBodyModel::parametersOf(const LinkPoses& T_world_li
   for (int i = 0; i < 2; ++i) {
     const Side& at = kSides[i];
     const Vector3d mirror(at.sign, -1.0, at.sign);
-    const auto ball = [&](int segment, int first) {
+    const auto joint = [&](int segment, int first) {
       v.segment<3>(first) = mirror.cwiseProduct(
           anglesXYZ(relative(segment), mirror.cwiseProduct(near.segment<3>(first))));
     };
@@ -172,9 +172,9 @@ FleischmannVector FleischmannBodyModel::parametersOf(const LinkPoses& T_world_li
     const Matrix3d clavicle = relative(kLeftClavicleSegment + i);
     v[at.clavicle] = -at.sign * std::atan2(clavicle(1, 0), clavicle(0, 0));
     v[at.clavicle + 1] = at.sign * std::atan2(clavicle(2, 1), clavicle(2, 2));
-    ball(kLeftUpperArm + i, at.shoulder);
+    joint(kLeftUpperArm + i, at.shoulder);
     v[at.elbow] = hinge(kLeftLowerArm + i, -1.0);
-    ball(kLeftThigh + i, at.hip);
+    joint(kLeftThigh + i, at.hip);
     v[at.knee] = hinge(kLeftCalf + i, 1.0);
   }
   return v;

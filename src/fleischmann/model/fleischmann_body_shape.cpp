@@ -13,27 +13,28 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Lower limbs are longer than from joint to joint: they cover heels and wrists (F 5.1.2).
+/// Calves and lower arms extend beyond the joints to cover heels and wrists (Fleischmann 2012,
+/// 5.1.2).
 constexpr double kLowerLimbLength = 1.2;
-/// Heights, as shares of the axis, at which widths are measured.
-constexpr double kLowMeasure = 0.25, kHighMeasure = 0.75;
+/// Heights at which widths are measured, as fractions of the axis.
+constexpr double kLowHeight = 0.25, kHighHeight = 0.75;
 
-/// What a cone is measured on.
+/// Where a cone is measured.
 struct ConePlan {
   FleischmannSegment segment;
   std::vector<const char*> links;
   Vector3d a, b;        ///< zero pose, world
-  double length = 1.0;  ///< of the cone against b - a
+  double length = 1.0;  ///< of the cone relative to b - a
 };
 
-/// The model's shape in the zero pose.
+/// Geometry of the model in the zero pose.
 class ZeroShape {
  public:
   explicit ZeroShape(const BodyModel& model) : model_(model), links_(zeroPose(model)) {}
 
   Vector3d at(const char* link) const { return links_[model_.linkIndex(link)].translation(); }
 
-  /// Half the width along `direction` where a plane through `point` cuts the links' round cones.
+  /// Half the width along `direction` of the links' round cones in a plane through `point`.
   double halfWidth(const std::vector<const char*>& links, const Vector3d& point,
                    const Vector3d& axis, const Vector3d& direction) const {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -46,11 +47,11 @@ class ZeroShape {
     });
     if (low > high)
       throw std::invalid_argument("body " + model_.id() + ": link " + links.front() +
-                                  " has no shape where a cone is to be measured");
+                                  " has no geometry where a cone is measured");
     return (high - low) / 2.0;
   }
 
-  /// Lowest and highest z of the links' shape.
+  /// Minimum and maximum z of the links' geometry.
   std::array<double, 2> heights(const std::vector<const char*>& links) const {
     std::array<double, 2> z = {HUGE_VAL, -HUGE_VAL};
     forEachBall(links, [&](const Vector3d& center, double radius) {
@@ -79,14 +80,14 @@ class ZeroShape {
   LinkPoses links_;
 };
 
-/// The ends are as big as the shape at its two heights, where limbs are not yet rounded off; the
-/// section's shape is that of both together.
+/// The cross-sections at the two heights, where limbs are not rounded, determine the scale of the
+/// ends; both have the same shape.
 FleischmannCone measured(const ZeroShape& shape, const ConePlan& plan, const Vector3d& origin) {
   const Vector3d along = plan.b - plan.a, axis = along.normalized();
   const Vector3d side = Vector3d(0, 1, 0) - axis.y() * axis, forward = side.cross(axis);
   const Vector3d v = side.normalized(), u = forward.normalized();
   double width[2], depth[2];
-  const double heights[2] = {kLowMeasure, kHighMeasure};
+  const double heights[2] = {kLowHeight, kHighHeight};
   for (int i = 0; i < 2; ++i) {
     const Vector3d point = plan.a + heights[i] * along;
     width[i] = shape.halfWidth(plan.links, point, axis, v);
@@ -108,7 +109,7 @@ std::array<ConePlan, kFleischmannConeCount> plansOf(const ZeroShape& shape) {
   const Vector3d neck = shape.at("r_head");
   const std::vector<const char*> trunk = {"body", "r_waist", "torso"};
   const std::vector<const char*> skull = {"p_head", "head"};
-  // The edge of the shoulders as it is seen runs up to the neck.
+  // In an image, the upper edge of the shoulders extends to the neck.
   const Vector3d torso_top(neck.x(), 0, neck.z() + (neck.z() - shape.at("torso").z()) / 2);
   const std::array<double, 2> head = shape.heights({"head"});
   const Vector3d chin(shape.at("head").x(), 0, head[0]), crown(chin.x(), 0, head[1]);
@@ -143,7 +144,7 @@ double squaredDistance(const Vector3d& p1, const Vector3d& d1, const Vector3d& p
   return (r + s * d1 - t * d2).squaredNorm();
 }
 
-/// Limbs that can meet. Neighbours at a joint are left out.
+/// Pairs of limbs that can collide. Limbs that fraction a joint are left out.
 constexpr FleischmannConeId kPairs[][2] = {
     {kLeftThighCone, kRightCalfCone},        {kRightThighCone, kLeftCalfCone},
     {kLeftCalfCone, kRightCalfCone},         {kLeftLowerArmCone, kTorsoCone},
@@ -156,34 +157,34 @@ constexpr FleischmannConeId kPairs[][2] = {
 }  // namespace
 
 FleischmannBodyShape::FleischmannBodyShape(const BodyModel& model,
-                                           const FleischmannBodyModel& profile) {
+                                           const FleischmannBodyModel& body_model) {
   const ZeroShape shape(model);
   const std::array<ConePlan, kFleischmannConeCount> plans = plansOf(shape);
   for (int i = 0; i < kFleischmannConeCount; ++i) {
-    const std::string link = model.links()[size_t(profile.link(plans[i].segment))];
+    const std::string link = model.links()[size_t(body_model.link(plans[i].segment))];
     const std::string base = link.substr(0, link.size() - model.id().size() - 1);
     cones_[i] = measured(shape, plans[i], shape.at(base.c_str()));
   }
 }
 
-FleischmannBodyShape FleischmannBodyShape::resized(
-    const std::array<FleischmannConeScale, kFleischmannConeCount>& sizes) const {
+FleischmannBodyShape FleischmannBodyShape::scaled(
+    const std::array<FleischmannConeScale, kFleischmannConeCount>& scales) const {
   FleischmannBodyShape body = *this;
   for (int i = 0; i < kFleischmannConeCount; ++i) {
-    if (!(sizes[i].width > 0 && sizes[i].depth > 0 && sizes[i].taper > 0))
-      throw std::invalid_argument("sizes of cone " + std::to_string(i) +
-                                  " must be factors above 0");
-    body.cones_[i].v *= sizes[i].width;
-    body.cones_[i].u *= sizes[i].depth;
-    body.cones_[i].taper *= sizes[i].taper;
-    body.cones_[i].a.x() += sizes[i].forward;
-    body.cones_[i].b.x() += sizes[i].forward;
+    if (!(scales[i].width > 0 && scales[i].depth > 0 && scales[i].taper > 0))
+      throw std::invalid_argument("scale factors of cone " + std::to_string(i) +
+                                  " must be greater than 0");
+    body.cones_[i].v *= scales[i].width;
+    body.cones_[i].u *= scales[i].depth;
+    body.cones_[i].taper *= scales[i].taper;
+    body.cones_[i].a.x() += scales[i].forward;
+    body.cones_[i].b.x() += scales[i].forward;
   }
   return body;
 }
 
-LimbCollision::LimbCollision(const FleischmannBodyShape& body, double share)
-    : torso_(body.cones()[kTorsoCone]), share_(share) {
+LimbCollision::LimbCollision(const FleischmannBodyShape& body, double fraction)
+    : torso_(body.cones()[kTorsoCone]), fraction_(fraction) {
   for (int i = 0; i < kFleischmannConeCount; ++i) {
     const FleischmannCone& cone = body.cones()[i];
     const double smaller = std::min(cone.u.norm(), cone.v.norm());
@@ -202,7 +203,7 @@ bool LimbCollision::inTorso(const Vector3d& point, const FleischmannFrames& fram
   const double u = torso_.u.norm(), v = torso_.v.norm();
   const double x = local.dot(torso_.u) / u / (u * size + radius);
   const double y = local.dot(torso_.v) / v / (v * size + radius);
-  return x * x + y * y < share_ * share_;
+  return x * x + y * y < fraction_ * fraction_;
 }
 
 bool LimbCollision::operator()(const FleischmannFrames& frames) const {
@@ -217,8 +218,8 @@ bool LimbCollision::operator()(const FleischmannFrames& frames) const {
       if (inTorso(start[arm] + at * along[arm], frames, limbs_[arm].radius)) return true;
   return std::any_of(std::begin(kPairs), std::end(kPairs), [&](const FleischmannConeId(&pair)[2]) {
     const int i = pair[0], j = pair[1];
-    const double least = share_ * (limbs_[i].radius + limbs_[j].radius);
-    return squaredDistance(start[i], along[i], start[j], along[j]) < least * least;
+    const double min_distance = fraction_ * (limbs_[i].radius + limbs_[j].radius);
+    return squaredDistance(start[i], along[i], start[j], along[j]) < min_distance * min_distance;
   });
 }
 

@@ -21,7 +21,7 @@ double valueOf(const std::string& name, const YAML::Node& node) {
   } catch (const YAML::Exception&) {
   }
   if (!(value >= 0.0 && std::isfinite(value)))
-    refuse(name + " must be a number of at least 0, its largest change between frames");
+    refuse(name + " must be a number of at least 0 (maximum change between frames)");
   return value;
 }
 
@@ -65,7 +65,7 @@ const std::array<const char*, kFleischmannParameterCount>& fleischmannParameterN
 
 void FleischmannMotionStatistics::add(const FleischmannVector& before, const FleischmannVector& now,
                                       double seconds) {
-  if (!(seconds > 0.0)) refuse("two frames must be some time apart");
+  if (!(seconds > 0.0)) refuse("the time between two frames must be positive");
   max_change = max_change.cwiseMax((now - before).cwiseAbs() / (60.0 * seconds));
 }
 
@@ -84,7 +84,7 @@ FleischmannMotionStatistics FleischmannMotionStatistics::fromYaml(const std::str
   try {
     map = YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    refuse(std::string("the text is no YAML: ") + error.what());
+    refuse(std::string("the text is not YAML: ") + error.what());
   }
   if (!map.IsMap()) refuse("a map from parameters to values is needed");
   FleischmannMotionStatistics statistics;
@@ -98,7 +98,7 @@ FleischmannMotionStatistics FleischmannMotionStatistics::fromYaml(const std::str
     if (!entry.first.IsScalar()) refuse("its keys must be names of parameters");
     const std::string& key = entry.first.Scalar();
     if (std::find(names.begin(), names.end(), key) == names.end())
-      refuse("there is no parameter " + key);
+      refuse("unknown parameter " + key);
   }
   return statistics;
 }

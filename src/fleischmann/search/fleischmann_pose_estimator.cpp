@@ -3,15 +3,15 @@
 namespace markerless_mocap {
 namespace {
 
-// Best f_s + f_e; costs are what is missing from it.
+// Maximum of f_s + f_e; the cost is the difference from it.
 constexpr double kPerfect = 2.0;
-// Beyond this, motion statistics say nothing about where a person can be.
-constexpr double kLongestStep = 0.5;  // seconds
+// Over a longer time, the motion statistics do not limit the position of a person.
+constexpr double kMaxStep = 0.5;  // seconds
 
-constexpr int kLeastViews = 2;  // one alone does not tell how far away anything is
+constexpr int kMinViews = 2;  // depth is unknown in a single view
 
-// A pose that another method proposes is off by about this; each round about it searches half as
-// far as the one before.
+// Standard deviations of the error of a proposed pose; the search range decreases from round to
+// round.
 constexpr double kProposedTurn = 0.15, kProposedPlace = 0.05;  // rad, m; standard deviations
 constexpr int kStartRounds = 8;
 
@@ -21,17 +21,17 @@ double secondsBetween(int64_t from_ns, int64_t to_ns) {
 
 std::string viewError(int views) {
   if (views == 0) return "no camera shows a person";
-  return views < kLeastViews ? "one camera alone shows a person, needed are two" : "";
+  return views < kMinViews ? "only one camera shows a person, at least two are needed" : "";
 }
 
 }  // namespace
 
 FleischmannPoseEstimator::FleischmannPoseEstimator(const CameraRig& rig,
-                                                   const FleischmannBodyModel& profile,
+                                                   const FleischmannBodyModel& body_model,
                                                    const FleischmannBodyShape& body,
                                                    const FleischmannMotionStatistics& statistics,
                                                    const FleischmannOptions& options)
-    : fitness_(rig, profile, body, options.image),
+    : fitness_(rig, body_model, body, options.image),
       collision_(body, options.collision_fraction),
       statistics_(statistics),
       options_(options),
@@ -71,7 +71,7 @@ SearchProblem FleischmannPoseEstimator::problem() const {
   };
   problem.infeasible = [this](const double* candidate) {
     FleischmannFrames frames;
-    fitness_.profile().frames(candidate, frames);
+    fitness_.bodyModel().frames(candidate, frames);
     return collision_(frames);
   };
   return problem;
@@ -86,9 +86,9 @@ void FleischmannPoseEstimator::search(const SearchStart& start, uint64_t seed,
   pose.fitness = fitness_.fitness(pose.v.data(), plan_.edges.back());
 }
 
-void FleischmannPoseEstimator::take(int64_t stamp_ns, FleischmannEstimate& pose) {
+void FleischmannPoseEstimator::accept(int64_t stamp_ns, FleischmannEstimate& pose) {
   if (pose.fitness.silhouette < options_.min_silhouette_fitness) {
-    pose.reason = "no pose near the one to start from looks like the silhouettes";
+    pose.reason = "no pose near the start pose agrees with the silhouettes";
     return;
   }
   pose.status = PoseStatus::kTracked;
@@ -97,9 +97,9 @@ void FleischmannPoseEstimator::take(int64_t stamp_ns, FleischmannEstimate& pose)
 }
 
 std::string FleischmannPoseEstimator::updateError(int64_t stamp_ns, int views) const {
-  if (!last_) return "no pose is known to start from";
-  if (stamp_ns <= last_->stamp_ns) return "the instant is not after the last one";
-  if (secondsBetween(last_->stamp_ns, stamp_ns) > kLongestStep)
+  if (!last_) return "there is no pose to start from";
+  if (stamp_ns <= last_->stamp_ns) return "the time stamp is not later than the last one";
+  if (secondsBetween(last_->stamp_ns, stamp_ns) > kMaxStep)
     return "the last pose is too old to start from";
   return viewError(views);
 }
@@ -113,7 +113,7 @@ FleischmannEstimate FleischmannPoseEstimator::update(int64_t stamp_ns,
   const double seconds = secondsBetween(last_->stamp_ns, stamp_ns);
   search({predicted(stamp_ns), options_.sigma_factor * statistics_.over(seconds)},
          uint64_t(stamp_ns), pose);
-  take(stamp_ns, pose);
+  accept(stamp_ns, pose);
   return pose;
 }
 
@@ -135,10 +135,10 @@ FleischmannEstimate FleischmannPoseEstimator::reinitializeNear(
     if (found.fitness.total() > best.fitness.total()) best = found;
   }
   if (best.fitness.total() <= better_than) {
-    best.reason = "the pose found is not better than the one known";
+    best.reason = "the new pose is not better than the current one";
     return best;
   }
-  take(stamp_ns, best);
+  accept(stamp_ns, best);
   if (best.status == PoseStatus::kTracked) before_.reset();
   return best;
 }

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kSettled = 0.1;  // reach of what an earlier stage has found
+constexpr double kSettled = 0.1;  // scale of sigma for parameters that an earlier stage has found
 
-/// Lower limbs, and the twists that turn them, in F's order (Fleischmann 2012, 6.6).
+/// Lower limbs and the twists that move them, in Fleischmann's order (Fleischmann 2012, 6.6).
 constexpr int kLowerLimbs[] = {kLeftHip + 2,      kLeftKnee,  kRightHip + 2,      kRightKnee,
                                kLeftShoulder + 2, kLeftElbow, kRightShoulder + 2, kRightElbow};
 constexpr ConeSet kUpperLimbs = coneBit(kLeftThighCone) | coneBit(kRightThighCone) |
@@ -42,7 +42,7 @@ VectorXd only(std::initializer_list<int> parameters) {
   return reach;
 }
 
-/// A plan in the making.
+/// Builds a plan.
 class Stages {
  public:
   explicit Stages(const FleischmannOptions& options) : options_(options) {}
@@ -88,7 +88,8 @@ FleischmannSearchPlan threeSoft(const FleischmannOptions& o) {
       .plan();
 }
 
-/// Place, turn, spine, each arm above and below the elbow's twist, head, each leg likewise.
+/// Position, orientation, spine, each arm above and below the twist of the elbow, head, each leg
+/// likewise.
 FleischmannSearchPlan twelveHard(const FleischmannOptions& o) {
   Stages stages(o);
   const auto add = [&](std::initializer_list<int> parameters) {

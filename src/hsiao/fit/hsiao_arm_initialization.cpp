@@ -10,8 +10,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Sine of the elbow's bend below which the arm's plane is noise.
-constexpr double kLeastBend = 0.15;
+// Minimum sine of the elbow's bend; below it, the plane of the arm is undetermined.
+constexpr double kMinBend = 0.15;
 
 Vector3d limitExcess(const Vector3d& angles, const HsiaoLimits& limits, int side) {
   Vector3d excess;
@@ -22,7 +22,7 @@ Vector3d limitExcess(const Vector3d& angles, const HsiaoLimits& limits, int side
   return excess;
 }
 
-// R = Rx(a) Ry(b) Rz(c), the solution that breaks no limit and lies nearest to `near`.
+// Angles of R = Rx(a) Ry(b) Rz(c): the solution within the limits that is nearest to `near`.
 Vector3d shoulderAngles(const Matrix3d& R, const HsiaoLimits& limits, int side,
                         const Vector3d& near) {
   const double b = std::asin(std::clamp(R(0, 2), -1.0, 1.0));
@@ -38,31 +38,31 @@ Vector3d shoulderAngles(const Matrix3d& R, const HsiaoLimits& limits, int side,
 
 }  // namespace
 
-PartLabel limbOfSide(const HsiaoSkeletonError& error, const HsiaoBodyModel& profile,
+PartLabel limbOfSide(const HsiaoSkeletonError& error, const HsiaoBodyModel& body_model,
                      const HsiaoFrames& frames, PartLabel first, int side) {
   const PartLabel second = PartLabel(int(first) + 1);
   if (!error.has(first) || !error.has(second)) return error.has(first) ? first : second;
-  const Vector3d left =
-      profile.bones(first).front().inWorld(frames) - profile.bones(second).front().inWorld(frames);
+  const Vector3d left = body_model.bones(first).front().inWorld(frames) -
+                        body_model.bones(second).front().inWorld(frames);
   const Vector3d way = error.samples(first).front() - error.samples(second).front();
   return (left.dot(way) > 0) == (side == 0) ? first : second;
 }
 
-void initializeArm(const HsiaoSkeletonError& error, const HsiaoBodyModel& profile,
+void initializeArm(const HsiaoSkeletonError& error, const HsiaoBodyModel& body_model,
                    const HsiaoLimits& limits, int side, HsiaoVector& v) {
   HsiaoFrames frames;
-  profile.frames(v.data(), frames);
-  const PartLabel data = limbOfSide(error, profile, frames, PartLabel::kArm1, side);
+  body_model.frames(v.data(), frames);
+  const PartLabel data = limbOfSide(error, body_model, frames, PartLabel::kArm1, side);
   const Matrix3d to_torso = frames.R[kTorsoSegment].transpose();
   const Vector3d shoulder = frames.p[kUpperArmSegment + side];
   const Vector3d elbow = error.atNode(data, 1), wrist = error.atNode(data, 2);
   const Vector3d upper = to_torso * (elbow - shoulder).normalized();
   const Vector3d fore = to_torso * (wrist - elbow).normalized();
-  // H's elbows bend the forearm towards the arm's own x.
+  // Hsiao's elbows bend the forearm towards the x axis of the arm.
   const Matrix3d now = to_torso * frames.R[kUpperArmSegment + side];
   Vector3d x = fore - upper * upper.dot(fore);
   const double bend = std::atan2(x.norm(), upper.dot(fore));
-  if (x.norm() < kLeastBend) x = now.col(0) - upper * upper.dot(now.col(0));
+  if (x.norm() < kMinBend) x = now.col(0) - upper * upper.dot(now.col(0));
   if (x.norm() < 1e-6) return;
   x.normalize();
   Matrix3d R;

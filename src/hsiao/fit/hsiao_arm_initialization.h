@@ -5,15 +5,16 @@
 
 namespace markerless_mocap {
 
-/// The data limb that belongs to the model's limb of `side` (0 left, 1 right), judged by the limbs'
-/// roots. \param first PartLabel::kArm1 or kLeg1; at least one of the two must be seen
-PartLabel limbOfSide(const HsiaoSkeletonError& error, const HsiaoBodyModel& profile,
+/// The data limb that corresponds to the model's limb of `side` (0 left, 1 right), by the distance
+/// of their roots. \param first PartLabel::kArm1 or kLeg1; at least one of the two must be seen
+PartLabel limbOfSide(const HsiaoSkeletonError& error, const HsiaoBodyModel& body_model,
                      const HsiaoFrames& frames, PartLabel first, int side);
 
-/// Lays the arm of `side` on its curve in closed form: upper arm to where the elbow should be on
-/// the curve, forearm to where the wrist should be. Of the two sets of shoulder angles the one
-/// inside the limits, or else nearer to `v`, is taken. A straight arm keeps its twist.
-void initializeArm(const HsiaoSkeletonError& error, const HsiaoBodyModel& profile,
+/// Computes the arm of `side` from its curve in closed form: the upper arm points to the expected
+/// position of the elbow on the curve, the forearm to that of the wrist. Of the two sets of
+/// shoulder angles the one within the limits is chosen, or else the one nearer to `v`. A straight
+/// arm keeps its twist.
+void initializeArm(const HsiaoSkeletonError& error, const HsiaoBodyModel& body_model,
                    const HsiaoLimits& limits, int side, HsiaoVector& v);
 
 }  // namespace markerless_mocap

@@ -33,14 +33,14 @@ const Active kHeadOnly = {false, true};
 const Active kArmsOnly = {false, false, true, true};
 const Active kLegsOnly = {false, false, false, false, true, true};
 
-// How far a stage may move what earlier stages have found: metres, radians.
+// Search range of a stage around the values that earlier stages found: metres, radians.
 constexpr double kFirstCenterReach = 0.2;
 constexpr double kFirstNeckReach = 0.25;
 constexpr double kPlaceReach = 0.1;
 constexpr double kAngleReach = 0.6;
 constexpr double kTuneReach = 0.4;
-// Share of the way to the neighbouring start that the spin may turn.
-constexpr double kSpinShare = 0.7;
+// Range of the spin, as a fraction of the angle to the neighbouring heading.
+constexpr double kSpinFraction = 0.7;
 
 Parameters join(std::initializer_list<Parameters> groups) {
   Parameters all;
@@ -62,7 +62,8 @@ void narrow(HsiaoBounds& range, const HsiaoVector& v, const Parameters& paramete
   }
 }
 
-// Spin of a body whose left side the limbs' roots mark, or its opposite.
+// Spin of a body whose left side is determined by the roots of the limbs; the opposite one is
+// equally possible.
 double sidewaysSpin(const HsiaoSkeletonError& error) {
   Vector3d left = Vector3d::Zero();
   for (const auto& [one, other] : {std::pair(PartLabel::kArm1, PartLabel::kArm2),
@@ -82,12 +83,12 @@ struct HsiaoHierarchicalFitter::Search {
   HsiaoBounds range;
   uint64_t seed;
   bool is_fine_tuning = false;            // of a size of its own, whatever the parameters
-  std::vector<HsiaoVector> guesses = {};  // besides the present vector
+  std::vector<HsiaoVector> guesses = {};  // in addition to the current vector
 };
 
-HsiaoHierarchicalFitter::HsiaoHierarchicalFitter(const HsiaoBodyModel& profile,
+HsiaoHierarchicalFitter::HsiaoHierarchicalFitter(const HsiaoBodyModel& body_model,
                                                  const HsiaoFitterSettings& settings)
-    : profile_(&profile), settings_(settings) {}
+    : body_model_(&body_model), settings_(settings) {}
 
 HsiaoBounds HsiaoHierarchicalFitter::limits() const {
   HsiaoBounds range;
@@ -104,7 +105,7 @@ HsiaoBounds HsiaoHierarchicalFitter::limits() const {
 double HsiaoHierarchicalFitter::errorOf(const HsiaoSkeletonError& error, const HsiaoVector& v,
                                         const Active& active) const {
   HsiaoFrames frames;
-  profile_->frames(v.data(), frames);
+  body_model_->frames(v.data(), frames);
   return error(frames, active);
 }
 
@@ -138,7 +139,7 @@ void HsiaoHierarchicalFitter::search(const HsiaoSkeletonError& error, const Sear
   for (int i = 0; i < n; ++i) v[what.parameters[i]] = found.best[i];
   const Vector3d center = v.segment<3>(kHsiaoCenter);
   v.segment<3>(kHsiaoNeck) =
-      center + profile_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
+      center + body_model_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
 }
 
 std::vector<HsiaoFit> HsiaoHierarchicalFitter::fitBasic(const HsiaoSkeletonError& error,
@@ -148,7 +149,7 @@ std::vector<HsiaoFit> HsiaoHierarchicalFitter::fitBasic(const HsiaoSkeletonError
   HsiaoVector v = rest;
   v.segment<3>(kHsiaoCenter) = 0.5 * (torso.front() + torso.back());
   v.segment<3>(kHsiaoNeck) = v.segment<3>(kHsiaoCenter) +
-                             profile_->halfTorso() * (torso.back() - torso.front()).normalized();
+                             body_model_->halfTorso() * (torso.back() - torso.front()).normalized();
   const auto stage = [&](const Parameters& parameters, const HsiaoBounds& range) {
     search(error, {parameters, kTorsoOnly, range, seed}, v);
   };
@@ -178,7 +179,7 @@ HsiaoFit HsiaoHierarchicalFitter::fitFromHeading(const HsiaoSkeletonError& error
   const auto stage = [&](const Parameters& added, const Active& active) {
     HsiaoBounds range = limits();
     narrow(range, v, join({kCenter, kNeck}), kPlaceReach);
-    narrow(range, v, spun, kSpinShare * M_PI / settings_.initial_headings);
+    narrow(range, v, spun, kSpinFraction * M_PI / settings_.initial_headings);
     narrow(range, v, found, kAngleReach);
     parameters.insert(parameters.end(), added.begin(), added.end());
     search(error, {parameters, active, range, ++seed}, v);
@@ -186,7 +187,8 @@ HsiaoFit HsiaoHierarchicalFitter::fitFromHeading(const HsiaoSkeletonError& error
   };
   if (error.has(PartLabel::kHead)) stage(kHead, kTorsoHead);
   if (hasArms(error)) {
-    for (int side = 0; side < 2; ++side) initializeArm(error, *profile_, settings_.limits, side, v);
+    for (int side = 0; side < 2; ++side)
+      initializeArm(error, *body_model_, settings_.limits, side, v);
     initializeLimbs(error, PartLabel::kArm1, kArm, seed + 20, v);
     stage(kArms, kTorsoToArms);
   }
@@ -202,10 +204,10 @@ void HsiaoHierarchicalFitter::initializeLimbs(const HsiaoSkeletonError& error, P
                                               const std::array<Parameters, 2>& limbs, uint64_t seed,
                                               HsiaoVector& v) const {
   HsiaoFrames frames;
-  profile_->frames(v.data(), frames);
+  body_model_->frames(v.data(), frames);
   for (int side = 0; side < 2; ++side) {
     Active active{};
-    active[size_t(limbOfSide(error, *profile_, frames, first, side))] = true;
+    active[size_t(limbOfSide(error, *body_model_, frames, first, side))] = true;
     search(error, {limbs[side], active, limits(), seed + side, true}, v);
   }
 }
@@ -228,7 +230,7 @@ HsiaoFit HsiaoHierarchicalFitter::fitTemporal(const HsiaoSkeletonError& error,
   HsiaoVector guess = last;
   if (hasArms(error))
     for (int side = 0; side < 2; ++side)
-      initializeArm(error, *profile_, settings_.limits, side, guess);
+      initializeArm(error, *body_model_, settings_.limits, side, guess);
   guesses.push_back(guess);
   search(error, {parameters, kAll, range, seed, false, guesses}, v);
   fineTune(error, range, seed + 10, v);

@@ -15,7 +15,7 @@ struct HsiaoFitterSettings {
   double iterations_per_parameter = 1.5;
   int fine_tune_particles = 16;
   int fine_tune_iterations = 16;
-  int initial_headings = 2;  ///< directions the body is first tried to face
+  int initial_headings = 2;  ///< number of start directions of the body
 };
 
 /// Parameters and their skeleton error (Eq. 3-27, mean per part, metres).
@@ -24,29 +24,30 @@ struct HsiaoFit {
   double error_m = 0.0;
 };
 
-/// Lowest and highest value of each parameter.
+/// Minimum and maximum of each parameter.
 struct HsiaoBounds {
   HsiaoVector lower, upper;
 };
 
-/// Fits H's profile to part curves by swarms in stages that accumulate (Hsiao 2008, 3.2.2.2), and
-/// fine-tunes part by part (3.2.2.4).
+/// Fits Hsiao's model to part curves by a hierarchical particle swarm (Hsiao 2008, 3.2.2.2), with
+/// fine tuning part by part (3.2.2.4).
 class HsiaoHierarchicalFitter {
  public:
-  HsiaoHierarchicalFitter(const HsiaoBodyModel& profile, const HsiaoFitterSettings& settings);
+  HsiaoHierarchicalFitter(const HsiaoBodyModel& body_model, const HsiaoFitterSettings& settings);
 
-  /// Basic fits: joint limits only, one per facing direction, best first.
+  /// Basic PSO: within the joint limits, one fit per initial heading, best first.
   /// \param rest angles of parts that are not seen
   std::vector<HsiaoFit> fitBasic(const HsiaoSkeletonError& error, const HsiaoVector& rest,
                                  uint64_t seed) const;
 
-  /// Temporal fit: joint limits and a range around `last`.
-  /// \param guesses where else particles start (moved inside the range)
+  /// Temporal PSO: within the joint limits and a range around `last`.
+  /// \param reach half the range of each parameter
+  /// \param guesses further start positions (clamped to the range)
   HsiaoFit fitTemporal(const HsiaoSkeletonError& error, const HsiaoVector& last,
                        const HsiaoVector& reach, std::vector<HsiaoVector> guesses,
                        uint64_t seed) const;
 
-  /// Joint limits; centre, neck and spin without bounds.
+  /// Joint limits; centre, neck and spin are not bounded.
   HsiaoBounds limits() const;
 
  private:
@@ -61,7 +62,7 @@ class HsiaoHierarchicalFitter {
                 HsiaoVector& v) const;
   double errorOf(const HsiaoSkeletonError& error, const HsiaoVector& v, const Active& active) const;
 
-  const HsiaoBodyModel* profile_;
+  const HsiaoBodyModel* body_model_;
   HsiaoFitterSettings settings_;
 };
 

@@ -12,8 +12,8 @@ constexpr std::array<bool, kPartCount> kAllParts = {true, true, true, true, true
 constexpr std::array<const char*, kPartCount> kPartNames = {"torso",     "head",     "left arm",
                                                             "right arm", "left leg", "right leg"};
 
-std::string percent(double share) {
-  return std::to_string(std::lround(100 * share)) + " %";
+std::string percent(double fraction) {
+  return std::to_string(std::lround(100 * fraction)) + " %";
 }
 std::string millimetres(double m) {
   return std::to_string(std::lround(1000 * m)) + " mm";
@@ -28,9 +28,9 @@ std::string unseenParts(const std::array<bool, kPartCount>& seen) {
 
 }  // namespace
 
-HsiaoPoseValidator::HsiaoPoseValidator(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
-                                       const HsiaoOptions& options)
-    : profile_(&profile), shape_(&shape), options_(options) {}
+HsiaoPoseValidator::HsiaoPoseValidator(const HsiaoBodyModel& body_model,
+                                       const HsiaoBodyShape& shape, const HsiaoOptions& options)
+    : body_model_(&body_model), shape_(&shape), options_(options) {}
 
 std::array<double, kPartCount> HsiaoPoseValidator::partErrors(const HsiaoFrames& frames,
                                                               const HsiaoObservation& now) const {
@@ -43,9 +43,9 @@ std::array<double, kPartCount> HsiaoPoseValidator::partErrors(const HsiaoFrames&
   return errors;
 }
 
-BodyPose HsiaoPoseValidator::judge(const HsiaoVector& v, const HsiaoObservation& now) const {
+BodyPose HsiaoPoseValidator::validate(const HsiaoVector& v, const HsiaoObservation& now) const {
   HsiaoFrames frames;
-  profile_->frames(v.data(), frames);
+  body_model_->frames(v.data(), frames);
   BodyPose pose;
   const std::array<double, kPartCount> errors = partErrors(frames, now);
   for (int part = 0; part < kPartCount; ++part)
@@ -63,16 +63,17 @@ BodyPose HsiaoPoseValidator::judge(const HsiaoVector& v, const HsiaoObservation&
 
 std::string HsiaoPoseValidator::rejectionReason(const BodyPose& pose, bool has_torso) const {
   if (has_torso && !pose.part_seen[size_t(PartLabel::kTorso)])
-    return "the best pose has its torso elsewhere than the part curves";
+    return "the torso of the best pose does not agree with the part curves";
   if (pose.skeleton_error_m > options_.max_skeleton_error)
-    return "the best pose lies " + millimetres(pose.skeleton_error_m) +
-           " from the part curves, allowed is up to " + millimetres(options_.max_skeleton_error);
+    return "the best pose differs from the part curves by " + millimetres(pose.skeleton_error_m) +
+           ", allowed is up to " + millimetres(options_.max_skeleton_error);
   if (pose.hull_explained < options_.min_hull_explained)
-    return "the best pose explains " + percent(pose.hull_explained) +
-           " of the hull, needed is at least " + percent(options_.min_hull_explained);
+    return "the best pose explains " + percent(pose.hull_explained) + " of the hull, at least " +
+           percent(options_.min_hull_explained) + " is needed";
   if (pose.body_in_hull < options_.min_body_in_hull)
     return "the best pose has " + percent(pose.body_in_hull) +
-           " of the body in the hull, needed is at least " + percent(options_.min_body_in_hull);
+           " of the body in the hull, at least " + percent(options_.min_body_in_hull) +
+           " is needed";
   return "";
 }
 

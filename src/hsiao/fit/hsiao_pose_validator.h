@@ -10,11 +10,11 @@
 
 namespace markerless_mocap {
 
-/// Everything one instant offers to fit to. Parts and hull must outlive it.
+/// The data of one frame that the model is fitted to. Parts and hull must outlive it.
 struct HsiaoObservation {
-  HsiaoObservation(const HsiaoBodyModel& profile, const BodyParts& the_parts,
+  HsiaoObservation(const HsiaoBodyModel& body_model, const BodyParts& the_parts,
                    const VisualHull& the_hull, int samples)
-      : parts(the_parts), hull(the_hull), curves(profile, the_parts, samples), field(the_hull) {}
+      : parts(the_parts), hull(the_hull), curves(body_model, the_parts, samples), field(the_hull) {}
 
   const BodyParts& parts;
   const VisualHull& hull;
@@ -22,23 +22,23 @@ struct HsiaoObservation {
   HullDistanceField field;
 };
 
-/// Says whether a fitted pose can be claimed, and which parts are in view.
+/// Decides whether a fitted pose can be reported and which parts are seen.
 class HsiaoPoseValidator {
  public:
-  HsiaoPoseValidator(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
+  HsiaoPoseValidator(const HsiaoBodyModel& body_model, const HsiaoBodyShape& shape,
                      const HsiaoOptions& options);
 
-  /// Error of each part of the model, metres; infinite for one without data.
+  /// Error of each part of the model, metres; infinite for a part without data.
   std::array<double, kPartCount> partErrors(const HsiaoFrames& frames,
                                             const HsiaoObservation& now) const;
 
-  /// The pose without root and angles: kTracked, or kLost with the reason.
-  BodyPose judge(const HsiaoVector& v, const HsiaoObservation& now) const;
+  /// A pose with all but root and angles: kTracked, or kLost with the reason.
+  BodyPose validate(const HsiaoVector& v, const HsiaoObservation& now) const;
 
  private:
   std::string rejectionReason(const BodyPose& pose, bool has_torso) const;
 
-  const HsiaoBodyModel* profile_;
+  const HsiaoBodyModel* body_model_;
   const HsiaoBodyShape* shape_;
   HsiaoOptions options_;
 };

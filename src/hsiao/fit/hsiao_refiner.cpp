@@ -11,20 +11,22 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Deviations are divided by what is usual for a good fit (metres), so that the weights compare.
-constexpr double kUsualCurve = 0.05;
-constexpr double kUsualSurface = 0.02;
-constexpr double kUsualOutside = 0.02;
-// Surface further from the body than this counts little: clothes, ghosts, things carried.
+// Residuals are divided by their typical values in a good fit (metres), so that the weights are
+// comparable.
+constexpr double kTypicalCurve = 0.05;
+constexpr double kTypicalSurface = 0.02;
+constexpr double kTypicalOutside = 0.02;
+// Surface voxels farther from the body than this have little weight: clothes, ghosts, carried
+// objects.
 constexpr double kSurfaceScale = 0.08;
 constexpr double kCurveScale = 0.15;
-// Steps of the numeric derivative: metres and radians alike.
+// Step of the numeric derivative, metres and radians.
 constexpr double kStep = 1e-5;
-constexpr int kSkippedBalls = 3;
-// Limbs of a smaller radius, in voxels, may be missing from a hull: fingers.
-constexpr double kThinnest = 1.0;
+constexpr int kSphereStep = 3;
+// Limbs of a smaller radius, in voxels, may be missing in the hull: fingers.
+constexpr double kMinRadius = 1.0;
 
-// The model's part that a segment belongs to.
+// The part of the model that a segment belongs to.
 int partOf(int segment) {
   if (segment == kTorsoSegment) return int(PartLabel::kTorso);
   if (segment == kHeadSegment) return int(PartLabel::kHead);
@@ -36,10 +38,10 @@ bool isArm(int part) {
   return part == int(PartLabel::kArm1) || part == int(PartLabel::kArm2);
 }
 
-// A place on a part's bones: from node `bone`, `share` of the way to the next.
+// A point on the bones of a part: between node `bone` and the next one.
 struct BonePlace {
   int bone;
-  double share;
+  double fraction;
 };
 
 std::vector<BonePlace> nearestPlaces(const std::vector<HsiaoSegmentPoint>& bones,
@@ -48,21 +50,21 @@ std::vector<BonePlace> nearestPlaces(const std::vector<HsiaoSegmentPoint>& bones
   std::vector<BonePlace> places;
   for (const Vector3d& point : points) {
     BonePlace nearest{0, 0.0};
-    double least = HUGE_VAL;
+    double min_distance = HUGE_VAL;
     for (int n = 0; n + 1 < int(bones.size()); ++n) {
       const Vector3d a = bones[n].inWorld(frames), ab = bones[n + 1].inWorld(frames) - a;
-      const double share = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
-      const double distance = (a + share * ab - point).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
-      nearest = {n, share};
+      const double fraction = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
+      const double distance = (a + fraction * ab - point).squaredNorm();
+      if (distance >= min_distance) continue;
+      min_distance = distance;
+      nearest = {n, fraction};
     }
     places.push_back(nearest);
   }
   return places;
 }
 
-// Share that a deviation keeps: 1 near zero, falling with the square beyond the scale.
+// Cauchy weight: 1 near zero, decreasing with the square beyond the scale.
 double cauchyWeight(double deviation, double scale) {
   const double q = deviation / scale;
   return 1.0 / (1.0 + q * q);
@@ -76,27 +78,28 @@ struct HsiaoRefiner::Problem {
   std::vector<Correspondence> surface;
   std::array<std::vector<double>, kPartCount> curve_weights;
   std::array<std::vector<BonePlace>, kPartCount> arm_places;
-  std::vector<HsiaoInteriorSphere> balls;
+  std::vector<HsiaoInteriorSphere> spheres;
   int size = 0;
 
-  // The model's counterparts of a data part's samples. How far a hull shows fingers varies, so an
-  // arm's samples go to the nearest places on its bones, not by way along the curve.
-  void modelPoints(const HsiaoBodyModel& profile, const HsiaoFrames& frames, int part,
+  // The model points for the samples of a data part. The visible length of fingers in a hull
+  // varies, so the samples of an arm are matched to the nearest points of its bones, not by arc
+  // length.
+  void modelPoints(const HsiaoBodyModel& body_model, const HsiaoFrames& frames, int part,
                    std::vector<Vector3d>& out) const {
     const PartLabel model = PartLabel(assignment[part]);
     if (!isArm(part)) return data->curves->modelSamples(frames, PartLabel(part), model, out);
     out.clear();
     for (const BonePlace& place : arm_places[part]) {
-      const Vector3d a = profile.bones(model)[place.bone].inWorld(frames);
-      const Vector3d b = profile.bones(model)[place.bone + 1].inWorld(frames);
-      out.push_back(a + place.share * (b - a));
+      const Vector3d a = body_model.bones(model)[place.bone].inWorld(frames);
+      const Vector3d b = body_model.bones(model)[place.bone + 1].inWorld(frames);
+      out.push_back(a + place.fraction * (b - a));
     }
   }
 };
 
-HsiaoRefiner::HsiaoRefiner(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
+HsiaoRefiner::HsiaoRefiner(const HsiaoBodyModel& body_model, const HsiaoBodyShape& shape,
                            const HsiaoRefinerSettings& settings)
-    : profile_(&profile), shape_(&shape), settings_(settings) {}
+    : body_model_(&body_model), shape_(&shape), settings_(settings) {}
 
 void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const {
   const HsiaoRefinerData& data = *problem.data;
@@ -125,11 +128,11 @@ void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const 
     }
     problem.surface.push_back({point, nearest, cauchyWeight(distance, kSurfaceScale)});
   }
-  problem.balls.clear();
-  for (size_t i = 0; i < shape_->balls().size(); i += kSkippedBalls)
-    if (shape_->balls()[i].radius > kThinnest * data.hull->lattice.pitch)
-      problem.balls.push_back(shape_->balls()[i]);
-  problem.size = int(problem.surface.size() + problem.balls.size());
+  problem.spheres.clear();
+  for (size_t i = 0; i < shape_->spheres().size(); i += kSphereStep)
+    if (shape_->spheres()[i].radius > kMinRadius * data.hull->lattice.pitch)
+      problem.spheres.push_back(shape_->spheres()[i]);
+  problem.size = int(problem.surface.size() + problem.spheres.size());
   std::vector<Vector3d> model;
   for (int i = 0; i < kPartCount; ++i) {
     problem.curve_weights[i].clear();
@@ -137,38 +140,38 @@ void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const 
     const std::vector<Vector3d>& samples = data.curves->samples(PartLabel(i));
     if (isArm(i))
       problem.arm_places[i] =
-          nearestPlaces(profile_->bones(PartLabel(problem.assignment[i])), frames, samples);
-    problem.modelPoints(*profile_, frames, i, model);
+          nearestPlaces(body_model_->bones(PartLabel(problem.assignment[i])), frames, samples);
+    problem.modelPoints(*body_model_, frames, i, model);
     for (size_t k = 0; k < model.size(); ++k)
       problem.curve_weights[i].push_back(cauchyWeight((samples[k] - model[k]).norm(), kCurveScale));
     problem.size += 3 * int(model.size());
   }
 }
 
-void HsiaoRefiner::deviations(const HsiaoVector& v, const Problem& problem, VectorXd& out) const {
+void HsiaoRefiner::residuals(const HsiaoVector& v, const Problem& problem, VectorXd& out) const {
   HsiaoFrames frames;
-  profile_->frames(v.data(), frames);
+  body_model_->frames(v.data(), frames);
   thread_local std::vector<HsiaoWorldCone> cones;
   thread_local std::vector<Vector3d> model;
   shape_->inWorld(frames, cones);
   out.resize(problem.size);
   int row = 0;
   const double surface_scale =
-      std::sqrt(settings_.surface_weight / problem.surface.size()) / kUsualSurface;
+      std::sqrt(settings_.surface_weight / problem.surface.size()) / kTypicalSurface;
   for (const Correspondence& c : problem.surface)
     out[row++] = surface_scale * std::sqrt(c.weight) * cones[c.cone].signedDistance(c.point);
   const double inside_scale =
-      std::sqrt(settings_.inside_weight / problem.balls.size()) / kUsualOutside;
-  for (const HsiaoInteriorSphere& ball : problem.balls)
+      std::sqrt(settings_.inside_weight / problem.spheres.size()) / kTypicalOutside;
+  for (const HsiaoInteriorSphere& sphere : problem.spheres)
     out[row++] = inside_scale *
-                 std::max(0.0, problem.data->field->signedDistance(ball.center.inWorld(frames)) +
-                                   ball.radius);
+                 std::max(0.0, problem.data->field->signedDistance(sphere.center.inWorld(frames)) +
+                                   sphere.radius);
   for (int i = 0; i < kPartCount; ++i) {
     if (problem.assignment[i] < 0) continue;
     const std::vector<Vector3d>& samples = problem.data->curves->samples(PartLabel(i));
-    problem.modelPoints(*profile_, frames, i, model);
+    problem.modelPoints(*body_model_, frames, i, model);
     const double scale =
-        std::sqrt(settings_.curve_weight / (kPartCount * samples.size())) / kUsualCurve;
+        std::sqrt(settings_.curve_weight / (kPartCount * samples.size())) / kTypicalCurve;
     for (size_t k = 0; k < samples.size(); ++k, row += 3)
       out.segment<3>(row) =
           scale * std::sqrt(problem.curve_weights[i][k]) * (samples[k] - model[k]);
@@ -185,15 +188,15 @@ HsiaoRefinement HsiaoRefiner::refine(const HsiaoVector& start, const HsiaoBounds
   MatrixXd slope;
   double damping = 1e-3;
   for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
-    profile_->frames(best.v.data(), frames);
+    body_model_->frames(best.v.data(), frames);
     associate(frames, problem);
-    deviations(best.v, problem, here);
+    residuals(best.v, problem, here);
     best.cost = here.squaredNorm();
     slope.resize(here.size(), kHsiaoParameterCount);
     for (int p = 0; p < kHsiaoParameterCount; ++p) {
       HsiaoVector moved = best.v;
       moved[p] += kStep;
-      deviations(moved, problem, there);
+      residuals(moved, problem, there);
       slope.col(p) = (there - here) / kStep;
     }
     const Eigen::Matrix<double, kHsiaoParameterCount, kHsiaoParameterCount> A =
@@ -207,8 +210,8 @@ HsiaoRefinement HsiaoRefiner::refine(const HsiaoVector& start, const HsiaoBounds
       v = v.cwiseMax(range.lower).cwiseMin(range.upper);
       const Vector3d center = v.segment<3>(kHsiaoCenter);
       v.segment<3>(kHsiaoNeck) =
-          center + profile_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
-      deviations(v, problem, there);
+          center + body_model_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
+      residuals(v, problem, there);
       improved = there.squaredNorm() < best.cost;
       damping *= improved ? 0.3 : 5.0;
       if (improved) best = {v, there.squaredNorm()};

@@ -13,13 +13,13 @@ namespace markerless_mocap {
 /// Settings of the refinement.
 struct HsiaoRefinerSettings {
   int iterations = 10;
-  int refinement_surface_points = 600;  ///< surface voxels used
+  int refinement_surface_points = 600;  ///< maximum number of surface voxels in the fit
   double curve_weight = 1.0;            ///< of the part curves
   double surface_weight = 1.0;          ///< of the hull's surface
-  double inside_weight = 1.0;           ///< of body outside the hull
+  double inside_weight = 1.0;           ///< of the body outside the hull
 };
 
-/// What one instant offers to fit to. All must outlive the refinement.
+/// The data of one frame. All pointers must stay valid during the refinement.
 struct HsiaoRefinerData {
   const HsiaoSkeletonError* curves;
   const BodyParts* parts;
@@ -27,21 +27,21 @@ struct HsiaoRefinerData {
   const HullDistanceField* field;
 };
 
-/// A refined vector and its weighted mean of squared deviations.
+/// Refined parameters and their weighted mean squared residual.
 struct HsiaoRefinement {
   HsiaoVector v;
   double cost = 0.0;
 };
 
-/// Last step of the fine-tuning: Levenberg-Marquardt on three deviations at once: curve samples
-/// from the bones (those of Eq. 3-27), surface voxels of the hull from the body's nearest surface,
-/// and body that sticks out of the hull.
+/// Last step of the fine tuning (not in the thesis): Levenberg-Marquardt on three kinds of
+/// residuals: distance of curve samples from the bones (as in Eq. 3-27), distance of the hull's
+/// surface voxels from the body, and distance of body points outside the hull.
 class HsiaoRefiner {
  public:
-  HsiaoRefiner(const HsiaoBodyModel& profile, const HsiaoBodyShape& shape,
+  HsiaoRefiner(const HsiaoBodyModel& body_model, const HsiaoBodyShape& shape,
                const HsiaoRefinerSettings& settings);
 
-  /// \param range the result stays inside
+  /// \param range bounds of the result
   HsiaoRefinement refine(const HsiaoVector& start, const HsiaoBounds& range,
                          const HsiaoRefinerData& data) const;
 
@@ -53,9 +53,9 @@ class HsiaoRefiner {
   };
   struct Problem;
   void associate(const HsiaoFrames& frames, Problem& problem) const;
-  void deviations(const HsiaoVector& v, const Problem& problem, Eigen::VectorXd& out) const;
+  void residuals(const HsiaoVector& v, const Problem& problem, Eigen::VectorXd& out) const;
 
-  const HsiaoBodyModel* profile_;
+  const HsiaoBodyModel* body_model_;
   const HsiaoBodyShape* shape_;
   HsiaoRefinerSettings settings_;
 };

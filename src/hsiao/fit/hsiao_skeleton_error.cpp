@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 
 constexpr double kTorsoTrim = 0.15;
-// How far a torso's curve may slide along its bone, metres: the cuts to legs and neck wander.
+// Maximum shift of the torso's curve along its bone, metres: the boundaries to legs and neck vary.
 constexpr double kTorsoSlide = 0.12;
 
 std::vector<double> arcLengths(const std::vector<Vector3d>& line) {
@@ -21,8 +21,8 @@ std::vector<double> arcLengths(const std::vector<Vector3d>& line) {
   return along;
 }
 
-// Index of the stretch that holds `length`, the first and last stretch beyond the ends, and the
-// share of it that has been gone.
+// Index of the section that contains `length` (the first or last one beyond the ends), and the
+// fraction of it before `length`.
 std::pair<int, double> locate(const std::vector<double>& along, double length) {
   int i = 0;
   while (i + 2 < int(along.size()) && along[i + 1] < length) ++i;
@@ -30,12 +30,12 @@ std::pair<int, double> locate(const std::vector<double>& along, double length) {
   return {i, stretch > 0 ? (length - along[i]) / stretch : 0.0};
 }
 
-// The stretch of a curve that is used, and where it ends along the bones; metres.
+// The section of a curve that is used, and its end along the bones; metres.
 struct Span {
   double length, curve_end, bones_end;
 };
 
-// The ends of a torso's curve bend towards whatever limb was cut off last.
+// The ends of a torso's curve are cut off, since they bend towards adjacent limbs.
 Span torsoSpan(double curve_length, double bones_length) {
   const double length = (1.0 - 2.0 * kTorsoTrim) * curve_length;
   return {length, (1.0 - kTorsoTrim) * curve_length, 0.5 * (bones_length + length)};
@@ -47,24 +47,24 @@ Span limbSpan(PartLabel part, double curve_length, double bones_length) {
   return {std::min(curve_length, bones_end), curve_length, bones_end};
 }
 
-// The parts that may be exchanged: arms for arms, legs for legs.
+// Parts that can be exchanged: arms with arms, legs with legs.
 bool sameKind(size_t a, size_t b) {
   const auto kind = [](size_t part) { return part < 2 ? part : part / 2 + 1; };
   return kind(a) == kind(b);
 }
 
-// Zero-pose bones of a part as one line; only the lengths between the nodes matter.
-std::vector<double> boneLengths(const HsiaoBodyModel& profile, PartLabel part) {
+// Node positions along the bones of a part in the zero pose, as arc lengths.
+std::vector<double> boneLengths(const HsiaoBodyModel& body_model, PartLabel part) {
   const HsiaoVector zero = HsiaoVector::Zero();
   HsiaoFrames frames;
-  profile.frames(zero.data(), frames);
+  body_model.frames(zero.data(), frames);
   std::vector<Vector3d> line;
-  for (const HsiaoSegmentPoint& node : profile.bones(part)) line.push_back(node.inWorld(frames));
+  for (const HsiaoSegmentPoint& node : body_model.bones(part)) line.push_back(node.inWorld(frames));
   return arcLengths(line);
 }
 
-/// Legs are shared out where they touch, arms end there.
-bool drawsThePose(PartLabel part, const PartCurve& curve) {
+/// Merged legs are still divided between the two parts, while a merged arm ends early.
+bool isUsable(PartLabel part, const PartCurve& curve) {
   const bool leg = part == PartLabel::kLeg1 || part == PartLabel::kLeg2;
   return curve.points.size() >= 2 && (curve.whole || (leg && curve.seen));
 }
@@ -81,7 +81,7 @@ double pairedDistance(const Vector3d* a, const Vector3d* b, int count) {
 }
 
 PartAssignment assignParts(const PartMatrix& error) {
-  // best[set]: least sum with the data parts so far on the model parts in `set`.
+  // best[set]: minimum sum for the data parts so far, assigned to the model parts in `set`.
   constexpr int kSets = 1 << kPartCount;
   std::array<double, kSets> best;
   std::array<std::array<int8_t, kSets>, kPartCount> chosen;
@@ -113,33 +113,33 @@ PartAssignment assignParts(const PartMatrix& error) {
   return assignment;
 }
 
-HsiaoSkeletonError::HsiaoSkeletonError(const HsiaoBodyModel& profile, const BodyParts& parts,
+HsiaoSkeletonError::HsiaoSkeletonError(const HsiaoBodyModel& body_model, const BodyParts& parts,
                                        int samples)
-    : profile_(&profile) {
+    : body_model_(&body_model) {
   for (int i = 0; i < kPartCount; ++i)
-    if (drawsThePose(PartLabel(i), parts.parts[i]))
-      take(PartLabel(i), parts.parts[i].points, samples);
+    if (isUsable(PartLabel(i), parts.parts[i]))
+      setCurve(PartLabel(i), parts.parts[i].points, samples);
 }
 
-void HsiaoSkeletonError::take(PartLabel part, const std::vector<Vector3d>& curve, int samples) {
+void HsiaoSkeletonError::setCurve(PartLabel part, const std::vector<Vector3d>& curve, int samples) {
   const std::vector<double> curve_along = arcLengths(curve);
-  const std::vector<double> bones_along = boneLengths(*profile_, part);
+  const std::vector<double> bones_along = boneLengths(*body_model_, part);
   const double curve_length = curve_along.back(), bones_length = bones_along.back();
   const Span span = part == PartLabel::kTorso ? torsoSpan(curve_length, bones_length)
                                               : limbSpan(part, curve_length, bones_length);
   for (int k = 0; k < samples; ++k) {
     const double back = span.length * (1.0 - double(k) / (samples - 1));
-    const auto [i, share] = locate(curve_along, span.curve_end - back);
-    data_[size_t(part)].push_back(curve[i] + share * (curve[i + 1] - curve[i]));
-    const auto [bone, bone_share] = locate(bones_along, span.bones_end - back);
-    on_bones_[size_t(part)].push_back({bone, bone_share});
+    const auto [i, fraction] = locate(curve_along, span.curve_end - back);
+    data_[size_t(part)].push_back(curve[i] + fraction * (curve[i + 1] - curve[i]));
+    const auto [bone, bone_fraction] = locate(bones_along, span.bones_end - back);
+    on_bones_[size_t(part)].push_back({bone, bone_fraction});
   }
 }
 
 const Vector3d& HsiaoSkeletonError::atNode(PartLabel part, int n) const {
   const BoneSamples& samples = on_bones_[size_t(part)];
   size_t k = 0;
-  const auto before = [n](const BoneSample& s) { return s.bone + s.share < n; };
+  const auto before = [n](const BoneSample& s) { return s.bone + s.fraction < n; };
   while (k + 1 < samples.size() && before(samples[k])) ++k;
   return data_[size_t(part)][k];
 }
@@ -147,11 +147,11 @@ const Vector3d& HsiaoSkeletonError::atNode(PartLabel part, int n) const {
 void HsiaoSkeletonError::modelSamples(const HsiaoFrames& frames, PartLabel data, PartLabel model,
                                       std::vector<Vector3d>& out) const {
   std::array<Vector3d, 4> nodes;
-  const std::vector<HsiaoSegmentPoint>& bones = profile_->bones(model);
+  const std::vector<HsiaoSegmentPoint>& bones = body_model_->bones(model);
   for (size_t n = 0; n < bones.size(); ++n) nodes[n] = bones[n].inWorld(frames);
   out.clear();
   for (const BoneSample& s : on_bones_[size_t(data)])
-    out.push_back(nodes[s.bone] + s.share * (nodes[s.bone + 1] - nodes[s.bone]));
+    out.push_back(nodes[s.bone] + s.fraction * (nodes[s.bone + 1] - nodes[s.bone]));
   if (data != PartLabel::kTorso) return;
   const Vector3d axis = (nodes[1] - nodes[0]).normalized();
   double slide = 0.0;

@@ -9,64 +9,65 @@
 
 namespace markerless_mocap {
 
-/// Row: part of the data; column: part of the model; both by PartLabel.
+/// Rows: parts of the data; columns: parts of the model; both by PartLabel.
 using PartMatrix = Eigen::Matrix<double, kPartCount, kPartCount>;
-/// Model part of each data part; -1 for a data part left out.
+/// Model part of each data part; -1 for a data part that is left out.
 using PartAssignment = std::array<int, kPartCount>;
 
-/// Fingers are too thin for most hulls: an arm's curve ends about this share of the arm before
-/// their tips.
+/// Fingers are too thin for most hulls: the curve of an arm ends before the finger tips by about
+/// this fraction of the arm.
 constexpr double kFingerShare = 0.145;
 
-/// The smaller of the two pairings (same order, reversed) of summed distances, per point
-/// (Hsiao 2008, Eq. 3-27). Both hold `count` > 0 points.
+/// Mean distance of two point lists, the minimum over the two orders (same, reversed) (Hsiao 2008,
+/// Eq. 3-27). Both hold `count` > 0 points.
 double pairedDistance(const Eigen::Vector3d* a, const Eigen::Vector3d* b, int count);
 
-/// One-to-one assignment of data parts to model parts with the least sum. Infinite entries are
-/// forbidden; a data part whose entries are all infinite is left out.
+/// One-to-one assignment of data parts to model parts with minimum sum. Infinite entries are not
+/// allowed; a data part whose entries are all infinite is left out.
 PartAssignment assignParts(const PartMatrix& error);
 
-/// The evaluation function of Hsiao 2008, 3.2.2.1, for one instant's part curves.
+/// The evaluation function of Hsiao 2008, 3.2.2.1, for the part curves of one frame.
 ///
-/// A limb's or head's curve is laid along the bones from the tip, as far as it reaches: where a
-/// curve begins at the torso depends on how the hull was cut, where it ends does not. The middle of
-/// the torso's curve is laid on its bone and may slide along it a little. Only parts of one kind
-/// are paired (head to head, arms among arms), since the data parts are labelled.
+/// The curve of a limb or of the head is aligned with the bones from its outer end, because its
+/// start at the torso depends on the segmentation, while its outer end does not. The middle of the
+/// torso's curve is aligned with its bone and may slide along it by a small distance. Only parts of
+/// the same kind are paired (head with head, arms with arms), since the data parts are labelled.
 class HsiaoSkeletonError {
  public:
-  /// \param samples points per part, at least 2
-  /// Parts that are not seen or have fewer than two points are left out, and but for legs those
-  /// that are not whole.
-  HsiaoSkeletonError(const HsiaoBodyModel& profile, const BodyParts& parts, int samples);
+  /// \param samples points per part, at least 2. Parts that are not seen or have fewer than two
+  ///   points are left out, and so are arms and heads that are not whole.
+  HsiaoSkeletonError(const HsiaoBodyModel& body_model, const BodyParts& parts, int samples);
 
   bool has(PartLabel part) const { return !data_[size_t(part)].empty(); }
-  /// Sampled points of a data part, metres, from the torso to the tip.
+  /// Sampled points of a data part, metres, from the torso outward.
   const std::vector<Eigen::Vector3d>& samples(PartLabel part) const { return data_[size_t(part)]; }
 
-  /// The sample of a seen limb that lies where the bones' node `n` should be.
+  /// The sample of a seen limb at the expected position of node `n` of the bones.
   const Eigen::Vector3d& atNode(PartLabel part, int n) const;
 
-  /// The model's counterparts of samples(data) on the bones of `model`, a part of the same kind.
+  /// The points on the bones of the part `model`, of the same kind as `data`, that correspond to
+  /// samples(data).
   void modelSamples(const HsiaoFrames& frames, PartLabel data, PartLabel model,
                     std::vector<Eigen::Vector3d>& out) const;
 
-  /// Errors of all pairs, metres; infinite where a pair is not allowed or not active.
+  /// Errors of all pairs, metres; infinite if a pair is not allowed or not active.
   PartMatrix matrix(const HsiaoFrames& frames, const std::array<bool, kPartCount>& active) const;
 
-  /// Mean over the active seen parts of the assigned errors, metres; 0 if there is none.
+  /// Mean of the assigned errors over the active, seen parts, metres; 0 if there is none.
   double operator()(const HsiaoFrames& frames, const std::array<bool, kPartCount>& active) const;
 
  private:
   struct BoneSample {
-    int bone;      // from node `bone` to the next
-    double share;  // of its length
+    int bone;         // between node `bone` and the next one
+    double fraction;  // of its length, from node `bone`
   };
   using BoneSamples = std::vector<BoneSample>;
-  void take(PartLabel part, const std::vector<Eigen::Vector3d>& curve, int samples);
+  void setCurve(PartLabel part, const std::vector<Eigen::Vector3d>& curve, int samples);
 
-  const HsiaoBodyModel* profile_;
+  const HsiaoBodyModel* body_model_;
   std::array<std::vector<Eigen::Vector3d>, kPartCount> data_;
-  std::array<BoneSamples, kPartCount> on_bones_;  // by data part; left and right bones are alike
+  std::array<BoneSamples, kPartCount> on_bones_;  // by data part; left and right bones have the
+                                                  // same lengths
 };
 
 }  // namespace markerless_mocap

@@ -22,22 +22,22 @@ double explainedShare(const std::vector<HsiaoWorldCone>& cones, const VisualHull
   return hull.voxels.empty() ? 0.0 : double(explained) / hull.voxels.size();
 }
 
-// Each ball is probed at its centre and at the corners of its inner cube, and counts as much as
-// its volume.
-double insideShare(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
-                   const HullDistanceField& field) {
+// Each sphere is tested at its centre and at the corners of its inscribed cube, weighted by its
+// volume.
+double insideFraction(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
+                      const HullDistanceField& field) {
   static const std::array<Vector3d, 9> kProbes = {
       Vector3d(0, 0, 0),   Vector3d(1, 1, 1),   Vector3d(1, 1, -1),
       Vector3d(1, -1, 1),  Vector3d(1, -1, -1), Vector3d(-1, 1, 1),
       Vector3d(-1, 1, -1), Vector3d(-1, -1, 1), Vector3d(-1, -1, -1)};
   const double corner = 0.5;  // 0.87 of the radius from the centre
   double inside = 0.0, all = 0.0;
-  for (const HsiaoInteriorSphere& ball : shape.balls()) {
-    const Vector3d center = ball.center.inWorld(frames);
-    const double weight = ball.radius * ball.radius * ball.radius;
+  for (const HsiaoInteriorSphere& sphere : shape.spheres()) {
+    const Vector3d center = sphere.center.inWorld(frames);
+    const double weight = sphere.radius * sphere.radius * sphere.radius;
     for (const Vector3d& probe : kProbes) {
       all += weight;
-      if (field.signedDistance(center + corner * ball.radius * probe) < 0.0) inside += weight;
+      if (field.signedDistance(center + corner * sphere.radius * probe) < 0.0) inside += weight;
     }
   }
   return all > 0.0 ? inside / all : 0.0;
@@ -50,7 +50,7 @@ HullAgreement measureHullAgreement(const HsiaoBodyShape& shape, const HsiaoFrame
                                    double margin) {
   std::vector<HsiaoWorldCone> cones;
   shape.inWorld(frames, cones);
-  return {explainedShare(cones, hull, margin), insideShare(shape, frames, field)};
+  return {explainedShare(cones, hull, margin), insideFraction(shape, frames, field)};
 }
 
 }  // namespace markerless_mocap

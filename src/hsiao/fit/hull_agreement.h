@@ -5,13 +5,13 @@
 
 namespace markerless_mocap {
 
-/// How well a body and a hull cover each other, both 0 to 1.
+/// Mutual coverage of a body and a hull, both 0 to 1.
 struct HullAgreement {
-  double hull_explained = 0.0;  ///< share of the hull's voxels within `margin` of the body
-  double body_in_hull = 0.0;    ///< share of the body's volume inside the hull
+  double hull_explained = 0.0;  ///< fraction of the hull's voxels within `margin` of the body
+  double body_in_hull = 0.0;    ///< fraction of the body's volume inside the hull
 };
 
-/// \param margin metres by which a voxel centre may lie outside the body
+/// \param margin maximum distance of a voxel centre outside the body, metres
 HullAgreement measureHullAgreement(const HsiaoBodyShape& shape, const HsiaoFrames& frames,
                                    const VisualHull& hull, const HullDistanceField& field,
                                    double margin);

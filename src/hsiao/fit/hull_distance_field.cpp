@@ -9,11 +9,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-// Free cells around the hull, so that the field has a slope to come back on.
+// Empty cells around the hull, so that the field has a gradient outside.
 constexpr int kBorder = 8;
 constexpr float kFar = 1e10f;
 
-// Lower envelope of the parabolas rooted at f; one line of the transform.
+// One line of the transform: lower envelope of the parabolas with vertices at f.
 void transformLine(const std::vector<float>& f, int n, std::vector<float>& out) {
   thread_local std::vector<int> root;
   thread_local std::vector<float> border;
@@ -69,7 +69,7 @@ HullDistanceField::HullDistanceField(const VisualHull& hull) : pitch_(hull.latti
   }
   squaredDistanceTransform(outside, size_);
   squaredDistanceTransform(inside, size_);
-  // The surface lies half a voxel from the centres on either side of it.
+  // The surface is half a voxel away from the voxel centres on both sides.
   distance_.resize(filled.size());
   for (size_t i = 0; i < filled.size(); ++i)
     distance_[i] =

@@ -8,21 +8,21 @@
 
 namespace markerless_mocap {
 
-/// Replaces each value by the least of value' + squared distance to its place, in cells, over the
-/// whole grid (Felzenszwalb and Huttenlocher 2012). x runs fastest.
+/// Replaces each value by the minimum over the grid of value' + squared distance to it, in cells
+/// (Felzenszwalb and Huttenlocher 2012). x varies fastest.
 void squaredDistanceTransform(std::vector<float>& values, const Eigen::Vector3i& size);
 
-/// Signed distance to a hull's surface, and the voxels that form it.
+/// Signed distance to the surface of a hull, and its surface voxels.
 class HullDistanceField {
  public:
   /// \param hull at least one voxel
   explicit HullDistanceField(const VisualHull& hull);
 
-  /// Metres, negative inside, trilinear between voxel centres; beyond the cropped grid the value at
-  /// its border plus the way there.
+  /// Metres, negative inside, trilinear between voxel centres. Outside the cropped grid: the value
+  /// at its border plus the distance to the border.
   double signedDistance(const Eigen::Vector3d& point) const;
 
-  /// Voxels of the hull (positions in VisualHull::voxels) with a free 6-neighbour.
+  /// Voxels of the hull (indices into VisualHull::voxels) with an empty 6-neighbour.
   const std::vector<uint32_t>& surface() const { return surface_; }
 
  private:

@@ -15,18 +15,19 @@ using Eigen::Vector3d;
 
 const std::array<std::string, 2> kSides = {"l_", "r_"};
 
-// Rotation that turns `from` to `to` (unit vectors) the short way.
+// Shortest rotation from `from` to `to` (unit vectors).
 Matrix3d shortestRotation(const Vector3d& from, const Vector3d& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-// H's T-pose arms hang in the model's zero pose: a quarter turn about x (left +, right -).
+// Hsiao's zero pose is a T-pose, while the model's arms hang: a rotation by 90 degrees about x
+// (left +, right -).
 Matrix3d hangingToSideways(int side) {
   const double s = side == 0 ? 1.0 : -1.0;
   return (Matrix3d() << 1, 0, 0, 0, 0, -s, 0, s, 0).finished();
 }
 
-// The point of the link's shape that lies furthest along `direction`, in the link's frame.
+// The point of the link's geometry that is farthest along `direction`, in the link's frame.
 Vector3d extremePoint(const BodyModel& model, const std::string& link_name,
                       const Vector3d& direction) {
   const int link = model.linkIndex(link_name);
@@ -45,7 +46,7 @@ Vector3d extremePoint(const BodyModel& model, const std::string& link_name,
   }
   if (reach == -HUGE_VAL)
     throw std::invalid_argument("body " + model.id() + ": link " + link_name +
-                                " has no shape, at least one sphere or cylinder is needed");
+                                " has no geometry, at least one sphere or cylinder is needed");
   return extreme;
 }
 
@@ -130,7 +131,7 @@ void HsiaoBodyModel::frames(const double* v, HsiaoFrames& out) const {
   out.p[kTorsoSegment] = center;
   place(kHeadSegment, kTorsoSegment, rotX(theta(1)) * rotY(theta(2)));
   for (int side = 0; side < 2; ++side) {
-    // The elbow turns about H's z, which is y (left) or -y (right) of the hanging arm.
+    // The elbow turns about Hsiao's z axis, which is y (left) or -y (right) of the hanging arm.
     const double elbow = side == 0 ? theta(9) : -theta(10);
     place(kUpperArmSegment + side, kTorsoSegment,
           rotX(theta(3 + side)) * rotY(theta(5 + side)) * rotZ(theta(7 + side)) *

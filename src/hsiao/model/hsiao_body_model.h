@@ -10,18 +10,18 @@
 
 namespace markerless_mocap {
 
-/// H's parameters: torso centre (m, world), neck joint (m, world; only its direction from the
-/// centre counts), spin about that direction (rad), then theta_1 to theta_16 (rad; Hsiao 2008,
-/// Table 3-2).
+/// Hsiao's parameters (Hsiao 2008, Table 3-2): centre of the torso (m, world), neck joint (m,
+/// world; only its direction from the centre is used), spin about that direction (rad), then
+/// theta_1 to theta_16 (rad).
 constexpr int kHsiaoParameterCount = 23;
 using HsiaoVector = Eigen::Matrix<double, kHsiaoParameterCount, 1>;
 constexpr int kHsiaoCenter = 0, kHsiaoNeck = 3, kHsiaoSpin = 6;
-/// Position of theta_k, k from 1 to 16, in the vector.
+/// Index of theta_k, k from 1 to 16.
 constexpr int hsiaoTheta(int k) {
   return kHsiaoSpin + k;
 }
 
-/// What moves rigidly. Left is even, right odd from the upper arms on.
+/// Rigid segments. From the upper arms on, left ones are even and right ones odd.
 enum HsiaoSegment {
   kTorsoSegment = 0,
   kHeadSegment,
@@ -32,14 +32,14 @@ enum HsiaoSegment {
   kHsiaoSegments = kShankSegment + 2
 };
 
-/// Frames of the segments in the world. A segment's origin is its upper joint (the torso's: its
-/// centre); at angle zero its axes are the torso's, arms and legs hanging.
+/// Frames of the segments in the world. The origin of a segment is its upper joint (of the torso:
+/// its centre). At angle zero all axes are those of the torso, with hanging arms and legs.
 struct HsiaoFrames {
   std::array<Eigen::Matrix3d, kHsiaoSegments> R;
   std::array<Eigen::Vector3d, kHsiaoSegments> p;
 };
 
-/// A point that moves with a segment.
+/// A point fixed to a segment.
 struct HsiaoSegmentPoint {
   int segment;
   Eigen::Vector3d offset;  ///< metres, in the segment's frame
@@ -48,26 +48,27 @@ struct HsiaoSegmentPoint {
   }
 };
 
-/// The 23-parameter profile of the body model (Hsiao 2008, 3.2.1.2): waist, clavicles, wrists and
-/// ankles stay straight. Immutable.
+/// Hsiao's human model with 23 parameters (Hsiao 2008, 3.2.1.2): waist, clavicles, wrists and
+/// ankles are fixed. Immutable.
 class HsiaoBodyModel {
  public:
-  /// Measures all lengths in the model's zero pose. Throws std::invalid_argument if that pose has
-  /// a rotated link, or a hand, foot or head without shape.
+  /// Takes all lengths from the zero pose of the model. Throws std::invalid_argument if a link is
+  /// rotated in that pose, or if a hand, foot or head has no geometry.
   explicit HsiaoBodyModel(const BodyModel& model);
 
   /// Frames of all segments (Eq. 3-22 to 3-26). \param v kHsiaoParameterCount values
   void frames(const double* v, HsiaoFrames& out) const;
 
-  /// Bones of each part by PartLabel (left limb 1, right 2), from the torso to the tip: torso from
-  /// between the hips to the neck, head to its top, arms to the finger tips, legs to the toes.
+  /// Bones of each part by PartLabel (left limb 1, right limb 2), from the torso outward: torso
+  /// from between the hips to the neck, head to its top, arms to the finger tips, legs to the toes.
   const std::vector<HsiaoSegmentPoint>& bones(PartLabel part) const { return bones_[size_t(part)]; }
 
-  /// The model's root link seen from the torso's frame, metres.
+  /// Origin of the model's root link in the frame of the torso, metres.
   const Eigen::Vector3d& root() const { return root_; }
-  /// Distance from torso centre to neck, metres: half of L0.
+  /// Distance from the centre of the torso to the neck, metres: half of L0.
   double halfTorso() const { return half_torso_; }
-  /// Segment that carries each link of the model, and the link's zero position in it.
+  /// For each link of the model: its segment, and its position in the segment's frame in the zero
+  /// pose.
   const std::vector<HsiaoSegmentPoint>& links() const { return links_; }
 
  private:

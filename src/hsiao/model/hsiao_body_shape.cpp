@@ -5,9 +5,9 @@
 
 namespace markerless_mocap {
 
-HsiaoBodyShape::HsiaoBodyShape(const BodyModel& model, const HsiaoBodyModel& profile) {
+HsiaoBodyShape::HsiaoBodyShape(const BodyModel& model, const HsiaoBodyModel& body_model) {
   for (const RoundCone& cone : model.shape()) {
-    const HsiaoSegmentPoint& link = profile.links()[cone.link];
+    const HsiaoSegmentPoint& link = body_model.links()[cone.link];
     cones_.push_back(
         {link.segment, link.offset + cone.a, link.offset + cone.b, cone.radius_a, cone.radius_b});
     fill(cones_.back());
@@ -19,8 +19,8 @@ void HsiaoBodyShape::fill(const HsiaoSegmentCone& cone) {
   const int steps = spacing > 0 ? int(std::ceil((cone.b - cone.a).norm() / spacing)) : 0;
   for (int i = 0; i <= steps; ++i) {
     const double t = steps > 0 ? double(i) / steps : 0.0;
-    balls_.push_back({{cone.segment, cone.a + t * (cone.b - cone.a)},
-                      cone.radius_a + t * (cone.radius_b - cone.radius_a)});
+    spheres_.push_back({{cone.segment, cone.a + t * (cone.b - cone.a)},
+                        cone.radius_a + t * (cone.radius_b - cone.radius_a)});
   }
 }
 

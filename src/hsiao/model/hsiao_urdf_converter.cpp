@@ -12,18 +12,19 @@ using Eigen::Matrix3d;
 }  // namespace
 
 HsiaoUrdfConverter::HsiaoUrdfConverter(std::shared_ptr<const BodyModel> model,
-                                       std::shared_ptr<const HsiaoBodyModel> profile)
-    : model_(std::move(model)), profile_(std::move(profile)) {
-  balls_.push_back(
+                                       std::shared_ptr<const HsiaoBodyModel> body_model)
+    : model_(std::move(model)), body_model_(std::move(body_model)) {
+  spherical_joints_.push_back(
       {kTorsoSegment, kHeadSegment, UrdfSphericalJoint(*model_, {"r_head", "y_head", "p_head"})});
   const std::array<std::string, 2> sides = {"l_", "r_"};
   for (int side = 0; side < 2; ++side) {
     const std::string& s = sides[side];
-    balls_.push_back(
+    spherical_joints_.push_back(
         {kTorsoSegment, kUpperArmSegment + side,
          UrdfSphericalJoint(*model_, {s + "y_shoulder", s + "p_shoulder", s + "r_shoulder"})});
-    balls_.push_back({kTorsoSegment, kThighSegment + side,
-                      UrdfSphericalJoint(*model_, {s + "y_hip", s + "p_hip", s + "r_hip"})});
+    spherical_joints_.push_back(
+        {kTorsoSegment, kThighSegment + side,
+         UrdfSphericalJoint(*model_, {s + "y_hip", s + "p_hip", s + "r_hip"})});
     addHinge(sides[side] + "elbow", kUpperArmSegment + side, kForearmSegment + side);
     addHinge(sides[side] + "knee", kThighSegment + side, kShankSegment + side);
   }
@@ -45,12 +46,13 @@ void HsiaoUrdfConverter::reset() {
 void HsiaoUrdfConverter::convert(const HsiaoVector& v, Eigen::Isometry3d& T_world_body,
                                  Eigen::VectorXd& angles) {
   HsiaoFrames frames;
-  profile_->frames(v.data(), frames);
+  body_model_->frames(v.data(), frames);
   T_world_body.linear() = frames.R[kTorsoSegment];
-  T_world_body.translation() = frames.p[kTorsoSegment] + frames.R[kTorsoSegment] * profile_->root();
+  T_world_body.translation() =
+      frames.p[kTorsoSegment] + frames.R[kTorsoSegment] * body_model_->root();
   angles = Eigen::VectorXd::Zero(model_->angleCount());
-  for (const Ball& ball : balls_)
-    ball.joint.set(frames.R[ball.parent].transpose() * frames.R[ball.child], last_, angles);
+  for (const SphericalJoint& joint : spherical_joints_)
+    joint.joint.set(frames.R[joint.parent].transpose() * frames.R[joint.child], last_, angles);
   for (const Hinge& hinge : hinges_) {
     const Matrix3d R = frames.R[hinge.parent].transpose() * frames.R[hinge.child];
     angles[hinge.angle] = hinge.sign * std::atan2(R(0, 2), R(2, 2));

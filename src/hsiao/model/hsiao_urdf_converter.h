@@ -9,22 +9,23 @@
 
 namespace markerless_mocap {
 
-/// Turns H's parameters into the URDF's root pose and angles, continuously from call to call.
+/// Converts Hsiao's parameters to the root pose and angles of the URDF body. The result is
+/// continuous from call to call.
 class HsiaoUrdfConverter {
  public:
-  /// Throws std::invalid_argument if a three-axis joint of the model is not a chain of
-  /// perpendicular axes, or an elbow or knee does not turn about y.
+  /// Throws std::invalid_argument if the axes of a three-axis joint of the model are not
+  /// perpendicular, or if an elbow or knee does not turn about y.
   HsiaoUrdfConverter(std::shared_ptr<const BodyModel> model,
-                     std::shared_ptr<const HsiaoBodyModel> profile);
+                     std::shared_ptr<const HsiaoBodyModel> body_model);
 
-  /// \param v H's parameters
-  /// \param angles radians in the model's order; joints outside the profile are 0
+  /// \param v Hsiao's parameters
+  /// \param angles radians, in the order of the model; joints without parameters are 0
   void convert(const HsiaoVector& v, Eigen::Isometry3d& T_world_body, Eigen::VectorXd& angles);
   /// Forgets the last output.
   void reset();
 
  private:
-  struct Ball {
+  struct SphericalJoint {
     int parent, child;  ///< segments
     UrdfSphericalJoint joint;
   };
@@ -36,8 +37,8 @@ class HsiaoUrdfConverter {
   void addHinge(const std::string& joint, int parent, int child);
 
   std::shared_ptr<const BodyModel> model_;
-  std::shared_ptr<const HsiaoBodyModel> profile_;
-  std::vector<Ball> balls_;
+  std::shared_ptr<const HsiaoBodyModel> body_model_;
+  std::vector<SphericalJoint> spherical_joints_;
   std::vector<Hinge> hinges_;
   Eigen::VectorXd last_;
 };

@@ -6,10 +6,10 @@
 
 namespace markerless_mocap {
 
-/// Keeps ROS callbacks out of an object that ends. When ROS shuts down it no longer takes a
-/// subscription's or timer's callbacks from the threads that run them, so the owner has to wait for
-/// a running one and refuse those that follow. Declare it last in its owner: it closes first.
-/// Guarded callbacks come one at a time.
+/// Keeps ROS callbacks out of an object that is being destroyed. At shutdown, ROS no longer removes
+/// the callbacks of a subscription or timer from the threads that run them. The owner therefore has
+/// to wait for a running callback and skip later ones. Declare the gate last in its owner, so that
+/// it is destroyed first. Guarded callbacks run one at a time.
 class CallbackGate {
  public:
   CallbackGate() = default;
@@ -20,7 +20,7 @@ class CallbackGate {
   CallbackGate(const CallbackGate&) = delete;
   CallbackGate& operator=(const CallbackGate&) = delete;
 
-  /// The callback, called only while the gate is open.
+  /// Wraps a callback; it is called only while the gate is open.
   template <class CallbackT>
   auto guarded(CallbackT callback) const {
     return [state = state_, callback = std::move(callback)](const auto&... arguments) {

@@ -7,13 +7,14 @@
 
 namespace markerless_mocap {
 
-/// An image that has come raw or compressed and is decoded when asked for; or none.
+/// A raw or compressed image, decoded on demand.
 struct CameraImage {
   sensor_msgs::ImageConstPtr raw;
   sensor_msgs::CompressedImageConstPtr compressed;
 
   const std_msgs::Header& header() const { return raw ? raw->header : compressed->header; }
-  /// Empty if there is no image. It must not outlive this. Throws std::invalid_argument as
+  /// The decoded image, empty if there is none. This object must outlive it. Throws
+  /// std::invalid_argument as
   /// matFromMessage().
   cv::Mat mat() const;
 };

@@ -9,9 +9,9 @@
 
 namespace markerless_mocap {
 
-/// Passes items from those who bring them to one who works on them. A single slow item delays those
-/// behind it; once more than `most` wait, only the newest is worked on until none is left behind,
-/// so that a worker who is too slow takes even steps and stays near the present.
+/// Queue between producers and one worker. Up to `most` items wait, so that a single slow item
+/// causes no loss. If there are more, only the newest is kept until the queue is empty. A worker
+/// that is too slow then processes items at even intervals and with little delay.
 template <class Item>
 class CatchUpQueue {
  public:
@@ -25,7 +25,7 @@ class CatchUpQueue {
     changed_.notify_one();
   }
 
-  /// Waits for an item; nothing once the queue is closed.
+  /// Waits for an item; returns nothing once the queue is closed.
   std::optional<Item> take() {
     std::unique_lock<std::mutex> lock(mutex_);
     if (waiting_.empty()) behind_ = false;
@@ -42,15 +42,15 @@ class CatchUpQueue {
     changed_.notify_one();
   }
 
-  /// Items that were not worked on for newer ones.
+  /// Number of items that were dropped for newer ones.
   uint64_t droppedCount() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return passed_over_;
+    return dropped_;
   }
 
  private:
   void dropAllButNewest() {
-    passed_over_ += waiting_.size() - 1;
+    dropped_ += waiting_.size() - 1;
     waiting_.erase(waiting_.begin(), std::prev(waiting_.end()));
   }
 
@@ -59,7 +59,7 @@ class CatchUpQueue {
   std::condition_variable changed_;
   std::deque<Item> waiting_;
   bool behind_ = false, closed_ = false;
-  uint64_t passed_over_ = 0;
+  uint64_t dropped_ = 0;
 };
 
 }  // namespace markerless_mocap

@@ -7,8 +7,8 @@
 
 namespace markerless_mocap {
 
-/// Runs a nodelet's start. What it refuses is said once; the exception then makes the loader give
-/// up, which ends a standalone node with exit code 1 and leaves a manager's other nodelets alone.
+/// Runs the start of a nodelet. An exception is logged once and thrown again. The loader then gives
+/// up: a standalone node ends with exit code 1, other nodelets of a manager continue.
 template <class StartT>
 void guardedStart(const std::string& name, StartT start) {
   try {

@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// Median and 99th percentile of the last ten seconds or so of durations.
+/// Quantiles of recent durations (about ten seconds at 30 frames per second).
 class LatencyMeter {
  public:
   void add(double seconds) {
@@ -16,11 +16,11 @@ class LatencyMeter {
     else
       last_[next_++ % kKept] = seconds;
   }
-  /// \param share 0.5 for the median; milliseconds, 0 if there is nothing yet
-  uint64_t milliseconds(double share) const {
+  /// Quantile in milliseconds; 0 without data. \param fraction 0.5 for the median
+  uint64_t milliseconds(double fraction) const {
     if (last_.empty()) return 0;
     std::vector<double> sorted = last_;
-    const auto at = sorted.begin() + std::ptrdiff_t(share * double(sorted.size() - 1));
+    const auto at = sorted.begin() + std::ptrdiff_t(fraction * double(sorted.size() - 1));
     std::nth_element(sorted.begin(), at, sorted.end());
     return uint64_t(std::max(0.0, 1e3 * *at + 0.5));
   }

@@ -6,11 +6,11 @@
 
 namespace markerless_mocap {
 
-/// Messages that a publisher keeps for another process that has not got the cores for a moment.
+/// Messages that a publisher queues while another process does not get CPU time.
 constexpr uint32_t kPublisherQueue = 16;
 
-/// For subscriptions between processes: a publisher sends the end of a message at once. Nagle's
-/// algorithm would hold it back until what went before is acknowledged, up to 40 ms.
+/// Disables Nagle's algorithm for a subscription between processes. The algorithm delays the end of
+/// a message until earlier data is acknowledged, by up to 40 ms.
 inline ros::TransportHints lowLatencyTransport() {
   return ros::TransportHints().tcpNoDelay();
 }

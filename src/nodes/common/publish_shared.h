@@ -7,7 +7,7 @@
 
 namespace markerless_mocap {
 
-/// Publishes so that nodelets of the same manager get the message itself, not a copy.
+/// Publishes a message so that nodelets of the same manager share it without a copy.
 template <class MessageT>
 void publishShared(const ros::Publisher& publisher, MessageT message) {
   publisher.publish(boost::make_shared<const MessageT>(std::move(message)));

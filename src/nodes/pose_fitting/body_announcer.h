@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// Says on /humans/bodies/tracked which body is there, for stacks after REP-155. Does nothing in a
-/// build without hri_msgs.
+/// Publishes on /humans/bodies/tracked which body is tracked (REP-155). Does nothing in a build
+/// without hri_msgs.
 class BodyAnnouncer {
  public:
   BodyAnnouncer(ros::NodeHandle& handle, std::string id);
@@ -15,7 +15,7 @@ class BodyAnnouncer {
   BodyAnnouncer(const BodyAnnouncer&) = delete;
   BodyAnnouncer& operator=(const BodyAnnouncer&) = delete;
 
-  /// Publishes only when something has changed.
+  /// Publishes only if something has changed.
   void announce(bool tracked, const ros::Time& stamp);
 
  private:

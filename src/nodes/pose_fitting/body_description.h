@@ -6,11 +6,11 @@
 
 namespace markerless_mocap {
 
-/// The body's URDF on the parameter server, in /human_description_<id>.
+/// Sets the URDF of the body on the parameter server, in /human_description_<id>.
 class BodyDescription {
  public:
   explicit BodyDescription(const std::string& id) : parameter_("/human_description_" + id) {}
-  /// Takes back the parameter if it was set here.
+  /// Removes the parameter if it was set here.
   ~BodyDescription();
   BodyDescription(const BodyDescription&) = delete;
   BodyDescription& operator=(const BodyDescription&) = delete;

@@ -99,7 +99,7 @@ void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item 
 
 void FittingInputs::join(Assembler::FrameSet instant) {
   if (!instant.present[kHull]) {
-    status_->count("instants without a hull");
+    status_->count("frame sets without a hull");
     return;
   }
   FittingMessages input;
@@ -117,7 +117,7 @@ void FittingInputs::dispatchReady() {
   pending_.release([this](const FittingMessages& input) { return waitsForMasks(input); },
                    [this](FittingMessages input) {
                      if (needs_.masks) addViews(&input);
-                     input.error = grid_ ? prepareRig() : "no hull/grid has come yet";
+                     input.error = grid_ ? prepareRig() : "no hull/grid has been received yet";
                      input.rig = rig_;
                      sink_(std::move(input));
                    });
@@ -140,7 +140,7 @@ void FittingInputs::addViews(FittingMessages* input) {
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
     input->masks.push_back(masks_.take(i, stamp_ns, stampTolerance()));
     const sensor_msgs::ImageConstPtr& mask = input->masks.back();
-    if (!mask) status_->count("instants without the silhouette of " + options_.cameras[i]);
+    if (!mask) status_->count("frame sets without the silhouette of " + options_.cameras[i]);
     if (needs_.images)
       input->images.push_back(mask ? images_.take(i, nanosecondsOf(mask->header.stamp))
                                    : CameraImage());
@@ -159,9 +159,9 @@ std::string FittingInputs::prepareRig() {
 
 void FittingInputs::reportCounts() {
   const AssemblerCounts& counts = assembler_.counts();
-  status_->set("instants", counts.complete + counts.incomplete);
-  status_->set("incomplete instants", counts.incomplete);
-  status_->set("abandoned instants", counts.abandoned + counts.overflow);
+  status_->set("frame sets", counts.complete + counts.incomplete);
+  status_->set("incomplete frame sets", counts.incomplete);
+  status_->set("abandoned frame sets", counts.abandoned + counts.overflow);
   status_->set("duplicate or late", counts.duplicate + counts.late);
   status_->set("time went back", counts.time_jumps_back);
 }

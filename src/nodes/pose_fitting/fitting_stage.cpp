@@ -21,10 +21,10 @@
 namespace markerless_mocap {
 namespace {
 
-// Instants while one is searched for long, 3 s at 30 a second: worked off in order, as the next
-// pose is found from the last one; a later instant would have to be searched for again. Fewer where
-// an instant holds its images, 10 MB.
-constexpr size_t kMostWaiting = 90, kMostWaitingWithImages = 40;
+// Frame sets that wait during a long search, 3 s at 30 per second. All of them are processed,
+// because each pose depends on the last one; a gap would need another search. Fewer if a frame set
+// contains images (10 MB).
+constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 FittingNeeds needsOf(const std::string& method) {
   return {method != "hsiao", method == "fleischmann"};
@@ -35,17 +35,18 @@ bool isThere(const std::string& file) {
 }
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {
-  PersonResources sources = readPersonResources(
+  PersonResources resources = readPersonResources(
       options.body_id, options.urdf_template, isThere(options.body_file) ? options.body_file : "");
-  sources.in_background = true;
-  return sources;
+  resources.in_background = true;
+  return resources;
 }
 
-/// The body as far as it is known without a camera: whatever the method, that of the skeleton's.
-std::shared_ptr<const TrackedBody> initialBody(const PersonResources& sources,
+/// The body before the rig is known. All methods start with the same one; the Hsiao tracker needs
+/// no rig to make it.
+std::shared_ptr<const TrackedBody> initialBody(const PersonResources& resources,
                                                TrackerOptions options) {
   options.method = "hsiao";
-  return makeBodyTracker({}, sources, options)->body();
+  return makeBodyTracker({}, resources, options)->body();
 }
 
 std::vector<cv::Mat> masksOf(const FittingMessages& input) {
@@ -71,10 +72,10 @@ PoseTree treeOf(const FittingMessages& input) {
   return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
 }
 
-/// Names the stage that said nothing of the instant, as a part of a sentence.
+/// Message part that names the stage without data for this frame set.
 std::string lackOf(const FittingMessages& input) {
   const std::string what = !input.parts || !input.labels ? "body_segmentation" : "pose_tree";
-  return "; what " + what + " says of this instant has not come";
+  return "; " + what + " has sent nothing for this frame set";
 }
 
 }  // namespace
@@ -83,13 +84,13 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
                            const TrackerOptions& options, const FittingNodeOptions& node_options)
     : options_(options),
       node_options_(node_options),
-      sources_(resourcesOf(node_options)),
+      resources_(resourcesOf(node_options)),
       status_(handle, private_handle, "pose fitting"),
       description_(node_options.body_id),
       announcer_(handle, node_options.body_id),
-      queue_(needsOf(options.method).images ? kMostWaitingWithImages : kMostWaiting) {
+      queue_(needsOf(options.method).images ? kMaxWaitingWithImages : kMaxWaiting) {
   node_options_.checkCamerasFor(options_.method);
-  takeOver(initialBody(sources_, options_));
+  takeOver(initialBody(resources_, options_));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
@@ -136,28 +137,28 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
 
 void FittingStage::prepareTracker(const FittingMessages& input) {
   if (tracker_ && input.rig == rig_) return;
-  if (body_->measured) sources_.measured = body_->sizes;
-  tracker_ = makeBodyTracker(*input.rig, sources_, options_);
+  if (body_->shape_estimated) resources_.known_shape = body_->shape;
+  tracker_ = makeBodyTracker(*input.rig, resources_, options_);
   rig_ = input.rig;
 }
 
 void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
-  const bool newly_measured = body->measured && !sources_.measured;
+  const bool newly_measured = body->shape_estimated && !resources_.known_shape;
   announcer_.announce(false, ros::Time::now());
   body_ = body;
   filter_ = makePoseFilter(body_->model, options_.filter);
   description_.set(*body_);
   if (!newly_measured) return;
   ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
-           statureOf(body_->sizes));
-  sources_.measured = body_->sizes;
+           statureOf(body_->shape));
+  resources_.known_shape = body_->shape;
   saveBody();
 }
 
 void FittingStage::saveBody() {
   if (node_options_.body_file.empty()) return;
   try {
-    writeBodyFile(node_options_.body_file, body_->sizes);
+    writeBodyFile(node_options_.body_file, body_->shape);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("pose fitting: " << error.what());
   }
@@ -171,7 +172,7 @@ void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) 
   if (tracked) {
     joint_states_.publish(jointStateFromPose(model, pose, header));
     broadcaster_.sendTransform(linkTransforms(model, pose, header));
-    status_.good(pose.reason.empty() ? "the pose is followed" : pose.reason);
+    status_.ok(pose.reason.empty() ? "the person is tracked" : pose.reason);
   } else {
     status_.problem(pose.reason);
   }
@@ -184,7 +185,7 @@ void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {
   fitting_times_.add(fitting);
   status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
   status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
-  status_.set("instants passed over for newer ones", queue_.droppedCount());
+  status_.set("frame sets dropped for newer ones", queue_.droppedCount());
   if (!ros::Time::isSystemTime()) return;
   latencies_.add((ros::Time::now() - stamp).toSec());
   status_.set("capture to tf, median ms", latencies_.milliseconds(0.5));

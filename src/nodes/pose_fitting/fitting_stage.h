@@ -20,12 +20,12 @@
 
 namespace markerless_mocap {
 
-/// Follows the person, in a thread of its own so that messages are never kept waiting, and
-/// publishes the pose (raw on `pose`, filtered as tf, joint_states and markers) and the body.
+/// Tracks the person and publishes the body and its pose: raw on `pose`, filtered as tf,
+/// joint_states and markers. It works in a thread of its own, so that callbacks do not wait.
 class FittingStage {
  public:
-  /// Throws std::invalid_argument or std::runtime_error as readPersonResources(),
-  /// makeBodyTracker() and FittingNodeOptions::checkCamerasFor().
+  /// Throws std::invalid_argument or std::runtime_error as readPersonResources(), makeBodyTracker()
+  /// and FittingNodeOptions::checkCamerasFor().
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const TrackerOptions& options, const FittingNodeOptions& node_options);
   ~FittingStage();
@@ -35,9 +35,9 @@ class FittingStage {
  private:
   void work();
   BodyPose fit(const FittingMessages& input);
-  /// Makes the tracker anew if the rig is another one. What has been measured is kept.
+  /// Makes a new tracker if the rig has changed. An estimated shape is kept.
   void prepareTracker(const FittingMessages& input);
-  /// Takes the body back that was announced, and publishes the description of the new one.
+  /// Withdraws the announcement of the old body and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
   void publish(const BodyPose& raw, const std_msgs::Header& header);
@@ -45,16 +45,16 @@ class FittingStage {
 
   TrackerOptions options_;
   FittingNodeOptions node_options_;
-  PersonResources sources_;
+  PersonResources resources_;
   StageStatus status_;
   ros::Publisher joint_states_, pose_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;
   BodyDescription description_;
   BodyAnnouncer announcer_;
   std::shared_ptr<const TrackedBody> body_;
-  std::optional<PoseFilter> filter_;      ///< of body_
-  std::shared_ptr<const CameraRig> rig_;  ///< of the tracker
-  std::unique_ptr<BodyTracker> tracker_;  ///< none until the rig is known
+  std::optional<PoseFilter> filter_;      ///< for body_
+  std::shared_ptr<const CameraRig> rig_;  ///< of tracker_
+  std::unique_ptr<BodyTracker> tracker_;  ///< null until the rig is known
   LatencyMeter fitting_times_, latencies_;
   CatchUpQueue<FittingMessages> queue_;
   std::unique_ptr<FittingInputs> inputs_;

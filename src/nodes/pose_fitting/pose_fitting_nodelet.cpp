@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// Silhouettes, `hull/points`, `segmentation/parts` and `pose_tree` of one instant -> joint states,
+/// Silhouettes, `hull/points`, `segmentation/parts` and `pose_tree` of one time -> joint states,
 /// tf, `pose`, `pose/body`.
 class PoseFittingNodelet : public nodelet::Nodelet {
  private:

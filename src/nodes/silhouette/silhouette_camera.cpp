@@ -13,7 +13,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 16;  // images that come while all cameras' backgrounds are worked out
+constexpr uint32_t kQueue = 16;  // images that wait while all cameras compute their backgrounds
 
 AssemblerOptions singleStream() {
   AssemblerOptions options;
@@ -42,9 +42,9 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const uint64_t jumps = order_.counts().time_jumps_back;
-  const auto instants = order_.add(0, nanosecondsOf(image.header().stamp), image);
+  const auto frame_sets = order_.add(0, nanosecondsOf(image.header().stamp), image);
   if (order_.counts().time_jumps_back != jumps) extractor_.reset();
-  for (const auto& instant : instants) process(instant.items[0]);
+  for (const auto& frame_set : frame_sets) process(frame_set.items[0]);
   status_.set("images", order_.counts().complete);
   status_.set("duplicate", order_.counts().duplicate);
   status_.set("late", order_.counts().late);
@@ -58,23 +58,23 @@ void SilhouetteCamera::process(const CameraImage& image) {
       publishSilhouette(image);
     else
       publishMask(image.mat(), image);
-  } catch (const std::exception& error) {  // the core's sentences and OpenCV's own
+  } catch (const std::exception& error) {  // errors of the core and of OpenCV
     status_.problem(camera_ + ": " + error.what());
   }
 }
 
 void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image) {
   if (mask.type() != CV_8UC1)
-    throw std::invalid_argument("the image is no mask, allowed is one channel");
+    throw std::invalid_argument("the image is not a mask, allowed is one channel");
   publishShared(publisher_, messageFromMat(mask > 0, image.header()));
-  status_.good("masks are published");
+  status_.ok("masks are published");
 }
 
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   const SilhouetteResult silhouette = extractor_.update(image.mat());
   if (silhouette.state == SilhouetteState::kLearning) {
-    status_.good("learning the background, " + std::to_string(extractor_.framesLearned()) +
-                 " images so far");
+    status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
+               " images so far");
     return;
   }
   publishShared(publisher_, messageFromMat(silhouette.mask, image.header()));
@@ -87,7 +87,7 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
                     " % of the image differ from it, the light is " + std::to_string(light) +
                     " % of what it was; masks are published, call learn_background");
   else
-    status_.good("ready, masks are published");
+    status_.ok("ready, masks are published");
 }
 
 void SilhouetteCamera::learnBackground() {
@@ -118,7 +118,7 @@ std::string SilhouetteCamera::backgroundFile() const {
 
 void SilhouetteCamera::checkInput() const {
   if (node_options_.input != "image")
-    throw std::invalid_argument("the images are masks already, they have no background");
+    throw std::invalid_argument("the input consists of masks, which have no background");
 }
 
 }  // namespace markerless_mocap

@@ -12,14 +12,14 @@
 
 namespace markerless_mocap {
 
-/// One camera's images in, its masks out.
+/// Silhouette extraction of one camera: images in, masks out.
 class SilhouetteCamera {
  public:
   SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                    const std::string& camera, const SilhouetteOptions& options,
                    const SilhouetteNodeOptions& node_options);
 
-  /// Both throw std::invalid_argument with the reason why not.
+  /// Both throw std::invalid_argument with the reason if they fail.
   void learnBackground();
   void saveBackground();
 
@@ -34,9 +34,10 @@ class SilhouetteCamera {
 
   std::string camera_;
   SilhouetteNodeOptions node_options_;
-  std::mutex mutex_;  ///< of the extractor: services come beside images
+  std::mutex mutex_;  ///< protects the extractor: services run in parallel with images
   SilhouetteExtractor extractor_;
-  FrameSetAssembler<CameraImage> order_;  ///< one stream: drops duplicates, late and wild stamps
+  FrameSetAssembler<CameraImage> order_;  ///< one stream: drops duplicate, late and implausible
+                                          ///< stamps
   StageStatus status_;
   ros::Publisher publisher_;
   StageInputs inputs_;

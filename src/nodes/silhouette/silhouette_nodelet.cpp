@@ -14,8 +14,8 @@
 
 namespace markerless_mocap {
 
-/// `<camera>/image_raw` -> `<camera>/silhouette` for each listed camera, cameras side by side.
-/// Services, of all its cameras: `~learn_background`, `~save_background`.
+/// `<camera>/image_raw` -> `<camera>/silhouette` for each listed camera; the cameras run in
+/// parallel. Services for all its cameras: `~learn_background`, `~save_background`.
 class SilhouetteNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -36,7 +36,8 @@ class SilhouetteNodelet : public nodelet::Nodelet {
                       "saved in " + node_options.background_folder);
   }
 
-  /// A service that does one thing for each camera; the first that cannot ends it with the reason.
+  /// Advertises a service that calls `act` for each camera. The first failure ends it with the
+  /// reason.
   ros::ServiceServer advertise(const std::string& name, void (SilhouetteCamera::*act)(),
                                const std::string& done) {
     using Response = std_srvs::Trigger::Response;

@@ -79,18 +79,18 @@ bool StudioStage::isAwaited() const {
 
 void StudioStage::tick() {
   if (next_ == 0 && !isAwaited()) {
-    status_.waiting("the film starts when the silhouette of every camera is advertised");
+    status_.waiting("waiting until the silhouettes of all cameras are advertised");
     return;
   }
-  const StudioFrameSet instant = studio_.render(next_++);
+  const StudioFrameSet frame_set = studio_.render(next_++);
   const ros::Time stamp =
-      node_options_.clock ? rosTime(kClockStart + instant.time_ns) : ros::Time::now();
-  publish(instant, stamp);
-  status_.count("instants");
-  status_.good(instant.person ? "the person is in the room" : "the room is empty");
+      node_options_.clock ? rosTime(kClockStart + frame_set.time_ns) : ros::Time::now();
+  publish(frame_set, stamp);
+  status_.count("frame sets");
+  status_.ok(frame_set.person ? "the person is in the room" : "the room is empty");
 }
 
-void StudioStage::publish(const StudioFrameSet& instant, const ros::Time& stamp) {
+void StudioStage::publish(const StudioFrameSet& frame_set, const ros::Time& stamp) {
   if (node_options_.clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = stamp;
@@ -100,30 +100,30 @@ void StudioStage::publish(const StudioFrameSet& instant, const ros::Time& stamp)
   header.stamp = stamp;
   for (size_t i = 0; i < images_.size(); ++i) {
     header.frame_id = opticalFrame(studio_.rig()[i].name());
-    publishCamera(i, instant, header);
+    publishCamera(i, frame_set, header);
   }
   header.frame_id = node_options_.world_frame;
-  if (instant.person) publishTruth(instant, header);
+  if (frame_set.person) publishTruth(frame_set, header);
 }
 
-void StudioStage::publishCamera(size_t i, const StudioFrameSet& instant,
+void StudioStage::publishCamera(size_t i, const StudioFrameSet& frame_set,
                                 const std_msgs::Header& header) {
   if (masks_[i].getNumSubscribers() > 0)
-    publishShared(masks_[i], messageFromMat(instant.masks[i], header));
-  if (instant.images[i].empty()) return;
+    publishShared(masks_[i], messageFromMat(frame_set.masks[i], header));
+  if (frame_set.images[i].empty()) return;
   sensor_msgs::CameraInfo info = messageFromCalibration(studio_.rig()[i].calibration());
   info.header = header;
   infos_[i].publish(info);
-  publishShared(images_[i], messageFromMat(instant.images[i], header));
+  publishShared(images_[i], messageFromMat(frame_set.images[i], header));
 }
 
-void StudioStage::publishTruth(const StudioFrameSet& instant, const std_msgs::Header& header) {
-  joints_.publish(messageFromPoints(groundTruthNames(), instant.points, header));
-  joint_states_.publish(messageFromAngles(studio_.body(), instant.body.angles, header));
+void StudioStage::publishTruth(const StudioFrameSet& frame_set, const std_msgs::Header& header) {
+  joints_.publish(messageFromPoints(groundTruthNames(), frame_set.points, header));
+  joint_states_.publish(messageFromAngles(studio_.body(), frame_set.body.angles, header));
   BodyPose pose;
   pose.status = PoseStatus::kTracked;
-  pose.T_world_body = instant.body.T_world_body;
-  pose.angles = instant.body.angles;
+  pose.T_world_body = frame_set.body.T_world_body;
+  pose.angles = frame_set.body.angles;
   pose.part_seen.fill(true);
   broadcaster_.sendTransform(linkTransforms(studio_.body(), pose, header));
 }

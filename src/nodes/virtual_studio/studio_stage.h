@@ -13,8 +13,8 @@
 
 namespace markerless_mocap {
 
-/// Publishes the studio's film, an instant per tick, and the truth beside it. A machine too slow
-/// for the frame rate sees the film in slow motion.
+/// Publishes the frame sets of the virtual studio and their ground truth, one per tick. If the
+/// machine is too slow for the frame rate, time in the studio passes more slowly.
 class StudioStage {
  public:
   StudioStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -25,9 +25,10 @@ class StudioStage {
   void publishRig();
   bool isAwaited() const;
   void tick();
-  void publish(const StudioFrameSet& instant, const ros::Time& stamp);
-  void publishCamera(size_t camera, const StudioFrameSet& instant, const std_msgs::Header& header);
-  void publishTruth(const StudioFrameSet& instant, const std_msgs::Header& header);
+  void publish(const StudioFrameSet& frame_set, const ros::Time& stamp);
+  void publishCamera(size_t camera, const StudioFrameSet& frame_set,
+                     const std_msgs::Header& header);
+  void publishTruth(const StudioFrameSet& frame_set, const std_msgs::Header& header);
 
   ros::NodeHandle handle_;
   StudioNodeOptions node_options_;

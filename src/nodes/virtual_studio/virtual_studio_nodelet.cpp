@@ -9,8 +9,8 @@
 
 namespace markerless_mocap {
 
-/// A film of a rendered person: images, camera_info, tf, `ground_truth/joints`, `joint_states` and
-/// `<camera>/silhouette`.
+/// Rendered images of a moving person with ground truth: images, camera_info, tf,
+/// `ground_truth/joints`, `joint_states` and `<camera>/silhouette`.
 class VirtualStudioNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

@@ -56,7 +56,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
-  if (!rig_.remark().empty()) ROS_WARN_STREAM("visual hull: " << rig_.remark());
+  if (!rig_.unusedCameras().empty()) ROS_WARN_STREAM("visual hull: " << rig_.unusedCameras());
   if (rig_.isFromFile()) prepareBeforehand(ros::Time());
   subscribe();
 }
@@ -143,11 +143,11 @@ void HullStage::process(const Assembler::FrameSet& instant) {
 
 void HullStage::reportHull(const VisualHull& hull) {
   for (const LeftOutCamera& camera : hull.cameras_left_out)
-    status_.count("instants without camera " + camera.name);
+    status_.count("frame sets without camera " + camera.name);
   if (hull.status != HullStatus::kOk)
     status_.problem(hull.reason);
   else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost)
-    status_.good(sentenceOn(hull));
+    status_.ok(sentenceOn(hull));
   else
     status_.waiting(sentenceOn(hull));
 }
@@ -179,7 +179,7 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant,
                                          const std::vector<CameraImage>& images) const {
   const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
   if (present < node_options_.requiredCameras())
-    throw std::invalid_argument("the instant has the masks of " + std::to_string(present) + " of " +
+    throw std::invalid_argument("the frame set has the masks of " + std::to_string(present) + " of " +
                                 std::to_string(instant.items.size()) + " cameras, needed are " +
                                 std::to_string(node_options_.requiredCameras()) +
                                 " within the deadline");
@@ -194,13 +194,13 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant,
 
 void HullStage::reportCounts() {
   const AssemblerCounts& counts = assembler_.counts();
-  status_.set("complete instants", counts.complete);
-  status_.set("incomplete instants", counts.incomplete);
-  status_.set("abandoned instants", counts.abandoned);
+  status_.set("complete frame sets", counts.complete);
+  status_.set("incomplete frame sets", counts.incomplete);
+  status_.set("abandoned frame sets", counts.abandoned);
   status_.set("duplicate masks", counts.duplicate);
   status_.set("late masks", counts.late);
   status_.set("masks far in the future", counts.far_future);
-  status_.set("instants dropped from a full queue", counts.overflow);
+  status_.set("frame sets dropped from a full queue", counts.overflow);
   status_.set("time went back", counts.time_jumps_back);
 }
 

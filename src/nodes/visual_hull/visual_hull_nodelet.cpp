@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// `<camera>/silhouette` of one instant -> `hull/points`, `hull/grid`.
+/// `<camera>/silhouette` of one time -> `hull/points`, `hull/grid`.
 class VisualHullNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

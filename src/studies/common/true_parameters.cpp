@@ -6,16 +6,16 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kRate = 60.0;  // frames per second of the statistics
-constexpr int kSmallest = 16;   // pixels: nobody looks at the images
+constexpr int kImageSize = 16;  // pixels; the images are not used
 
 }  // namespace
 
-TrueParameters::TrueParameters(const BodyModel& model) : model_(model), profile_(model) {}
+TrueParameters::TrueParameters(const BodyModel& model) : model_(model), body_model_(model) {}
 
 const FleischmannVector& TrueParameters::follow(const BodyState& body) {
   LinkPoses links;
   model_.forwardKinematics(body.T_world_body, body.angles, links);
-  last_ = profile_.parametersOf(links, last_);
+  last_ = body_model_.parametersOf(links, last_);
   return last_;
 }
 
@@ -24,7 +24,7 @@ FleischmannMotionStatistics statisticsOf(const std::vector<std::string>& motions
   if (motions.empty()) throw std::invalid_argument("statistics need at least one motion");
   studio.fps = kRate;
   studio.background_frames = 0;
-  studio.width = studio.height = kSmallest;
+  studio.width = studio.height = kImageSize;
   studio.rig = "ring4";
   FleischmannMotionStatistics statistics;
   for (const std::string& motion : motions) {

@@ -6,24 +6,24 @@
 
 namespace markerless_mocap {
 
-/// F's parameters of the person in a studio, instant by instant.
+/// Fleischmann's parameters of the person in a virtual studio, frame by frame.
 class TrueParameters {
  public:
   /// Throws as FleischmannBodyModel.
   explicit TrueParameters(const BodyModel& model);
-  /// Parameters of the driven body, continuous from call to call.
+  /// Parameters of the body, continuous from call to call.
   const FleischmannVector& follow(const BodyState& body);
-  const FleischmannBodyModel& profile() const { return profile_; }
+  const FleischmannBodyModel& bodyModel() const { return body_model_; }
 
  private:
   const BodyModel& model_;
-  FleischmannBodyModel profile_;
+  FleischmannBodyModel body_model_;
   FleischmannVector last_ = FleischmannVector::Zero();
 };
 
-/// Motion statistics of people of the studio who do these motions, each once through at 60 frames
-/// a second. Throws as VirtualStudio, or std::invalid_argument without motions.
-/// \param studio whose motion, rate, rig and image size are replaced
+/// Motion statistics of people in the studio who perform these motions once, at 60 frames per
+/// second. Throws as VirtualStudio, and std::invalid_argument without motions.
+/// \param studio options; motion, rate, rig and image size are replaced
 FleischmannMotionStatistics statisticsOf(const std::vector<std::string>& motions,
                                          StudioOptions studio, const StudioFiles& files);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMargin = 24, kTitle = 26;  // pixels
 const cv::Scalar kInk(40, 40, 40), kPaper(255, 255, 255);
 
-/// The place of (right, up) in a panel that shows a box.
+/// Maps (right, up) to pixels of a panel that shows a box.
 class Frame {
  public:
   Frame(const Eigen::Vector2d& low, const Eigen::Vector2d& high) : middle_(0.5 * (low + high)) {

@@ -71,7 +71,7 @@ std::string drawPlane(const std::string& folder, const Variant& variant) {
                 std::string("branches, ") + variant.name}));
 }
 
-/// Voxels seen along a level axis (0: x, 1: y), the nearest last.
+/// Voxels in a horizontal view along an axis (0: x, 1: y), the nearest on top.
 cv::Mat drawVoxels(const VoxelGraph& voxels, const std::vector<int>& branch, int along) {
   std::vector<size_t> order(voxels.centers.size());
   std::iota(order.begin(), order.end(), size_t(0));
@@ -95,7 +95,7 @@ cv::Mat drawHull(const VoxelGraph& voxels, const Eigenmap& map, const std::vecto
                   {"dimensions 1-3", "dimensions 4-6", name + ", along x", "along y"});
 }
 
-/// What is drawn of an instant, kept to turn the next one's eigenmap alike.
+/// Data of one hull, used to align the eigenmap of the next one.
 struct Embedded {
   VoxelGraph voxels;
   Eigenmap map;
@@ -109,7 +109,7 @@ Embedded embed(const VisualHull& hull, const Variant& variant,
   return now;
 }
 
-/// Parts of the merge tree, the torso 0.
+/// Parts of the merge tree; the torso is 0.
 std::vector<int> mergeTreeParts(const VisualHull& hull, const VoxelGraph& voxels) {
   const BodyParts parts = BodySegmenter(SegmentationOptions()).segment(hull);
   std::vector<int> part;

@@ -6,13 +6,14 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kReach = 2;                            // pixels along each axis
-constexpr int kNeighbors = 24;                       // of a pixel inside
-constexpr double kThreshold = 60.0, kUnlike = -0.9;  // thd and h of Eq. 3-14; k d + l falls from 1
+constexpr int kReach = 2;       // pixels along each axis
+constexpr int kNeighbors = 24;  // of an interior pixel
+constexpr double kThreshold = 60.0,
+                 kDissimilar = -0.9;  // thd and h of Eq. 3-14; k d + l falls from 1
 
 double colorWeight(const cv::Vec3b& a, const cv::Vec3b& b) {
   const double d = cv::norm(cv::Vec3d(a) - cv::Vec3d(b));
-  return d < kThreshold ? 1.0 - d / kThreshold : kUnlike;
+  return d < kThreshold ? 1.0 - d / kThreshold : kDissimilar;
 }
 
 }  // namespace

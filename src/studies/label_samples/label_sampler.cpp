@@ -13,9 +13,11 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kReach = 0.15, kHeadReach = 0.25;  // metres, as labels are judged
+constexpr double kReach = 0.15, kHeadReach = 0.25;  // metres; the same tolerances as in the
+                                                    // evaluation of labels
 
-/// Which true ends a skeleton's end is at, by its own place or where it leaves the hull.
+/// The true extremities near an end of the skeleton, by its own position or by the point where it
+/// leaves the hull.
 int trueEndsAt(const ExtremityCandidate& end, const Eigen::Matrix3Xd& truth) {
   int ends = 0;
   for (const Eigen::Vector3d& p :

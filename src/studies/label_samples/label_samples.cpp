@@ -17,25 +17,25 @@ namespace {
 constexpr int kBackgroundFrames = 12;
 constexpr int kCutEvery = 10;  // frames
 
-StudioOptions optionsOf(const LabelSampleOptions& film) {
-  if (film.frames < 1) throw std::invalid_argument("frames must be at least 1");
-  StudioOptions options = film.studio;
-  options.background_frames = film.silhouettes ? kBackgroundFrames : 0;
+StudioOptions optionsOf(const LabelSampleOptions& options) {
+  if (options.frames < 1) throw std::invalid_argument("frames must be at least 1");
+  StudioOptions options = options.studio;
+  options.background_frames = options.silhouettes ? kBackgroundFrames : 0;
   return options;
 }
 
-/// A volume for the whole stage.
-HullOptions hullOptions(const LabelSampleOptions& film) {
+/// Options of a hull that covers the whole volume of the studio.
+HullOptions hullOptions(const LabelSampleOptions& options) {
   HullOptions options;
-  options.pitch = film.pitch;
+  options.pitch = options.pitch;
   options.volume_min = {-1.9375, -1.9375, 0};
   options.volume_max = {1.9375, 1.9375, 2.4375};
-  if (film.studio.degradations.mask_damage > 0.0 && !film.silhouettes)
+  if (options.studio.degradations.mask_damage > 0.0 && !options.silhouettes)
     options.missing_votes_allowed = 1;
   return options;
 }
 
-/// The silhouettes of one instant after another.
+/// The silhouettes of successive frame sets.
 class Masks {
  public:
   Masks(const VirtualStudio& studio, bool extracted) : studio_(studio) {
@@ -63,16 +63,16 @@ class Masks {
 
 }  // namespace
 
-void writeLabelSamples(const LabelSampleOptions& film, std::ostream* out) {
-  const VirtualStudio studio(optionsOf(film), film.files, "truth");
-  HullCarver carver(studio.rig(), hullOptions(film));
-  Masks masks(studio, film.silhouettes);
+void writeLabelSamples(const LabelSampleOptions& options, std::ostream* out) {
+  const VirtualStudio studio(optionsOf(options), options.files, "truth");
+  HullCarver carver(studio.rig(), hullOptions(options));
+  Masks masks(studio, options.silhouettes);
   LabelSampleWriter sampler(groundTruthNames(), out);
-  std::mt19937 random(uint32_t(film.studio.seed));
+  std::mt19937 random(uint32_t(options.studio.seed));
   const int begin = studio.options().background_frames, all = studio.frameSetCount() - begin;
-  const int count = std::min(film.frames, all);
+  const int count = std::min(options.frames, all);
   for (int i = 0; i < count; ++i) {
-    if (film.interrupted()) throw std::runtime_error("interrupted");
+    if (options.interrupted()) throw std::runtime_error("interrupted");
     const StudioFrameSet frame_set = studio.render(begin + int((i + 0.5) * all / count));
     const VisualHull hull = carver.carve(masks.of(frame_set));
     sampler.add(hull, frame_set.points, false);

@@ -7,19 +7,19 @@
 
 namespace markerless_mocap {
 
-/// What of a motion becomes samples (LabelSampleWriter), and how.
+/// Options for samples from a motion (LabelSampleWriter).
 struct LabelSampleOptions {
   StudioOptions studio;
   StudioFiles files;
-  double pitch = 2.0 / 128.0;  ///< of the hulls, metres
-  int frames = 36;             ///< spread evenly over the motion
-  bool silhouettes = false;    ///< from the images; otherwise the studio's own
-  std::function<bool()> interrupted = [] { return false; };  ///< asked at every frame
+  double pitch = 2.0 / 128.0;  ///< of the hulls, metres per voxel
+  int frames = 36;             ///< distributed evenly over the motion
+  bool silhouettes = false;    ///< extract silhouettes from the images; false: exact masks
+  std::function<bool()> interrupted = [] { return false; };  ///< called for every frame
 };
 
-/// Films, carves and writes; after every tenth frame the same with a limb cut off (withLimbCut()),
-/// as where silhouettes lose one. Throws as VirtualStudio and on options out of range, and when
-/// interrupted.
-void writeLabelSamples(const LabelSampleOptions& film, std::ostream* out);
+/// Renders, carves and writes samples. After every tenth frame it writes a second sample in which a
+/// limb is cut off (withLimbCut()), as in damaged silhouettes. Throws as VirtualStudio, on options
+/// out of range, and if interrupted.
+void writeLabelSamples(const LabelSampleOptions& options, std::ostream* out);
 
 }  // namespace markerless_mocap

@@ -28,9 +28,11 @@ void describe(CLI::App& app, Arguments* arguments) {
                  "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE of the section virtual_studio, may be given repeatedly");
-  app.add_option("--pitch", film.pitch, "of the hulls, metres")->capture_default_str();
-  app.add_option("--frames", film.frames, "spread evenly over the motion")->capture_default_str();
-  app.add_flag("--silhouettes", film.silhouettes, "from the images, not the studio's own");
+  app.add_option("--pitch", film.pitch, "of the hulls, metres per voxel")->capture_default_str();
+  app.add_option("--frames", film.frames, "number of frames, distributed evenly over the motion")
+      ->capture_default_str();
+  app.add_flag("--silhouettes", film.silhouettes,
+               "extract silhouettes from the images; default: exact masks");
 }
 
 void run(Arguments* arguments) {
@@ -53,8 +55,9 @@ void run(Arguments* arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Films a virtual person as samples that the pose tree's models are fitted to.",
-               "label_samples");
+  CLI::App app(
+      "Renders a virtual person and writes training samples for the models of the pose tree.",
+      "label_samples");
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);

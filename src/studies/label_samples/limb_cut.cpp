@@ -8,7 +8,7 @@ namespace markerless_mocap {
 namespace {
 
 struct Limb {
-  double fraction;  ///< of the cuts, cumulated
+  double fraction;  ///< cumulative probability
   std::array<const char*, 3> path;
   double radius;  ///< metres
 };
@@ -25,7 +25,7 @@ double distanceTo(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   return (a + std::clamp(along, 0.0, 1.0) * step - p).norm();
 }
 
-/// The voxels of the largest component over the six neighbours of each.
+/// The voxels of the largest 6-connected component.
 std::vector<HullVoxel> largestComponent(const VisualHull& hull) {
   std::unordered_map<uint32_t, int> component;
   for (const HullVoxel& voxel : hull.voxels) component[voxel.index] = -1;

@@ -9,9 +9,11 @@
 
 namespace markerless_mocap {
 
-/// What is left of a hull when silhouettes have lost a limb from somewhere on: in seven of ten
-/// cases an arm between elbow and fingers, else a leg below the knee or the head. The largest
-/// component. \param names of the true points, groundTruthNames() \param points world metres
+/// A hull as after the loss of a limb in the silhouettes: in seven of ten cases an arm between
+/// elbow and fingers is cut off, else a leg below the knee or the head. Returns the largest
+/// component.
+/// \param names of the true points, groundTruthNames()
+/// \param points one per name, in the world, metres
 VisualHull withLimbCut(const VisualHull& hull, const std::vector<std::string>& names,
                        const std::vector<Eigen::Vector3d>& points, std::mt19937* random);
 

@@ -11,13 +11,13 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kSecondsBetween = 0.5;  // instants of a motion
+constexpr double kSecondsBetween = 0.5;  // between the frames of a motion
 
-// To begin with, sizes may be anywhere near the hand-made ones: shares of the size, and of the
+// Prior standard deviations around the hand-made shape: fractions of the parameter, and of the
 // stature for offsets.
-constexpr double kLengthFreedom = 0.3, kRadiusFreedom = 0.4, kOffsetFreedom = 0.02;
+constexpr double kLengthDeviation = 0.3, kRadiusDeviation = 0.4, kOffsetDeviation = 0.02;
 
-/// The n-th of numbers that fill 0 to 1 evenly (van der Corput).
+/// The n-th number of a sequence that is evenly distributed over 0 to 1 (van der Corput).
 double evenly(int n, int base) {
   double value = 0.0, fraction = 1.0;
   for (; n > 0; n /= base) {
@@ -39,7 +39,7 @@ StudioOptions filmOf(const LearnOptions& options, int person, const std::string&
   return studio;
 }
 
-/// contourPointNames() among the truth's.
+/// The contourPointNames() of the ground truth.
 Eigen::Matrix3Xd knownPoints(const std::vector<Eigen::Vector3d>& truth) {
   const std::vector<std::string>&wanted = contourPointNames(), &given = groundTruthNames();
   Eigen::Matrix3Xd points(3, Eigen::Index(wanted.size()));
@@ -65,21 +65,22 @@ void addFrameSets(const VirtualStudio& studio, const LearnOptions& options,
 
 ShapePrior freePrior(double stature) {
   ShapePrior prior;
-  prior.people = ShapeStatistics::handMade();
+  prior.shape_statistics = ShapeStatistics::handMade();
   prior.stature = stature;
-  prior.deviation = 1e-4;  // it is known
-  ShapeParameters& deviation = prior.people.deviation;
+  prior.deviation = 1e-4;  // the true stature is known
+  ShapeParameters& deviation = prior.shape_statistics.deviation;
   for (int i = 0; i < kShapeParameterCount; ++i)
-    deviation[i] = isOffset(i) ? kOffsetFreedom
-                               : prior.people.mean[i] *
-                                     (i < ContourLength::kCount ? kLengthFreedom : kRadiusFreedom);
+    deviation[i] = isOffset(i)
+                       ? kOffsetDeviation
+                       : prior.shape_statistics.mean[i] *
+                             (i < ContourLength::kCount ? kLengthDeviation : kRadiusDeviation);
   for (const int kind : {ContourCone::kNeck, ContourCone::kHead})
     for (int end = 0; end < 2; ++end) deviation[offsetIndex(kind, end) + 1] = 0.0;
   return prior;
 }
 
 double jointError(const ShapeEstimate& estimate, const std::vector<ShapeSample>& frame_sets) {
-  const ContourBody body(estimate.sizes);
+  const ContourBody body(estimate.shape);
   double sum = 0.0;
   for (size_t i = 0; i < frame_sets.size(); ++i)
     sum += (body.points(estimate.poses[i]) - frame_sets[i].known_points)
@@ -105,9 +106,9 @@ CharacterOptions exampleOf(int person) {
 
 ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* notes) {
   if (options.people < 1 || options.frame_sets < 1 || options.motions.empty())
-    throw std::invalid_argument("at least one person, one motion and one instant are needed");
+    throw std::invalid_argument("at least one person, one motion and one frame are needed");
   const ContourOptions contour;
-  std::vector<ShapeParameters> sizes;
+  std::vector<ShapeParameters> shape;
   std::vector<double> statures;
   for (int person = 0; person < options.people; ++person) {
     std::vector<ShapeSample> frame_sets;
@@ -120,15 +121,15 @@ ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* note
     }
     statures.push_back(exampleOf(person).stature);
     const ShapePrior prior = freePrior(statures.back());
-    const ShapeEstimate estimate =
-        estimateShape(rig, contour, prior, prior.people.sizes(prior.stature), frame_sets, {});
-    sizes.push_back(estimate.sizes);
+    const ShapeEstimate estimate = estimateShape(
+        rig, contour, prior, prior.shape_statistics.meanShape(prior.stature), frame_sets, {});
+    shape.push_back(estimate.shape);
     if (notes)
       *notes << "person " << person + 1 << " of " << options.people << ": joints within "
              << std::fixed << std::setprecision(1) << 1e3 * jointError(estimate, frame_sets)
              << " mm on average\n";
   }
-  return ShapeStatistics::fromPeople(sizes, statures);
+  return ShapeStatistics::fromPeople(shape, statures);
 }
 
 }  // namespace markerless_mocap

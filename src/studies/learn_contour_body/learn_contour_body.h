@@ -10,22 +10,22 @@
 
 namespace markerless_mocap {
 
-/// Whom to learn from.
+/// Options of the learning.
 struct LearnOptions {
-  int people = 16;      ///< of the virtual studio: all sizes, builds and clothes
-  int frame_sets = 16;  ///< of each motion
+  int people = 16;      ///< people of the virtual studio, of different stature, build and clothes
+  int frame_sets = 16;  ///< frames per motion
   std::vector<std::string> motions = {"melee", "lift_drop"};
   StudioFiles files;
-  std::function<bool()> interrupted = [] { return false; };  ///< asked before every person
+  std::function<bool()> interrupted = [] { return false; };  ///< called before every person
 };
 
-/// The n-th person: statures, builds and clothes are spread evenly, whatever the number of people.
+/// The n-th person: statures, builds and clothes are evenly distributed for any number of people.
 CharacterOptions exampleOf(int person);
 
-/// Films people of the virtual studio, fits the contour body to their exact masks and true joints,
-/// and takes the mean. Same options, same template. Throws as VirtualStudio, on fewer than one
-/// person or instant, and when interrupted. \param notes where each person's fit is told; nullptr:
-/// nowhere
+/// Renders people in the virtual studio, fits the contour body to their exact masks and true
+/// joints, and computes the shape statistics. The same options give the same result. Throws as
+/// VirtualStudio, if there is no person or frame, and if interrupted. \param notes stream for the
+/// result of each person; nullptr: none
 ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* notes);
 
 }  // namespace markerless_mocap

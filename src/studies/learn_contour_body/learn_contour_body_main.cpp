@@ -25,14 +25,14 @@ std::string madeBy(const LearnOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace markerless_mocap;
-  CLI::App app(
-      "Learns the body that silhouettes are fitted with from people of the virtual studio.",
-      "learn_contour_body");
+  CLI::App app("Learns the shape statistics of the contour body from people of the virtual studio.",
+               "learn_contour_body");
   LearnOptions options;
   std::string output;
-  app.add_option("output", output, "template to write; replaced if it exists")->required();
-  app.add_option("--people", options.people, "how many to film")->capture_default_str();
-  app.add_option("--instants", options.frame_sets, "of each motion")->capture_default_str();
+  app.add_option("output", output, "YAML file to write; replaced if it exists")->required();
+  app.add_option("--people", options.people, "number of people")->capture_default_str();
+  app.add_option("--frames", options.frame_sets, "number of frames per motion")
+      ->capture_default_str();
   app.add_option("--motions", options.motions, "names of motions in config/motions")
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

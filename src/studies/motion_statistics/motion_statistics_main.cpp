@@ -30,7 +30,8 @@ void write(const std::string& path, const std::vector<std::string>& motions) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measures how fast people move, for the search by images.", "motion_statistics");
+  CLI::App app("Measures the maximum changes of the parameters of Fleischmann's tracker.",
+               "motion_statistics");
   std::string output;
   std::vector<std::string> motions = {"walk", "stroll_arms_down", "wave_and_walk"};
   app.add_option("output", output, "YAML file to write")->required();

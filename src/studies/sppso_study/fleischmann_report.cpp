@@ -27,8 +27,8 @@ std::string cell(const std::string& text) {
 
 std::string rowsOf(const StudiedTable& studied) {
   std::string out =
-      "<table><tr><th></th><th class=n>runs</th><th class=n>mean D</th><th class=n>largest D</th>"
-      "<th class=n>median run's mean</th><th class=n>median run's largest</th>"
+      "<table><tr><th></th><th class=n>runs</th><th class=n>mean D</th><th class=n>maximum D</th>"
+      "<th class=n>median of means</th><th class=n>median of maxima</th>"
       "<th class=n>legs swapped</th><th class=n>lost frames</th><th class=n>ms per "
       "frame</th></tr>\n";
   for (size_t i = 0; i < studied.results.size(); ++i) {
@@ -48,7 +48,7 @@ std::string rowsOf(const StudiedTable& studied) {
   return out + "</table>\n";
 }
 
-/// Plots need one time axis each: variants of one rate share a graph.
+/// A plot has one time axis, so each contains the variants of one frame rate.
 std::string graphsOf(const StudiedTable& studied) {
   std::string out;
   std::vector<bool> drawn(studied.results.size(), false);
@@ -74,10 +74,10 @@ std::string curvesSection(const StudyReport& report) {
   const std::vector<PlotSeries> lines = {{"silhouette", kColors[0], curves.silhouette},
                                          {"edge", kColors[1], curves.edge},
                                          {"both", kColors[2], curves.total}};
-  return "<h2>6.10 FitnessTerms about the truth</h2>\n<p>Each stretched to 0 to 1, over the "
+  return "<h2>6.10 Fitness around the true pose</h2>\n<p>Each scaled to 0 to 1, over the "
          "angle " +
-         escapeHtml(report.parameter) + "; the truth is in the middle.</p>\n" + plotLegend(lines) +
-         linePlot(degrees, lines, 1.0, "", "&deg;");
+         escapeHtml(report.parameter) + "; the true value is in the middle.</p>\n" +
+         plotLegend(lines) + linePlot(degrees, lines, 1.0, "", "&deg;");
 }
 
 std::string timeSection(const TimeByPart& time) {

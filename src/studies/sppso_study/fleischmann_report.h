@@ -13,20 +13,20 @@ struct StudiedTable {
   std::vector<StudyResult> results;  ///< by variant
 };
 
-/// What a study found.
+/// Results of a study.
 struct StudyReport {
-  std::string about;  ///< one sentence about the film
+  std::string about;  ///< one line of text about the sequence
   std::vector<StudiedTable> tables;
-  std::string parameter;  ///< that the curves vary
+  std::string parameter;  ///< the parameter that varies in the curves
   FitnessCurves curves;
   TimeByPart time;
 };
 
-/// Comma-separated lines, one for each run: table, variant, run, errors in mm, share of frames with
-/// legs swapped, lost frames, ms per frame.
+/// Comma-separated values, one line per run: table, variant, run, errors in mm, fraction of frames
+/// with swapped legs, lost frames, ms per frame.
 std::string studyCsv(const std::vector<StudiedTable>& tables);
 
-/// The page with tables and graphs.
+/// HTML page with tables and plots.
 std::string studyPage(const StudyReport& report);
 
 }  // namespace markerless_mocap

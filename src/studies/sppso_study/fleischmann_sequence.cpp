@@ -10,8 +10,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kMargin = 40;  // pixels kept around the person, more than edges reach
-constexpr int kBatch = 32;   // instants in memory at a time with all their pixels
+constexpr int kMargin = 40;  // pixels around the person, more than the range of edges
+constexpr int kBatch = 32;   // frame sets in memory at full size at the same time
 
 CroppedView croppedView(const cv::Mat& image, const cv::Mat& mask) {
   CroppedView view;

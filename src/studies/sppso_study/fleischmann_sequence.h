@@ -8,34 +8,34 @@
 
 namespace markerless_mocap {
 
-/// A view without what lies far from the person.
+/// A view cropped to the person.
 struct CroppedView {
   cv::Rect part;
-  cv::Mat silhouette, image;  ///< of the part: CV_8UC1 both
+  cv::Mat silhouette, image;  ///< CV_8UC1, cropped to `part`
 };
 
-/// One instant of a film.
+/// One frame of a sequence.
 struct SequenceFrame {
   int64_t stamp_ns = 0;
   std::vector<CroppedView> views;
-  FleischmannVector truth;  ///< parameters of the driven body
+  FleischmannVector truth;  ///< true parameters of the body
 };
 
-/// A person filmed with exact masks, kept in memory.
+/// Rendered images of a person with exact masks, kept in memory.
 struct FleischmannSequence {
   CameraRig rig;
-  std::shared_ptr<const BodyModel> body;  ///< with the person's limb lengths
+  std::shared_ptr<const BodyModel> body;  ///< with the true limb lengths
   double fps = 0.0;
   std::vector<SequenceFrame> frames;
-  JointTrack joints;  ///< the true fifteen of each frame
+  JointTrack joints;  ///< true markerNames() of each frame
 };
 
-/// Films `frames` instants from the first one of the motion. Throws as VirtualStudio.
-/// \param progress called with the number of frames that are done
+/// Renders the first `frames` frames of the motion. Throws as VirtualStudio.
+/// \param progress called with the number of finished frames
 FleischmannSequence filmOf(const StudioOptions& studio, const StudioFiles& files, int frames,
                            const std::function<void(int)>& progress);
 
-/// Whole images again, black where nothing was kept.
+/// The views at full size, black outside the cropped part.
 std::vector<FleischmannView> wholeViews(const FleischmannSequence& film, size_t frame);
 
 }  // namespace markerless_mocap

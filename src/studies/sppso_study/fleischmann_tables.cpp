@@ -3,7 +3,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// The base options changed by `change`.
+/// The base options, modified by `change`.
 template <class Change>
 StudyVariant variant(const std::string& name, const FleischmannOptions& base, double fps, int runs,
                      const Change& change) {
@@ -69,7 +69,7 @@ StudyTable swarmSizes(const FleischmannOptions& base) {
 
 StudyTable fitnessTerms(const FleischmannOptions& base) {
   return {"6.10",
-          "FitnessTerms terms, 20 fps",
+          "Fitness terms, 20 fps",
           {variant("silhouettes and edges", base, 20, 5, asItIs),
            variant("silhouettes alone", base, 20, 5,
                    [](FleischmannOptions& o) { o.use_edges = false; }),
@@ -87,8 +87,8 @@ StudyTable otherStarts(const FleischmannOptions& base) {
     o.sigma_factor = 0.5;
   };
   return {"ours",
-          "A start that is kept among the particles, or goes on with the last change",
-          {variant("20 fps, as the thesis has it", base, 20, 5, asItIs),
+          "The start pose included among the particles, or predicted from the last change",
+          {variant("20 fps, as in the thesis", base, 20, 5, asItIs),
            variant("20 fps, kept start, 0.6 of the spread", base, 20, 5, keeping),
            variant("20 fps, predicted start, half the spread", base, 20, 5, predicting),
            variant("60 fps, kept start, 0.6 of the spread", base, 60, 5, keeping),

@@ -21,10 +21,10 @@ double medianOf(std::vector<double> values) {
   return summaryStatistics(values).median;
 }
 
-Eigen::Matrix3Xd markersOf(const FleischmannBodyModel& profile, const FleischmannVector& v) {
+Eigen::Matrix3Xd markersOf(const FleischmannBodyModel& body_model, const FleischmannVector& v) {
   FleischmannFrames frames;
-  profile.frames(v.data(), frames);
-  const std::vector<Eigen::Vector3d> positions = profile.markers(frames);
+  body_model.frames(v.data(), frames);
+  const std::vector<Eigen::Vector3d> positions = body_model.markers(frames);
   Eigen::Matrix3Xd markers(3, Eigen::Index(positions.size()));
   for (Eigen::Index m = 0; m < markers.cols(); ++m) markers.col(m) = positions[size_t(m)];
   return markers;
@@ -33,16 +33,17 @@ Eigen::Matrix3Xd markersOf(const FleischmannBodyModel& profile, const Fleischman
 size_t stepOf(const FleischmannSequence& film, double fps) {
   const double step = film.fps / fps;
   if (!(step >= 1.0 && std::abs(step - std::round(step)) < 1e-9))
-    throw std::invalid_argument("a film of " + std::to_string(film.fps) +
-                                " frames per second cannot be thinned to " + std::to_string(fps));
+    throw std::invalid_argument("a sequence of " + std::to_string(film.fps) +
+                                " frames per second cannot be downsampled to " +
+                                std::to_string(fps));
   return size_t(std::lround(step));
 }
 
 StudyRun runOnce(const FleischmannSequence& film, const FleischmannMotionStatistics& statistics,
                  const FleischmannOptions& options, size_t step) {
-  const FleischmannBodyModel profile(*film.body);
-  FleischmannPoseEstimator tracker(film.rig, profile, FleischmannBodyShape(*film.body, profile),
-                                   statistics, options);
+  const FleischmannBodyModel body_model(*film.body);
+  FleischmannPoseEstimator tracker(
+      film.rig, body_model, FleischmannBodyShape(*film.body, body_model), statistics, options);
   tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
   StudyRun run;
   JointTrack truth, found;
@@ -54,28 +55,28 @@ StudyRun runOnce(const FleischmannSequence& film, const FleischmannMotionStatist
     const auto start = Clock::now();
     const FleischmannEstimate pose = tracker.update(film.frames[f].stamp_ns, views);
     seconds += secondsSince(start);
-    // A lost frame is judged by the last pose: nothing better is known.
+    // In a lost frame, the last pose is evaluated.
     if (pose.status == PoseStatus::kTracked)
       last = pose.v;
     else
       ++run.lost;
     truth.add(film.frames[f].stamp_ns, film.joints.positions[f]);
-    found.add(film.frames[f].stamp_ns, markersOf(profile, last));
+    found.add(film.frames[f].stamp_ns, markersOf(body_model, last));
   }
   run.errors = jointErrors(truth, found);
   run.seconds_per_frame = seconds / double(std::max<size_t>(1, truth.frames()));
   return run;
 }
 
-/// Seconds that `work` takes, the least of a few times.
+/// Duration of `work` in seconds, the minimum of several runs.
 double minSeconds(const std::function<void()>& work) {
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   for (int i = 0; i < 7; ++i) {
     const auto start = Clock::now();
     work();
-    least = std::min(least, secondsSince(start));
+    minimum = std::min(minimum, secondsSince(start));
   }
-  return least;
+  return minimum;
 }
 
 void stretch(std::vector<double>& values) {
@@ -134,8 +135,8 @@ StudyResult runVariant(const FleischmannSequence& film,
 FitnessCurves fitnessCurves(const FleischmannSequence& film, size_t frame, int parameter,
                             double reach, const FleischmannOptions& options) {
   constexpr int kSteps = 100;
-  const FleischmannBodyModel profile(*film.body);
-  FleischmannFitness fitness(film.rig, profile, FleischmannBodyShape(*film.body, profile),
+  const FleischmannBodyModel body_model(*film.body);
+  FleischmannFitness fitness(film.rig, body_model, FleischmannBodyShape(*film.body, body_model),
                              options.image);
   fitness.observe(wholeViews(film, frame));
   FitnessCurves curves;
@@ -158,12 +159,12 @@ TimeByPart timeByPart(const FleischmannSequence& film,
                       const FleischmannOptions& options) {
   constexpr int kEvaluations = 1000;
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const FleischmannBodyModel profile(*film.body);
-  const FleischmannBodyShape body(*film.body, profile);
+  const FleischmannBodyModel body_model(*film.body);
+  const FleischmannBodyShape body(*film.body, body_model);
   const size_t frame = std::min<size_t>(3, film.frames.size() - 1);
   const std::vector<FleischmannView> views = wholeViews(film, frame);
   const FleischmannVector& truth = film.frames[frame].truth;
-  FleischmannFitness fitness(film.rig, profile, body, options.image);
+  FleischmannFitness fitness(film.rig, body_model, body, options.image);
   const auto evaluate = [&](ConeSet cones) {
     return minSeconds([&] {
       for (int i = 0; i < kEvaluations; ++i) fitness.fitness(truth.data(), {cones, true});
@@ -173,13 +174,13 @@ TimeByPart timeByPart(const FleischmannSequence& film,
   time.observing = minSeconds([&] { fitness.observe(views); });
   FleischmannFrames frames;
   time.kinematics = minSeconds([&] {
-    for (int i = 0; i < kEvaluations; ++i) profile.frames(truth.data(), frames);
+    for (int i = 0; i < kEvaluations; ++i) body_model.frames(truth.data(), frames);
   });
   const double without = evaluate(0), with = evaluate(kAllButHead);
   time.drawing_and_silhouette = std::max(0.0, without - time.kinematics);
   time.edges = std::max(0.0, with - without);
   const double whole = minSeconds([&] {
-    FleischmannPoseEstimator tracker(film.rig, profile, body, statistics, options);
+    FleischmannPoseEstimator tracker(film.rig, body_model, body, statistics, options);
     tracker.start(film.frames.front().stamp_ns, film.frames.front().truth);
     tracker.update(film.frames[frame].stamp_ns, views);
   });

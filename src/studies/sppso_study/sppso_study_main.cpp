@@ -24,21 +24,21 @@ struct Arguments {
 };
 
 void describe(CLI::App& app, Arguments* arguments) {
-  app.add_option("folder", arguments->folder, "for index.html and runs.csv")->required();
-  app.add_option("--frames", arguments->frames, "filmed at 60 a second")
+  app.add_option("folder", arguments->folder, "folder for index.html and runs.csv")->required();
+  app.add_option("--frames", arguments->frames, "number of frames, at 60 per second")
       ->check(CLI::Range(30, 100000))
       ->capture_default_str();
-  app.add_option("--runs", arguments->max_runs, "at most, of each variant")
+  app.add_option("--runs", arguments->max_runs, "maximum number of runs per variant")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   app.add_option("--table", arguments->tables,
-                 "6.2, 6.5, 6.6, 6.8, 6.10 or ours, may be given repeatedly; all if none is");
+                 "6.2, 6.5, 6.6, 6.8, 6.10 or ours, may be given repeatedly; default: all");
   app.add_option("--studio", arguments->studio,
-                 "KEY=VALUE of virtual_studio, in place of four cameras of 644 x 484 and a walk in "
+                 "KEY=VALUE of virtual_studio; default: four cameras of 644 x 484 and a walk in "
                  "a circle");
   app.add_option("--set", arguments->search, "KEY=VALUE of the search, for all variants");
   app.add_option("--statistics", arguments->statistics,
-                 "file of motion_statistics, in place of the package's own");
+                 "file of motion_statistics; default: that of the package");
 }
 
 StudioOptions studioOf(const Arguments& arguments) {
@@ -66,7 +66,7 @@ std::vector<StudyTable> wantedTables(const Arguments& arguments, const Fleischma
       variant.runs = std::min(variant.runs, arguments.max_runs);
     wanted.push_back(table);
   }
-  if (wanted.empty()) throw std::invalid_argument("--table names no table that there is");
+  if (wanted.empty()) throw std::invalid_argument("--table names an unknown table");
   return wanted;
 }
 
@@ -81,7 +81,7 @@ std::vector<StudiedTable> studied(const FleischmannSequence& film,
       const StudyResult& result = out.back().results.back();
       std::cerr << table.id << ' ' << variant.name << ": "
                 << formatNumber("mean %.1f mm", result.meanError())
-                << formatNumber(", largest %.1f mm", result.maxError()) << std::endl;
+                << formatNumber(", maximum %.1f mm", result.maxError()) << std::endl;
     }
   }
   return out;
@@ -97,15 +97,15 @@ void run(const Arguments& arguments) {
   const StudioOptions studio = studioOf(arguments);
   const StudioFiles files{humanUrdfTemplate(), packageFile("config/motions")};
   const FleischmannSequence film = filmOf(studio, files, arguments.frames, [&](int done) {
-    std::cerr << "filmed " << done << " of " << arguments.frames << std::endl;
+    std::cerr << "rendered " << done << " of " << arguments.frames << std::endl;
   });
   StudyReport report;
   report.about = std::to_string(film.frames.size()) + " frames of " + studio.motion + " by " +
                  std::to_string(film.rig.size()) + " cameras, " + std::to_string(studio.width) +
                  " x " + std::to_string(studio.height) +
-                 "; limb lengths and first pose are given. D is the mean error of fifteen joints.";
+                 "; limb lengths and first pose are known. D is the mean error of fifteen joints.";
   report.tables = studied(film, statistics, tables);
-  constexpr int kSwing = kRightShoulder + 1;  // F's x24
+  constexpr int kSwing = kRightShoulder + 1;  // Fleischmann's x24
   report.parameter = fleischmannParameterNames()[kSwing];
   report.curves = fitnessCurves(film, film.frames.size() / 3, kSwing,
                                 statistics.over(1.0 / 20.0)[kSwing], search);
@@ -117,7 +117,8 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Tracks a filmed walk by images in many ways and compares them.", "sppso_study");
+  CLI::App app("Tracks a rendered walk with variants of Fleischmann's method and compares them.",
+               "sppso_study");
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);

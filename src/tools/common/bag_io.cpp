@@ -14,7 +14,7 @@ void openForReading(const std::string& path, rosbag::Bag& bag) {
     throw std::runtime_error(path + " has no index: the recording was cut off; rosbag reindex " +
                              path + " may repair it");
   } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path + " is no bag or was cut off (" + error.what() + ")");
+    throw std::runtime_error(path + " is not a bag or was cut off (" + error.what() + ")");
   }
 }
 
@@ -33,7 +33,7 @@ BagWriter::~BagWriter() {
   try {
     bag_.close();
   } catch (const rosbag::BagException&) {
-    // It is thrown away in any case.
+    // The file is removed in any case.
   }
   std::error_code ignored;
   std::filesystem::remove(active_path_, ignored);

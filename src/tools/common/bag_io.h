@@ -9,8 +9,8 @@
 
 namespace markerless_mocap {
 
-/// Opens a bag for reading. Throws std::runtime_error with one sentence: the file is missing, is
-/// no bag, or was cut off and has no index.
+/// Opens a bag for reading. Throws std::runtime_error if the file is missing, is not a bag, or has
+/// no index because the recording was cut off.
 void openForReading(const std::string& path, rosbag::Bag& bag);
 
 /// The first message of a topic. Throws std::runtime_error if the bag has none.
@@ -21,8 +21,8 @@ Message firstMessage(const rosbag::Bag& bag, const std::string& topic) {
   throw std::runtime_error("the bag has no " + topic);
 }
 
-/// A bag that gets its name only when it is whole: written to <path>.active, renamed by commit().
-/// Without commit() nothing is left behind.
+/// Writes a bag to <path>.active; commit() renames it to <path>. Without commit() the file is
+/// removed.
 class BagWriter {
  public:
   /// Throws std::runtime_error if the file cannot be written.
@@ -37,7 +37,7 @@ class BagWriter {
     bag_.write(topic, stamp, message);
   }
 
-  /// For topics whose last message is given to whoever comes late, such as /tf_static.
+  /// For latched topics, such as /tf_static.
   template <class Message>
   void writeLatched(const std::string& topic, const ros::Time& stamp, const Message& message) {
     bag_.write(topic, stamp, message,

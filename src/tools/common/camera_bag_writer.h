@@ -11,22 +11,23 @@
 namespace markerless_mocap {
 
 /// Writes a recording of several cameras: camera_info, image_raw or image_raw/compressed, and
-/// silhouette of each, with latched /tf_static world -> <camera>_optical.
+/// silhouette of each camera, with latched /tf_static world -> <camera>_optical.
 class CameraBagWriter {
  public:
-  /// \param cameras complete calibrations, metres, z up; throws std::invalid_argument if one is not
-  ///   valid
+  /// \param cameras complete calibrations, metres, z up; throws std::invalid_argument if one is
+  ///   invalid
   /// \param jpeg_quality 1 to 100; 0: raw images
   CameraBagWriter(const std::string& path, std::vector<CameraCalibration> cameras, int jpeg_quality,
                   rosbag::CompressionType compression = rosbag::compression::LZ4);
 
-  /// To be called once, before the first instant.
+  /// Call this once, before the first frame set.
   void writeTransforms(int64_t stamp_ns);
-  /// \param image CV_8UC3 or CV_8UC1, or empty: none \param mask CV_8UC1 0 | 255, or empty: none
-  ///   Throws std::invalid_argument if their size is not the camera's.
+  /// \param image CV_8UC3 or CV_8UC1; empty: none
+  /// \param mask CV_8UC1 0 | 255; empty: none
+  /// Throws std::invalid_argument if image or mask differ in size from the camera's first image.
   void write(int64_t stamp_ns, size_t camera, const cv::Mat& image, const cv::Mat& mask);
   void commit() { bag_.commit(); }
-  /// For what else belongs into the recording.
+  /// For additional topics.
   BagWriter& bag() { return bag_; }
 
  private:

@@ -13,7 +13,7 @@ PipelineOptions readConfiguration(const std::string& path) {
   } catch (const YAML::BadFile&) {
     throw std::runtime_error("cannot read the configuration " + path);
   } catch (const YAML::Exception& error) {
-    throw std::runtime_error(path + " is no YAML: " + error.what());
+    throw std::runtime_error(path + " is not YAML: " + error.what());
   }
   try {
     return loadPipelineOptions(root);

@@ -5,13 +5,13 @@
 
 namespace markerless_mocap {
 
-/// A figure by a printf format; "-" where there is none.
+/// A number in a printf format; "-" if it is not finite.
 std::string formatNumber(const char* format, double value);
 
-/// A share as "12.3 %".
+/// A fraction as "12.3 %".
 std::string formatPercent(double fraction);
 
-/// A line of a terminal's table: a name and what it says.
+/// One row of a table on the terminal.
 void printRow(std::ostream& out, const std::string& name, const std::string& text);
 
 }  // namespace markerless_mocap

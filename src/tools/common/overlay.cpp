@@ -10,8 +10,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kTileWidth = 320;  // pixels
-constexpr double kRoom = 1.25;   // times what mask and body cover
+constexpr int kTileWidth = 320;         // pixels
+constexpr double kMarginFactor = 1.25;  // size relative to the box around mask and body
 const cv::Scalar kBodyColor(60, 200, 60), kMaskColor(40, 40, 230);
 
 cv::Mat backdrop(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask) {
@@ -31,15 +31,16 @@ void drawMask(const cv::Mat& mask, cv::Mat* picture) {
   cv::drawContours(*picture, outlines, -1, kMaskColor, 1, cv::LINE_AA);
 }
 
-/// What mask and body cover and some room around it, as broad for its height as the image.
+/// The box around mask and body with a margin, in the aspect ratio of the image.
 cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& body) {
   const cv::Rect whole({0, 0}, image);
   cv::Rect shown;
   if (!mask.empty()) shown |= cv::boundingRect(mask);
   if (!body.empty()) shown |= cv::boundingRect(body);
   if (shown.empty()) return whole;
-  const double fraction = std::min(1.0, kRoom * std::max(double(shown.width) / image.width,
-                                                         double(shown.height) / image.height));
+  const double fraction =
+      std::min(1.0, kMarginFactor * std::max(double(shown.width) / image.width,
+                                             double(shown.height) / image.height));
   const cv::Size size(int(fraction * image.width), int(fraction * image.height));
   const cv::Point middle = (shown.tl() + shown.br()) / 2;
   return {{std::clamp(middle.x - size.width / 2, 0, image.width - size.width),

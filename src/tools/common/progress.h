@@ -5,14 +5,14 @@
 
 namespace markerless_mocap {
 
-/// How far a long run is: on a terminal a bar redrawn in place, else a line every ten percent.
+/// Progress of a long run: on a terminal a bar that is redrawn, else one line per ten percent.
 class Progress {
  public:
-  /// \param out where to write; nullptr: say nothing
+  /// \param out output stream; nullptr: no output
   Progress(std::string label, std::ostream* out, bool terminal);
-  /// \param share done, 0..1, never less than the last one
+  /// \param fraction done, 0 to 1; must not decrease
   void update(double fraction);
-  /// Shows the whole as done and ends the bar's line.
+  /// Shows 100 % and ends the line of the bar.
   void finish();
 
  private:
@@ -22,7 +22,7 @@ class Progress {
   int shown_ = -1;  ///< last percentage (terminal) or tenth written
 };
 
-/// Whether standard error is a terminal.
+/// True if the standard error stream is a terminal.
 bool isStderrTerminal();
 
 }  // namespace markerless_mocap

@@ -12,11 +12,11 @@ namespace {
 
 constexpr const char* kInfo = "sensor_msgs/CameraInfo";
 constexpr const char* kImage = "sensor_msgs/Image";
-/// Topics below it tell what is true and come from no camera.
+/// Topics of the ground truth, which belong to no camera.
 constexpr const char* kTruth = "/ground_truth/";
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 
-/// The camera's name if the topic ends in the suffix and has the type.
+/// The name of the camera if the topic has this suffix and type.
 std::optional<std::string> cameraOf(const rosbag::ConnectionInfo& connection,
                                     const std::string& suffix, const char* type) {
   const std::string& topic = connection.topic;
@@ -79,7 +79,7 @@ std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std:
                                         bool calibrated_elsewhere) {
   CamerasByName cameras;
   rosbag::View view(bag);
-  // In the order of topics raw images come before compressed ones, which then give way.
+  // Raw images precede compressed ones in the order of topics, so they are preferred.
   std::map<std::string, const rosbag::ConnectionInfo*> topics;
   for (const rosbag::ConnectionInfo* connection : view.getConnections())
     topics[connection->topic] = connection;

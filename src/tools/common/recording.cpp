@@ -15,11 +15,11 @@
 namespace markerless_mocap {
 namespace {
 
-/// A recording can wait longer for a late camera than a live graph.
-AssemblerOptions patientAssembly() {
+/// In a recording, a late camera can be waited for longer than in real time.
+AssemblerOptions offlineAssembly() {
   AssemblerOptions options;
   options.deadline = 0.5;
-  options.max_pending = 1000;  // the deadline bounds the queue, nothing overflows
+  options.max_pending = 1000;  // limited by the deadline instead; no overflow
   return options;
 }
 
@@ -48,14 +48,14 @@ RecordedImage imageOf(const rosbag::MessageInstance& message) {
                       message.instantiate<sensor_msgs::CompressedImage>()};
   if (image.raw || image.compressed) return image;
   throw std::runtime_error("topic " + message.getTopic() + " holds " + message.getDataType() +
-                           ", wanted are images");
+                           ", expected are images");
 }
 
 int64_t stampOf(const RecordedImage& image) {
   return nanosecondsOf(image.raw ? image.raw->header.stamp : image.compressed->header.stamp);
 }
 
-/// The image must be kept as long as the pixels.
+/// A decoded image may share the pixels of the message.
 cv::Mat decoded(const RecordedImage& image, bool is_mask) {
   if (image.compressed) return matFromMessage(*image.compressed);
   return is_mask ? maskFromMessage(*image.raw) : sharedMatFromMessage(*image.raw);
@@ -69,8 +69,8 @@ Recording::Recording(const std::string& path, const RecordingOptions& options) :
     cameras_ = findCameras(bag_, options.cameras, !options.rig.empty());
     if (cameras_.size() < 2)
       throw std::runtime_error("camera " + cameras_.front().name +
-                               " is the only one, two are needed at least");
-    options.rig.empty() ? readRig() : takeRig();
+                               " is the only one, at least two are needed");
+    options.rig.empty() ? readRig() : useRigFile();
     listStreams();
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + " is damaged (" + error.what() + ")");
@@ -91,7 +91,7 @@ void Recording::readRig() {
   rig_ = collector.rig(buffer);
 }
 
-void Recording::takeRig() {
+void Recording::useRigFile() {
   const std::vector<CameraCalibration> used =
       camerasNamed(namesOf(cameras_), markerless_mocap::readRig(options_.rig), options_.rig);
   for (RecordedCamera& camera : cameras_) camera.frame = opticalFrame(camera.name);
@@ -130,27 +130,27 @@ void Recording::startReading() {
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topics), first,
                                          first + ros::Duration(seconds));
   message_ = view_->begin();
-  assembler_ = std::make_unique<Assembler>(streams_.size(), patientAssembly());
+  assembler_ = std::make_unique<Assembler>(streams_.size(), offlineAssembly());
 }
 
 void Recording::readMessage() {
   const RecordedImage image = imageOf(*message_);
   for (auto& frame_set :
        assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(image), image))
-    whole_.push_back(std::move(frame_set));
+    ready_.push_back(std::move(frame_set));
   ++message_;
   ++messages_read_;
 }
 
 std::optional<FrameSet> Recording::next() {
   if (!view_) startReading();
-  while (whole_.empty() && message_ != view_->end()) readMessage();
-  if (whole_.empty())
-    for (auto& frame_set : assembler_->flush()) whole_.push_back(std::move(frame_set));
+  while (ready_.empty() && message_ != view_->end()) readMessage();
+  if (ready_.empty())
+    for (auto& frame_set : assembler_->flush()) ready_.push_back(std::move(frame_set));
   counts_ = assembler_->counts();
-  if (whole_.empty()) return std::nullopt;
-  const Assembler::FrameSet frame_set = std::move(whole_.front());
-  whole_.pop_front();
+  if (ready_.empty()) return std::nullopt;
+  const Assembler::FrameSet frame_set = std::move(ready_.front());
+  ready_.pop_front();
   return frameSetOf(frame_set);
 }
 

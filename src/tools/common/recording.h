@@ -21,48 +21,49 @@
 
 namespace markerless_mocap {
 
-/// What to read from a recording.
+/// Settings for reading a recording.
 struct RecordingOptions {
   std::vector<std::string> cameras;  ///< empty: all
-  /// Take the recorded silhouettes as masks. Without it they are used only for cameras that have
-  /// no images.
+  /// Use recorded silhouettes as masks. If false, they are used only for cameras without images.
   bool use_masks = false;
   std::string world_frame = "world";
-  /// Rig file that calibrates the cameras in place of camera_info and tf; empty: none.
+  /// Rig file that replaces camera_info and tf; empty: none.
   std::string rig;
   double start = 0.0;                                         ///< seconds after the first image
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
 
-/// One image or silhouette message, not yet decoded; one of the two is set.
+/// A message with an image or a silhouette, not yet decoded; exactly one of the two is set.
 struct RecordedImage {
   sensor_msgs::Image::ConstPtr raw;
   sensor_msgs::CompressedImage::ConstPtr compressed;
 };
 
-/// A bag of several cameras, read instant by instant; no frame is left out.
+/// A bag of several cameras, read frame set by frame set. No frame is dropped.
 class Recording {
  public:
   /// Reads cameras, calibrations and transforms. Throws std::runtime_error or
-  /// std::invalid_argument with one sentence that says what the bag lacks.
+  /// std::invalid_argument; the message says what the bag lacks.
   Recording(const std::string& path, const RecordingOptions& options);
 
   const CameraRig& rig() const { return rig_; }
-  const std::vector<RecordedCamera>& cameras() const { return cameras_; }  ///< as in the rig
-  /// Whether every camera has silhouettes in the bag, asked for or not.
+  const std::vector<RecordedCamera>& cameras() const {
+    return cameras_;
+  }  ///< in the order of the
+     ///< rig
+  /// True if all cameras have silhouettes in the bag, whether they are used or not.
   bool hasMasks() const;
-  /// Static transforms as they stand in the bag, all in one message.
+  /// All static transforms of the bag, in one message.
   const tf2_msgs::TFMessage& staticTransforms() const { return static_transforms_; }
 
-  /// The next instant in the order of time, nothing after the last; the frames of cameras that are
-  /// missing are empty. Throws std::runtime_error if there are no images where reading begins, or
-  /// the bag turns out to be damaged.
+  /// The next frame set in the order of time; empty after the last one. Missing frames are empty.
+  /// Throws std::runtime_error if there are no images after the start, or if the bag is damaged.
   std::optional<FrameSet> next();
-  /// Share of the recording that has been read, 0..1.
+  /// Fraction of the recording that has been read, 0 to 1.
   double fractionRead() const;
 
   const AssemblerCounts& counts() const { return counts_; }
-  /// Images that could not be decoded; their cameras were missing at these instants.
+  /// Number of images that could not be decoded; they are missing in their frame sets.
   int unreadable() const { return unreadable_; }
   const std::string& firstUnreadable() const { return first_unreadable_; }
 
@@ -75,7 +76,7 @@ class Recording {
   };
 
   void readRig();
-  void takeRig();
+  void useRigFile();
   void listStreams();
   void startReading();
   void readMessage();
@@ -88,11 +89,11 @@ class Recording {
   CameraRig rig_;
   tf2_msgs::TFMessage static_transforms_;
   std::map<std::string, size_t> stream_of_topic_;
-  std::unique_ptr<rosbag::View> view_;  ///< none before the first instant is asked for
-  rosbag::View::iterator message_;      ///< of the view, not yet read
+  std::unique_ptr<rosbag::View> view_;  ///< null before the first frame set is read
+  rosbag::View::iterator message_;      ///< next message of the view
   size_t messages_read_ = 0;
   std::unique_ptr<Assembler> assembler_;
-  std::deque<Assembler::FrameSet> whole_;  ///< instants that wait to be asked for
+  std::deque<Assembler::FrameSet> ready_;  ///< complete frame sets that have not been returned yet
   AssemblerCounts counts_;
   int unreadable_ = 0;
   std::string first_unreadable_;

@@ -4,12 +4,11 @@
 
 namespace markerless_mocap {
 
-/// Does the work of a program and says on the error stream why it could not be done. Returns the
-/// exit code.
+/// Runs the work of a program. An exception is printed to the error stream. Returns the exit code.
 int runTool(const char* name, const std::function<void()>& work);
 
-/// From now on SIGINT and SIGTERM only make the returned function true, so that a run can end by
-/// itself and remove what it has begun to write; a second signal ends it at once.
+/// After this call, SIGINT and SIGTERM set the result of the returned function to true, so that a
+/// run can stop and remove incomplete output. A second signal ends the program at once.
 std::function<bool()> catchInterruptions();
 
 }  // namespace markerless_mocap

@@ -15,7 +15,7 @@ YAML::Node sectionOf(const std::string& config) {
   try {
     root = YAML::Load(readText(config));
   } catch (const YAML::Exception& error) {
-    throw std::runtime_error(config + " is no YAML: " + error.what());
+    throw std::runtime_error(config + " is not YAML: " + error.what());
   }
   if (!root.IsMap() || !root[StudioOptions::kStage])
     throw std::invalid_argument(config + " has no section " + StudioOptions::kStage);

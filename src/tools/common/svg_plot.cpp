@@ -48,21 +48,21 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-/// Above the value and a multiple of a round step.
+/// The next multiple of a round step above the value.
 double roundTop(double value) {
   if (!(value > 0.0)) return 1.0;
   const double step = niceTickStep(value, 5);
   return step * std::ceil(value / step - 1e-9);
 }
 
-/// The axis of time that plots and bands share.
+/// The time axis of plots and bands.
 class TimeAxis {
  public:
   explicit TimeAxis(const std::vector<double>& seconds) : seconds_(seconds) {
     begin_ = seconds.empty() ? 0.0 : seconds.front();
     const double last = seconds.empty() ? 0.0 : seconds.back();
     const size_t steps = seconds.size() < 2 ? 1 : seconds.size() - 1;
-    // The last frame lasts as long as the others.
+    // The last frame is as long as the others on average.
     end_ = last > begin_ ? last + (last - begin_) / double(steps) : begin_ + 1.0;
   }
   double at(double seconds) const {
@@ -84,7 +84,7 @@ class TimeAxis {
   double begin_, end_;
 };
 
-/// Horizontal lines with their values.
+/// Horizontal grid lines with their values.
 std::string valueTicks(double top, double height, const std::string& unit) {
   const double step = niceTickStep(top, 5);
   std::string out;
@@ -105,7 +105,7 @@ std::string curve(const TimeAxis& axis, const PlotSeries& line, double top, doub
       const double fraction = std::clamp(line.values[i] / top, 0.0, 1.0);
       const double y = height - kBottom - (height - kTop - kBottom) * fraction;
       path += (drawing ? "L" : "M") + number(axis.left(i)) + ' ' + number(y);
-      if (!drawing) path += "h0";  // with round ends a single value is a dot
+      if (!drawing) path += "h0";  // with round line caps, a single value is a dot
     }
     drawing = std::isfinite(line.values[i]);
   }

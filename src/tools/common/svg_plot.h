@@ -5,7 +5,7 @@
 
 namespace markerless_mocap {
 
-/// A line of a plot; it breaks where a value is NaN.
+/// A curve of a plot; it is interrupted where a value is NaN.
 struct PlotSeries {
   std::string name, color;
   std::vector<double> values;
@@ -13,7 +13,7 @@ struct PlotSeries {
 
 /// One cell of a band over time.
 struct BandCell {
-  std::string color, title;  ///< title shows under the pointer
+  std::string color, title;  ///< the title is shown as a tooltip
 };
 
 /// A group of bars of a chart.
@@ -22,27 +22,27 @@ struct BarRow {
   std::vector<double> values;
 };
 
-/// Lines over time with axes, as SVG. \param seconds of each value, ascending
-/// \param top of the value axis; 0: a round number above all values
-/// \param across unit of what the lines go over, where it is not time
+/// Curves with axes, as SVG. \param seconds of each value, ascending
+/// \param top maximum of the value axis; 0: a round number above all values
+/// \param across unit of the horizontal axis
 std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotSeries>& lines,
                      double top, const std::string& unit, const std::string& across = " s");
 
 /// Cells over the time axis of linePlot(), as SVG.
 std::string timeBand(const std::vector<double>& seconds, const std::vector<BandCell>& cells);
 
-/// Horizontal bars, one of each colour in a row, as SVG. Bars of NaN are left out.
+/// Horizontal bars, one per colour in each row, as SVG. Bars of NaN are left out.
 std::string barChart(const std::vector<BarRow>& rows, const std::vector<std::string>& colors,
                      const std::string& unit);
 
-/// How many of the finite values lie in each of `bins` equal bins from 0 to a round number.
+/// Histogram of the finite values with `bins` equal bins from 0 to a round number.
 std::string histogram(const std::vector<double>& values, int bins, const std::string& color,
                       const std::string& unit);
 
-/// Coloured squares with names, as HTML.
+/// Legend: coloured squares with names, as HTML.
 std::string plotLegend(const std::vector<PlotSeries>& lines);
 
-/// A round number (1, 2 or 5 times a power of ten) that goes `parts` times or less into `range`.
+/// The smallest round number (1, 2 or 5 times a power of ten) that is at least range / parts.
 double niceTickStep(double range, int parts);
 
 }  // namespace markerless_mocap

@@ -5,7 +5,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// Nodes of the part that an end belongs to, from the end upwards.
+/// Nodes of the part that an extremity belongs to, from the extremity towards the root.
 Eigen::Matrix3Xd limbOf(const PoseTree& tree, int32_t end) {
   std::vector<Eigen::Vector3d> path;
   const TreePart part = tree.nodes[size_t(end)].part;

@@ -7,7 +7,7 @@ namespace markerless_mocap {
 
 static_assert(kLabelledExtremityCount == kExtremityCount);
 
-/// What a pose tree says about the ends of a body and their limbs.
+/// The extremities of a pose tree and the nodes of their limbs.
 LabelledExtremities labelsOf(const PoseTree& tree);
 
 }  // namespace markerless_mocap

@@ -21,20 +21,22 @@ struct Arguments {
 
 void describe(CLI::App& app, Arguments* arguments) {
   EvaluationRequest& request = arguments->request;
-  app.add_option("results", request.results, "bag of a tracker: tf, pose, joint states, hull")
+  app.add_option("results", request.results,
+                 "bag with the results of a tracker: tf, pose, joint states, hull")
       ->required();
-  app.add_option("--truth", request.truth, "bag with /ground_truth; may be the same")->required();
-  app.add_option("--json", arguments->json, "write all figures here");
-  app.add_option("--html", arguments->html,
-                 "write a report here, one page that needs no other file");
-  app.add_option("--skip", request.skip, "leave out this many seconds of the truth's begin")
+  app.add_option("--truth", request.truth, "bag with /ground_truth; may be the same file")
+      ->required();
+  app.add_option("--json", arguments->json, "write all results as JSON to this file");
+  app.add_option("--html", arguments->html, "write a self-contained HTML report to this file");
+  app.add_option("--skip", request.skip,
+                 "leave out this many seconds at the begin of the ground truth")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--id", request.body_id, "id of the body if the results have several");
+  app.add_option("--id", request.body_id, "id of the body if the results contain several");
   app.add_option("--rig", request.rig,
-                 "rig file that the run was given: body and hull are drawn with its cameras");
+                 "rig file of the run: body and hull are drawn with its cameras");
   app.add_option("--config", request.config,
-                 "configuration of the run: the true hull is carved by its rules");
-  app.add_flag("--no-images", arguments->no_images, "do not judge silhouettes and hull");
+                 "configuration of the run: its hull options are used for the true hull");
+  app.add_flag("--no-images", arguments->no_images, "do not evaluate silhouettes and hull");
   app.add_flag("--quiet", arguments->quiet, "no progress and no table");
 }
 
@@ -54,7 +56,7 @@ void run(Arguments* arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Judges a tracker's results against ground truth.", "evaluate");
+  CLI::App app("Compares the results of a tracker with the ground truth.", "evaluate");
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);

@@ -17,8 +17,9 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kMaxImageFrames = 120;
-constexpr double kOffline_ms = 0.01;  // record stamps that agree with the capture's this well
-constexpr double kReadingFraction = 0.2, kMaskFraction = 0.4;  // of the work, for the progress
+constexpr double kOffline_ms = 0.01;  // results whose record time equals the capture time within
+                                      // this were made offline
+constexpr double kReadingFraction = 0.2, kMaskFraction = 0.4;  // fractions of the whole progress
 
 void leaveOut(double seconds, TruthRecord* truth) {
   JointTrack& joints = truth->joints;
@@ -27,7 +28,7 @@ void leaveOut(double seconds, TruthRecord* truth) {
                      joints.stamps_ns.begin();
   if (size_t(first) >= joints.frames())
     throw std::runtime_error(
-        "nothing is left to judge: the truth lasts less than the time to skip");
+        "nothing is left to evaluate: the ground truth is shorter than the time to skip");
   joints.stamps_ns.erase(joints.stamps_ns.begin(), joints.stamps_ns.begin() + first);
   joints.positions.erase(joints.positions.begin(), joints.positions.begin() + first);
 }
@@ -44,7 +45,7 @@ void checkOverlap(const TruthRecord& truth, const ResultRecord& results, int64_t
   if (results.frames.empty() || results.frames.back().stamp_ns < begin ||
       results.frames.front().stamp_ns > end)
     throw std::runtime_error(
-        "truth and results do not overlap in time: the truth lasts from " +
+        "ground truth and results do not overlap in time: the ground truth lasts from " +
         seconds(stamps.front()) + " s to " + seconds(stamps.back()) + " s" +
         (results.frames.empty() ? ", the results are empty"
                                 : ", the results from " + seconds(results.frames.front().stamp_ns) +
@@ -54,7 +55,8 @@ void checkOverlap(const TruthRecord& truth, const ResultRecord& results, int64_t
 void checkWorlds(const TruthRecord& truth, const ResultRecord& results) {
   if (!results.world_frame.empty() && results.world_frame != truth.world_frame)
     throw std::runtime_error("the results are in the frame " + results.world_frame +
-                             ", the truth in " + truth.world_frame + ": they cannot be compared");
+                             ", the ground truth in " + truth.world_frame +
+                             ": they cannot be compared");
 }
 
 std::vector<int64_t> stampsOf(const std::vector<ResultFrame>& frames) {
@@ -104,7 +106,7 @@ void evaluateJoints(const TruthRecord& truth, const ResultRecord& results, Evalu
   if (!results.has_description)
     out->notes.push_back(
         "The results have no human_description: hands, feet and the body's "
-        "outline are not judged.");
+        "outline are not evaluated.");
 }
 
 void evaluateAngles(const TruthRecord& truth, const ResultRecord& results, int64_t tolerance_ns,
@@ -132,7 +134,7 @@ void evaluateBodyParts(const TruthRecord& truth, int64_t tolerance_ns, Evaluatio
   out->parts = evaluateParts(truth.joints, truth.world_frame, parts, tolerance_ns);
 }
 
-/// The frames of least, median and largest D.
+/// The frames with minimum, median and maximum D.
 std::vector<std::pair<const char*, size_t>> representativeFrames(const std::vector<double>& D) {
   std::vector<size_t> order;
   for (size_t f = 0; f < D.size(); ++f)
@@ -170,9 +172,10 @@ void evaluateImages(const ResultRecord& results, int64_t tolerance_ns,
   try {
     judge.emplace(out->request.truth, out->request.rig, out->request.results, results,
                   imageFrameStamps(*out), tolerance_ns);
-  } catch (const std::exception& error) {  // joints can be judged without cameras
+  } catch (const std::exception& error) {  // joints can be evaluated without cameras
     if (!out->request.rig.empty()) throw;
-    out->notes.push_back(std::string("Silhouettes and hull are not judged: ") + error.what() + ".");
+    out->notes.push_back(std::string("Silhouettes and hull are not evaluated: ") + error.what() +
+                         ".");
     return;
   }
   progress(kMaskFraction);
@@ -183,7 +186,8 @@ void evaluateImages(const ResultRecord& results, int64_t tolerance_ns,
       progress(kMaskFraction + fraction * (0.9 - kMaskFraction));
     });
   else
-    out->notes.push_back("Silhouettes and hull are not judged: the truth has no exact masks.");
+    out->notes.push_back(
+        "Silhouettes and hull are not evaluated: the ground truth has no exact masks.");
   if (out->request.pictures) takePictures(&*judge, out);
 }
 

@@ -19,44 +19,45 @@
 
 namespace markerless_mocap {
 
-/// What to judge.
+/// Input of an evaluation.
 struct EvaluationRequest {
   std::string results, truth;  ///< bags
   std::string body_id;         ///< empty: the only one
-  double skip = 0.0;           ///< seconds of the truth to leave out at its begin
-  std::string rig;             ///< file that calibrated the run's cameras; empty: the truth's bag
-  std::string config;          ///< of the run, for the hull's rules; empty: defaults
-  bool images = true;          ///< judge silhouettes and hull
-  bool pictures = false;       ///< make overlays
+  double skip = 0.0;           ///< seconds to leave out at the begin of the ground truth
+  std::string rig;             ///< rig file of the run; empty: the cameras of the ground truth
+  std::string config;  ///< configuration of the run, for the options of the hull; empty: defaults
+  bool images = true;  ///< evaluate silhouettes and hull
+  bool pictures = false;  ///< make overlay images
 };
 
-/// Everything that is said about a result.
+/// All results of an evaluation.
 struct Evaluation {
   EvaluationRequest request;
   std::string body_id;
-  std::vector<int64_t> stamps_ns;  ///< of the truth's frames
+  std::vector<int64_t> stamps_ns;  ///< of the frames of the ground truth
   std::vector<FrameStatus> statuses;
   std::vector<std::string> reasons;
   JointErrors joints;
   TrackingContinuity record;
   Delay delay;
-  SummaryStatistics latency_ms;  ///< count 0 when stamps of record and capture are the same
-  std::vector<ExtremityError> extremities;      ///< hand, foot
-  std::map<std::string, double> tip_errors_mm;  ///< mean by name
+  SummaryStatistics latency_ms;             ///< count 0 if record time and capture time are equal
+  std::vector<ExtremityError> extremities;  ///< hand, foot
+  std::map<std::string, double> tip_errors_mm;  ///< mean per extremity
   FeetEvaluation feet;
   std::vector<LimbLoss> limbs;
-  std::vector<UncertaintyCalibration> deviations;  ///< of the parts whose error is told
+  std::vector<UncertaintyCalibration> deviations;  ///< of the parts with an estimated standard
+                                                   ///< deviation
   std::vector<AngleError> angles;
   ImageMetrics images;
   std::vector<EvaluatedPicture> pictures;
-  std::optional<TreeEvaluation> trees;   ///< when the results have pose trees
-  std::optional<PartsEvaluation> parts;  ///< when they have segmented hulls
-  std::vector<std::string> notes;        ///< sentences on what could not be judged
+  std::optional<TreeEvaluation> trees;   ///< empty if the results have no pose trees
+  std::optional<PartsEvaluation> parts;  ///< empty if the results have no segmented hulls
+  std::vector<std::string> notes;        ///< messages about what could not be evaluated
 };
 
-/// Throws std::runtime_error or std::invalid_argument with one sentence when there is nothing to
-/// judge: a bag that cannot be read, no ground truth, no results, other worlds, no overlap in time.
-/// \param progress called with the share done, 0..1
+/// Throws std::runtime_error or std::invalid_argument if an evaluation is not possible: a bag that
+/// cannot be read, no ground truth, no results, different world frames, or no overlap in time.
+/// \param progress called with the fraction done, 0 to 1
 Evaluation evaluate(const EvaluationRequest& request, const std::function<void(double)>& progress);
 
 }  // namespace markerless_mocap

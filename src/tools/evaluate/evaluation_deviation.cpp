@@ -20,7 +20,7 @@ std::string binsText(const UncertaintyCalibration& one, const char* between) {
 std::vector<UncertaintyCalibration> evaluateDeviations(const JointTrack& truth,
                                                        const ResultRecord& results,
                                                        const std::vector<int>& match) {
-  // In the order of BodyPose's part_deviation.
+  // In the order of BodyPose::part_sigma_m.
   const std::vector<std::string> ends{"thorax", "head", "l_wrist", "r_wrist", "l_ankle", "r_ankle"};
   const JointTrack real = truth.select(ends), found = alignedTo(real, results.joints);
   const auto errors = markerDistances(real, found);
@@ -37,11 +37,11 @@ std::vector<UncertaintyCalibration> evaluateDeviations(const JointTrack& truth,
 
 void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std::ostream& out) {
   if (deviations.empty()) return;
-  out << "Errors expected : made, mm, all and by fifths of the frames\n";
+  out << "Errors estimated : actual, mm, all and by fifths of the frames\n";
   for (const UncertaintyCalibration& one : deviations)
     printRow(out, one.point,
              formatNumber("%.0f:", one.expected_mm) + formatNumber("%.0f", one.actual_mm) + "   (" +
-                 binsText(one, " ") + "), within two deviations " +
+                 binsText(one, " ") + "), within two sigma " +
                  formatPercent(one.fraction_within_two_sigma));
 }
 
@@ -66,9 +66,10 @@ JsonObject deviationsObject(const std::vector<UncertaintyCalibration>& deviation
 std::string deviationsSection(const std::vector<UncertaintyCalibration>& deviations) {
   if (deviations.empty()) return "";
   std::string out =
-      "<h2>Errors that were expected</h2>\n<p>root mean squares, mm; expected : made, by fifths of "
-      "the frames</p>\n<table><tr><th>point</th><th class=n>expected</th><th class=n>made</th>"
-      "<th class=n>within two deviations</th><th class=n>by fifths</th></tr>\n";
+      "<h2>Estimated and actual errors</h2>\n<p>root mean squares, mm; estimated : actual, by "
+      "fifths of "
+      "the frames</p>\n<table><tr><th>point</th><th class=n>estimated</th><th class=n>actual</th>"
+      "<th class=n>within two sigma</th><th class=n>by fifths</th></tr>\n";
   for (const UncertaintyCalibration& one : deviations)
     out += "<tr><td>" + one.point + "</td><td class=n>" + formatNumber("%.0f", one.expected_mm) +
            "</td><td class=n>" + formatNumber("%.0f", one.actual_mm) + "</td><td class=n>" +

@@ -10,15 +10,16 @@
 
 namespace markerless_mocap {
 
-/// Expected errors of the parts' ends against those made; empty when none are told.
-/// \param match index into the results' frames for each frame of the truth, or -1
+/// Compares the estimated errors of the parts' ends with the actual ones; empty if none are
+/// estimated.
+/// \param match index of the result for each frame of the ground truth, or -1
 std::vector<UncertaintyCalibration> evaluateDeviations(const JointTrack& truth,
                                                        const ResultRecord& results,
                                                        const std::vector<int>& match);
 
 void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std::ostream& out);
 JsonObject deviationsObject(const std::vector<UncertaintyCalibration>& deviations);
-/// A section of the page; empty without any.
+/// Section of the report; empty without data.
 std::string deviationsSection(const std::vector<UncertaintyCalibration>& deviations);
 
 }  // namespace markerless_mocap

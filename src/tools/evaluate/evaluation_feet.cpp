@@ -14,7 +14,8 @@ std::vector<double> heightsOf(const JointTrack& track, const std::string& point)
   return heights;
 }
 
-/// Heights of one foot's sole at the truth's frames; NaN without a pose or the body's own shape.
+/// Heights of the sole of one foot at the frames of the ground truth; NaN without a pose or without
+/// the URDF of the tracked body.
 std::vector<double> solesOf(const ResultRecord& results, const std::vector<int>& match, int side) {
   std::vector<double> heights;
   for (const int index : match) {

@@ -88,14 +88,14 @@ void printFeet(const FeetEvaluation& feet, std::ostream& out) {
   };
   row("contacts", [](const FootEvaluation& f) { return std::to_string(f.ball.contacts.size()); });
   row("found", [](const FootEvaluation& f) { return formatPercent(f.ball.recall); });
-  row("found rightly", [](const FootEvaluation& f) { return formatPercent(f.ball.precision); });
+  row("precision", [](const FootEvaluation& f) { return formatPercent(f.ball.precision); });
   row("slide mm",
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.max_slide_mm.mean); });
-  row("largest mm",
+  row("maximum mm",
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.max_slide_mm.max); });
   row("slide mm/s",
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.path_mm_per_s.mean); });
-  row("the truth's",
+  row("true",
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.ball.true_path_mm_per_s.mean); });
   row("ankle mm",
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.ankle.max_slide_mm.mean); });
@@ -128,11 +128,12 @@ JsonObject feetObject(const FeetEvaluation& feet) {
 
 std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& seconds) {
   std::string out =
-      "<h2>Feet on the floor</h2>\n<p>A foot stands while its ball is low and slow. Slide: how far "
-      "the estimated point goes across the floor meanwhile, mm per contact and mm/s along its "
-      "way</p>\n<table><tr><th>point</th><th class=n>contacts</th><th class=n>found rightly</th>"
-      "<th class=n>found</th><th class=n>slide</th><th class=n>largest</th><th class=n>mm/s</th>"
-      "<th class=n>the truth's</th><th class=n>mm/s</th></tr>\n";
+      "<h2>Feet on the floor</h2>\n<p>A foot stands while its ball is low and slow. Slide: "
+      "distance "
+      "that the estimated point moves along the floor meanwhile, mm per contact and mm/s along its "
+      "path</p>\n<table><tr><th>point</th><th class=n>contacts</th><th class=n>precision</th>"
+      "<th class=n>recall</th><th class=n>slide</th><th class=n>maximum</th><th class=n>mm/s</th>"
+      "<th class=n>true slide</th><th class=n>mm/s</th></tr>\n";
   for (size_t side = 0; side < 2; ++side) {
     out += slideRow(std::string(kSides[side]) + " ball", feet[side].ball);
     out += slideRow(std::string(kSides[side]) + " ankle", feet[side].ankle);

@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// What is said about feet on the floor and lost limbs: terminal, JSON, page.
+/// Feet on the floor and lost limbs as terminal output, JSON and HTML.
 void printFeet(const FeetEvaluation& feet, std::ostream& out);
 JsonObject feetObject(const FeetEvaluation& feet);
 /// \param seconds of each frame

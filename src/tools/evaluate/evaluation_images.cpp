@@ -19,7 +19,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// How far from its stamp an image may have been recorded and still be found for a picture.
+/// Maximum difference between record time and stamp of an image that is searched for an overlay.
 constexpr int64_t kRecordedEarlier_ns = 100000000, kRecordedLater_ns = 1000000000;
 
 std::vector<std::string> topicsOf(const CameraRig& rig, const std::string& before) {
@@ -35,7 +35,7 @@ RecordingOptions inWorld(const std::string& world_frame, const std::string& rig)
   return options;
 }
 
-/// Overlap of two masks; NaN when there are not two, or nobody is to be seen and nobody is seen.
+/// Overlap of two masks; NaN if one is missing or if both are empty.
 double overlapOf(const cv::Mat& found, const cv::Mat& real) {
   if (found.empty() || real.empty() || found.size() != real.size()) return NAN;
   if (cv::countNonZero(found) + cv::countNonZero(real) == 0) return NAN;
@@ -64,7 +64,7 @@ std::optional<VoxelGrid> readGrid(const std::string& path) {
 
 HullOptions onLattice(HullOptions rules, const VoxelLattice& lattice) {
   rules.volume = "explicit";
-  rules.follow = false;  // the person may be anywhere in it
+  rules.follow = false;  // the person may be anywhere in the volume
   rules.pitch = lattice.pitch;
   rules.volume_min = lattice.origin;
   rules.volume_max = lattice.origin + lattice.pitch * lattice.size.cast<double>();

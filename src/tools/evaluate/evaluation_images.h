@@ -14,15 +14,15 @@
 
 namespace markerless_mocap {
 
-/// Overlaps of one instant; NaN where there is nothing to compare.
+/// Overlaps of one frame set; NaN if there is nothing to compare.
 struct FrameSetOverlap {
   int64_t stamp_ns = 0;
-  double mask = NAN;  ///< silhouettes and true masks, mean of the cameras
-  double body = NAN;  ///< fitted body and true masks, mean of the cameras
-  double hull = NAN;  ///< hull and the one carved from the true masks
+  double mask = NAN;  ///< silhouettes and exact masks, mean over the cameras
+  double body = NAN;  ///< fitted body and exact masks, mean over the cameras
+  double hull = NAN;  ///< hull and the hull carved from the exact masks
 };
 
-/// Intersection over union with the exact masks, 0..1.
+/// Intersection over union with the exact masks, 0 to 1.
 struct ImageMetrics {
   std::vector<std::string> cameras;
   std::vector<SummaryStatistics> mask_iou, body_iou;  ///< per camera
@@ -35,20 +35,20 @@ struct EvaluatedPicture {
   cv::Mat image;  ///< CV_8UC3
 };
 
-/// Holds silhouettes, body and hull of a result against the exact masks of chosen instants.
+/// Compares silhouettes, body and hull of a result with the exact masks at given stamps.
 class ImageEvaluator {
  public:
-  /// Reads the masks of both bags at the instants. Throws as Recording when the truth has no
-  /// cameras.
-  /// \param rig file that calibrates the cameras; empty: the truth's bag does
-  /// \param stamps_ns instants, ascending \param tolerance_ns how far another stamp may lie
+  /// Reads the masks of both bags. Throws as Recording if the ground truth has no cameras.
+  /// \param rig rig file of the cameras; empty: those of the ground truth
+  /// \param stamps_ns of the frame sets, ascending
+  /// \param tolerance_ns maximum difference of a stamp
   ImageEvaluator(const std::string& truth, const std::string& rig, const std::string& results,
                  const ResultRecord& record, std::vector<int64_t> stamps_ns, int64_t tolerance_ns);
 
   bool hasTrueMasks() const { return !true_masks_.empty(); }
-  /// \param rules of the hull stage; its lattice is taken from the results
+  /// \param rules options of the hull stage; the lattice is that of the results
   ImageMetrics measure(const HullOptions& rules, const std::function<void(double)>& progress);
-  /// The body over the images of one of the instants; an empty mat if there is nothing to show.
+  /// Overlay of the body and the images at one of the stamps; empty if there is nothing to show.
   cv::Mat picture(int64_t stamp_ns);
 
  private:

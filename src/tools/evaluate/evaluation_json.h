@@ -6,7 +6,7 @@
 
 namespace markerless_mocap {
 
-/// All figures as one JSON object: mm, s, degrees, shares 0..1; null where there is none.
+/// All results as one JSON object: mm, s, degrees, fractions 0 to 1; null if there is no value.
 std::string evaluationJson(const Evaluation& evaluation);
 
 }  // namespace markerless_mocap

@@ -39,8 +39,8 @@ std::string cards(const Evaluation& evaluation) {
   std::string out = "<div class=\"cards\">";
   out += card(formatNumber("%.1f mm", joints.D_spread.mean), "mean joint error D");
   out += card(formatNumber("%.1f mm", joints.D_mean_unbiased), "D without constant offsets");
-  out += card(formatNumber("%.1f mm", joints.D_spread.max), "largest D of a frame");
-  out += card(formatNumber("%.1f mm", joints.D_max_unbiased), "largest without offsets");
+  out += card(formatNumber("%.1f mm", joints.D_spread.max), "maximum D of a frame");
+  out += card(formatNumber("%.1f mm", joints.D_max_unbiased), "maximum D without offsets");
   out += card(formatPercent(1.0 - joints.fraction_without_estimate), "frames with a pose");
   out +=
       card(formatPercent(record.fraction_without_pose_after_start), "without one after the first");
@@ -85,7 +85,7 @@ std::string errorPerJoint(const JointErrors& joints) {
   std::vector<BarRow> rows;
   std::string table =
       "<table><tr><th>joint</th><th class=n>mean</th><th class=n>without offset</th>"
-      "<th class=n>largest</th><th class=n>offset forward</th><th class=n>left</th>"
+      "<th class=n>maximum</th><th class=n>offset forward</th><th class=n>left</th>"
       "<th class=n>up</th></tr>\n";
   const auto cell = [](double value) {
     return "<td class=n>" + formatNumber("%.0f", value) + "</td>";
@@ -97,9 +97,9 @@ std::string errorPerJoint(const JointErrors& joints) {
              cell(marker.offset_mm.y()) + cell(marker.offset_mm.z()) + "</tr>\n";
   }
   const std::vector<PlotSeries> key{{"mean error", kBlue, {}},
-                                    {"with the joint's constant offset taken out", kOrange, {}}};
+                                    {"without the joint's constant offset", kOrange, {}}};
   return "<h2>Error per joint</h2>\n" + plotLegend(key) + barChart(rows, {kBlue, kOrange}, "mm") +
-         "<p>mm; the offset in the pelvis frame: where the joint is defined otherwise</p>\n" +
+         "<p>mm; offset in the pelvis frame, due to different definitions of the joint</p>\n" +
          table + "</table>\n";
 }
 
@@ -114,7 +114,7 @@ std::string swapsAndTips(const Evaluation& evaluation) {
   row("legs swapped", formatPercent(swaps.legs));
   for (const ExtremityError& part : evaluation.extremities) {
     row(part.name + ", mean error", formatNumber("%.0f mm", part.error_mm.mean));
-    row(part.name + ", right within 150 mm", formatPercent(part.fraction_correct));
+    row(part.name + ", correct within 150 mm", formatPercent(part.fraction_correct));
   }
   return out + "</table>\n";
 }
@@ -160,7 +160,7 @@ std::string evaluationPage(const Evaluation& evaluation) {
   };
   std::string body = cards(evaluation) + errorOverTime(evaluation) +
                      errorPerJoint(evaluation.joints) +
-                     "<h2>How often which error</h2>\n<p>frames by their D</p>\n" +
+                     "<h2>Distribution of errors</h2>\n<p>number of frames by D</p>\n" +
                      histogram(evaluation.joints.D, kBins, kBlue, "mm") + swapsAndTips(evaluation) +
                      limbsSection(evaluation.limbs, secondsOf(evaluation.stamps_ns)) +
                      deviationsSection(evaluation.deviations) +

@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// One HTML page that needs nothing beside it: figures, status and error over time, error per
-/// joint, histogram, overlaps, angles, pictures.
+/// A self-contained HTML page: numbers, status and error over time, error per joint, histogram,
+/// overlaps, angles, images.
 std::string evaluationPage(const Evaluation& evaluation);
 
 }  // namespace markerless_mocap

@@ -31,20 +31,20 @@ Eigen::Matrix3Xd curveOf(const PartCurve& part) {
   return points;
 }
 
-/// What is said in messages of the same stamp, by stamp.
-struct Said {
+/// Messages of one stamp.
+struct Messages {
   SegmentedHull hull;
   std::string status, reason;
   bool has_points = false, has_parts = false;
 };
 
-void addPoints(const sensor_msgs::PointCloud2& cloud, Said* said) {
+void addPoints(const sensor_msgs::PointCloud2& cloud, Messages* said) {
   said->hull.labels = labelsFromMessage(cloud);
   said->hull.voxels = pointsOf(cloud);
   said->has_points = true;
 }
 
-void addParts(const BodyPartsMsg& message, Said* said) {
+void addParts(const BodyPartsMsg& message, Messages* said) {
   const BodyParts parts = partsFromMessage(message);
   said->hull.valid = parts.status == SegmentationStatus::kOk;
   for (size_t i = 0; i < kPartCount; ++i) said->hull.curves[i] = curveOf(parts.parts[i]);
@@ -59,7 +59,7 @@ PartsRecord readParts(const std::string& path) {
   rosbag::Bag bag;
   openForReading(path, bag);
   PartsRecord record;
-  std::map<int64_t, Said> all;
+  std::map<int64_t, Messages> all;
   double pitch = 0.0;
   const std::vector<std::string> topics{kPoints, kParts, kGrid};
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topics))) {
@@ -86,7 +86,7 @@ PartsEvaluation evaluateParts(const JointTrack& truth, const std::string& world_
                               const PartsRecord& parts, int64_t tolerance_ns) {
   if (parts.world_frame != world_frame)
     throw std::runtime_error("the segmented hulls are in the frame " + parts.world_frame +
-                             ", the truth in " + world_frame + ": they cannot be compared");
+                             ", the ground truth in " + world_frame + ": they cannot be compared");
   PartsEvaluation out;
   std::vector<SegmentedHull> hulls;
   for (const int index : matchStamps(truth.stamps_ns, parts.stamps_ns, tolerance_ns)) {

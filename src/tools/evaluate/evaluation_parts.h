@@ -8,7 +8,7 @@
 
 namespace markerless_mocap {
 
-/// What a bag says that the segmentation stage found.
+/// Results of the segmentation stage in a bag.
 struct PartsRecord {
   std::string world_frame;
   std::vector<int64_t> stamps_ns;  ///< ascending
@@ -16,20 +16,22 @@ struct PartsRecord {
   std::vector<std::string> statuses, reasons;
 };
 
-/// Reads /segmentation/points, /segmentation/parts and /hull/grid; no stamps without them. Throws
-/// std::runtime_error if the bag cannot be read, std::invalid_argument on a message that cannot be
-/// what it should.
+/// Reads /segmentation/points, /segmentation/parts and /hull/grid; no stamps if they are missing.
+/// Throws std::runtime_error if the bag cannot be read, std::invalid_argument on an invalid
+/// message.
 PartsRecord readParts(const std::string& path);
 
-/// Segmented hulls held against the truth.
+/// Comparison of segmented hulls with the ground truth.
 struct PartsEvaluation {
   PartErrors errors;
-  std::map<std::string, size_t> status_counts;  ///< of the truth's frames; "missing": nothing said
-  std::vector<std::string> reasons;             ///< per frame of the truth; empty when valid
+  std::map<std::string, size_t> status_counts;  ///< over the frames of the ground truth; "missing":
+                                                ///< no result
+  std::vector<std::string> reasons;             ///< per frame of the ground truth; empty if valid
 };
 
-/// \param truth with partTruthNames() \param tolerance_ns how far another stamp may lie. Throws
-///   std::runtime_error if the two are in different frames.
+/// \param truth with partTruthNames()
+/// \param tolerance_ns maximum difference of a stamp
+/// Throws std::runtime_error if the two are in different frames.
 PartsEvaluation evaluateParts(const JointTrack& truth, const std::string& world_frame,
                               const PartsRecord& parts, int64_t tolerance_ns);
 

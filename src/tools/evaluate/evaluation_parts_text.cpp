@@ -61,9 +61,9 @@ std::string bandOf(const PartsEvaluation& parts, const std::vector<double>& seco
                                    : (verdict.all_six_correct ? kRightInvalid : kWrongInvalid),
                      words});
   }
-  return timeBand(seconds, cells) + plotLegend({{"valid, six parts right", kRight, {}},
+  return timeBand(seconds, cells) + plotLegend({{"valid, six parts correct", kRight, {}},
                                                 {"valid and wrong", kWrong, {}},
-                                                {"invalid, all six right", kRightInvalid, {}},
+                                                {"invalid, all six correct", kRightInvalid, {}},
                                                 {"invalid", kWrongInvalid, {}}});
 }
 

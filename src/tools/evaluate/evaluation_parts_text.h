@@ -9,14 +9,14 @@
 
 namespace markerless_mocap {
 
-/// The segmentation's lines of the terminal's table.
+/// Prints the rows of the segmentation.
 void printParts(const PartsEvaluation& parts, std::ostream& out);
 
-/// Shares 0..1, distances in mm; null where there is none.
+/// Fractions 0 to 1, distances in mm; null if there is no value.
 JsonObject partsObject(const PartsEvaluation& parts);
 
-/// A section of the report: figures, what was right when, curves. \param seconds of the truth's
-/// frames
+/// Section of the report: numbers, correctness over time, curves. \param seconds of the frames of
+/// the ground truth
 std::string partsSection(const PartsEvaluation& parts, const std::vector<double>& seconds);
 
 }  // namespace markerless_mocap

@@ -23,7 +23,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr const char* kRootLink = "body_";
-constexpr double kUsualStature = 1.75;  // m, for the names of a body that is not described
+constexpr double kDefaultStature = 1.75;  // m; default for the names of a body without description
 
 std::string ofBody(const std::string& id, const char* topic) {
   return "/humans/bodies/" + id + "/" + topic;
@@ -38,7 +38,7 @@ StampedTransforms readTransforms(rosbag::Bag& bag) {
   return transforms;
 }
 
-/// Bodies that tf or /pose speak of.
+/// Ids of all bodies in tf and /pose.
 std::set<std::string> bodiesIn(rosbag::Bag& bag, const StampedTransforms& transforms) {
   std::set<std::string> ids;
   for (const std::string& frame : transforms.framesBeginningWith(kRootLink))
@@ -68,7 +68,7 @@ void readBody(rosbag::Bag& bag, ResultRecord* results) {
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, description))
     if (const auto text = entry.instantiate<std_msgs::String>()) urdf = text->data;
   results->has_description = !urdf.empty();
-  if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kUsualStature);
+  if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kDefaultStature);
   results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
 }
 
@@ -80,7 +80,7 @@ FrameStatus statusOf(const BodyPoseMsg& pose) {
 
 using FramesByStamp = std::map<int64_t, ResultFrame>;
 
-/// Status of each instant that the tracker spoke about.
+/// Status of each frame of the tracker.
 FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms,
                            ResultRecord* results) {
   FramesByStamp frames;
@@ -94,13 +94,13 @@ FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms
     results->latencies.push_back(double(nanosecondsOf(entry.getTime()) - stamp) * 1e-9);
   }
   results->has_status = !frames.empty();
-  if (!results->has_status)  // another tracker: a transform is a pose
+  if (!results->has_status)  // for other trackers, every transform counts as a pose
     for (const int64_t stamp : transforms.stampsOf(kRootLink + results->body_id))
       frames[stamp] = {stamp, FrameStatus::kTracked, "", {}};
   return frames;
 }
 
-/// Frames of all links; the world is where the first one's tree begins.
+/// Frames of all links in the world, which is the root of the first link's tree.
 LinkPoses linkPoses(const BodyModel& body, const StampedTransforms& transforms, int64_t stamp_ns,
                     std::string* world) {
   LinkPoses T_world_link;

@@ -14,33 +14,34 @@
 
 namespace markerless_mocap {
 
-/// What a tracker said about one instant.
+/// Result of a tracker in one frame.
 struct ResultFrame {
   int64_t stamp_ns = 0;
   FrameStatus status = FrameStatus::kMissing;
   std::string reason;
-  LinkPoses T_world_link;  ///< NaN where a link is not seen; empty without a pose
-  /// Expected errors of thorax, head, wrists, ankles, metres; NaN where not told.
+  LinkPoses T_world_link;  ///< NaN if a link is not seen; empty without a pose
+  /// Estimated standard deviations of thorax, head, wrists, ankles, metres; NaN if unknown.
   std::array<double, 6> part_sigma_m{NAN, NAN, NAN, NAN, NAN, NAN};
 };
 
-/// What a bag says that a tracker found.
+/// Results of a tracker in a bag.
 struct ResultRecord {
   std::string body_id;
   std::string world_frame;
   std::shared_ptr<const BodyModel> body;
-  bool has_description = false;     ///< `body` is the tracker's own; else only its names are of use
-  bool has_status = false;          ///< there is a /pose
+  bool has_description = false;     ///< true: `body` is the tracked body; false: only its names are
+                                    ///< valid
+  bool has_status = false;          ///< the bag has the topic /pose
   std::vector<ResultFrame> frames;  ///< in the order of time
   JointTrack joints;                ///< bodyPointNames() of the frames with a pose
   std::vector<AngleFrame> angles;   ///< of the frames with a pose
-  std::vector<double> latencies;    ///< from stamp to record, s, of each pose
+  std::vector<double> latencies;    ///< record time minus stamp of each pose, s
 };
 
-/// Reads /tf and /tf_static, /pose (a lost frame has no estimate, whatever tf says), joint states
-/// and the body's URDF. Throws std::runtime_error with one sentence: the bag cannot be read, has
-/// no body or several ones and `id` does not choose.
-/// \param id empty: the only body there is
+/// Reads /tf and /tf_static, /pose (a lost frame has no estimate even if tf has one), joint states
+/// and the URDF of the body. Throws std::runtime_error if the bag cannot be read, or if it has no
+/// body, or several bodies and none of them is `id`.
+/// \param id empty: the only body
 ResultRecord readResults(const std::string& path, const std::string& id);
 
 }  // namespace markerless_mocap

@@ -21,12 +21,12 @@ void printD(const JointErrors& joints, std::ostream& out) {
   out << "Joint error D, mm\n";
   printRow(out, "mean",
            formatNumber("%.1f", D.mean) + "   (" + formatNumber("%.1f", joints.D_mean_unbiased) +
-               " with the constant offset of each joint taken out)");
+               " without the constant offset of each joint)");
   printRow(out, "median / 95 %",
            formatNumber("%.1f", D.median) + " / " + formatNumber("%.1f", D.p95));
   printRow(out, "largest",
            formatNumber("%.1f", D.max) + "   (" + formatNumber("%.1f", joints.D_max_unbiased) +
-               " with them taken out)");
+               " without offsets)");
   printRow(out, "swapped sides",
            "all " + formatPercent(joints.swaps.all) + ", arms " + formatPercent(joints.swaps.arms) +
                ", legs " + formatPercent(joints.swaps.legs));
@@ -48,24 +48,24 @@ void printFrames(const Evaluation& evaluation, std::ostream& out) {
   printRow(out, "after the start",
            formatPercent(record.fraction_without_pose_after_start) + " of " +
                std::to_string(record.frames_after_start) + " frames without a pose");
-  printRow(out, "losses",
-           std::to_string(record.losses.size()) +
-               (record.losses.empty()
-                    ? ""
-                    : ", the longest " + formatNumber("%.2f s", record.longest_loss())));
+  printRow(
+      out, "losses",
+      std::to_string(record.losses.size()) +
+          (record.losses.empty() ? ""
+                                 : ", longest " + formatNumber("%.2f s", record.longest_loss())));
   const Delay& delay = evaluation.delay;
   printRow(out, "delay",
            std::isfinite(delay.seconds)
                ? formatNumber("%.0f ms", 1e3 * delay.seconds) + "   (D " +
-                     formatNumber("%.1f", delay.D_now_mm) + " as it is, " +
-                     formatNumber("%.1f", delay.D_shifted_mm) + " against the truth so much later)"
+                     formatNumber("%.1f", delay.D_now_mm) + " as is, " +
+                     formatNumber("%.1f", delay.D_shifted_mm) + " after shifting the ground truth)"
                : "-");
   const SummaryStatistics& latency = evaluation.latency_ms;
   if (latency.count > 0)
     printRow(out, "latency",
              formatNumber("%.0f ms", latency.mean) + " mean, " +
                  formatNumber("%.0f ms", latency.p95) + " 95 %, " +
-                 formatNumber("%.0f ms", latency.max) + " largest");
+                 formatNumber("%.0f ms", latency.max) + " maximum");
 }
 
 void printMarkers(const JointErrors& joints, std::ostream& out) {
@@ -103,8 +103,8 @@ void printRest(const Evaluation& evaluation, std::ostream& out) {
   }
   const ImageMetrics& images = evaluation.images;
   if (images.frame_sets.empty()) return;
-  out << "Overlap with the exact masks, IoU over " << images.frame_sets.size() << " instants\n";
-  printRow(out, "silhouettes", formatNumber("%.3f", meanOfMeans(images.mask_iou)));
+  out << "Overlap with the exact masks, IoU over  << images.frame_sets.size() << " frame sets\n ";
+      printRow(out, "silhouettes", formatNumber("%.3f", meanOfMeans(images.mask_iou)));
   printRow(out, "fitted body", formatNumber("%.3f", meanOfMeans(images.body_iou)));
   printRow(out, "hull", formatNumber("%.3f", images.hull_iou.mean));
 }

@@ -6,10 +6,10 @@
 
 namespace markerless_mocap {
 
-/// A table for a terminal of 80 columns that can be read at a glance.
+/// Prints a summary for a terminal of 80 columns.
 void printEvaluation(const Evaluation& evaluation, std::ostream& out);
 
-/// One row per camera and one for all; NaN where nothing was compared.
+/// Mean over cameras of their mean values; NaN without any.
 double meanOfMeans(const std::vector<SummaryStatistics>& spreads);
 
 }  // namespace markerless_mocap

@@ -11,19 +11,19 @@
 
 namespace markerless_mocap {
 
-/// The transforms of a recording by their stamps. Unlike tf2 it does not interpolate: a frame is
-/// known at a stamp only if all that moves on its way to the root was said at that stamp.
+/// The transforms of a recording by stamp. Unlike tf2, it does not interpolate: a frame is known at
+/// a stamp only if all moving transforms between it and the root have this stamp.
 class StampedTransforms {
  public:
   void add(const tf2_msgs::TFMessage& message, bool is_static);
 
-  /// Stamps at which the frame itself was said, ascending, ns.
+  /// Stamps at which the transform of the frame was published, ascending, ns.
   std::vector<int64_t> stampsOf(const std::string& frame) const;
-  /// Frames said to move that begin with the text.
+  /// Moving frames whose names begin with the text.
   std::vector<std::string> framesBeginningWith(const std::string& text) const;
 
   struct Place {
-    std::string root;  ///< frame at the top of the tree; empty: the frame is not known
+    std::string root;  ///< root frame of the tree; empty: the frame is unknown
     Eigen::Isometry3d T_root_frame;
   };
   Place find(const std::string& frame, int64_t stamp_ns) const;

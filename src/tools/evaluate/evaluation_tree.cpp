@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kTopic = "/pose_tree";
 constexpr const char* kMissing = "missing";
 
-/// The truth's name of a joint: its thorax lies where the neck begins.
+/// Name of a joint in the ground truth: the base of the neck is called thorax there.
 std::string truthName(TreeJoint joint) {
   return joint == TreeJoint::kNeck ? "thorax" : toString(joint);
 }
@@ -38,7 +38,7 @@ TreeRecord readTrees(const std::string& path) {
     const auto message = entry.instantiate<PoseTreeMsg>();
     if (!message) continue;
     const int64_t stamp = nanosecondsOf(message->header.stamp);
-    // A loop or a second recording begins anew; the first pass counts.
+    // Time starts again in a loop or a second recording; only the first pass is used.
     if (!record.stamps_ns.empty() && stamp <= record.stamps_ns.back()) continue;
     const PoseTree tree = poseTreeFromMessage(*message);
     record.world_frame = message->header.frame_id;
@@ -55,7 +55,7 @@ TreeEvaluation evaluateTrees(const JointTrack& truth, const std::string& world_f
                              const TreeRecord& trees, int64_t tolerance_ns) {
   if (trees.world_frame != world_frame)
     throw std::runtime_error("the pose trees are in the frame " + trees.world_frame +
-                             ", the truth in " + world_frame + ": they cannot be compared");
+                             ", the ground truth in " + world_frame + ": they cannot be compared");
   TreeEvaluation out;
   std::vector<LabelledExtremities> labels;
   for (const int index : matchStamps(truth.stamps_ns, trees.stamps_ns, tolerance_ns)) {

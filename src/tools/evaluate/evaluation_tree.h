@@ -8,31 +8,33 @@
 
 namespace markerless_mocap {
 
-/// What a bag says that the pose tree stage found.
+/// Results of the pose tree stage in a bag.
 struct TreeRecord {
   std::string world_frame;
   std::vector<int64_t> stamps_ns;  ///< ascending
   std::vector<LabelledExtremities> labels;
   std::vector<std::string> statuses, reasons;
-  JointTrack joints;  ///< of the valid instants, by the names of the truth
+  JointTrack joints;  ///< of the valid trees, with the joint names of the ground truth
 };
 
 /// Reads /pose_tree; no stamps without that topic. Throws std::runtime_error if the bag cannot be
-/// read, std::invalid_argument on a message that is no tree.
+/// read, std::invalid_argument on an invalid message.
 TreeRecord readTrees(const std::string& path);
 
-/// Pose trees held against the truth.
+/// Comparison of pose trees with the ground truth.
 struct TreeEvaluation {
   LabelErrors labels;
-  std::map<std::string, size_t> status_counts;  ///< of the truth's frames; "missing": nothing said
-  std::vector<std::string> reasons;             ///< per frame of the truth; empty when valid
-  std::vector<std::string> joints;              ///< joints of the tree by the names of the truth
+  std::map<std::string, size_t> status_counts;  ///< over the frames of the ground truth; "missing":
+                                                ///< no result
+  std::vector<std::string> reasons;             ///< per frame of the ground truth; empty if valid
+  std::vector<std::string> joints;  ///< joints of the tree, with the names of the ground truth
   std::vector<SummaryStatistics>
-      joint_errors_mm;  ///< of each, over the valid frames it is found in
+      joint_errors_mm;  ///< per joint, over the valid frames that contain it
 };
 
-/// \param truth with labelTruthNames() and the joints \param tolerance_ns how far another stamp may
-///   lie. Throws std::runtime_error if the two are in different frames.
+/// \param truth with labelTruthNames() and the joints
+/// \param tolerance_ns maximum difference of a stamp
+/// Throws std::runtime_error if the two are in different frames.
 TreeEvaluation evaluateTrees(const JointTrack& truth, const std::string& world_frame,
                              const TreeRecord& trees, int64_t tolerance_ns);
 

@@ -13,7 +13,7 @@ constexpr const char *kRight = "#2a9d5c", *kWrong = "#c0392b", *kRightInvalid = 
 
 std::string extremityText(const SummaryStatistics& valid, const SummaryStatistics& if_right) {
   return formatNumber("%.0f mm", valid.mean) + ", 95 % " + formatNumber("%.0f", valid.p95) +
-         "   (where all are right " + formatNumber("%.0f", if_right.mean) + ", 95 % " +
+         "   (if all are correct " + formatNumber("%.0f", if_right.mean) + ", 95 % " +
          formatNumber("%.0f)", if_right.p95);
 }
 
@@ -24,7 +24,7 @@ std::string statusText(const TreeEvaluation& trees) {
   return text;
 }
 
-/// Mean error of each joint that was found, four in a line.
+/// Mean error of each joint that was found, four per line.
 std::string jointsText(const TreeEvaluation& trees) {
   std::string text;
   int listed = 0;
@@ -37,7 +37,7 @@ std::string jointsText(const TreeEvaluation& trees) {
   return listed == 0 ? "none found" : text;
 }
 
-/// Colour and words of a frame in the band over time.
+/// Colour and tooltip of a frame in the band over time.
 BandCell cellOf(const TreeEvaluation& trees, const std::vector<double>& seconds, size_t frame) {
   const LabelEvaluation& verdict = trees.labels.verdicts[frame];
   std::string words = formatNumber("%.3f s: ", seconds[frame]) +
@@ -54,15 +54,15 @@ BandCell cellOf(const TreeEvaluation& trees, const std::vector<double>& seconds,
 std::string bandOf(const TreeEvaluation& trees, const std::vector<double>& seconds) {
   std::vector<BandCell> cells;
   for (size_t f = 0; f < seconds.size(); ++f) cells.push_back(cellOf(trees, seconds, f));
-  return timeBand(seconds, cells) + plotLegend({{"valid and right", kRight, {}},
+  return timeBand(seconds, cells) + plotLegend({{"valid and correct", kRight, {}},
                                                 {"valid and wrong", kWrong, {}},
-                                                {"invalid, would be right", kRightInvalid, {}},
+                                                {"invalid, would be correct", kRightInvalid, {}},
                                                 {"invalid", kWrongInvalid, {}}});
 }
 
 std::string tableOf(const TreeEvaluation& trees) {
   std::string out =
-      "<table><tr><th></th><th class=n>right</th><th class=n>mean mm</th>"
+      "<table><tr><th></th><th class=n>correct</th><th class=n>mean mm</th>"
       "<th class=n>95 %</th></tr>\n";
   const auto line = [&](const std::string& name, const std::string& right,
                         const SummaryStatistics& error) {
@@ -79,8 +79,8 @@ std::string tableOf(const TreeEvaluation& trees) {
 
 std::string curveOf(const LabelErrors& labels) {
   std::vector<double> thresholds;
-  PlotSeries precision{"precision: right among the frames that reach the threshold", kBlue, {}};
-  PlotSeries recall{"recall: right frames that reach it", kOrange, {}};
+  PlotSeries precision{"precision: correct frames among those above the threshold", kBlue, {}};
+  PlotSeries recall{"recall: correct frames above the threshold", kOrange, {}};
   for (const PrecisionRecallPoint& figures : labels.by_threshold) {
     thresholds.push_back(figures.threshold);
     precision.values.push_back(figures.precision);
@@ -90,11 +90,11 @@ std::string curveOf(const LabelErrors& labels) {
          plotLegend({precision, recall}) + linePlot(thresholds, {precision, recall}, 1.0, "", "");
 }
 
-/// Whether validity means what it says.
+/// Calibration of the validity: mean validity and fraction of correct trees per bin.
 std::string reliabilityOf(const LabelErrors& labels) {
   std::string out =
-      "<h3>What validity means</h3>\n<table><tr><th class=n>frames</th><th class=n>mean "
-      "validity</th><th class=n>right</th></tr>\n";
+      "<h3>Calibration of the validity</h3>\n<table><tr><th class=n>frames</th><th class=n>mean "
+      "validity</th><th class=n>correct</th></tr>\n";
   for (const ReliabilityBin& bin : labels.reliability)
     out += "<tr><td class=n>" + std::to_string(bin.frames) + "</td><td class=n>" +
            formatNumber("%.2f", bin.mean_validity) + "</td><td class=n>" +
@@ -108,18 +108,18 @@ void printTrees(const TreeEvaluation& trees, std::ostream& out) {
   const LabelErrors& labels = trees.labels;
   out << "Pose tree\n";
   printRow(out, "valid", formatPercent(labels.fraction_valid) + "   (" + statusText(trees) + ")");
-  printRow(out, "labelled right",
+  printRow(out, "labelled correctly",
            formatPercent(labels.fraction_correct) + "   (" +
                formatPercent(labels.fraction_correct_and_valid) + " and valid; " +
-               formatPercent(labels.fraction_kinds_correct) + " but for the sides)");
+               formatPercent(labels.fraction_kinds_correct) + " except for the sides)");
   printRow(out, "wrong but valid", formatPercent(labels.fraction_wrong_but_valid));
-  printRow(out, "sides right", formatPercent(labels.fraction_sides_correct) + " of the valid");
+  printRow(out, "sides correct", formatPercent(labels.fraction_sides_correct) + " of the valid");
   printRow(out, "hands", extremityText(labels.hands_mm, labels.hands_if_correct_mm));
   printRow(out, "feet", extremityText(labels.feet_mm, labels.feet_if_correct_mm));
   printRow(out, "joints, mm", jointsText(trees));
-  printRow(
-      out, "validity",
-      formatNumber("%.3f", labels.precision_recall_area) + " area under precision over recall");
+  printRow(out, "validity",
+           formatNumber("%.3f", labels.precision_recall_area) +
+               " area under the precision-recall curve");
 }
 
 JsonObject treesObject(const TreeEvaluation& trees) {
@@ -170,10 +170,10 @@ std::string treesSection(const TreeEvaluation& trees, const std::vector<double>&
   const LabelErrors& labels = trees.labels;
   return "<h2>Pose tree</h2>\n<p>" + formatPercent(labels.fraction_valid) + " valid (" +
          escapeHtml(statusText(trees)) + "), " + formatPercent(labels.fraction_correct) +
-         " labelled right (" + formatPercent(labels.fraction_kinds_correct) +
-         " but for the sides), " + formatPercent(labels.fraction_wrong_but_valid) +
-         " wrong but valid; sides right in " + formatPercent(labels.fraction_sides_correct) +
-         " of the valid; area under precision over recall " +
+         " labelled correctly (" + formatPercent(labels.fraction_kinds_correct) +
+         " except for the sides), " + formatPercent(labels.fraction_wrong_but_valid) +
+         " wrong but valid; sides correct in " + formatPercent(labels.fraction_sides_correct) +
+         " of the valid; area under the precision-recall curve " +
          formatNumber("%.3f", labels.precision_recall_area) + "</p>\n" + bandOf(trees, seconds) +
          "<p>of the valid frames; ends to the middle of the head, knuckles and balls of the "
          "feet</p>\n" +

@@ -10,15 +10,15 @@
 
 namespace markerless_mocap {
 
-/// The tree's lines of the terminal's table.
+/// Prints the rows of the pose tree.
 void printTrees(const TreeEvaluation& trees, std::ostream& out);
 
-/// Shares 0..1, errors in mm, the curve as [threshold, precision, recall]; null where there is
-/// none.
+/// Fractions 0 to 1, errors in mm, the curve as [threshold, precision, recall]; null if there is no
+/// value.
 JsonObject treesObject(const TreeEvaluation& trees);
 
-/// A section of the report: figures, what was right when, errors, precision and recall over the
-/// threshold. \param seconds of the truth's frames
+/// Section of the report: numbers, correctness over time, errors, precision and recall over the
+/// threshold. \param seconds of the frames of the ground truth
 std::string treesSection(const TreeEvaluation& trees, const std::vector<double>& seconds);
 
 }  // namespace markerless_mocap

@@ -26,12 +26,12 @@ void addJoints(const JointPositions& message, const std::string& path, TruthReco
   if (first) truth->world_frame = message.header.frame_id;
   if (message.names != truth->joints.names || message.header.frame_id != truth->world_frame)
     throw std::runtime_error(path + " changes the names or the frame of " + kJoints +
-                             " on the way");
+                             " during the recording");
   Eigen::Matrix3Xd points(3, message.positions.size());
   for (size_t i = 0; i < message.positions.size(); ++i)
     points.col(i) << message.positions[i].x, message.positions[i].y, message.positions[i].z;
   const int64_t stamp = nanosecondsOf(message.header.stamp);
-  // A loop or a second recording begins anew; the first pass counts.
+  // Time starts again in a loop or a second recording; only the first pass is used.
   if (first || stamp > truth->joints.stamps_ns.back()) truth->joints.add(stamp, points);
 }
 

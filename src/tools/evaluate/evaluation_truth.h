@@ -8,18 +8,18 @@
 
 namespace markerless_mocap {
 
-/// What a bag says is true about a person.
+/// Ground truth of a person in a bag.
 struct TruthRecord {
   std::string world_frame;
   JointTrack joints;               ///< /ground_truth/joints
   std::vector<AngleFrame> angles;  ///< /ground_truth/joint_states; may be empty
 };
 
-/// Throws std::runtime_error with one sentence: the bag cannot be read, has no
-/// /ground_truth/joints, or messages that contradict each other.
+/// Throws std::runtime_error if the bag cannot be read, has no /ground_truth/joints, or has
+/// inconsistent messages.
 TruthRecord readTruth(const std::string& path);
 
-/// A joint's name without the id that REP-155 appends: "l_elbow_person1" is "l_elbow".
+/// The name of a joint without the id that REP-155 appends: "l_elbow_person1" becomes "l_elbow".
 std::string withoutId(const std::string& name);
 
 }  // namespace markerless_mocap

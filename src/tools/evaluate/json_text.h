@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// Builds the text of a JSON object member by member; figures that are not finite become null.
+/// Builds the text of a JSON object member by member; numbers that are not finite become null.
 class JsonObject {
  public:
   void add(const std::string& key, double value);
@@ -12,10 +12,10 @@ class JsonObject {
   void add(const std::string& key, const std::string& value);
   void add(const std::string& key, const char* value) { add(key, std::string(value)); }
   void add(const std::string& key, const JsonObject& value);
-  /// \param values texts of JSON values
+  /// \param values JSON values, separated by commas
   void addList(const std::string& key, const std::string& values);
 
-  /// \param indent spaces before its lines
+  /// \param indent spaces before each line
   std::string text(int indent = 0) const;
 
   static std::string number(double value);

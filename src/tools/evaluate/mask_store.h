@@ -9,18 +9,18 @@
 
 namespace markerless_mocap {
 
-/// Masks of chosen instants from a bag, kept compressed.
+/// Masks of given stamps from a bag, stored in compressed form.
 class MaskStore {
  public:
   /// Reads silhouettes.
-  /// \param topics one per camera; a topic that the bag lacks gives no masks
-  /// \param stamps_ns instants, ascending; the nearest mask within the tolerance is taken
-  /// Throws std::runtime_error if the bag cannot be read, std::invalid_argument if a mask is none.
+  /// \param topics one per camera; a missing topic gives no masks
+  /// \param stamps_ns ascending; the nearest mask within the tolerance is used
+  /// Throws std::runtime_error if the bag cannot be read, std::invalid_argument on an invalid mask.
   MaskStore(const std::string& bag, const std::vector<std::string>& topics,
             const std::vector<int64_t>& stamps_ns, int64_t tolerance_ns);
 
   bool empty() const { return masks_.empty(); }
-  /// CV_8UC1 0 | 255; an empty mat where there is none.
+  /// CV_8UC1 0 | 255; empty if missing.
   cv::Mat at(int64_t stamp_ns, size_t camera) const;
 
  private:
@@ -31,7 +31,8 @@ class MaskStore {
   std::map<std::pair<int64_t, size_t>, Entry> masks_;
 };
 
-/// The one of `stamps_ns` (ascending) nearest to `stamp_ns` within the tolerance; nullptr if none.
+/// The element of `stamps_ns` (ascending) nearest to `stamp_ns` within the tolerance; nullptr if
+/// there is none.
 const int64_t* nearestStamp(const std::vector<int64_t>& stamps_ns, int64_t stamp_ns,
                             int64_t tolerance_ns);
 

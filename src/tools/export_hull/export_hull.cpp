@@ -20,7 +20,7 @@ void append(const Value& value, std::string* bytes) {
   bytes->append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/// Six significant decimals place a voxel of 5 mm within 100 m.
+/// Six significant digits resolve a voxel of 5 mm within 100 m.
 std::string positionText(const Eigen::Vector3f& p) {
   std::ostringstream text;
   text.precision(6);

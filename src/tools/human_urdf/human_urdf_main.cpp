@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-/// The stature that the configuration gives the pose fitting, metres.
+/// pose_fitting/stature of a configuration, metres.
 double statureOf(const std::string& config) {
   const YAML::Node root = YAML::Load(config.empty() ? "{}" : readText(config));
   return loadOptions<TrackerOptions>(root[TrackerOptions::kStage]).person.stature;
@@ -21,10 +21,10 @@ double statureOf(const std::string& config) {
 }  // namespace
 }  // namespace markerless_mocap
 
-// Writes the URDF of a person to the standard output.
+// Writes the URDF of a person to standard output.
 int main(int argc, char** argv) {
   using namespace markerless_mocap;
-  CLI::App app("Writes the URDF of a person of the stature that a configuration gives.");
+  CLI::App app("Writes the URDF of a person with the stature of a configuration.");
   std::string file, id = "person1", config;
   app.add_option("template", file, "URDF template, urdf/human.urdf.in")->required();
   app.add_option("--id", id, "suffix of links and joints");

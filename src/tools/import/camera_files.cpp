@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kMaxCameraNumber = 999;
 
-/// The file as OpenCV's, or nothing if it is none.
+/// The file as OpenCV storage; empty if it is another kind of file.
 std::optional<cv::FileStorage> openStorage(const std::string& path) {
-  // OpenCV aborts on some texts that are no storage; these have a mark of their own.
+  // OpenCV aborts on some texts that are not storage files, so the header is checked first.
   const std::string text = readText(path);
   const bool marked =
       text.find("opencv_storage") != std::string::npos || text.rfind("%YAML", 0) == 0;
@@ -29,7 +29,7 @@ std::optional<cv::FileStorage> openStorage(const std::string& path) {
     cv::FileStorage storage(path, cv::FileStorage::READ);
     if (storage.isOpened()) return storage;
   } catch (const cv::Exception&) {
-    // Told below like every other unreadable file.
+    // Reported below like any other unreadable file.
   }
   throw std::runtime_error(path + " is not well-formed");
 }
@@ -55,7 +55,7 @@ cv::Mat matrixIn(const cv::FileStorage& storage, const std::string& path, const 
 void checkCount(const cv::Mat& matrix, size_t wanted, const std::string& path, const char* key) {
   if (matrix.total() != wanted)
     throw std::runtime_error(path + " has " + std::to_string(matrix.total()) + " numbers in " +
-                             key + ", wanted are " + std::to_string(wanted));
+                             key + ", expected are " + std::to_string(wanted));
 }
 
 cv::Matx33d rotationIn(const cv::FileStorage& storage, const std::string& path) {
@@ -108,7 +108,7 @@ Eigen::Matrix<double, 3, 4> readProjection(const std::string& path) {
 
 CameraCalibration readCalibration(const std::string& path) {
   const auto storage = openStorage(path);
-  if (!storage) throw std::runtime_error(path + " is no OpenCV calibration file");
+  if (!storage) throw std::runtime_error(path + " is not an OpenCV calibration file");
   const cv::Mat K = matrixIn(*storage, path, "CameraMatrix");
   const cv::Mat D = matrixIn(*storage, path, "DistortionCoeffs").reshape(1, 1);
   const cv::Mat t = matrixIn(*storage, path, "Translation").reshape(1, 1);

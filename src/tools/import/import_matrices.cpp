@@ -104,7 +104,7 @@ ImportResult importMatrices(const MatricesInput& input, const ImportOptions& opt
   result.frame_sets = int(cameras.front().frame_sets());
   for (const CameraFiles& camera : cameras)
     result.cameras.push_back(calibrationOf(camera, options.world));
-  result.remarks = calibrationWarnings(result.cameras);
+  result.warnings = calibrationWarnings(result.cameras);
 
   CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);

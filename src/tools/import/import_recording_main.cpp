@@ -21,19 +21,19 @@ void describeCommon(CLI::App* command, Arguments* arguments) {
   ImportOptions& options = arguments->options;
   command
       ->add_option("--scale-to-metres", options.world.scale_to_metres,
-                   "metres in a unit of the calibration; 0.001 for millimetres")
+                   "metres per unit of the calibration; 0.001 for millimetres")
       ->capture_default_str();
   command
       ->add_option("--up", options.world.up, "axis of the calibration that points up: z, -z, y ...")
       ->capture_default_str();
   command->add_option("--fps", options.fps,
-                      "instants per second; 0: the videos' own, 25 for images");
-  command->add_option("--start-stamp", options.start_stamp, "stamp of the first instant, s")
+                      "frame sets per second; 0: the rate of the videos, 25 for images");
+  command->add_option("--start-stamp", options.start_stamp, "stamp of the first frame set, s")
       ->capture_default_str();
   command->add_option("--jpeg", options.jpeg_quality,
                       "write image_raw/compressed of this quality, 1 to 100; 0: image_raw");
   command->add_option("--rig-out", options.rig_out,
-                      "rig file to write, for mocap_offline --rig and others");
+                      "rig file to write, for example for mocap_offline --rig");
   command->add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
@@ -43,9 +43,10 @@ CLI::App* describeMatrices(CLI::App& app, Arguments* arguments) {
   MatricesInput& input = arguments->matrices;
   command->add_option("output", arguments->options.output, "bag to write")->required();
   command
-      ->add_option("--matrices", input.matrices,
-                   "files with 12 numbers or an OpenCV matrix, such as 'DIR/cam%02d.xml'; %02d is "
-                   "the camera's number")
+      ->add_option(
+          "--matrices", input.matrices,
+          "files with 12 numbers or an OpenCV matrix, such as 'DIR/cam%02d.xml'; %02d stands for "
+          "the number of the camera")
       ->required();
   command->add_option("--images", input.images, "such as 'DIR/cam%02d_*.png', sorted by name");
   command->add_option("--masks", input.masks, "such as 'DIR/silh_cam%02d_*.pbm'; white = person");
@@ -55,14 +56,17 @@ CLI::App* describeMatrices(CLI::App& app, Arguments* arguments) {
 
 CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
   CLI::App* command = app.add_subcommand(
-      "videos", "a folder per camera with a video and an OpenCV calibration file");
+      "videos", "one folder per camera with a video and an OpenCV calibration file");
   VideosInput& input = arguments->videos;
   command->add_option("output", arguments->options.output, "bag to write")->required();
-  command->add_option("folder", input.folder, "holds the cameras' folders")->required();
+  command->add_option("folder", input.folder, "folder that contains the folders of the cameras")
+      ->required();
   command->add_option("--video", input.video, "file in each folder")->capture_default_str();
   command->add_option("--background", input.background,
-                      "file in each folder: video of the empty scene, comes first");
-  command->add_option("--background-frames", input.background_frames, "frames of it to take")
+                      "file in each folder: video of the empty scene, used first");
+  command
+      ->add_option("--background-frames", input.background_frames,
+                   "number of frames from the background video")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
@@ -70,7 +74,7 @@ CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
                    "file in each folder: CameraMatrix, DistortionCoeffs, Rotation, Translation")
       ->capture_default_str();
   command->add_option("--rig", input.rig,
-                      "rig file that calibrates the cameras instead, in metres with z up");
+                      "rig file in metres with z up, replaces the calibration files");
   describeCommon(command, arguments);
   return command;
 }
@@ -78,7 +82,7 @@ CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes a bag for this package from other recordings.", "import_recording");
+  CLI::App app("Converts other recordings to a bag for this package.", "import_recording");
   app.require_subcommand(1);
   Arguments arguments;
   const CLI::App* matrices = describeMatrices(app, &arguments);

@@ -21,7 +21,7 @@ cv::VideoCapture openVideo(const fs::path& path) {
   return video;
 }
 
-/// One camera's background video followed by its video.
+/// The background video of one camera, followed by its video.
 class CameraVideos {
  public:
   CameraVideos(const fs::path& folder, const VideosInput& input)
@@ -35,7 +35,7 @@ class CameraVideos {
   double fps() const { return video_.get(cv::CAP_PROP_FPS); }
   int width() const { return int(video_.get(cv::CAP_PROP_FRAME_WIDTH)); }
   int height() const { return int(video_.get(cv::CAP_PROP_FRAME_HEIGHT)); }
-  /// As the files' heads say; 0 where they do not.
+  /// Number of frames according to the file header; 0 if unknown.
   int frames() const { return std::max(0, int(video_.get(cv::CAP_PROP_FRAME_COUNT))); }
 
   /// Empty after the last frame; throws if the background video is too short.
@@ -45,7 +45,7 @@ class CameraVideos {
       if (!background_.read(frame))
         throw std::runtime_error("the background video of " + name_ + " ends " +
                                  std::to_string(background_left_) +
-                                 " frames too early: ask for fewer background frames");
+                                 " frames too early: reduce the number of background frames");
       --background_left_;
     } else {
       video_.read(frame);
@@ -94,7 +94,7 @@ CameraCalibration calibrationOf(const fs::path& folder, const VideosInput& input
   return world.apply(calibration);
 }
 
-/// The next frame of every camera; empty when one camera has ended.
+/// The next frame of each camera; empty after the end of any video.
 std::vector<cv::Mat> nextFrames(std::vector<CameraVideos>* cameras) {
   std::vector<cv::Mat> frames;
   for (CameraVideos& camera : *cameras) frames.push_back(camera.next());
@@ -103,15 +103,15 @@ std::vector<cv::Mat> nextFrames(std::vector<CameraVideos>* cameras) {
   return ended ? std::vector<cv::Mat>() : frames;
 }
 
-/// Frames of the shortest video; remarks if others are longer.
-int shortestVideo(const std::vector<CameraVideos>& cameras, std::vector<std::string>* remarks) {
+/// Number of frames of the shortest video; adds a warning if others are longer.
+int shortestVideo(const std::vector<CameraVideos>& cameras, std::vector<std::string>* warnings) {
   const auto [shortest, longest] =
       std::minmax_element(cameras.begin(), cameras.end(),
                           [](const auto& a, const auto& b) { return a.frames() < b.frames(); });
   if (shortest->frames() < longest->frames())
-    remarks->push_back("the video of " + shortest->name() + " has " +
-                       std::to_string(shortest->frames()) + " frames, that of " + longest->name() +
-                       " has " + std::to_string(longest->frames()) + ": the shortest one counts");
+    warnings->push_back("the video of " + shortest->name() + " has " +
+                        std::to_string(shortest->frames()) + " frames, that of " + longest->name() +
+                        " has " + std::to_string(longest->frames()) + ": the shortest one is used");
   return shortest->frames();
 }
 
@@ -128,9 +128,9 @@ ImportResult importVideos(const VideosInput& input, const ImportOptions& options
   }
   result.fps = options.fps > 0.0 ? options.fps : videos.front().fps();
   if (!(result.fps > 0.0))
-    throw std::runtime_error("the videos do not say how fast they are (fps)");
-  result.remarks = calibrationWarnings(result.cameras);
-  const int shortest = shortestVideo(videos, &result.remarks);
+    throw std::runtime_error("the videos do not contain their frame rate (--fps)");
+  result.warnings = calibrationWarnings(result.cameras);
+  const int shortest = shortestVideo(videos, &result.warnings);
 
   const int expected = shortest + (input.background.empty() ? 0 : input.background_frames);
   CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
@@ -143,9 +143,9 @@ ImportResult importVideos(const VideosInput& input, const ImportOptions& options
   }
   progress.finish();
   if (result.frame_sets < expected)
-    result.remarks.push_back("a video ended after " + std::to_string(result.frame_sets) +
-                             " frames, background included; its head promises " +
-                             std::to_string(expected));
+    result.warnings.push_back("a video ended after " + std::to_string(result.frame_sets) +
+                              " frames, background included; its header says " +
+                              std::to_string(expected));
   if (result.frame_sets == 0) throw std::runtime_error("the videos have no frames");
   bag.commit();
   return result;

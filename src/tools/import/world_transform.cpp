@@ -8,9 +8,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kWidestRig = 50.0, kNarrowestRig = 0.2;  // metres
+constexpr double kMaxRig = 50.0, kMinRig = 0.2;  // metres
 
-/// Unit vector of "x", "-x" ...; zero if the text is no axis.
+/// Unit vector of "x", "-x" ...; zero if the text is not an axis.
 Eigen::Vector3d axisNamed(const std::string& name) {
   const double sign = name[0] == '-' ? -1.0 : 1.0;
   const std::string letter = name.substr(sign < 0.0 ? 1 : 0);
@@ -24,10 +24,10 @@ Eigen::Vector3d axisNamed(const std::string& name) {
 
 void WorldTransform::validate() const {
   if (!(scale_to_metres > 0.0 && scale_to_metres <= 1000.0)) {
-    std::ostringstream sentence;
-    sentence << "scale-to-metres is " << scale_to_metres
-             << ", allowed is above 0 to 1000 (0.001 for millimetres)";
-    throw std::invalid_argument(sentence.str());
+    std::ostringstream message;
+    message << "scale-to-metres is " << scale_to_metres
+            << ", allowed is above 0 to 1000 (0.001 for millimetres)";
+    throw std::invalid_argument(message.str());
   }
   if (axisNamed(up).isZero())
     throw std::invalid_argument("up is \"" + up + "\", allowed is one of x, -x, y, -y, z, -z");
@@ -35,7 +35,7 @@ void WorldTransform::validate() const {
 
 Eigen::Matrix3d WorldTransform::rotation() const {
   const Eigen::Vector3d axis = axisNamed(up);
-  // Half a turn has no shortest way: it goes about x.
+  // For a rotation by 180 degrees the shortest rotation is ambiguous: it is about x.
   if (axis.z() < -0.5) return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
@@ -58,17 +58,17 @@ std::vector<std::string> calibrationWarnings(const std::vector<CameraCalibration
       furthest = std::max(furthest, distance);
     }
   }
-  std::vector<std::string> doubts;
-  if (furthest > kWidestRig)
-    doubts.push_back("two cameras are " + std::to_string(int(furthest)) +
-                     " m apart: is the unit right (--scale-to-metres)?");
-  if (nearest < kNarrowestRig)
-    doubts.push_back(
+  std::vector<std::string> warnings;
+  if (furthest > kMaxRig)
+    warnings.push_back("two cameras are " + std::to_string(int(furthest)) +
+                       " m apart: is the unit right (--scale-to-metres)?");
+  if (nearest < kMinRig)
+    warnings.push_back(
         "two cameras are less than 0.2 m apart: is the unit right "
         "(--scale-to-metres)?");
   if (highest < 0.0)
-    doubts.push_back("all cameras are below z = 0: does another axis point up (--up -z)?");
-  return doubts;
+    warnings.push_back("all cameras are below z = 0: does another axis point up (--up -z)?");
+  return warnings;
 }
 
 }  // namespace markerless_mocap

@@ -14,7 +14,7 @@ using namespace markerless_mocap;
 struct Arguments {
   OfflineOptions run;
   std::string config;
-  std::string self_calibrate;  ///< rig file to write; empty: the calibration is taken as it is
+  std::string self_calibrate;  ///< rig file to write; empty: no self-calibration
   std::optional<double> stature;
   bool quiet = false;
 };
@@ -26,33 +26,35 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--config", arguments->config, "YAML file, one section per stage");
   app.add_option("--cameras", run.recording.cameras, "use these cameras only");
   app.add_flag("--use-masks", run.recording.use_masks,
-               "take the recorded <camera>/silhouette; without it they are used only for cameras "
-               "that have no images");
-  app.add_option("--rig", run.recording.rig,
-                 "rig file that calibrates the cameras in place of camera_info and tf");
+               "use the recorded <camera>/silhouette; without this option only for cameras "
+               "without images");
+  app.add_option("--rig", run.recording.rig, "rig file that replaces camera_info and tf");
   app.add_option("--self-calibrate", arguments->self_calibrate,
-                 "estimate from the person how the cameras point, write the corrected rig to this "
-                 "file, for --rig of other runs, and go on with it; says what it does");
+                 "refine the camera orientations with the person's silhouettes, write the "
+                 "corrected rig to this "
+                 "file (for --rig of other runs), and use it for this run");
   app.add_option("--world", run.recording.world_frame, "frame of the results")
       ->capture_default_str();
   app.add_option("--stature", arguments->stature,
-                 "body height, m; before the configuration's; measuring begins with it");
+                 "body height, m; overrides the configuration; start of the shape estimate");
   app.add_option("--id", run.body_id, "id of the body")->capture_default_str();
-  app.add_option("--body", run.body_file, "sizes of the person from --save-body of an earlier run");
-  app.add_option("--save-body", run.save_body, "file to write the person's measured sizes to");
-  app.add_option("--urdf-template", run.urdf_template, "in place of the package's own body");
-  app.add_option("--start", run.recording.start, "begin this many seconds after the first image")
+  app.add_option("--body", run.body_file,
+                 "body shape of the person, from --save-body of an earlier run");
+  app.add_option("--save-body", run.save_body, "file for the estimated body shape of the person");
+  app.add_option("--urdf-template", run.urdf_template,
+                 "URDF template, replaces that of the package");
+  app.add_option("--start", run.recording.start, "start this many seconds after the first image")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--duration", run.recording.duration, "seconds to process")
       ->check(CLI::PositiveNumber);
   app.add_option("--report", run.report_folder,
-                 "folder for report.html and pictures of the body over the images");
-  app.add_flag("--masks-out", run.masks_out, "write the silhouettes too");
+                 "folder for report.html and overlays of the body on the images");
+  app.add_flag("--masks-out", run.masks_out, "also write the silhouettes");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
-/// From here on the run is one with the corrected rig, if there is one. Said even if quiet: it
-/// changes the calibration.
+/// If the calibration was corrected, the run uses the corrected rig. The messages are printed even
+/// if quiet, because the calibration changes.
 void calibrate(const std::string& rig_file, OfflineOptions* options) {
   const OrientationRefinement estimate = selfCalibrate(*options, rig_file);
   options->remarks = calibrationMessages(estimate, rig_file);

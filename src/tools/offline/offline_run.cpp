@@ -23,7 +23,7 @@ void checkFiles(const OfflineOptions& options) {
 
 void checkOutcome(const RunSummary& summary, const Recording& recording) {
   if (summary.frame_sets() == 0)
-    throw std::runtime_error("no instant has images of two cameras or more");
+    throw std::runtime_error("no frame set has images of two cameras or more");
   if (summary.processed() == 0)
     throw std::runtime_error("the recording ends while the background is being learned, after " +
                              std::to_string(summary.frame_sets()) + " instants" +
@@ -32,21 +32,23 @@ void checkOutcome(const RunSummary& summary, const Recording& recording) {
 
 void remarkOn(const Recording& recording, std::ostream& notes) {
   const AssemblerCounts& counts = recording.counts();
-  if (counts.incomplete > 0) notes << counts.incomplete << " instants lack the image of a camera\n";
+  if (counts.incomplete > 0)
+    notes << counts.incomplete << " frame sets lack the image of a camera\n";
   if (const uint64_t dropped = counts.abandoned + counts.late + counts.duplicate)
-    notes << dropped << " images are of no use: alone at their instant, too late or doubled\n";
+    notes << dropped
+          << " images were not used: no other camera at that time, too late or duplicate\n";
   if (recording.unreadable() > 0)
     notes << recording.unreadable()
           << " images cannot be read, the first: " << recording.firstUnreadable() << '\n';
 }
 
-// Whoever does not move enough in this time is not measured.
+// A person who does not move enough in this time is not measured.
 constexpr double kMaxMeasuringSeconds = 20.0;  // seconds
 
 void saveBody(const OfflineOptions& options, const TrackedBody& body) {
-  if (!body.measured)
+  if (!body.shape_estimated)
     throw std::runtime_error("the body was not measured, " + options.save_body + " is not written");
-  writeBodyFile(options.save_body, body.sizes);
+  writeBodyFile(options.save_body, body.shape);
 }
 
 }  // namespace
@@ -57,38 +59,39 @@ std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* r
   return recording->next();
 }
 
-void measureBody(const OfflineOptions& options, PersonResources* sources, std::ostream* notes) {
+void measureBody(const OfflineOptions& options, PersonResources* resources, std::ostream* notes) {
   RecordingOptions beginning = options.recording;
   beginning.duration = std::min(beginning.duration, kMaxMeasuringSeconds);
   Recording recording(options.input, beginning);
   PipelineOptions stages = options.pipeline;
-  stages.fitting.method = "contour";  // the only one that measures
-  Pipeline pipeline(recording.rig(), *sources, stages);
+  stages.fitting.method = "contour";  // the only method that estimates the shape
+  Pipeline pipeline(recording.rig(), *resources, stages);
   std::atomic<bool> measured = false;
   pipeline.processStream(
       [&] { return measured ? std::nullopt : nextFrameSet(options, &recording); },
       [&](const FrameSet&, const PipelineResult& result) {
-        measured = measured || (result.body && result.body->measured);
+        measured = measured || (result.body && result.body->shape_estimated);
       });
   pipeline.estimateShapeNow();
-  if (pipeline.body()->measured) sources->measured = pipeline.body()->sizes;
+  if (pipeline.body()->shape_estimated) resources->known_shape = pipeline.body()->shape;
   if (!notes) return;
   char stature[16];
-  std::snprintf(stature, sizeof stature, "%.2f m", statureOf(pipeline.body()->sizes));
-  *notes << (sources->measured ? "the body is measured: " : "the body could not be measured: ")
-         << "its stature is taken as " << stature << '\n';
+  std::snprintf(stature, sizeof stature, "%.2f m", statureOf(pipeline.body()->shape));
+  *notes << (resources->known_shape ? "the body has been measured: "
+                                    : "the body could not be measured: ")
+         << "its stature is set to " << stature << '\n';
 }
 
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
   checkFiles(options);
   Recording recording(options.input, options.recording);
-  PersonResources sources =
+  PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
   PipelineOptions stages = options.pipeline;
-  if (stages.fitting.person.measure && stages.fitting.method != "hsiao" && !sources.measured)
-    measureBody(options, &sources, notes);
+  if (stages.fitting.person.measure && stages.fitting.method != "hsiao" && !resources.known_shape)
+    measureBody(options, &resources, notes);
   stages.fitting.person.measure = false;
-  Pipeline pipeline(recording.rig(), sources, stages);
+  Pipeline pipeline(recording.rig(), resources, stages);
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary;
 

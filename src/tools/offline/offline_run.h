@@ -11,37 +11,36 @@
 
 namespace markerless_mocap {
 
-/// What to do with a recording.
+/// Options of a run over a recording.
 struct OfflineOptions {
   std::string input, output;  ///< bags
   RecordingOptions recording;
   PipelineOptions pipeline;
   std::string body_id = "person1";
-  std::string urdf_template;         ///< empty: the package's own
-  std::string body_file;             ///< sizes measured before; empty: none
-  std::string save_body;             ///< where to write them; empty: nowhere
+  std::string urdf_template;         ///< empty: the template of this package
+  std::string body_file;             ///< shape from an earlier run; empty: none
+  std::string save_body;             ///< file for the estimated shape; empty: none
   std::string report_folder;         ///< empty: no report
-  std::vector<std::string> remarks;  ///< that the report begins with, a sentence each
-  bool masks_out = false;            ///< write the silhouettes too
-  std::function<bool()> interrupted = [] { return false; };  ///< asked at every instant
+  std::vector<std::string> remarks;  ///< lines at the top of the report
+  bool masks_out = false;            ///< also write the silhouettes
+  std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set
 };
 
-/// The next instant of a recording that is run over. Throws as Recording::next(), and
-/// std::runtime_error if the run was interrupted.
+/// The next frame set of the recording. Throws as Recording::next(), and std::runtime_error if the
+/// run was interrupted.
 std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording);
 
-/// Runs over the first seconds of a recording until the body is measured, so that all of it can be
-/// fitted with these sizes. Throws as runOffline().
-/// \param sources gets the sizes, if they could be measured
-/// \param notes where the result is told; nullptr: nowhere
-void measureBody(const OfflineOptions& options, PersonResources* sources, std::ostream* notes);
+/// Processes the first seconds of a recording until the shape of the body is estimated, so that the
+/// whole recording can be processed with it. Throws as runOffline().
+/// \param resources receives the shape if it could be estimated
+/// \param notes stream for the result; nullptr: none
+void measureBody(const OfflineOptions& options, PersonResources* resources, std::ostream* notes);
 
-/// Runs all stages over a bag and writes what they make to another; the same input gives the same
+/// Runs all stages over a bag and writes the results to another bag. The same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or
-/// std::invalid_argument with one sentence, also when it was interrupted or there was no instant to
-/// process.
-/// \param notes where progress and remarks go; nullptr: nowhere
-/// \param terminal whether notes is a terminal
+/// std::invalid_argument, also if it was interrupted or if there was no frame set to process.
+/// \param notes stream for progress and notes; nullptr: none
+/// \param terminal true if `notes` is a terminal
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal);
 
 }  // namespace markerless_mocap

@@ -9,7 +9,7 @@
 
 namespace markerless_mocap {
 
-/// One instant in the report; figures are NaN where there is none.
+/// One frame in the report; numbers are NaN if unknown.
 struct ReportRow {
   int64_t stamp_ns = 0;
   PoseStatus status = PoseStatus::kLost;
@@ -23,18 +23,18 @@ struct ReportPicture {
   cv::Mat image;  ///< CV_8UC3
 };
 
-/// What the report shows.
+/// Content of the report.
 struct ReportContent {
   std::string title;
-  std::vector<std::string> remarks;  ///< that the page begins with, a sentence each
+  std::vector<std::string> remarks;  ///< lines at the top of the page
   std::vector<ReportRow> rows;
   std::vector<std::string> cameras;
-  std::vector<double> iou_of_camera;  ///< mean over the instants; NaN without any
+  std::vector<double> iou_of_camera;  ///< mean over the frames; NaN without any
   std::vector<ReportPicture> pictures;
 };
 
-/// One HTML page that needs nothing beside it: status band, overlap and error over time as SVG,
-/// mean overlap per camera, the pictures as JPEG within.
+/// A self-contained HTML page: status band, overlap and error over time as SVG, mean overlap per
+/// camera, images as JPEG.
 std::string reportPage(const ReportContent& content);
 
 }  // namespace markerless_mocap

@@ -12,21 +12,20 @@
 
 namespace markerless_mocap {
 
-/// Writes what the pipeline makes of each instant, on the topics that the nodes publish. The
-/// capture stamp is the header's stamp and the time of record. /pose is raw, tf and joint_states
-/// are filtered.
+/// Writes the results of the pipeline on the topics of the nodes. Header stamp and record time are
+/// the capture time. /pose is raw; tf and joint_states are filtered.
 class ResultWriter {
  public:
-  /// \param filter none: tf and joint_states are raw, too
+  /// \param filter empty: tf and joint_states are raw, too
   ResultWriter(BagWriter* bag, const BodyModel& model, std::string world_frame,
                std::optional<PoseFilter> filter = std::nullopt);
 
-  /// To be called once, before the first instant.
+  /// Call this once, before the first frame set.
   void writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms);
-  /// The same for the body's URDF, latched.
+  /// Writes the URDF of the body, latched. Call this once, before the first frame set.
   void writeDescription(int64_t stamp_ns, const std::string& urdf);
   void write(int64_t stamp_ns, const PipelineResult& result);
-  /// \param masks one per camera; empty ones are left out
+  /// \param masks one per camera; empty ones are skipped
   void writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
                   const std::vector<cv::Mat>& masks);
 

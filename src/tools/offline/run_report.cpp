@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t kMaxPictures = 8;
 
-/// Links of parts that the pose does not claim are not drawn.
+/// Links of parts that are not seen are not drawn.
 std::vector<bool> seenLinks(const BodyModel& model, const BodyPose& pose) {
   std::vector<bool> seen(model.links().size(), true);
   for (const BodyJoint& joint : model.joints()) {
@@ -92,7 +92,7 @@ void RunReport::keepPicture(const FrameSet& frame_set, const PipelineResult& res
   content_.pictures.push_back({caption, overlayOf(rig_, frame_set.frames, result.masks, bodies)});
   picture_rows_.push_back(row);
   if (picture_rows_.size() <= kMaxPictures) return;
-  // Too many: every second one stays, and from now on half as many are taken.
+  // Too many overlays: every second one is removed, and the stride is doubled.
   picture_stride_ *= 2;
   for (size_t i = 0; 2 * i < picture_rows_.size(); ++i) {
     picture_rows_[i] = picture_rows_[2 * i];

@@ -9,16 +9,16 @@
 
 namespace markerless_mocap {
 
-/// Holds the fitted bodies against the masks: overlap of their silhouettes and pictures of both.
+/// Compares the fitted bodies with the masks: overlap of the silhouettes, and overlay images.
 class RunReport {
  public:
-  /// Creates the folder. Throws std::runtime_error if that is not possible.
+  /// Creates the folder. Throws std::runtime_error if this fails.
   RunReport(std::string folder, const BodyModel& model, const CameraRig& rig);
 
-  /// \return intersection over union of each view that has a mask; empty when the pose is lost
+  /// \return intersection over union of each view with a mask; empty if the pose is lost
   std::vector<double> add(const FrameSet& frame_set, const PipelineResult& result);
-  /// Writes report.html and the pictures as PNG. Throws std::runtime_error if it cannot.
-  /// \param remarks that the page begins with, a sentence each
+  /// Writes report.html and the overlays as PNG. Throws std::runtime_error if this fails.
+  /// \param remarks lines at the top of the page
   void write(const std::string& title, const std::vector<std::string>& remarks = {});
 
  private:
@@ -32,8 +32,8 @@ class RunReport {
   ReportContent content_;
   std::vector<double> iou_sum_;
   std::vector<int> iou_count_;
-  std::vector<size_t> picture_rows_;  ///< row of each picture
-  size_t picture_stride_ = 1;         ///< every how many rows a picture is kept
+  std::vector<size_t> picture_rows_;  ///< row of each overlay
+  size_t picture_stride_ = 1;         ///< an overlay is kept every this many rows
 };
 
 }  // namespace markerless_mocap

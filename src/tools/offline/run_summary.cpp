@@ -9,10 +9,10 @@ namespace {
 
 constexpr size_t kReasonsShown = 3;
 
-/// Sentences that differ in their figures only are one reason.
-std::string withoutNumbers(const std::string& sentence) {
+/// Messages that differ only in their numbers count as the same reason.
+std::string withoutNumbers(const std::string& message) {
   std::string out;
-  for (const char c : sentence)
+  for (const char c : message)
     if (!std::isdigit(static_cast<unsigned char>(c))) out += c;
   return out;
 }
@@ -44,7 +44,7 @@ void RunSummary::timed(const std::string& step, const std::function<void()>& wor
 }
 
 void RunSummary::add(const PipelineResult& result) {
-  ++instants_;
+  ++frame_sets_;
   if (result.learning) {
     ++learning_;
     return;
@@ -71,7 +71,8 @@ void RunSummary::addOverlaps(const std::vector<double>& overlaps) {
 }
 
 void RunSummary::print(std::ostream& out) const {
-  out << "instants       " << instants_ << ", " << learning_ << " of them to learn the background\n"
+  out << "frame sets     " << frame_sets_ << ", " << learning_
+      << " of them for learning the background\n"
       << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
       << lost_ << " lost\n";
   printReasons(out);
@@ -81,7 +82,7 @@ void RunSummary::print(std::ostream& out) const {
         << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
   printTimes(out);
   if (processed() > 0 && poses() == 0)
-    out << "No instant has a pose: hull and segmentation are written, pose says LOST throughout.\n";
+    out << "No frame has a pose: hull and segmentation are written, all poses are LOST.\n";
 }
 
 void RunSummary::printReasons(std::ostream& out) const {
@@ -99,8 +100,8 @@ void RunSummary::printTimes(std::ostream& out) const {
   out << std::fixed << std::setprecision(1);
   for (const Time& time : times_)
     out << "  " << std::left << std::setw(18) << time.step << std::right << std::setw(8)
-        << 1e3 * time.seconds / std::max(time.runs, 1) << " ms per instant\n";
-  out << "speed          " << instants_ / std::max(seconds, 1e-9) << " instants per second, "
+        << 1e3 * time.seconds / std::max(time.runs, 1) << " ms per frame set\n";
+  out << "speed          " << frame_sets_ / std::max(seconds, 1e-9) << " frame sets per second, "
       << seconds << " s in all\n"
       << std::defaultfloat << std::setprecision(6);
 }

@@ -13,23 +13,23 @@
 
 namespace markerless_mocap {
 
-/// Counts and times of one run over a recording.
+/// Counts and durations of one run over a recording.
 class RunSummary {
  public:
   static constexpr const char *kReading = "reading", *kWriting = "writing";
 
   RunSummary();
 
-  /// Does the work of a step on one instant and takes its time; steps are the stages, kReading and
-  /// kWriting. Several may be timed at once.
+  /// Runs a step for one frame set and adds its duration; steps are the stages, kReading and
+  /// kWriting. Thread-safe.
   void timed(const std::string& step, const std::function<void()>& work);
   void add(const PipelineResult& result);
   /// \param overlaps intersection over union of body and mask, one per view
   void addOverlaps(const std::vector<double>& overlaps);
 
-  int frame_sets() const { return instants_; }
-  /// Instants after the background was learned.
-  int processed() const { return instants_ - learning_; }
+  int frame_sets() const { return frame_sets_; }
+  /// Number of frame sets after the background was learned.
+  int processed() const { return frame_sets_ - learning_; }
   double meanIou() const { return views_ == 0 ? 0.0 : iou_sum_ / views_; }
   int poses() const { return tracked_ + reinitialized_; }
 
@@ -53,11 +53,11 @@ class RunSummary {
   Clock::time_point started_;
   std::unique_ptr<std::mutex> times_mutex_ = std::make_unique<std::mutex>();
   std::vector<Time> times_;                ///< in the order of processing
-  std::map<std::string, Reason> reasons_;  ///< of lost poses, by sentence without its numbers
-  int instants_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
+  std::map<std::string, Reason> reasons_;  ///< reasons of lost poses; key: message without numbers
+  int frame_sets_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
   int valid_trees_ = 0;
   double iou_sum_ = 0.0;
-  int views_ = 0;  ///< that have been compared
+  int views_ = 0;  ///< number of compared views
 };
 
 }  // namespace markerless_mocap

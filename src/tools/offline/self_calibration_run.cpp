@@ -12,25 +12,25 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kMaxSeconds = 60.0;  // seconds of the recording
-constexpr size_t kMaxFrameSets = 48;  // some thirty are left when every second one goes
+constexpr size_t kMaxFrameSets = 48;  // some thirty are left after every second one is removed
 
-// Another posture: the joints have moved by this on average. The same one seen again would only
-// let the body's faults count for more.
-constexpr double kOtherPosture = 0.04;  // metres
+// A posture differs if the mean displacement of the joints is larger than this. Repeated postures
+// would only give more weight to the errors of the body shape.
+constexpr double kMinPostureChange = 0.04;  // metres
 
-/// Keeps instants of different postures, spread over all that is added.
+/// Collects frames of different postures, distributed over the whole recording.
 class PostureCollector {
  public:
   PostureCollector(const Pipeline& pipeline, const ContourOptions& contour)
       : observer_(pipeline.rig(), contour),
         conversion_(pipeline.body()->model),
-        body_(pipeline.body()->sizes) {}
+        body_(pipeline.body()->shape) {}
 
   void add(const PipelineResult& result) {
     if (result.pose.status == PoseStatus::kLost) return;
     const ContourPose pose = conversion_.poseOf(result.pose.T_world_body, result.pose.angles);
     const Eigen::Matrix3Xd points = body_.points(pose);
-    if (postures_ > 0 && (points - last_).colwise().norm().mean() < kOtherPosture) return;
+    if (postures_ > 0 && (points - last_).colwise().norm().mean() < kMinPostureChange) return;
     last_ = points;
     if (postures_++ % stride_ != 0) return;
     instants_.push_back({observer_.observe(result.masks), pose});
@@ -63,23 +63,24 @@ std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
 }  // namespace
 
 OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file) {
-  PersonResources sources = readPersonResources(run.body_id, run.urdf_template, run.body_file);
-  if (!sources.measured) measureBody(run, &sources, nullptr);
+  PersonResources resources = readPersonResources(run.body_id, run.urdf_template, run.body_file);
+  if (!resources.known_shape) measureBody(run, &resources, nullptr);
   PipelineOptions stages = run.pipeline;
   stages.fitting.method = "contour";
   stages.fitting.person.measure = false;
   RecordingOptions beginning = run.recording;
   beginning.duration = std::min(beginning.duration, kMaxSeconds);
   Recording recording(run.input, beginning);
-  Pipeline pipeline(recording.rig(), sources, stages);
-  const ShapeParameters sizes = pipeline.body()->sizes;
+  Pipeline pipeline(recording.rig(), resources, stages);
+  const ShapeParameters shape = pipeline.body()->shape;
   PostureCollector collector(pipeline, stages.fitting.contour);
   pipeline.processStream(
       [&] { return nextFrameSet(run, &recording); },
       [&](const FrameSet&, const PipelineResult& result) { collector.add(result); });
-  const ShapePrior prior{sources.people, statureOf(sizes), stages.fitting.person.stature_sigma};
+  const ShapePrior prior{resources.shape_statistics, statureOf(shape),
+                         stages.fitting.person.stature_sigma};
   OrientationRefinement estimate = refineOrientationsAndShape(
-      recording.rig(), stages.fitting.contour, prior, sizes, collector.frame_sets(), {});
+      recording.rig(), stages.fitting.contour, prior, shape, collector.frame_sets(), {});
   if (estimate.status == OrientationRefinementStatus::kCorrected)
     writeRig(rig_file, calibrationsOf(estimate.rig));
   return estimate;
@@ -87,14 +88,14 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
 
 std::vector<std::string> calibrationMessages(const OrientationRefinement& estimate,
                                              const std::string& rig_file) {
-  std::vector<std::string> sentences = {"self-calibration: " + estimate.sentence()};
+  std::vector<std::string> messages = {"self-calibration: " + estimate.summary()};
   if (estimate.status != OrientationRefinementStatus::kCorrected) {
-    sentences.back() += "; " + rig_file + " is not written";
-    return sentences;
+    messages.back() += "; " + rig_file + " is not written";
+    return messages;
   }
-  for (const OrientationCorrection& one : estimate.corrections) sentences.push_back(one.sentence());
-  sentences.push_back("the corrected rig is written to " + rig_file);
-  return sentences;
+  for (const OrientationCorrection& one : estimate.corrections) messages.push_back(one.summary());
+  messages.push_back("the corrected rig is written to " + rig_file);
+  return messages;
 }
 
 }  // namespace markerless_mocap

@@ -8,14 +8,14 @@
 
 namespace markerless_mocap {
 
-/// Follows the person through a recording and estimates from it how the cameras point. If that is
-/// surely better than the calibration as given, the corrected rig is written to a file; else no
-/// file is. Throws as runOffline().
-/// \param run the recording, its stages and body; of a long one the first minute is used
-/// \param rig_file YAML, as writeRig() makes it; replaced if it exists
+/// Tracks the person through a recording and refines the camera orientations with the silhouettes.
+/// The corrected rig is written to a file only if it is significantly better. Throws as
+/// runOffline().
+/// \param run recording, stages and body; at most the first minute is used
+/// \param rig_file YAML, as written by writeRig(); an existing file is replaced
 OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file);
 
-/// What was found and done, and where the rig is if it was written; a sentence each.
+/// Lines of text: the result, the correction of each camera, and the file that was written.
 std::vector<std::string> calibrationMessages(const OrientationRefinement& estimate,
                                              const std::string& rig_file);
 

@@ -30,7 +30,7 @@ rosbag::CompressionType compressionOf(const std::string& name) {
   refuse("compression", name, "lz4 and none");
 }
 
-/// As CameraBagWriter has it: 0 stands for raw images.
+/// As in CameraBagWriter: 0 stands for raw images.
 int qualityOf(const RenderOptions& options) {
   if (options.images != "raw" && options.images != "jpeg" && options.images != "none")
     refuse("images", options.images, "raw, jpeg and none");
@@ -45,7 +45,7 @@ std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
   return out;
 }
 
-/// Writes instant after instant.
+/// Writes one frame set after another.
 class CaptureWriter {
  public:
   CaptureWriter(const RenderOptions& options, const VirtualStudio& studio)
@@ -60,7 +60,7 @@ class CaptureWriter {
     bag_.bag().writeLatched(kTruth + "human_description", rosTime(kFirstStamp), urdf);
   }
 
-  /// Returns how many images are missing.
+  /// Returns the number of missing images.
   int write(const StudioFrameSet& frame_set) {
     const int64_t stamp = kFirstStamp + frame_set.time_ns;
     std_msgs::Header header;
@@ -121,10 +121,10 @@ RenderSummary renderCapture(const RenderOptions& options, std::ostream* notes, b
 }
 
 void print(const RenderSummary& summary, std::ostream& out) {
-  out << summary.cameras << " cameras, " << summary.frame_sets << " instants in " << summary.seconds
-      << " s, the first " << summary.background << " show the empty room\n"
+  out << summary.cameras << " cameras, " << summary.frame_sets << " frame sets in "
+      << summary.seconds << " s, the first " << summary.background << " show the empty room\n"
       << "the person is " << summary.stature << " m tall\n";
-  if (summary.dropped > 0) out << summary.dropped << " images are missing, as asked for\n";
+  if (summary.dropped > 0) out << summary.dropped << " images are missing, as requested\n";
 }
 
 }  // namespace markerless_mocap

@@ -28,15 +28,17 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--rig", arguments->rig,
                  "ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file");
   app.add_option("--set", arguments->overrides,
-                 "KEY=VALUE of the section, may be given repeatedly");
+                 "KEY=VALUE of the section virtual_studio, may be given repeatedly");
   app.add_option("--images", render.images, "raw, jpeg or none")->capture_default_str();
   app.add_option("--jpeg-quality", render.jpeg_quality, "1 to 100")->capture_default_str();
-  app.add_flag("--masks", render.masks, "write <camera>/silhouette too, spoilt by mask_damage");
+  app.add_flag("--masks", render.masks, "also write <camera>/silhouette, degraded by mask_damage");
   app.add_option("--compression", render.compression, "of the bag: lz4 or none")
       ->capture_default_str();
   app.add_option("--rig-out", render.rig_out, "rig file to write");
-  app.add_option("--id", render.body_id, "id of the true body")->capture_default_str();
-  app.add_option("--urdf-template", arguments->urdf_template, "in place of the package's own body");
+  app.add_option("--id", render.body_id, "id of the body in the ground truth")
+      ->capture_default_str();
+  app.add_option("--urdf-template", arguments->urdf_template,
+                 "URDF template, replaces that of the package");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
@@ -58,7 +60,7 @@ void run(Arguments* arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Films a virtual person into a bag, with the ground truth.", "render_capture");
+  CLI::App app("Renders a virtual person into a bag, with the ground truth.", "render_capture");
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);

@@ -21,10 +21,10 @@ TEST(LearnContourBody, FindsThePersonsOwnLengths) {
   const ShapeStatistics learned = learnContourBody(fewInstants(), nullptr);
   const CharacterOptions who = exampleOf(0);
   const HumanSkeleton bones = HumanSkeleton::adult(who.stature, who.male);
-  const ShapeParameters sizes = learned.sizes(who.stature);
-  EXPECT_NEAR(sizes[ContourLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
-  EXPECT_NEAR(sizes[ContourLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
-  EXPECT_NEAR(sizes[ContourLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
+  const ShapeParameters shape = learned.meanShape(who.stature);
+  EXPECT_NEAR(shape[ContourLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
+  EXPECT_NEAR(shape[ContourLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
+  EXPECT_NEAR(shape[ContourLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
 }
 
 TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
@@ -33,7 +33,7 @@ TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
   const ShapeStatistics made = ShapeStatistics::handMade();
   for (int i = 0; i < ContourLength::kCount; ++i)
     EXPECT_NEAR(learned.mean[i], made.mean[i], 0.25 * made.mean[i]) << shapeParameterName(i);
-  const ContourBody body(learned.sizes(1.75));
+  const ContourBody body(learned.meanShape(1.75));
   EXPECT_GT(learned.mean[radiusIndex(ContourCone::kThigh, 0)],
             learned.mean[radiusIndex(ContourCone::kForearm, 1)]);
 }
@@ -47,7 +47,7 @@ TEST(LearnContourBody, NeedsSomebodyToLearnFrom) {
   LearnOptions options = fewInstants();
   options.people = 0;
   EXPECT_EQ(errorTextOf([&] { learnContourBody(options, nullptr); }),
-            "at least one person, one motion and one instant are needed");
+            "at least one person, one motion and one frame are needed");
 }
 
 }  // namespace

@@ -52,11 +52,11 @@ TEST(FleischmannSequence, keepsAllThatIsNearThePerson) {
 
 // The driven body is the person: its markers are where the joints are.
 TEST(FleischmannSequence, knowsTheTrueParameters) {
-  const FleischmannBodyModel profile(*film().body);
+  const FleischmannBodyModel body_model(*film().body);
   for (size_t f = 0; f < film().frames.size(); ++f) {
     FleischmannFrames frames;
-    profile.frames(film().frames[f].truth.data(), frames);
-    const std::vector<Eigen::Vector3d> markers = profile.markers(frames);
+    body_model.frames(film().frames[f].truth.data(), frames);
+    const std::vector<Eigen::Vector3d> markers = body_model.markers(frames);
     for (size_t m = 0; m < markers.size(); ++m)
       EXPECT_LT((markers[m] - film().joints.positions[f].col(Eigen::Index(m))).norm(), 0.02)
           << film().joints.names[m];
