@@ -39,10 +39,10 @@ class ContourUrdfConverter {
   void setArm(int side, const ContourPose& pose, Eigen::VectorXd& angles) const;
 
   std::shared_ptr<const BodyModel> model_;
-  std::array<int, RevoluteJoint::kCount>
-      revolute_joints_;  ///< index of each angle; -1 if the URDF has none
-  std::array<std::optional<UrdfSphericalJoint>, SphericalJoint::kCount>
-      spherical_joints_;  ///< all but the root
+  /// Index of each angle; -1 if the URDF has none.
+  std::array<int, RevoluteJoint::kCount> revolute_joints_;
+  /// All but the root.
+  std::array<std::optional<UrdfSphericalJoint>, SphericalJoint::kCount> spherical_joints_;
   Eigen::VectorXd last_;
 };
 

@@ -316,7 +316,8 @@ BodyPose HsiaoPoseEstimator::update(int64_t stamp_ns, const BodyParts& parts,
   if (!pose.reason.empty()) return pose;
   pose.reason = segmentationError(parts);
   if (pose.reason.empty()) {
-    pose = s.track(seconds, HsiaoObservation(*s.body_model, parts, hull, s.options.samples_per_curve));
+    pose =
+        s.track(seconds, HsiaoObservation(*s.body_model, parts, hull, s.options.samples_per_curve));
     if (pose.status != PoseStatus::kLost) {
       s.pose_stamp = stamp_ns;
       return pose;

@@ -91,7 +91,8 @@ TEST(FleischmannSearchPlan, optionsChangeParticlesAndEdges) {
   EXPECT_EQ(plan.edges[1].cones, 0u);
   EXPECT_FALSE(plan.edges[1].torso_top);
   options.search = "guess";
-  EXPECT_NE(errorTextOf([&] { makeSearchPlan(options); }).find("pose_fitting/fleischmann/search"), std::string::npos);
+  EXPECT_NE(errorTextOf([&] { makeSearchPlan(options); }).find("pose_fitting/fleischmann/search"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
               found.corrections[kTurned].turn * (c == kTurned ? 1 : 0.5));
   const std::vector<std::string> sentences = calibrationMessages(found, path("found.yaml"));
   ASSERT_EQ(sentences.size(), 2 + truth_.size());
-  EXPECT_EQ(sentences[0].rfind("self-calibration: the camera orientations are corrected: in ", 0), 0u)
+  EXPECT_EQ(sentences[0].rfind("self-calibration: the camera orientations are corrected: in ", 0),
+            0u)
       << sentences[0];
   EXPECT_EQ(sentences[1 + kTurned].rfind("cam2 is rotated by 0.", 0), 0u) << sentences[1 + kTurned];
   EXPECT_EQ(sentences.back(), "the corrected rig is written to " + path("found.yaml"));
@@ -116,7 +117,9 @@ TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
   const std::vector<std::string> sentences = calibrationMessages(found, "found.yaml");
   ASSERT_EQ(sentences.size(), 1u);
-  EXPECT_EQ(sentences[0].rfind("self-calibration: the calibration is unchanged, because no other is", 0), 0u)
+  EXPECT_EQ(
+      sentences[0].rfind("self-calibration: the calibration is unchanged, because no other is", 0),
+      0u)
       << sentences[0];
   EXPECT_NE(sentences[0].find("; found.yaml is not written"), std::string::npos);
 }
@@ -127,10 +130,11 @@ TEST_F(SelfCalibrationRun, WithoutAPersonItSaysSo) {
   for (int i = 0; i < 4; ++i) bag.write(1000000000, i, smallImage(true), smallMask());
   bag.commit();
   const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
-  EXPECT_EQ(calibrationMessages(found, "found.yaml"),
-            std::vector<std::string>{
-                "self-calibration: the camera orientations were not estimated: only 0 frames of "
-                "different postures could be fitted, at least 4 are needed; found.yaml is not written"});
+  EXPECT_EQ(
+      calibrationMessages(found, "found.yaml"),
+      std::vector<std::string>{
+          "self-calibration: the camera orientations were not estimated: only 0 frames of "
+          "different postures could be fitted, at least 4 are needed; found.yaml is not written"});
   EXPECT_FALSE(std::filesystem::exists(path("found.yaml")));
 }
 

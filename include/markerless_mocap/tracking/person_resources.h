@@ -13,8 +13,8 @@ struct PersonResources {
   std::string urdf_template;                                       ///< text of urdf/human.urdf.in
   ShapeStatistics shape_statistics = ShapeStatistics::handMade();  ///< prior of the body shape
   std::optional<ShapeParameters> known_shape;  ///< shape of this person from an earlier run
-  bool in_background = false;  ///< if true, the shape is estimated in a thread of its own; if
-                               ///< false, update() waits for it
+  /// If true, the shape is estimated in a thread of its own; if false, update() waits for it.
+  bool in_background = false;
 
   /// The URDF template and the learned body shape (models/contour_body.yaml) of this package.
   static PersonResources standard();

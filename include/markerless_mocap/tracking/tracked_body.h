@@ -13,10 +13,10 @@ namespace markerless_mocap {
 struct TrackedBody {
   std::string urdf;
   std::shared_ptr<const BodyModel> model;
-  /// parameters of the contour body, metres
+  /// Shape parameters of the contour body, metres.
   ShapeParameters shape;
-  bool shape_estimated = false;  ///< true: shape of this person; false: mean shape of people of
-                                 ///< this stature
+  /// True if the shape is this person's own; false if it is the mean shape at a stature.
+  bool shape_estimated = false;
 };
 
 /// The person before the first frame: the shape of an earlier run, or else the mean shape at the

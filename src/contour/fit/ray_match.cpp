@@ -22,8 +22,8 @@ struct PlainRay {
   float normal[3], side[3], normal_of_ray, side_of_ray;
 };
 
-// A clone inlines nothing that is not a builtin, so the loop calls none and reads plain numbers.
-// That nobody reads errno after its square roots, cmake/core.cmake says.
+// A cloned function inlines only builtins. The loop therefore calls no functions and reads plain
+// numbers. cmake/core.cmake disables errno for its square roots.
 MOCAP_WIDEST void measure(const PackedContourCones& cones, const PlainRay& ray, Lanes& out) {
   const float nx = ray.normal[0], ny = ray.normal[1], nz = ray.normal[2], n0 = ray.normal_of_ray;
   const float sx = ray.side[0], sy = ray.side[1], sz = ray.side[2], s0 = ray.side_of_ray;

@@ -77,10 +77,9 @@ class ContourHypothesisTracker {
   CameraRig rig_;
   ContourFitter fitter_;
   std::optional<Past> last_;
-  int64_t next_search_ns_ = 0;  ///< earliest time of the next search for suspicious limbs
-  int64_t next_least_certain_ns_ =
-      0;                         ///< earliest time of the next search for the least certain limb
-  int64_t next_untwist_ns_ = 0;  ///< earliest time of the next fit without twist
+  /// Earliest times of the next search for suspicious limbs, of that for the least certain limb,
+  /// and of the next fit without twist.
+  int64_t next_search_ns_ = 0, next_least_certain_ns_ = 0, next_untwist_ns_ = 0;
 };
 
 }  // namespace markerless_mocap

@@ -53,8 +53,8 @@ class ContourMultiHypothesisTracker {
 
   ContourHypothesisTracker active_;
   std::optional<ContourHypothesisTracker> alternative_;
-  double alternative_gain_ =
-      0.0;  ///< quality of the alternative minus that of the active hypothesis, summed over frames
+  /// Quality of the alternative minus that of the active hypothesis, summed over frames.
+  double alternative_gain_ = 0.0;
   bool confirmed_ = false;
 };
 

@@ -164,8 +164,7 @@ std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
     return pose;
   }
   pose.reason = "the body is being measured, " + std::to_string(shape_estimator_->poses()) +
-                " of " + std::to_string(person_.shape_poses) +
-                " different poses have been seen";
+                " of " + std::to_string(person_.shape_poses) + " different poses have been seen";
   return pose;
 }
 

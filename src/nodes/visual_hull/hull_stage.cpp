@@ -179,10 +179,10 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant,
                                          const std::vector<CameraImage>& images) const {
   const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
   if (present < node_options_.requiredCameras())
-    throw std::invalid_argument("the frame set has the masks of " + std::to_string(present) + " of " +
-                                std::to_string(instant.items.size()) + " cameras, needed are " +
-                                std::to_string(node_options_.requiredCameras()) +
-                                " within the deadline");
+    throw std::invalid_argument(
+        "the frame set has the masks of " + std::to_string(present) + " of " +
+        std::to_string(instant.items.size()) + " cameras, needed are " +
+        std::to_string(node_options_.requiredCameras()) + " within the deadline");
   std::vector<HullView> views(instant.items.size());
   for (size_t i = 0; i < views.size(); ++i) {
     if (!instant.present[i]) continue;

@@ -19,10 +19,10 @@ void write(const std::string& path, const std::vector<std::string>& motions) {
          "--motion";
   for (const std::string& motion : motions) out << ' ' << motion;
   out << "
-# Largest change of each of the 31 parameters between two frames at 60 fps over these
-"
+#Largest change of each of the 31 parameters between two frames at 60 fps over these
+         "
          "# motions, rad and m.
-"
+         "
       << statistics.toYaml();
   writeText(path, out.str());
 }

@@ -129,8 +129,8 @@ JsonObject feetObject(const FeetEvaluation& feet) {
 std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& seconds) {
   std::string out =
       "<h2>Feet on the floor</h2>\n<p>A foot stands while its ball is low and slow. Slide: "
-      "distance "
-      "that the estimated point moves along the floor meanwhile, mm per contact and mm/s along its "
+      "distance that the estimated point moves along the floor meanwhile, mm per contact and mm/s "
+      "along its "
       "path</p>\n<table><tr><th>point</th><th class=n>contacts</th><th class=n>precision</th>"
       "<th class=n>recall</th><th class=n>slide</th><th class=n>maximum</th><th class=n>mm/s</th>"
       "<th class=n>true slide</th><th class=n>mm/s</th></tr>\n";

@@ -28,8 +28,8 @@ struct TreeEvaluation {
                                                 ///< no result
   std::vector<std::string> reasons;             ///< per frame of the ground truth; empty if valid
   std::vector<std::string> joints;  ///< joints of the tree, with the names of the ground truth
-  std::vector<SummaryStatistics>
-      joint_errors_mm;  ///< per joint, over the valid frames that contain it
+  /// Per joint, over the valid frames that contain it.
+  std::vector<SummaryStatistics> joint_errors_mm;
 };
 
 /// \param truth with labelTruthNames() and the joints

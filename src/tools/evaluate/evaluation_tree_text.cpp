@@ -108,7 +108,7 @@ void printTrees(const TreeEvaluation& trees, std::ostream& out) {
   const LabelErrors& labels = trees.labels;
   out << "Pose tree\n";
   printRow(out, "valid", formatPercent(labels.fraction_valid) + "   (" + statusText(trees) + ")");
-  printRow(out, "labelled correctly",
+  printRow(out, "labels correct",
            formatPercent(labels.fraction_correct) + "   (" +
                formatPercent(labels.fraction_correct_and_valid) + " and valid; " +
                formatPercent(labels.fraction_kinds_correct) + " except for the sides)");

@@ -31,8 +31,7 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--rig", run.recording.rig, "rig file that replaces camera_info and tf");
   app.add_option("--self-calibrate", arguments->self_calibrate,
                  "refine the camera orientations with the person's silhouettes, write the "
-                 "corrected rig to this "
-                 "file (for --rig of other runs), and use it for this run");
+                 "corrected rig to this file (for --rig of other runs), and use it for this run");
   app.add_option("--world", run.recording.world_frame, "frame of the results")
       ->capture_default_str();
   app.add_option("--stature", arguments->stature,
