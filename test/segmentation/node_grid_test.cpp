@@ -102,7 +102,7 @@ TEST(NodeGridRegion, TakesOutWhatIsConnectedOverCorners) {
   EXPECT_FALSE(region.has(0));
   EXPECT_TRUE(region.has(3));
   region.put({0, 1, 2, 4});
-  region.takeOut({2});
+  region.remove({2});
   EXPECT_EQ(region.takeConnected(0, 9), (std::vector<uint32_t>{0, 1}));
   region.put({0, 1, 2});
   region.takeConnected(0, 1);  // ends at 1

@@ -36,7 +36,7 @@ TEST(LeftRight, LineIsFoundAndPointsToTheLastPoint) {
 
 TEST(LeftRight, StretchIsCutByWayFromTheEnd) {
   const NodePath path = between({{0, 0, 0}, {0, 0, 1}});
-  const NodePath middle = stretch(path, 0.25, 0.5);
+  const NodePath middle = pathSection(path, 0.25, 0.5);
   EXPECT_NEAR(middle.front().z(), 0.25, 0.051);
   EXPECT_NEAR(middle.back().z(), 0.5, 0.051);
 }

@@ -74,7 +74,7 @@ inline int distance(const ThinVolume& a, const ThinVolume& b) {
     }
     return worst;
   };
-  return std::max(directedDistance(a, b), oneWay(b, a));
+  return std::max(directedDistance(a, b), directedDistance(b, a));
 }
 
 }  // namespace markerless_mocap

@@ -115,7 +115,7 @@ MOCAP_AVX2 uint64_t shadowsAvx2(const uint8_t* bgr, const ModeRow& mode, int x, 
 bool shadowRatiosOfBgr(const uint8_t* bgr, const ModeRow& mode, int x, float gain,
                        const PixelShadowThresholds& limits, uint64_t selected, uint8_t* ratio,
                        uint64_t* shadow, ShadowColumns* columns) {
-  if (kHasAvx2) *shadow = shadowsAvx2(bgr, mode, x, gain, limits, asked, ratio, columns);
+  if (kHasAvx2) *shadow = shadowsAvx2(bgr, mode, x, gain, limits, selected, ratio, columns);
   return kHasAvx2;
 }
 
