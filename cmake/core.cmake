@@ -20,13 +20,16 @@ mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TES
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
 mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core)
-mocap_room(contour DEPENDS tracking numerics LIBRARIES opencv_core opencv_imgproc TBB::tbb)
+mocap_room(contour DEPENDS tracking numerics LIBRARIES opencv_core opencv_imgproc TBB::tbb
+  TESTS_USE capture)
 # Square roots and divisions in vectors; no value changes.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/fit/ray_match.cpp PROPERTIES
   COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
 mocap_room(hsiao DEPENDS tracking optimisation LIBRARIES TBB::tbb)
-mocap_room(fleischmann DEPENDS tracking optimisation LIBRARIES opencv_core opencv_imgproc TBB::tbb)
-mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann)
+mocap_room(fleischmann DEPENDS tracking optimisation LIBRARIES opencv_core opencv_imgproc TBB::tbb
+  TESTS_USE evaluation)
+mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
+  TESTS_USE evaluation)
 
 mocap_room(motion LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)

@@ -11,6 +11,10 @@
 
 namespace markerless_mocap {
 
+// Masks of the very body that is fitted, for tests of algebra and of what follows from a fit:
+// derivatives, limits, who is found, lost or measured when. They say nothing about the accuracy on
+// a person; mesh_person.h and test/accuracy do.
+
 /// Cameras around the origin at 4 m, looking at a standing person's middle.
 inline CameraRig drawnRig(int cameras, double distortion_k1 = 0.0) {
   CameraRig rig;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "body/body_fixture.h"
 
@@ -30,19 +31,34 @@ LinkPoses standing(const BodyModel& model, const Eigen::Vector3d& position) {
 }
 
 /// The slow judge: a pixel is body when its ray comes within some cone's radius of the cone's axis.
-bool rayHitsBody(const BodyModel& model, const LinkPoses& poses, const Camera& camera,
-                 const Eigen::Vector2d& pixel) {
+bool rayHits(const std::vector<RoundCone>& cones, const LinkPoses& poses, const Camera& camera,
+             const Eigen::Vector2d& pixel) {
   const Eigen::Vector3d direction = camera.rayDirection(pixel);
-  for (const RoundCone& cone : model.shape()) {
+  for (const RoundCone& cone : cones) {
     for (int k = 0; k <= 200; ++k) {
       const double s = k / 200.0;
       const Eigen::Vector3d point =
           poses[cone.link] * Eigen::Vector3d((1 - s) * cone.a + s * cone.b) - camera.position();
       const double radius = (1 - s) * cone.radius_a + s * cone.radius_b;
-      if (point.cross(direction).norm() <= radius) return true;
+      if (point.dot(direction) > 0 && point.cross(direction).norm() <= radius) return true;
     }
   }
   return false;
+}
+
+/// Compares every fourth pixel in x and y with the judge.
+void expectAgreesWithRays(const cv::Mat& mask, const std::vector<RoundCone>& cones,
+                          const LinkPoses& poses, const Camera& camera) {
+  constexpr int kStep = 4;
+  int body = 0, different = 0;
+  for (int y = 0; y < mask.rows; y += kStep)
+    for (int x = 0; x < mask.cols; x += kStep) {
+      const bool hit = rayHits(cones, poses, camera, {x, y});
+      body += hit;
+      different += hit != (mask.at<uint8_t>(y, x) == 255);
+    }
+  EXPECT_GT(body, 500);
+  EXPECT_LT(different, 0.04 * body);  // pixels on the outline may fall on either side
 }
 
 TEST(BodySilhouette, AgreesWithRaysThroughADistortingLens) {
@@ -51,19 +67,7 @@ TEST(BodySilhouette, AgreesWithRaysThroughADistortingLens) {
   calibration.D = {-0.25, 0.08, 0.001, -0.001};
   const Camera camera(calibration);
   const LinkPoses poses = standing(model, {0, 0, 0});
-  const cv::Mat mask = bodySilhouette(model, poses, camera);
-
-  cv::Mat by_rays = cv::Mat::zeros(mask.size(), CV_8UC1);
-  const int step = 4;
-  int body = 0, different = 0;
-  for (int y = 0; y < mask.rows; y += step)
-    for (int x = 0; x < mask.cols; x += step) {
-      const bool hit = rayHitsBody(model, poses, camera, {x, y});
-      body += hit;
-      different += hit != (mask.at<uint8_t>(y, x) == 255);
-    }
-  EXPECT_GT(body, 500);
-  EXPECT_LT(different, 0.04 * body);  // pixels on the outline may fall on either side
+  expectAgreesWithRays(bodySilhouette(model, poses, camera), model.shape(), poses, camera);
 }
 
 TEST(BodySilhouette, BodyBehindTheCameraIsNotSeen) {
@@ -86,10 +90,25 @@ TEST(BodySilhouette, OnlyShownLinksAreDrawn) {
   EXPECT_LT(head, 0.2 * cv::countNonZero(bodySilhouette(model, poses, camera)));
 }
 
+// The body lies with its legs along the camera's view. Cones around and behind the camera are left
+// out, the others are drawn.
 TEST(BodySilhouette, CameraInsideTheBodySeesTheRestOfIt) {
   const BodyModel model = human();
   const Camera camera(frontCamera(0.0));
-  EXPECT_NO_THROW(bodySilhouette(model, standing(model, {0, 0, 0}), camera));
+  LinkPoses poses = standing(model, {0, 0, 0});
+  const Eigen::Isometry3d lying(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitY()));
+  for (Eigen::Isometry3d& pose : poses) pose = lying * pose;
+
+  bool inside = false;
+  std::vector<RoundCone> in_front;
+  for (const RoundCone& cone : model.shape()) {
+    const Eigen::Vector3d a = poses[cone.link] * cone.a, b = poses[cone.link] * cone.b;
+    inside = inside || a.norm() < cone.radius_a || b.norm() < cone.radius_b;
+    if (a.x() > cone.radius_a && b.x() > cone.radius_b) in_front.push_back(cone);
+  }
+  ASSERT_TRUE(inside);
+  ASSERT_LT(in_front.size(), model.shape().size());
+  expectAgreesWithRays(bodySilhouette(model, poses, camera), in_front, poses, camera);
 }
 
 TEST(MaskIou, CountsByHand) {

@@ -22,7 +22,8 @@ struct Figure {
   explicit Figure(const FleischmannImageOptions& options = {})
       : fitness(rig, body_model, body, options) {}
 
-  /// What four cameras see of a grey person before a brighter wall.
+  /// What four cameras see of a grey person before a brighter wall. The person is the model itself:
+  /// these tests are about the terms' values, not about how well a pose is found.
   std::vector<FleischmannView> viewsOf(const FleischmannVector& pose) const {
     FleischmannFitness painter(rig, body_model, body, FleischmannImageOptions());
     std::vector<FleischmannView> views;

@@ -3,20 +3,24 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <utility>
+
 #include "error_text_of.h"
 #include "fleischmann/appearance_scene.h"
+#include "fleischmann/model/fleischmann_urdf_converter.h"
+#include "fleischmann/painted_person.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr int64_t kFrame_ns = 1000000000 / 60;
 
-/// A person of cones who strides on, filmed by four cameras.
+/// A person who strides on, filmed by four cameras.
 struct Walk {
   CameraRig rig = ringOfFour();
+  std::shared_ptr<const BodyModel> model = std::make_shared<BodyModel>(sampleBody());
   FleischmannBodyModel body_model{sampleBody()};
   FleischmannBodyShape body{sampleBody(), body_model};
-  FleischmannFitness painter{rig, body_model, body, FleischmannImageOptions()};
   FleischmannMotionStatistics statistics;
 
   Walk() {
@@ -34,14 +38,18 @@ struct Walk {
   }
 
   std::vector<FleischmannView> viewsAt(int frame) const {
-    std::vector<FleischmannView> views;
-    for (int i = 0; i < 4; ++i) {
-      FleischmannView view;
-      view.silhouette = painter.drawing(at(frame).data(), i);
-      view.image = cv::Mat(view.silhouette.size(), CV_8UC1, cv::Scalar(160));
-      view.image.setTo(70, view.silhouette);
-      views.push_back(view);
-    }
+    Eigen::Isometry3d root;
+    Eigen::VectorXd angles;
+    FleischmannUrdfConverter(model).convert(at(frame), root, angles);
+    return paintedViews(rig, *model, root, angles);
+  }
+
+  /// Silhouettes of the ten cones themselves.
+  std::vector<FleischmannView> ownViewsAt(int frame) const {
+    const FleischmannFitness fitness(rig, body_model, body, FleischmannImageOptions());
+    std::vector<FleischmannView> views(rig.size());
+    for (size_t i = 0; i < rig.size(); ++i)
+      views[i].silhouette = fitness.drawing(at(frame).data(), int(i));
     return views;
   }
 
@@ -60,21 +68,34 @@ struct Walk {
   }
 };
 
+// Errors may be 1.3 times what was measured as mean over the last frames. The ten cones lack the
+// hands, feet and neck that the silhouettes show.
+constexpr double kHeadroom = 1.3;
+
 TEST(FleischmannPoseEstimator, followsAWalkWithEverySearch) {
+  constexpr int kFrames = 12, kJudged = 6;
   const Walk walk;
-  for (const char* search :
-       {"two_soft", "one_global", "two_hard", "three_soft", "annealed_filter"}) {
+  const double standing_still = walk.meanError(Walk::at(0), kFrames - kJudged / 2);
+  const std::pair<const char*, double> measured_m[] = {{"two_soft", 0.060},
+                                                       {"one_global", 0.035},
+                                                       {"two_hard", 0.068},
+                                                       {"three_soft", 0.059},
+                                                       {"annealed_filter", 0.057}};
+  for (const auto& [search, measured] : measured_m) {
+    EXPECT_GT(standing_still, kHeadroom * measured) << "the bound says nothing";
     FleischmannOptions options;
     options.search = search;
     FleischmannPoseEstimator tracker = walk.tracker(options);
     tracker.start(0, Walk::at(0));
-    for (int frame = 1; frame <= 6; ++frame) {
+    double error = 0.0;
+    for (int frame = 1; frame <= kFrames; ++frame) {
       const FleischmannEstimate pose = tracker.update(frame * kFrame_ns, walk.viewsAt(frame));
       EXPECT_EQ(pose.status, PoseStatus::kTracked) << search;
       EXPECT_EQ(pose.evaluations, 1000);
       EXPECT_EQ(pose.views, 4);
-      EXPECT_LT(walk.meanError(pose.v, frame), 0.05) << search << ", frame " << frame;
+      if (frame > kFrames - kJudged) error += walk.meanError(pose.v, frame) / kJudged;
     }
+    EXPECT_LT(error, kHeadroom * measured) << search;
   }
 }
 
@@ -99,13 +120,13 @@ TEST(FleischmannPoseEstimator, startsNearAPoseThatIsRoughlyRight) {
   const Walk walk;
   FleischmannPoseEstimator tracker = walk.tracker();
   FleischmannVector rough = Walk::at(0);
-  rough[kPelvisPosition] += 0.06;
-  rough[kRightShoulder + 1] += 0.25;
-  rough[kLeftKnee] += 0.2;
+  rough[kPelvisPosition] += 0.12;
+  rough[kRightShoulder + 1] += 0.5;
+  rough[kLeftKnee] += 0.4;
   const FleischmannEstimate pose = tracker.reinitializeNear(0, rough, walk.viewsAt(0));
   ASSERT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
-  EXPECT_LT(walk.meanError(pose.v, 0), 0.03);
-  EXPECT_GT(walk.meanError(rough, 0), 0.06);
+  EXPECT_GT(walk.meanError(rough, 0), 0.13);
+  EXPECT_LT(walk.meanError(pose.v, 0), kHeadroom * 0.070);
   EXPECT_EQ(tracker.predicted(kFrame_ns), pose.v);
   EXPECT_EQ(tracker.reinitializeNear(0, rough, std::vector<FleischmannView>(4)).reason,
             "no camera shows a person");
@@ -124,7 +145,7 @@ TEST(FleischmannPoseEstimator, keepsThePoseThatNoneIsBetterThan) {
   EXPECT_EQ(tracker.predicted(kFrame_ns), Walk::at(0));
 }
 
-// The true pose is the best there is.
+// Of the fitness's own drawing the true pose is the best there is.
 TEST(FleischmannPoseEstimator, keepsAStartThatIsPerfect) {
   const Walk walk;
   FleischmannOptions options;
@@ -132,7 +153,7 @@ TEST(FleischmannPoseEstimator, keepsAStartThatIsPerfect) {
   options.use_edges = false;
   FleischmannPoseEstimator tracker = walk.tracker(options);
   tracker.start(0, Walk::at(0));
-  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(0)).v, Walk::at(0));
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.ownViewsAt(0)).v, Walk::at(0));
 }
 
 TEST(FleischmannPoseEstimator, saysWhyThereIsNoPose) {
@@ -174,7 +195,7 @@ TEST(FleischmannPoseEstimator, oneViewLessIsNoHindrance) {
   const FleischmannEstimate pose = tracker.update(kFrame_ns, views);
   EXPECT_EQ(pose.status, PoseStatus::kTracked);
   EXPECT_EQ(pose.views, 3);
-  EXPECT_LT(walk.meanError(pose.v, 1), 0.05);
+  EXPECT_LT(walk.meanError(pose.v, 1), kHeadroom * 0.051);
 }
 
 TEST(FleischmannPoseEstimator, aLimitlessWishIsPutInsideTheLimits) {

@@ -5,9 +5,8 @@
 
 #include "error_text_of.h"
 #include "fleischmann/appearance_scene.h"
-#include "fleischmann/fleischmann_fitness.h"
 #include "fleischmann/fleischmann_tracker.h"
-#include "fleischmann/model/fleischmann_urdf_converter.h"
+#include "fleischmann/painted_person.h"
 #include "hsiao/hsiao_pose_estimator.h"
 #include "hsiao/model/hsiao_urdf_converter.h"
 #include "hsiao/synthetic_person.h"
@@ -45,7 +44,7 @@ std::unique_ptr<BodyTracker> trackerFor(const CameraRig& rig,
       });
 }
 
-/// What the stages make of a person of cones.
+/// What the stages make of a person.
 struct Seen {
   std::vector<cv::Mat> masks, images;
   VisualHull hull;
@@ -77,12 +76,10 @@ class FleischmannTrackerTest : public testing::Test {
     Eigen::Isometry3d root;
     Eigen::VectorXd angles;
     place(pose, root, angles);
-    const FleischmannVector v = FleischmannUrdfConverter(body_).parametersOf(root, angles);
     Seen seen;
-    for (int i = 0; i < int(rig_.size()); ++i) {
-      seen.masks.push_back(painter_.drawing(v.data(), i));
-      seen.images.emplace_back(seen.masks.back().size(), CV_8UC1, cv::Scalar(160));
-      seen.images.back().setTo(70, seen.masks.back());
+    for (const FleischmannView& view : paintedViews(rig_, *body_, root, angles)) {
+      seen.masks.push_back(view.silhouette);
+      seen.images.push_back(view.image);
     }
     seen.hull = hullOf(profile_, shape_, pose);
     seen.parts = curvesOf(profile_, pose);
@@ -121,9 +118,6 @@ class FleischmannTrackerTest : public testing::Test {
   HsiaoBodyModel profile_{*body_};
   HsiaoBodyShape shape_{*body_, profile_};
   CameraRig rig_ = rigAroundThePerson();
-  FleischmannBodyModel cones_profile_{*body_};
-  FleischmannFitness painter_{rig_, cones_profile_, FleischmannBodyShape(*body_, cones_profile_),
-                              FleischmannImageOptions()};
   std::unique_ptr<BodyTracker> tracker_ = trackerFor(rig_, motion());
   int64_t stamp_ = 0;
 };
