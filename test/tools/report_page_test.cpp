@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tools/svg_reader.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -37,9 +39,37 @@ TEST(ReportPage, RemarksComeFirst) {
   EXPECT_LT(first, page.find("2 instants"));
 }
 
-TEST(ReportPage, CurvesStopWhereThereIsNoFigure) {
-  // Half of the plot's height for the first of two instants, nothing for the second.
-  EXPECT_NE(reportPage(sample()).find("d=\"M46 77h0\""), std::string::npos);
+/// The SVG after a heading.
+std::string plotUnder(const std::string& page, const std::string& heading) {
+  const size_t begin = page.find("<svg", page.find("<h2>" + heading + "</h2>"));
+  return page.substr(begin, page.find("</svg>", begin) - begin);
+}
+
+/// The only curve of a plot.
+Strokes curveOf(const std::string& svg) {
+  for (const std::string& path : tagsOf(svg, "path"))
+    if (attributeOf(path, "fill") == "none") return dataOf(svg, attributeOf(path, "stroke"));
+  return {};
+}
+
+TEST(ReportPage, CurvesShowTheFiguresAndStopWhereThereIsNone) {
+  const std::string page = reportPage(sample());
+  const Strokes overlap = curveOf(plotUnder(page, "Overlap of body and masks"));
+  const Strokes error = curveOf(plotUnder(page, "Skeleton error"));
+  for (const Strokes& curve : {overlap, error}) {
+    ASSERT_EQ(curve.size(), 1u);
+    ASSERT_EQ(curve[0].size(), 1u) << "the second instant has no figure";
+    EXPECT_NEAR(curve[0][0].x(), 0.0, 0.001);
+  }
+  EXPECT_NEAR(overlap[0][0].y(), 0.5, 0.001);
+  EXPECT_NEAR(error[0][0].y(), 50.0, 0.1) << "in mm";
+}
+
+TEST(ReportPage, TheStatusBandHasACellForEachInstant) {
+  const std::vector<SvgRect> cells = rectsOf(plotUnder(reportPage(sample()), "Status"));
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_NE(cells[0].title.find("tracked"), std::string::npos);
+  EXPECT_NE(cells[1].title.find("lost nobody"), std::string::npos);
 }
 
 TEST(ReportPage, CameraWithoutOverlapHasAnEmptyCell) {
