@@ -21,12 +21,10 @@ constexpr const char* kValueNames[] = {"radius", "offset_x", "offset_y", "offset
 constexpr const char* kMeaning =
     "# The contour body: round cones about a skeleton. Each shape parameter is given as\n"
     "# [mean, standard deviation over people], as fractions of the stature. A parameter of\n"
-    "# deviation 0 is not estimated. Lengths are between joints, as in the URDF. End a of a cone "
-    "is\n"
-    "# the one nearer to the hips (arms: to the shoulder). An offset is relative to the point "
-    "that\n"
-    "# the lengths alone determine, in the frame of the segment: x forward, y to the left, z up\n"
-    "# while standing with hanging arms, for the left side; the right side is mirrored.\n";
+    "# deviation 0 is not estimated. Lengths are between joints, as in the URDF. End a of a cone\n"
+    "# is the one nearer to the hips (arms: to the shoulder). An offset is relative to the point\n"
+    "# that the lengths alone determine, in the frame of the segment: x forward, y to the left,\n"
+    "# z up while standing with hanging arms, for the left side; the right side is mirrored.\n";
 
 void checkStature(double stature) {
   if (!(stature >= 0.5 && stature <= 2.5))

@@ -157,7 +157,7 @@ TEST(FleischmannFitness, sentencesNameTheCameraAndWhatIsWrong) {
   std::vector<FleischmannView> views = figure.viewsOf(stride());
   views[0].silhouette = cv::Mat::zeros(10, 10, CV_8UC1);
   EXPECT_EQ(errorTextOf([&] { figure.fitness.observe(views); }),
-            "camera 'cam': the silhouette must be mono8 and of the camera's size");
+            "camera 'cam': the silhouette must be mono8 and of the size of the camera's image");
   views.pop_back();
   EXPECT_EQ(errorTextOf([&] { figure.fitness.observe(views); }),
             "3 views were given, the rig has 4 cameras");
@@ -226,7 +226,7 @@ TEST(EdgeMap, isEmptyWhereNothingStandsOut) {
   EXPECT_EQ(cv::countNonZero(edgeMap(image, silhouette, {})), 0);
   EXPECT_EQ(
       errorTextOf([&] { edgeMap(image, cv::Mat(), {}); }),
-      "edges need an 8-bit image of one or three channels and a mono8 silhouette of its size");
+      "edges need an 8-bit image of one or three channels and a mono8 silhouette of the same size");
 }
 
 TEST(FleischmannImageOptions, areCheckedByName) {

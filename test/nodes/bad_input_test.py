@@ -138,7 +138,7 @@ class Hull(HullNode):
         send_infos = self.sender([info('a_optical'), info('b_optical')])
         self.masks[1].unregister()
         self.masks.pop()
-        self.send_until('the masks of 1 of 2 cameras, needed are 2', send_infos)
+        self.send_until('the masks of 1 of 2 cameras, at least 2 are needed', send_infos)
 
     def test_empty_masks(self):
         self.expect('the masks of all 2 cameras are empty', [info('a_optical'), info('b_optical')])
@@ -303,7 +303,7 @@ class FittingContours(FittingNode):
         self.expect('has the encoding "8SC1", allowed is mono8', self.both, encoding='8SC1')
 
     def test_masks_of_other_stamps_are_not_taken(self):
-        self.expect('the person shows in 0 silhouettes', self.both, late=0.05)
+        self.expect('the person is visible in 0 silhouettes', self.both, late=0.05)
 
     def test_a_stage_that_says_nothing_is_named(self):
         self.expect('pose_tree has sent nothing for this frame set', self.both,

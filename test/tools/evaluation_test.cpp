@@ -243,8 +243,8 @@ TEST_F(EvaluationTest, OtherWorldsAndOtherTimesAreRefused) {
             "the results are in the frame map, the ground truth in world: they cannot be compared");
   writeResults(nothing, "world", 3600 * int64_t(1000000000));
   EXPECT_EQ(errorTextOf<std::exception>([&] { judged(); })
-                .rfind("truth and results do not overlap in time: the "
-                       "truth lasts from 1600000000.00 s to "
+                .rfind("ground truth and results do not overlap in time: the "
+                       "ground truth lasts from 1600000000.00 s to "
                        "1600000001.56 s, the results from 16000036",
                        0),
             0u);

@@ -36,7 +36,7 @@ TEST(SizesFile, GivesBackWhatWasWrittenToAMicrometre) {
 
 TEST(SizesFile, HasOneLineForEachSizeBelowItsMeaning) {
   const std::string text = shapeToYaml(someone());
-  EXPECT_EQ(text.rfind("# Sizes of one person, metres", 0), 0u);
+  EXPECT_EQ(text.rfind("# Body shape of one person, metres", 0), 0u);
   EXPECT_NE(text.find("\nthigh: 0.412345\n"), std::string::npos);
   size_t lines = 0;
   for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at)

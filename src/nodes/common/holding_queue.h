@@ -5,8 +5,8 @@
 
 namespace markerless_mocap {
 
-/// Frame sets in the order of time. One for which messages may still come is held, and those behind
-/// it, until they have come or too many wait.
+/// Frame sets in the order of time. A frame set for which messages may still arrive is kept back,
+/// and so are those behind it, until they have arrived or too many frame sets wait.
 template <class FrameSetT>
 class HoldingQueue {
  public:
@@ -15,7 +15,7 @@ class HoldingQueue {
   void push(FrameSetT frame_set) { held_.push_back(std::move(frame_set)); }
   void clear() { held_.clear(); }
 
-  /// Gives out what is not held, oldest first.
+  /// Passes on the frame sets that need not wait, oldest first.
   template <class MustWaitT, class SinkT>
   void release(const MustWaitT& must_wait, const SinkT& sink) {
     while (!held_.empty() && (held_.size() > max_held_ || !must_wait(held_.front()))) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kSilence = 5.0;  // seconds
 
-/// One sentence for a topic on which nothing comes: its name and the graph's topics of that type.
+/// Message for a topic without messages: its name and all topics of its type.
 std::string silentTopic(const std::string& topic, const std::string& type) {
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
@@ -15,7 +15,7 @@ std::string silentTopic(const std::string& topic, const std::string& type) {
   for (const ros::master::TopicInfo& info : topics)
     if (info.datatype == type && info.name != topic)
       others += (others.empty() ? "" : ", ") + info.name;
-  return "nothing comes on " + topic + " (" + type + "); topics of that type are " +
+  return "no messages on " + topic + " (" + type + "); topics of that type are " +
          (others.empty() ? "none" : others);
 }
 
@@ -39,7 +39,7 @@ void StageInputs::listenToImages(const std::string& camera, const std::string& t
 }
 
 void StageInputs::require(const std::string& topic, const std::string& type) {
-  // Topics that are listened to already may have callbacks running.
+  // Callbacks of topics that are already subscribed may be running.
   gate_.guarded([&] { silent_[topic] = type; })();
   if (!silence_timer_.isValid())
     silence_timer_ = handle_.createWallTimer(

@@ -13,14 +13,14 @@
 
 namespace markerless_mocap {
 
-/// A stage's subscriptions; their callbacks come one at a time. The status names a topic that is
-/// required every five seconds until something has come on it. Declare it last in its owner: it
-/// closes first.
+/// The subscriptions of a stage; their callbacks run one at a time. For each required topic without
+/// messages, a warning is given every five seconds. Declare this last in its owner, so that it is
+/// destroyed first.
 class StageInputs {
  public:
   enum Need { kOptional, kRequired };
 
-  /// \param status must outlive this
+  /// \param status must outlive this object
   StageInputs(const ros::NodeHandle& handle, StageStatus* status)
       : handle_(handle), status_(status) {}
 
@@ -47,7 +47,8 @@ class StageInputs {
 
   ros::NodeHandle handle_;
   StageStatus* status_;
-  std::map<std::string, std::string> silent_;  ///< topics of which nothing has come, with types
+  std::map<std::string, std::string> silent_;  ///< required topics without messages so far, with
+                                               ///< their types
   ros::WallTimer silence_timer_;
   std::vector<ros::Subscriber> subscribers_;
   CallbackGate gate_;

@@ -10,12 +10,12 @@
 
 namespace markerless_mocap {
 
-/// What has come of several cameras and waits to be asked for by stamp. `Item` is cheap to move and
-/// empty when default-constructed.
+/// Messages of several cameras, kept until they are looked up by stamp. `Item` is cheap to move and
+/// empty if default-constructed.
 template <class Item>
 class StampCache {
  public:
-  /// \param most of one camera; the earliest go when there are more
+  /// \param most maximum number per camera; the oldest are dropped
   StampCache(size_t cameras, size_t most) : waiting_(cameras), last_ns_(cameras), max_size_(most) {}
 
   void add(size_t camera, int64_t stamp_ns, Item item) {
@@ -25,16 +25,16 @@ class StampCache {
     last_ns_[camera] = stamp_ns;
   }
 
-  /// Whether the camera's last item is earlier than this stamp, but by so little that its next one
-  /// may be on its way. Items of a camera come in the order of their stamps.
+  /// True if the last item of the camera is earlier than this stamp, but only by so little that the
+  /// next one may still arrive. Items of a camera must arrive in the order of their stamps.
   bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns = 0,
                     int64_t max_behind_ns = std::numeric_limits<int64_t>::max()) const {
     const std::optional<int64_t>& last = last_ns_.at(camera);
     return last && *last < stamp_ns - tolerance_ns && *last >= stamp_ns - max_behind_ns;
   }
 
-  /// The item of the nearest stamp within the tolerance, an empty one if there is none. It goes
-  /// out, and with it those that came before it: nobody asks for them any more.
+  /// Removes and returns the item with the nearest stamp within the tolerance; empty if there is
+  /// none. Earlier items of the camera are dropped, too.
   Item take(size_t camera, int64_t stamp_ns, int64_t tolerance_ns = 0) {
     auto& waiting = waiting_.at(camera);
     auto nearest = waiting.end();
@@ -55,7 +55,7 @@ class StampCache {
     int64_t stamp_ns;
     Item item;
   };
-  std::vector<std::deque<Arrival>> waiting_;  ///< by camera, as they came
+  std::vector<std::deque<Arrival>> waiting_;  ///< by camera, in the order of arrival
   std::vector<std::optional<int64_t>> last_ns_;
   size_t max_size_;
 };

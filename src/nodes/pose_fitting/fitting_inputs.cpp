@@ -9,19 +9,20 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 64;    // callbacks only put messages in their places
-constexpr double kDeadline = 2.0;  // seconds that a stage may lag behind the hulls
-constexpr int kMostPending = 60;   // instants, at 30 a second as long as the deadline
-constexpr size_t kMostViews = 64;  // of a camera: what the stages lag behind the cameras
-// Between processes a silhouette can be behind the hull that was carved from it.
-constexpr size_t kMostHeld = 3;               // instants
-constexpr int64_t kMostBehind = 100'000'000;  // nanoseconds; a camera further behind has stopped
+constexpr uint32_t kQueue = 64;    // callbacks only store messages
+constexpr double kDeadline = 2.0;  // maximum delay of a stage relative to the hull, seconds
+constexpr int kMaxPending = 60;    // frame sets; at 30 per second as long as the deadline
+constexpr size_t kMaxViews = 64;   // per camera; it covers the delay of the stages
+// Between processes, a silhouette can arrive later than the hull that was carved from it.
+constexpr size_t kMaxWaiting = 3;           // frame sets
+constexpr int64_t kMaxDelay = 100'000'000;  // nanoseconds; a camera with a larger delay is
+                                            // assumed to have stopped
 
 AssemblerOptions joinOptions(FittingNeeds needs) {
   AssemblerOptions options;
   options.tolerance = 0.0;
   options.deadline = kDeadline;
-  options.max_pending = kMostPending;
+  options.max_pending = kMaxPending;
   options.min_streams = needs.masks ? 1 : 3;
   return options;
 }
@@ -38,9 +39,9 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       tf_listener_(tf_),
       collector_(options.cameras, options.world_frame, options.rig_file),
       assembler_(needs.masks ? 4 : 3, joinOptions(needs)),
-      masks_(options.cameras.size(), kMostViews),
-      images_(options.cameras.size(), kMostViews),
-      pending_(kMostHeld),
+      masks_(options.cameras.size(), kMaxViews),
+      images_(options.cameras.size(), kMaxViews),
+      pending_(kMaxWaiting),
       inputs_(handle, status) {
   if (!needs_.masks) rig_ = std::make_shared<const CameraRig>();
   for (size_t i = 0; needs_.masks && i < options_.cameras.size(); ++i) listenToCamera(i);
@@ -91,25 +92,25 @@ void FittingInputs::listenToCamera(size_t camera) {
 }
 
 void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
-  for (auto& instant : assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item)))
-    join(std::move(instant));
+  for (auto& frame_set : assembler_.add(stream, nanosecondsOf(header.stamp), std::move(item)))
+    join(std::move(frame_set));
   dispatchReady();
   reportCounts();
 }
 
-void FittingInputs::join(Assembler::FrameSet instant) {
-  if (!instant.present[kHull]) {
+void FittingInputs::join(Assembler::FrameSet frame_set) {
+  if (!frame_set.present[kHull]) {
     status_->count("frame sets without a hull");
     return;
   }
   FittingMessages input;
-  input.hull = instant.items[kHull].cloud;
+  input.hull = frame_set.items[kHull].cloud;
   input.header = input.hull->header;
   input.grid = grid_;
-  input.parts = instant.items[kParts].parts;
-  input.labels = instant.items[kLabels].cloud;
-  input.complete = std::count(instant.present.begin(), instant.present.end(), false) == 0;
-  if (needs_.masks) input.tree = instant.items[kTree].tree;
+  input.parts = frame_set.items[kParts].parts;
+  input.labels = frame_set.items[kLabels].cloud;
+  input.complete = std::count(frame_set.present.begin(), frame_set.present.end(), false) == 0;
+  if (needs_.masks) input.tree = frame_set.items[kTree].tree;
   pending_.push(std::move(input));
 }
 
@@ -126,7 +127,7 @@ void FittingInputs::dispatchReady() {
 bool FittingInputs::waitsForMasks(const FittingMessages& input) const {
   if (!needs_.masks) return false;
   for (size_t i = 0; i < options_.cameras.size(); ++i)
-    if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMostBehind))
+    if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMaxDelay))
       return true;
   return false;
 }

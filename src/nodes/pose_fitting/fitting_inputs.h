@@ -20,31 +20,31 @@
 
 namespace markerless_mocap {
 
-/// What the other stages and the cameras say of one instant. Messages that have not come are null.
+/// Messages of the other stages and of the cameras for one time. Missing messages are null.
 struct FittingMessages {
   std_msgs::Header header;  ///< of the hull
-  std::string error;        ///< why nothing can be fitted; empty: it can
-  bool complete = false;    ///< every stage that is asked for has said something
+  std::string error;        ///< why no pose can be fitted; empty if it can
+  bool complete = false;    ///< all required stages have sent a message
   std::shared_ptr<const CameraRig> rig;
   VoxelGridConstPtr grid;
   sensor_msgs::PointCloud2ConstPtr hull, labels;
   BodyPartsMsg::ConstPtr parts;
   PoseTreeMsg::ConstPtr tree;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera
-  std::vector<CameraImage> images;                ///< by camera, of the masks' stamps
+  std::vector<CameraImage> images;                ///< by camera, with the stamps of the masks
 };
 
-/// What a method looks at beside hull and parts.
+/// Inputs that a method needs in addition to hull and parts.
 struct FittingNeeds {
-  bool masks;   ///< and the rig, and the pose tree
-  bool images;  ///< and masks
+  bool masks;   ///< also the rig and the pose tree
+  bool images;  ///< also masks
 };
 
-/// Listens to all that a pose is fitted to and joins it by stamps. An instant that lacks parts or
-/// tree is given out when a later one is complete if masks are there to go by.
+/// Subscribes to all inputs of pose fitting and joins them by stamp. A frame set without parts or
+/// tree is passed on as soon as a later one is complete, provided that it has masks.
 class FittingInputs {
  public:
-  /// \param sink gets the instants, oldest first, one at a time; it must not take long
+  /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
   FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, FittingNeeds needs,
                 StageStatus* status, std::function<void(FittingMessages)> sink);
 
@@ -61,13 +61,13 @@ class FittingInputs {
   void listenToStages();
   void listenToCamera(size_t camera);
   void receive(Stream stream, const std_msgs::Header& header, Item item);
-  void join(Assembler::FrameSet instant);
-  /// Gives out what is held, oldest first, up to an instant whose silhouettes may still come.
+  void join(Assembler::FrameSet frame_set);
+  /// Passes on the waiting frame sets, oldest first, up to one whose silhouettes may still arrive.
   void dispatchReady();
   bool waitsForMasks(const FittingMessages& input) const;
   int64_t stampTolerance() const;  ///< nanoseconds
   void addViews(FittingMessages* input);
-  /// Finds out the rig; one sentence on what is missing, empty once it is known.
+  /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
   std::string prepareRig();
   void reportCounts();
 
@@ -78,11 +78,11 @@ class FittingInputs {
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   RigCollector collector_;
-  std::shared_ptr<const CameraRig> rig_;  ///< null until it is known
+  std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;
   StampCache<sensor_msgs::ImageConstPtr> masks_;
   StampCache<CameraImage> images_;
-  HoldingQueue<FittingMessages> pending_;  ///< joined, but for the views
+  HoldingQueue<FittingMessages> pending_;  ///< joined, but without views
   VoxelGridConstPtr grid_;
   StageInputs inputs_;
 };

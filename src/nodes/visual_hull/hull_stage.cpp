@@ -15,29 +15,30 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 16;     // messages per topic while another stage has the cores
-constexpr size_t kMostWaiting = 3;  // instants held back for their images
-constexpr size_t kMostImages = 16;  // per camera: what the masks may lag behind
+constexpr uint32_t kQueue = 16;    // messages per topic that wait while another stage uses the CPU
+constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
+constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
 constexpr double kMarkerDepth = 0.5;
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node) {
   AssemblerOptions options;
   options.tolerance = node.stamp_tolerance;
   options.deadline = node.deadline;
-  options.min_streams = 1;  // an instant of too few cameras gets its reason published
+  options.min_streams = 1;  // the reason is published even if a frame set has too few cameras
   return options;
 }
 
-/// "hull of 2000 voxels without camera 'a': its mask is full; 2 components are suspect ghosts"
-std::string sentenceOn(const VisualHull& hull) {
-  std::string sentence = "hull of " + std::to_string(hull.voxels.size()) + " voxels";
+/// For example "hull of 2000 voxels without camera 'a': its mask is full; 2 components are suspect
+/// ghosts".
+std::string messageFor(const VisualHull& hull) {
+  std::string message = "hull of " + std::to_string(hull.voxels.size()) + " voxels";
   for (const LeftOutCamera& camera : hull.cameras_left_out)
-    sentence += " without camera '" + camera.name + "': " + camera.reason + ";";
-  if (!hull.cameras_left_out.empty()) sentence.pop_back();
+    message += " without camera '" + camera.name + "': " + camera.reason + ";";
+  if (!hull.cameras_left_out.empty()) message.pop_back();
   const auto ghosts = std::count_if(hull.components.begin(), hull.components.end(),
                                     [](const HullComponent& c) { return c.suspect_ghost; });
-  if (ghosts > 0) sentence += "; " + std::to_string(ghosts) + " components are suspect ghosts";
-  return sentence;
+  if (ghosts > 0) message += "; " + std::to_string(ghosts) + " components are suspect ghosts";
+  return message;
 }
 
 }  // namespace
@@ -49,8 +50,8 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       tf_listener_(tf_),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options)),
-      images_(node_options.cameras.size(), kMostImages),
-      waiting_(kMostWaiting),
+      images_(node_options.cameras.size(), kMaxImages),
+      waiting_(kMaxWaiting),
       status_(handle, private_handle, "visual hull"),
       inputs_(handle, &status_) {
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
@@ -85,7 +86,8 @@ void HullStage::receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info) 
   if (!carver_) prepareBeforehand(info.header.stamp);
 }
 
-// Making it takes as long as several instants do, so not when the first masks are there.
+// Making the carver takes as long as several frame sets, so it is made before the first masks
+// arrive.
 void HullStage::prepareBeforehand(const ros::Time& stamp) {
   std_msgs::Header header;
   header.stamp = stamp;
@@ -93,7 +95,7 @@ void HullStage::prepareBeforehand(const ros::Time& stamp) {
   try {
     prepareCarver(header);
   } catch (const std::exception&) {
-    // Camera_info or transforms are still to come; said once there are masks.
+    // Camera_info or transforms are missing; this is reported once there are masks.
   }
 }
 
@@ -104,35 +106,36 @@ void HullStage::receiveImage(size_t camera, const CameraImage& image) {
 
 void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask) {
   const uint64_t jumps = assembler_.counts().time_jumps_back;
-  auto instants = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
+  auto frame_sets = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
   if (assembler_.counts().time_jumps_back != jumps) waiting_.clear();
-  for (auto& instant : instants) waiting_.push(std::move(instant));
+  for (auto& frame_set : frame_sets) waiting_.push(std::move(frame_set));
   drain();
   reportCounts();
 }
 
 void HullStage::drain() {
-  waiting_.release([this](const Assembler::FrameSet& instant) { return waitsForImages(instant); },
-                   [this](const Assembler::FrameSet& instant) { process(instant); });
+  waiting_.release(
+      [this](const Assembler::FrameSet& frame_set) { return waitsForImages(frame_set); },
+      [this](const Assembler::FrameSet& frame_set) { process(frame_set); });
 }
 
-bool HullStage::waitsForImages(const Assembler::FrameSet& instant) const {
-  for (size_t i = 0; i < instant.items.size(); ++i)
-    if (instant.present[i] &&
-        images_.mayStillCome(i, nanosecondsOf(instant.items[i]->header.stamp)))
+bool HullStage::waitsForImages(const Assembler::FrameSet& frame_set) const {
+  for (size_t i = 0; i < frame_set.items.size(); ++i)
+    if (frame_set.present[i] &&
+        images_.mayStillCome(i, nanosecondsOf(frame_set.items[i]->header.stamp)))
       return true;
   return false;
 }
 
-void HullStage::process(const Assembler::FrameSet& instant) {
+void HullStage::process(const Assembler::FrameSet& frame_set) {
   std_msgs::Header header;
-  header.stamp = rosTime(instant.stamp_ns);
+  header.stamp = rosTime(frame_set.stamp_ns);
   header.frame_id = node_options_.world_frame;
   VisualHull hull;
   try {
     prepareCarver(header);
-    const std::vector<CameraImage> images = takeImages(instant);
-    hull = carver_->carve(viewsOf(instant, images));
+    const std::vector<CameraImage> images = takeImages(frame_set);
+    hull = carver_->carve(viewsOf(frame_set, images));
     reportHull(hull);
   } catch (const std::exception& error) {
     hull = VisualHull();
@@ -147,9 +150,9 @@ void HullStage::reportHull(const VisualHull& hull) {
   if (hull.status != HullStatus::kOk)
     status_.problem(hull.reason);
   else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost)
-    status_.ok(sentenceOn(hull));
+    status_.ok(messageFor(hull));
   else
-    status_.waiting(sentenceOn(hull));
+    status_.waiting(messageFor(hull));
 }
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {
@@ -167,26 +170,26 @@ void HullStage::prepareCarver(const std_msgs::Header& header) {
   markers_.publish(cameraMarkers(carver_->rig(), header, kMarkerDepth));
 }
 
-std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& instant) {
-  std::vector<CameraImage> images(instant.items.size());
+std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_set) {
+  std::vector<CameraImage> images(frame_set.items.size());
   for (size_t i = 0; i < images.size(); ++i)
-    if (instant.present[i])
-      images[i] = images_.take(i, nanosecondsOf(instant.items[i]->header.stamp));
+    if (frame_set.present[i])
+      images[i] = images_.take(i, nanosecondsOf(frame_set.items[i]->header.stamp));
   return images;
 }
 
-std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& instant,
+std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
                                          const std::vector<CameraImage>& images) const {
-  const size_t present = std::count(instant.present.begin(), instant.present.end(), true);
+  const size_t present = std::count(frame_set.present.begin(), frame_set.present.end(), true);
   if (present < node_options_.requiredCameras())
     throw std::invalid_argument(
         "the frame set has the masks of " + std::to_string(present) + " of " +
-        std::to_string(instant.items.size()) + " cameras, needed are " +
-        std::to_string(node_options_.requiredCameras()) + " within the deadline");
-  std::vector<HullView> views(instant.items.size());
+        std::to_string(frame_set.items.size()) + " cameras, at least " +
+        std::to_string(node_options_.requiredCameras()) + " are needed within the deadline");
+  std::vector<HullView> views(frame_set.items.size());
   for (size_t i = 0; i < views.size(); ++i) {
-    if (!instant.present[i]) continue;
-    views[i].mask = maskFromMessage(*instant.items[i]);
+    if (!frame_set.present[i]) continue;
+    views[i].mask = maskFromMessage(*frame_set.items[i]);
     views[i].image = images[i].mat();
   }
   return views;

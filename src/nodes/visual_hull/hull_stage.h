@@ -18,7 +18,7 @@
 
 namespace markerless_mocap {
 
-/// Joins the masks of one instant and carves its hull. Its callbacks come one at a time.
+/// Joins the masks of one time and carves the hull. Its callbacks run one at a time.
 class HullStage {
  public:
   HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -31,18 +31,18 @@ class HullStage {
   void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   void receiveImage(size_t camera, const CameraImage& image);
-  /// Processes what waits, oldest first, up to an instant whose images may still come.
+  /// Processes the waiting frame sets, oldest first, up to one whose images may still arrive.
   void drain();
-  bool waitsForImages(const Assembler::FrameSet& instant) const;
-  void process(const Assembler::FrameSet& instant);
-  /// Says how an instant went, and which cameras were left out of it.
+  bool waitsForImages(const Assembler::FrameSet& frame_set) const;
+  void process(const Assembler::FrameSet& frame_set);
+  /// Reports the result for a frame set, and which cameras were left out.
   void reportHull(const VisualHull& hull);
   void prepareBeforehand(const ros::Time& stamp);
-  /// Makes the carver as soon as rig and transforms are known; throws what is in the way.
+  /// Makes the carver as soon as rig and transforms are known; throws the reason if they are not.
   void prepareCarver(const std_msgs::Header& header);
-  std::vector<CameraImage> takeImages(const Assembler::FrameSet& instant);
-  /// The images must outlive what it returns.
-  std::vector<HullView> viewsOf(const Assembler::FrameSet& instant,
+  std::vector<CameraImage> takeImages(const Assembler::FrameSet& frame_set);
+  /// The result refers to the pixels of the images.
+  std::vector<HullView> viewsOf(const Assembler::FrameSet& frame_set,
                                 const std::vector<CameraImage>& images) const;
   void reportCounts();
 
@@ -55,7 +55,7 @@ class HullStage {
   StampCache<CameraImage> images_;
   HoldingQueue<Assembler::FrameSet> waiting_;
   std::optional<HullCarver> carver_;
-  std::string carver_error_;  ///< why this rig cannot be carved with; until the rig changes
+  std::string carver_error_;  ///< why the rig cannot be used; valid until the rig changes
   StageStatus status_;
   ros::Publisher points_, grid_, markers_;
   StageInputs inputs_;

@@ -15,7 +15,7 @@ using markerless_mocap::LearnOptions;
 std::string madeBy(const LearnOptions& options) {
   std::string line =
       "# Made by: rosrun markerless_mocap learn_contour_body models/contour_body.yaml";
-  line += " --people " + std::to_string(options.people) + " --instants " +
+  line += " --people " + std::to_string(options.people) + " --frames " +
           std::to_string(options.frame_sets) + " --motions";
   for (const std::string& motion : options.motions) line += ' ' + motion;
   return line + '\n';

@@ -122,7 +122,7 @@ TEST(FleischmannStudy, curvesAreHighestNearTheTruth) {
 
 TEST(SppsoReport, pageAndLinesHoldEveryRun) {
   StudyReport report;
-  report.about = "a film of 1 < 2 people";
+  report.about = "a sequence of 1 < 2 people";
   StudiedTable studied{{"6.2", "Evaluations", {{"base", FleischmannOptions(), 20.0, 2}}}, {}};
   studied.results.push_back(runVariant(film(), packageStatistics(), studied.table.variants[0]));
   report.tables.push_back(studied);
