@@ -84,13 +84,13 @@ std::optional<ShapeParameters> measuredSizes(const FilmedCapture& capture) {
                          });
   pipeline.estimateShapeNow();
   if (!pipeline.body()->measured) return std::nullopt;
-  return pipeline.body()->sizes;
+  return pipeline.body()->shape;
 }
 
 /// Second pass: the poses of a body of these sizes, filtered.
 Captured follow(const FilmedCapture& capture, const ShapeParameters& sizes) {
   PersonResources person = PersonResources::standard();
-  person.measured = sizes;
+  person.known_shape = sizes;
   PipelineOptions options;
   options.fitting.person.measure = false;
   Pipeline pipeline(capture.rig(), person, options);
