@@ -80,10 +80,10 @@ std::optional<ShapeParameters> measuredSizes(const FilmedCapture& capture) {
   const Pipeline::Source next = capture.reader();
   pipeline.processStream([&] { return measured ? std::nullopt : next(); },
                          [&](const FrameSet&, const PipelineResult& result) {
-                           measured = measured || (result.body && result.body->measured);
+                           measured = measured || (result.body && result.body->shape_estimated);
                          });
   pipeline.estimateShapeNow();
-  if (!pipeline.body()->measured) return std::nullopt;
+  if (!pipeline.body()->shape_estimated) return std::nullopt;
   return pipeline.body()->shape;
 }
 

@@ -59,7 +59,7 @@ std::vector<Eigen::Matrix3Xd> MeshPersonTest::joints_;
 
 TEST_F(MeshPersonTest, SizesAndPosesAreEstimatedTogether) {
   EXPECT_EQ(estimate_->samples_used, kInstants);
-  const ContourBody body(estimate_->sizes);
+  const ContourBody body(estimate_->shape);
   double error = 0.0;
   for (size_t i = 0; i < kInstants; ++i)
     error += jointError(body, estimate_->poses[i], joints_[i]) / kInstants;
@@ -75,12 +75,12 @@ TEST_F(MeshPersonTest, BonesOfTheLimbsAreAsLongAsThePersons) {
     };
     return (joints_[0].col(column(from)) - joints_[0].col(column(to))).norm();
   };
-  EXPECT_NEAR(estimate_->sizes[ContourLength::kThigh], length("l_hip", "l_knee"), kMaxLengthError);
-  EXPECT_NEAR(estimate_->sizes[ContourLength::kShank], length("l_knee", "l_ankle"),
+  EXPECT_NEAR(estimate_->shape[ContourLength::kThigh], length("l_hip", "l_knee"), kMaxLengthError);
+  EXPECT_NEAR(estimate_->shape[ContourLength::kShank], length("l_knee", "l_ankle"),
               kMaxLengthError);
-  EXPECT_NEAR(estimate_->sizes[ContourLength::kUpperArm], length("l_shoulder", "l_elbow"),
+  EXPECT_NEAR(estimate_->shape[ContourLength::kUpperArm], length("l_shoulder", "l_elbow"),
               kMaxLengthError);
-  EXPECT_NEAR(estimate_->sizes[ContourLength::kForearm], length("l_elbow", "l_wrist"),
+  EXPECT_NEAR(estimate_->shape[ContourLength::kForearm], length("l_elbow", "l_wrist"),
               kMaxLengthError);
 }
 
@@ -88,7 +88,7 @@ TEST_F(MeshPersonTest, PosesAreFoundFromAFarStartAndFromANearOne) {
   const ContourOptions options;
   const ContourObserver observer(person_->rig(), options);
   const ContourFitter fitter(person_->rig(), options);
-  const ContourBody body(estimate_->sizes);
+  const ContourBody body(estimate_->shape);
   constexpr int kPoses = 6;
   double far = 0.0, near = 0.0;
   for (int i = 0; i < kPoses; ++i) {
