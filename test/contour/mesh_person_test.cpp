@@ -38,10 +38,10 @@ class MeshPersonTest : public testing::Test {
       joints_.push_back(sight.joints);
     }
     ShapePrior prior;
-    prior.people = PersonResources::standard().people;
+    prior.shape_statistics = PersonResources::standard().shape_statistics;
     prior.stature = 1.75;
     estimate_ = new ShapeEstimate(estimateShape(person_->rig(), ContourOptions(), prior,
-                                                prior.people.sizes(prior.stature), samples, {}));
+                                                prior.shape_statistics.meanShape(prior.stature), samples, {}));
   }
   static void TearDownTestSuite() {
     delete estimate_;
