@@ -17,22 +17,22 @@ namespace {
 constexpr int kBackgroundFrames = 12;
 constexpr int kCutEvery = 10;  // frames
 
-StudioOptions optionsOf(const LabelSampleOptions& options) {
+StudioOptions studioOptions(const LabelSampleOptions& options) {
   if (options.frames < 1) throw std::invalid_argument("frames must be at least 1");
-  StudioOptions options = options.studio;
-  options.background_frames = options.silhouettes ? kBackgroundFrames : 0;
-  return options;
+  StudioOptions studio = options.studio;
+  studio.background_frames = options.silhouettes ? kBackgroundFrames : 0;
+  return studio;
 }
 
 /// Options of a hull that covers the whole volume of the studio.
 HullOptions hullOptions(const LabelSampleOptions& options) {
-  HullOptions options;
-  options.pitch = options.pitch;
-  options.volume_min = {-1.9375, -1.9375, 0};
-  options.volume_max = {1.9375, 1.9375, 2.4375};
+  HullOptions hull;
+  hull.pitch = options.pitch;
+  hull.volume_min = {-1.9375, -1.9375, 0};
+  hull.volume_max = {1.9375, 1.9375, 2.4375};
   if (options.studio.degradations.mask_damage > 0.0 && !options.silhouettes)
-    options.missing_votes_allowed = 1;
-  return options;
+    hull.missing_votes_allowed = 1;
+  return hull;
 }
 
 /// The silhouettes of successive frame sets.
@@ -64,7 +64,7 @@ class Masks {
 }  // namespace
 
 void writeLabelSamples(const LabelSampleOptions& options, std::ostream* out) {
-  const VirtualStudio studio(optionsOf(options), options.files, "truth");
+  const VirtualStudio studio(studioOptions(options), options.files, "truth");
   HullCarver carver(studio.rig(), hullOptions(options));
   Masks masks(studio, options.silhouettes);
   LabelSampleWriter sampler(groundTruthNames(), out);

@@ -18,11 +18,8 @@ void write(const std::string& path, const std::vector<std::string>& motions) {
   out << "# Made by: rosrun markerless_mocap motion_statistics models/motion_statistics.yaml "
          "--motion";
   for (const std::string& motion : motions) out << ' ' << motion;
-  out << "
-#Largest change of each of the 31 parameters between two frames at 60 fps over these
-         "
-         "# motions, rad and m.
-         "
+  out << "\n# Largest change of each of the 31 parameters between two frames at 60 fps over these\n"
+         "# motions, rad and m.\n"
       << statistics.toYaml();
   writeText(path, out.str());
 }
