@@ -16,6 +16,12 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 POSES_WANTED = 8
 JOINTS = ('body', 'head', 'l_elbow', 'r_wrist', 'l_knee', 'r_ankle')
+# Distances from the truth in metres, 1.3 times the largest that several runs measured: the median,
+# and what nine tenths stay below. Each run drops other frames, and a pose after a long gap may be
+# wrong; this is what the last tenth is for.
+PELVIS_BOUNDS = {'contour': (0.013, 0.016), 'hsiao': (0.034, 0.040)}
+JOINT_BOUNDS = {'contour': (0.011, 0.019), 'hsiao': (0.032, 0.062)}
+LIMB_LENGTH_BOUND = 0.013
 
 
 def bones(body):
@@ -125,26 +131,32 @@ class Graph(unittest.TestCase):
         t = self.tf.lookup_transform(parent, frame, stamp).transform.translation
         return t.x, t.y, t.z
 
-    def test_the_person_is_where_the_truth_is(self):
-        far = 0
-        for pose in self.tracked():
-            p = pose.pose.position
-            truth = self.place('body_truth', pose.header.stamp)
-            far += math.dist(truth, (p.x, p.y, p.z)) > 0.25
-        self.assertLessEqual(far, len(self.tracked()) // 4)
+    def assert_near(self, distances, bounds):
+        """Median and nine tenths of the distances; one may always be farther."""
+        self.assertTrue(distances)
+        distances = sorted(distances)
+        shown = ' '.join(f'{1e3 * d:.0f}' for d in distances) + ' mm'
+        self.assertLess(statistics.median(distances), bounds[0], shown)
+        most = min(len(distances) - 1, math.ceil(0.9 * len(distances)))
+        self.assertLess(max(distances[:most]), bounds[1], shown)
 
-    def test_contours_put_joints_where_the_truth_is(self):
+    def test_the_person_is_where_the_truth_is(self):
+        positions = [(p.header.stamp, p.pose.position) for p in self.tracked()]
+        self.assert_near([math.dist(self.place('body_truth', stamp), (p.x, p.y, p.z))
+                          for stamp, p in positions], PELVIS_BOUNDS[self.method])
+
+    def test_joints_are_where_the_truth_is(self):
+        self.assert_near([math.dist(self.place(j + '_person1', pose.header.stamp),
+                                    self.place(j + '_truth', pose.header.stamp))
+                          for pose in self.whole() for j in JOINTS], JOINT_BOUNDS[self.method])
+
+    def test_contours_tell_how_well_they_fit(self):
         if self.method != 'contour':
-            self.skipTest('skeletons are not that near')
-        errors = []
+            self.skipTest('skeletons do not tell')
         for pose in self.tracked():
-            self.assertGreater(pose.silhouette_overlap, 0.6)
+            self.assertGreater(pose.silhouette_overlap, 0.85)
         for pose in self.whole():
-            self.assertTrue(all(math.isfinite(d) for d in pose.part_deviation))
-            errors += [math.dist(self.place(j + '_person1', pose.header.stamp),
-                                 self.place(j + '_truth', pose.header.stamp)) for j in JOINTS]
-        self.assertTrue(errors)
-        self.assertLess(statistics.median(errors), 0.06)
+            self.assertTrue(all(math.isfinite(d) and d > 0.0 for d in pose.part_deviation))
 
     def test_nothing_is_claimed_before_the_body_is_measured(self):
         if self.method != 'contour':
@@ -163,7 +175,7 @@ class Graph(unittest.TestCase):
         for _, child, distance in bones('truth'):
             joint = child.rsplit('_', 1)[0]
             if joint.endswith(('knee', 'ankle', 'elbow', 'wrist')):
-                self.assertLess(abs(length[joint] - distance), 0.06, joint)
+                self.assertLess(abs(length[joint] - distance), LIMB_LENGTH_BOUND, joint)
 
     def test_frames_are_as_far_apart_as_the_description_says(self):
         pose = self.whole()[-1]
