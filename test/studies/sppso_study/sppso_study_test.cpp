@@ -105,7 +105,7 @@ TEST(FleischmannStudy, tablesAreThoseOfTheThesisAndEachCanBePlanned) {
     ids.insert(table.id);
     EXPECT_GE(table.variants.size(), 3u);
     for (const StudyVariant& variant : table.variants)
-      EXPECT_NO_THROW(makeSearchPlan(variant.options));
+      EXPECT_FALSE(makeSearchPlan(variant.options).edges.empty()) << table.id;
   }
   EXPECT_EQ(ids, (std::set<std::string>{"6.2", "6.5", "6.6", "6.8", "6.10", "ours"}));
 }
