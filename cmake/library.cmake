@@ -21,7 +21,6 @@ target_link_libraries(markerless_mocap
 target_include_directories(markerless_mocap INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(markerless_mocap INTERFACE cxx_std_17)
-target_compile_definitions(markerless_mocap INTERFACE ${MOCAP_EIGEN_ALIGNMENT})
 
 install(TARGETS markerless_mocap EXPORT markerless_mocap DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT markerless_mocap NAMESPACE markerless_mocap::

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "markerless_mocap/camera/camera.h"
+#include "markerless_mocap/pipeline/eigen_layout.h"
 #include "markerless_mocap/pipeline/tracker_options.h"
 #include "markerless_mocap/tracking/body_tracker.h"
 #include "markerless_mocap/tracking/person_resources.h"
