@@ -27,7 +27,7 @@ TEST(TruthConversions, everyAngleHasItsJoint) {
   const auto state = messageFromAngles(model, angles, std_msgs::Header());
   ASSERT_EQ(state.name.size(), size_t(model.angleCount()));
   for (size_t i = 0; i < state.name.size(); ++i)
-    EXPECT_EQ(state.position[i], state.name[i] == "l_elbow_truth" ? 0.7 : 0.0);
+    EXPECT_EQ(state.position[i], state.name[i] == "l_elbow_" + model.id() ? 0.7 : 0.0);
   EXPECT_NE(errorTextOf([&] { messageFromAngles(model, Eigen::VectorXd(), std_msgs::Header()); }),
             "");
 }

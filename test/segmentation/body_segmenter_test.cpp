@@ -267,7 +267,9 @@ TEST(SegmentationOptions, RefuseWhatCannotWork) {
   EXPECT_NE(errorTextOf(options).find("shrink_weight"), std::string::npos);
   options = {};
   options.min_litres = 200.0;
-  EXPECT_EQ(errorTextOf(options), "body_segmentation: min_litres must be less than max_litres");
+  EXPECT_EQ(errorTextOf(options),
+            "body_segmentation/min_litres is 200.000000, allowed is less than max_litres, which is "
+            "200.000000");
 }
 
 TEST(PartLabel, HasNames) {

@@ -90,7 +90,7 @@ TEST(LabelRanking, LineHasTooFewBranches) {
   figure.line({0, 0, 0.2}, {0, 0, 1.6});
   const LabelChoice choice = labelByRank(makeTreeGraph(figure.skeleton(), 0.15, 0.12), 0.08, {});
   EXPECT_EQ(choice.status, TreeStatus::kTooFewBranches);
-  EXPECT_NE(choice.reason.find("2 ends"), std::string::npos);
+  EXPECT_NE(choice.reason.find("2 extremities"), std::string::npos);
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEST_F(EvaluationTest, ExpectedErrorsAreHeldAgainstThoseMade) {
   EXPECT_EQ(found.deviations[0].fraction_within_two_sigma, 1.0);
   EXPECT_EQ(found.deviations[1].point, "r_ankle");
   EXPECT_EQ(found.deviations[1].fraction_within_two_sigma, 0.0);
-  EXPECT_NE(evaluationPage(found).find("Errors that were expected"), std::string::npos);
+  EXPECT_NE(evaluationPage(found).find("Estimated and actual errors"), std::string::npos);
 }
 
 TEST_F(EvaluationTest, FeetAreJudgedByTheFloorAndTheTruth) {

@@ -105,7 +105,7 @@ TEST_F(ExportHull, BadCallsAreRefused) {
   EXPECT_EQ(refused([](HullExportOptions& w) { w.at = 3; }),
             "the bag has no hull with voxels on /hull/points from that time on");
   EXPECT_EQ(refused([](HullExportOptions& w) { w.topic = "/other/points"; }),
-            "the bag has no grid on /other/grid");
+            "the bag has no /other/grid");
   EXPECT_EQ(refused([&](HullExportOptions& w) { w.output = path("no/such/folder.ply"); }),
             "cannot write " + path("no/such/folder.ply"));
   EXPECT_EQ(refused([](HullExportOptions& w) { w.input = "none.bag"; }),

@@ -95,7 +95,7 @@ TEST(FleischmannStudy, tracksTheFilmAtItsRateAndAtAThird) {
   variant.fps = 25.0;
   EXPECT_NE(errorTextOf([&] {
               runVariant(film(), packageStatistics(), variant);
-            }).find("cannot be thinned to 25"),
+            }).find("cannot be downsampled to 25"),
             std::string::npos);
 }
 
