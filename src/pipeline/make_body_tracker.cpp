@@ -24,24 +24,58 @@ HsiaoOptions withOneAttempt(HsiaoOptions options) {
   return options;
 }
 
+using Maker = std::unique_ptr<BodyTracker> (*)(const CameraRig&, const PersonResources&,
+                                               const TrackerOptions&);
+
+std::unique_ptr<BodyTracker> makeContour(const CameraRig& rig, const PersonResources& resources,
+                                         const TrackerOptions& options) {
+  return std::make_unique<ContourTracker>(rig, resources, options.person, options.contour,
+                                          initializers(withOneAttempt(options.hsiao)));
+}
+
+std::unique_ptr<BodyTracker> makeHsiao(const CameraRig&, const PersonResources& resources,
+                                       const TrackerOptions& options) {
+  return std::make_unique<HsiaoTracker>(resources, options.person, options.hsiao);
+}
+
+std::unique_ptr<BodyTracker> makeFleischmann(const CameraRig& rig, const PersonResources& resources,
+                                             const TrackerOptions& options) {
+  return std::make_unique<FleischmannTracker>(
+      rig, resources, options.person, options.fleischmann,
+      FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()), initializers(options.hsiao));
+}
+
+struct Method {
+  const char* name;
+  TrackerNeeds needs;
+  Maker make;
+};
+
+constexpr Method kMethods[] = {{"contour", {true, false}, &makeContour},
+                               {"hsiao", {false, false}, &makeHsiao},
+                               {"fleischmann", {true, true}, &makeFleischmann}};
+
+const Method& methodNamed(const std::string& name) {
+  for (const Method& method : kMethods)
+    if (name == method.name) return method;
+  throw std::invalid_argument("there is no method " + name);
+}
+
 }  // namespace
+
+TrackerNeeds needsOf(const std::string& method) {
+  return methodNamed(method).needs;
+}
 
 std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& resources,
                                              const TrackerOptions& options) {
   options.validate();
-  const PersonOptions& person = options.person;
-  if (options.method == "hsiao")
-    return std::make_unique<HsiaoTracker>(resources, person, options.hsiao);
-  if (rig.empty())
+  const Method& method = methodNamed(options.method);
+  if (method.needs.masks && rig.empty())
     throw std::invalid_argument(
         "pose_fitting/method is " + options.method +
         ", which needs a rig with cameras; without cameras, allowed is hsiao");
-  if (options.method == "fleischmann")
-    return std::make_unique<FleischmannTracker>(
-        rig, resources, person, options.fleischmann,
-        FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()), initializers(options.hsiao));
-  return std::make_unique<ContourTracker>(rig, resources, person, options.contour,
-                                          initializers(withOneAttempt(options.hsiao)));
+  return method.make(rig, resources, options);
 }
 
 }  // namespace markerless_mocap

@@ -116,8 +116,8 @@ void FittingNodeOptions::validate() const {
   checkBodyId(kStage, body_id);
 }
 
-void FittingNodeOptions::checkCamerasFor(const std::string& method) const {
-  if (method != "hsiao") checkCameras(kStage, cameras, 2);
+void FittingNodeOptions::requireCameras() const {
+  checkCameras(kStage, cameras, 2);
 }
 
 void StudioNodeOptions::visit(OptionVisitor& v) {

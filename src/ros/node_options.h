@@ -74,9 +74,8 @@ struct FittingNodeOptions {
 
   void visit(OptionVisitor& v);
   void validate() const;
-  /// Throws std::invalid_argument unless there are the two cameras that a method which looks at
-  /// silhouettes needs.
-  void checkCamerasFor(const std::string& method) const;
+  /// For methods that read silhouettes. Throws std::invalid_argument on fewer than two cameras.
+  void requireCameras() const;
 };
 
 /// What the node `virtual_studio` asks for beside StudioOptions.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "error_text_of.h"
+#include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "option_list.h"
 
 namespace markerless_mocap {
@@ -100,6 +101,13 @@ TEST(TrackerOptions, NoTwoFieldsHaveTheSamePath) {
     EXPECT_TRUE(paths.insert(entry.path).second) << entry.path;
   EXPECT_TRUE(paths.count("contour/rays"));
   EXPECT_TRUE(paths.count("stature"));
+}
+
+TEST(TrackerNeeds, EachMethodSaysWhatItReads) {
+  EXPECT_TRUE(needsOf("contour").masks && !needsOf("contour").images);
+  EXPECT_TRUE(!needsOf("hsiao").masks && !needsOf("hsiao").images);
+  EXPECT_TRUE(needsOf("fleischmann").masks && needsOf("fleischmann").images);
+  EXPECT_EQ(errorTextOf([] { needsOf("guess"); }), "there is no method guess");
 }
 
 }  // namespace

@@ -47,14 +47,13 @@ TEST(NodeOptions, BodyIdIsLettersAndDigits) {
   }
 }
 
-TEST(NodeOptions, OnlySkeletonsAreFittedWithoutCameras) {
+TEST(NodeOptions, MethodsThatReadSilhouettesNeedTwoCameras) {
   FittingNodeOptions options;
   EXPECT_EQ(errorTextOf([&] { options.validate(); }), "");
-  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("hsiao"); }), "");
-  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("contour"); }),
+  EXPECT_EQ(errorTextOf([&] { options.requireCameras(); }),
             "pose_fitting/cameras lists 0 cameras, allowed is 2 to 32");
   options.cameras = {"a", "b"};
-  EXPECT_EQ(errorTextOf([&] { options.checkCamerasFor("contour"); }), "");
+  EXPECT_EQ(errorTextOf([&] { options.requireCameras(); }), "");
   options.cameras = {"a", "a"};
   EXPECT_NE(errorTextOf([&] { options.validate(); }), "");
 }

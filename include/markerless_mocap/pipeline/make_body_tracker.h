@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "markerless_mocap/camera/camera.h"
 #include "markerless_mocap/pipeline/eigen_layout.h"
@@ -10,10 +11,19 @@
 
 namespace markerless_mocap {
 
-/// Makes the tracker that options.method names. This is the only place that knows all methods: a
-/// new method is added here and in TrackerOptions. Throws std::invalid_argument if an option is out
-/// of range, if the URDF template describes no body, or if the rig has no cameras and the method
-/// needs their masks.
+/// What a method reads in addition to visual hull, body parts and pose tree.
+struct TrackerNeeds {
+  bool masks = false;   ///< silhouettes and calibrations of all cameras
+  bool images = false;  ///< images of all cameras
+};
+
+/// Throws std::invalid_argument on an unknown method.
+TrackerNeeds needsOf(const std::string& method);
+
+/// Makes the tracker that options.method names. make_body_tracker.cpp is the only file that knows
+/// all methods: a new method is added there and in TrackerOptions. Throws std::invalid_argument if
+/// an option is out of range, if the URDF template describes no body, or if the rig has no cameras
+/// and the method needs their masks.
 std::unique_ptr<BodyTracker> makeBodyTracker(const CameraRig& rig, const PersonResources& resources,
                                              const TrackerOptions& options);
 

@@ -18,7 +18,7 @@ constexpr size_t kMaxWaiting = 3;           // frame sets
 constexpr int64_t kMaxDelay = 100'000'000;  // nanoseconds; a camera with a larger delay is
                                             // assumed to have stopped
 
-AssemblerOptions joinOptions(FittingNeeds needs) {
+AssemblerOptions joinOptions(TrackerNeeds needs) {
   AssemblerOptions options;
   options.tolerance = 0.0;
   options.deadline = kDeadline;
@@ -30,7 +30,7 @@ AssemblerOptions joinOptions(FittingNeeds needs) {
 }  // namespace
 
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
-                             FittingNeeds needs, StageStatus* status,
+                             TrackerNeeds needs, StageStatus* status,
                              std::function<void(FittingMessages)> sink)
     : options_(options),
       needs_(needs),

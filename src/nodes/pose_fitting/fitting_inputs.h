@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
+#include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/ros/messages.h"
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/stage_inputs.h"
@@ -34,18 +35,12 @@ struct FittingMessages {
   std::vector<CameraImage> images;                ///< by camera, with the stamps of the masks
 };
 
-/// Inputs that a method needs in addition to hull and parts.
-struct FittingNeeds {
-  bool masks;   ///< also the rig and the pose tree
-  bool images;  ///< also masks
-};
-
 /// Subscribes to all inputs of pose fitting and joins them by stamp. A frame set without parts or
 /// tree is passed on as soon as a later one is complete, provided that it has masks.
 class FittingInputs {
  public:
   /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
-  FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, FittingNeeds needs,
+  FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, TrackerNeeds needs,
                 StageStatus* status, std::function<void(FittingMessages)> sink);
 
  private:
@@ -72,7 +67,7 @@ class FittingInputs {
   void reportCounts();
 
   FittingNodeOptions options_;
-  FittingNeeds needs_;
+  TrackerNeeds needs_;
   StageStatus* status_;
   std::function<void(FittingMessages)> sink_;
   tf2_ros::Buffer tf_;

@@ -26,10 +26,6 @@ namespace {
 // contains images (10 MB).
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
-FittingNeeds needsOf(const std::string& method) {
-  return {method != "hsiao", method == "fleischmann"};
-}
-
 bool isThere(const std::string& file) {
   return !file.empty() && std::ifstream(file).good();
 }
@@ -39,14 +35,6 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
       options.body_id, options.urdf_template, isThere(options.body_file) ? options.body_file : "");
   resources.in_background = true;
   return resources;
-}
-
-/// The body before the rig is known. All methods start with the same one; the Hsiao tracker needs
-/// no rig to make it.
-std::shared_ptr<const TrackedBody> initialBody(const PersonResources& resources,
-                                               TrackerOptions options) {
-  options.method = "hsiao";
-  return makeBodyTracker({}, resources, options)->body();
 }
 
 std::vector<cv::Mat> masksOf(const FittingMessages& input) {
@@ -89,8 +77,8 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
       description_(node_options.body_id),
       announcer_(handle, node_options.body_id),
       queue_(needsOf(options.method).images ? kMaxWaitingWithImages : kMaxWaiting) {
-  node_options_.checkCamerasFor(options_.method);
-  takeOver(initialBody(resources_, options_));
+  if (needsOf(options_.method).masks) node_options_.requireCameras();
+  takeOver(initialBody(resources_, options_.person.stature));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);

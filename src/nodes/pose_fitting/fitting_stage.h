@@ -25,7 +25,7 @@ namespace markerless_mocap {
 class FittingStage {
  public:
   /// Throws std::invalid_argument or std::runtime_error as readPersonResources(), makeBodyTracker()
-  /// and FittingNodeOptions::checkCamerasFor().
+  /// and FittingNodeOptions::requireCameras().
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const TrackerOptions& options, const FittingNodeOptions& node_options);
   ~FittingStage();

@@ -88,7 +88,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
   PipelineOptions stages = options.pipeline;
-  if (stages.fitting.person.measure && stages.fitting.method != "hsiao" && !resources.known_shape)
+  if (stages.fitting.person.measure && needsOf(stages.fitting.method).masks &&
+      !resources.known_shape)
     measureBody(options, &resources, notes);
   stages.fitting.person.measure = false;
   Pipeline pipeline(recording.rig(), resources, stages);
