@@ -8,6 +8,7 @@
 #include "silhouette/background/row_kernels.h"
 #include "silhouette/bits/bit_morphology.h"
 #include "silhouette/bits/changed_bits.h"
+#include "silhouette/shadow/pixel_shadow.h"
 #include "silhouette/shadow/shadow_kernels.h"
 
 namespace markerless_mocap {

@@ -32,31 +32,6 @@ void keepSmaller(const uint16_t* other, int n, uint16_t* value);
 /// \param flags scratch memory, n bytes
 void packAbove(const uint16_t* value, uint16_t limit, int n, uint8_t* flags, uint64_t* bits);
 
-struct PixelShadowThresholds {
-  float min_brightness;  ///< minimum brightness relative to the background's
-  float squared_chroma;  ///< tolerance of the change of colour, relative, squared
-  float squared_noise;   ///< grey levels, squared
-};
-
-/// Shadow pixels of 64 columns in up to kMaxRows rows, summed column by column.
-struct ShadowColumns {
-  static constexpr int kMaxRows = 4, kCols = 64;
-  uint16_t count[kCols] = {};
-  uint16_t now[3][kCols] = {};       ///< their colour in the image
-  uint16_t expected[3][kCols] = {};  ///< and in the background
-  uint16_t ratio[kCols] = {};        ///< their brightness relative to the background's, 127 for 1
-  uint16_t squares[kCols] = {};      ///< of the ratios
-};
-
-/// Brightness of 64 pixels of one row relative to `gain` x the mean, 255 for 1, if they are a
-/// shadow on it; else 0.
-/// \param now one pointer per channel, to pixel x
-/// \param selected 255 for the pixels to test, else 0
-/// \param columns the shadow pixels are added to it
-void shadowRatios(const uint8_t* const* now, const ModeRow& mode, int x, int channels, float gain,
-                  const PixelShadowThresholds& limits, const uint8_t* selected, uint8_t* ratio,
-                  ShadowColumns* columns);
-
 /// Converts n means to grey levels.
 void roundMeans(const uint16_t* mean, int n, uint8_t* grey);
 

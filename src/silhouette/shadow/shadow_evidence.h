@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "silhouette/background/row_kernels.h"
 #include "silhouette/bits/bit_mask.h"
+#include "silhouette/shadow/pixel_shadow.h"
 
 namespace markerless_mocap {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "silhouette/background/row_kernels.h"
+#include "silhouette/shadow/pixel_shadow.h"
 
 namespace markerless_mocap {
 
