@@ -187,7 +187,7 @@ void setStatus(const Limbs& limbs, double max_cost, BodyParts* result) {
 void SegmentationOptions::visit(OptionVisitor& v) {
   v.field("branch_method", branch_method, {"merge_tree", "spline_walk"},
           "how limbs are found in the eigenmap; merge_tree: by the maxima of the distance from the "
-          "core; spline_walk: by splines that grow inwards from the tips");
+          "core; spline_walk: by splines that grow inwards from the extremities");
   v.field("walk_stop", walk_stop, {"origin", "outliers"},
           "where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao "
           "2008), with a shrink_weight of about 100; outliers: where many nodes are far from the "

@@ -12,7 +12,7 @@ class PartTracker;
 struct SegmentationOptions {
   static constexpr const char* kStage = "body_segmentation";
   /// how limbs are found in the eigenmap; merge_tree: by the maxima of the distance from the core;
-  /// spline_walk: by splines that grow inwards from the tips
+  /// spline_walk: by splines that grow inwards from the extremities
   std::string branch_method = "merge_tree";
   /// where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao 2008), with
   /// a shrink_weight of about 100; outliers: where many nodes are far from the spline (Sundaresan

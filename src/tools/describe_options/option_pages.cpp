@@ -28,7 +28,7 @@ std::string parameterPage() {
       "One section per stage, in the configuration file and as the private parameters of the node "
       "of that\nname. `pose_fitting/filter` is the key `filter` of the section `pose_fitting`, a "
       "map of the keys in the\ntable of that title. A key that is not listed or a value out of "
-      "range stops the program with a\nsentence that names it. This page is the output of "
+      "range stops the program with a\nmessage that names it. This page is the output of "
       "`describe_options`.\n";
   PipelineOptions stages;
   forEachStage(stages, [&](const char*, const auto& stage) { page += tableOf(stage); });
