@@ -12,6 +12,7 @@
 #include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/pose_tree_conversions.h"
+#include "ros/pose_tree_markers.h"
 
 namespace markerless_mocap {
 

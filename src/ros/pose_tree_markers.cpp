@@ -1,8 +1,9 @@
+#include "ros/pose_tree_markers.h"
+
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <string>
 
-#include "ros/pose_tree_conversions.h"
 #include "ros/segmentation_conversions.h"
 
 namespace markerless_mocap {

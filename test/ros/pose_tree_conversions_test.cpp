@@ -9,6 +9,7 @@
 #include <string>
 
 #include "error_text_of.h"
+#include "ros/pose_tree_markers.h"
 #include "ros/world_header.h"
 
 namespace markerless_mocap {
