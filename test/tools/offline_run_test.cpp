@@ -125,7 +125,7 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
 TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
   writeBag(2);
   EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
-            "the recording ends while the background is being learned, after 2 instants");
+            "the recording ends while the background is being learned, after 2 frame sets");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
   EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
 }
@@ -136,7 +136,7 @@ TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {
   for (int i = 0; i < 4; ++i) bag.write(kSecond, i, smallImage(true), smallMask());
   bag.commit();
   EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
-            "the recording ends while the background is being learned, after 1 instants; its "
+            "the recording ends while the background is being learned, after 1 frame sets; its "
             "silhouettes need --use-masks");
   options_.recording.use_masks = true;
   EXPECT_EQ(runOffline(options_, nullptr, false).processed(), 1);

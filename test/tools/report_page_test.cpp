@@ -22,7 +22,7 @@ ReportContent sample() {
 
 TEST(ReportPage, SaysWhenAndWhyAPoseIsLost) {
   const std::string page = reportPage(sample());
-  EXPECT_NE(page.find("2 instants: 1 tracked, 0 reinitialized, 1 lost"), std::string::npos);
+  EXPECT_NE(page.find("2 frame sets: 1 tracked, 0 reinitialized, 1 lost"), std::string::npos);
   EXPECT_NE(page.find("1600000000.600 s: lost nobody"), std::string::npos);
 }
 
@@ -36,7 +36,7 @@ TEST(ReportPage, RemarksComeFirst) {
   const std::string page = reportPage(content);
   const size_t first = page.find("<p>cam0 is turned</p>\n<p>x &lt; y</p>");
   EXPECT_NE(first, std::string::npos);
-  EXPECT_LT(first, page.find("2 instants"));
+  EXPECT_LT(first, page.find("2 frame sets"));
 }
 
 /// The SVG after a heading.

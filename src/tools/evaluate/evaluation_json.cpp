@@ -98,7 +98,7 @@ JsonObject overlapObject(const ImageMetrics& images) {
   out.add("silhouette", mask);
   out.add("body", body);
   out.add("hull", images.hull_iou.mean);
-  out.add("instants", images.frame_sets.size());
+  out.add("frame_sets", images.frame_sets.size());
   return out;
 }
 

@@ -26,7 +26,7 @@ void checkOutcome(const RunSummary& summary, const Recording& recording) {
     throw std::runtime_error("no frame set has images of two cameras or more");
   if (summary.processed() == 0)
     throw std::runtime_error("the recording ends while the background is being learned, after " +
-                             std::to_string(summary.frame_sets()) + " instants" +
+                             std::to_string(summary.frame_sets()) + " frame sets" +
                              (recording.hasMasks() ? "; its silhouettes need --use-masks" : ""));
 }
 

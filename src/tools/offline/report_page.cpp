@@ -60,7 +60,7 @@ std::string counts(const std::vector<ReportRow>& rows) {
     return std::count_if(rows.begin(), rows.end(),
                          [&](const ReportRow& row) { return row.status == status; });
   };
-  text << rows.size() << " instants: " << count(PoseStatus::kTracked) << " tracked, "
+  text << rows.size() << " frame sets: " << count(PoseStatus::kTracked) << " tracked, "
        << count(PoseStatus::kReinitialized) << " reinitialized, " << count(PoseStatus::kLost)
        << " lost";
   return text.str();

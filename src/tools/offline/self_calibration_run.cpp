@@ -33,17 +33,17 @@ class PostureCollector {
     if (postures_ > 0 && (points - last_).colwise().norm().mean() < kMinPostureChange) return;
     last_ = points;
     if (postures_++ % stride_ != 0) return;
-    instants_.push_back({observer_.observe(result.masks), pose});
-    if (instants_.size() > kMaxFrameSets) thinOut();
+    samples_.push_back({observer_.observe(result.masks), pose});
+    if (samples_.size() > kMaxFrameSets) thinOut();
   }
-  const std::vector<OrientationSample>& frame_sets() const { return instants_; }
+  const std::vector<OrientationSample>& frame_sets() const { return samples_; }
 
  private:
   void thinOut() {
     stride_ *= 2;
     std::vector<OrientationSample> kept;
-    for (size_t i = 0; i < instants_.size(); i += 2) kept.push_back(std::move(instants_[i]));
-    instants_ = std::move(kept);
+    for (size_t i = 0; i < samples_.size(); i += 2) kept.push_back(std::move(samples_[i]));
+    samples_ = std::move(kept);
   }
 
   ContourObserver observer_;
@@ -51,7 +51,7 @@ class PostureCollector {
   ContourBody body_;
   Eigen::Matrix3Xd last_;
   size_t postures_ = 0, stride_ = 1;
-  std::vector<OrientationSample> instants_;
+  std::vector<OrientationSample> samples_;
 };
 
 std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
