@@ -17,11 +17,11 @@ constexpr const char* kBodyMeaning = "suffix of the body's frames, joints and to
 constexpr const char* kTemplateMeaning =
     "file of the URDF template; empty: the package's own urdf/human.urdf.in";
 
-void checkCameras(const char* stage, const std::vector<std::string>& cameras, size_t fewest) {
+void checkCameras(const char* stage, const std::vector<std::string>& cameras, size_t min_cameras) {
   const std::string key = std::string(stage) + "/cameras";
-  if (cameras.size() < fewest || cameras.size() > 32)
+  if (cameras.size() < min_cameras || cameras.size() > 32)
     throw std::invalid_argument(key + " lists " + std::to_string(cameras.size()) +
-                                " cameras, allowed is " + std::to_string(fewest) + " to 32");
+                                " cameras, allowed is " + std::to_string(min_cameras) + " to 32");
   std::set<std::string> names;
   for (const std::string& name : cameras)
     if (name.empty() || !names.insert(name).second)

@@ -7,7 +7,8 @@
 
 namespace markerless_mocap {
 
-/// What the node `silhouette` asks for beside SilhouetteOptions, in the same private namespace.
+/// Options of the node `silhouette` in addition to SilhouetteOptions, in the same private
+/// namespace.
 struct SilhouetteNodeOptions {
   static constexpr const char* kStage = "silhouette";
   /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
@@ -25,7 +26,7 @@ struct SilhouetteNodeOptions {
   void validate() const;
 };
 
-/// What the node `visual_hull` asks for beside HullOptions.
+/// Options of the node `visual_hull` in addition to HullOptions.
 struct HullNodeOptions {
   static constexpr const char* kStage = "visual_hull";
   /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
@@ -51,7 +52,7 @@ struct HullNodeOptions {
   size_t requiredCameras() const;
 };
 
-/// What the node `pose_fitting` asks for beside TrackerOptions.
+/// Options of the node `pose_fitting` in addition to TrackerOptions.
 struct FittingNodeOptions {
   static constexpr const char* kStage = "pose_fitting";
   /// names of the cameras; the topics of camera c are c/image_raw, c/camera_info, c/silhouette
@@ -78,7 +79,7 @@ struct FittingNodeOptions {
   void requireCameras() const;
 };
 
-/// What the node `virtual_studio` asks for beside StudioOptions.
+/// Options of the node `virtual_studio` in addition to StudioOptions.
 struct StudioNodeOptions {
   static constexpr const char* kStage = "virtual_studio";
   /// suffix of the body's frames, joints and topics

@@ -9,13 +9,13 @@
 
 namespace markerless_mocap {
 
-/// Queue between producers and one worker. Up to `most` items wait, so that a single slow item
+/// Queue between producers and one worker. Up to `max_size` items wait, so that a single slow item
 /// causes no loss. If there are more, only the newest is kept until the queue is empty. A worker
 /// that is too slow then processes items at even intervals and with little delay.
 template <class Item>
 class CatchUpQueue {
  public:
-  explicit CatchUpQueue(size_t most) : max_size_(most) {}
+  explicit CatchUpQueue(size_t max_size) : max_size_(max_size) {}
 
   void push(Item item) {
     const std::lock_guard<std::mutex> lock(mutex_);

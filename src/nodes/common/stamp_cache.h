@@ -15,8 +15,9 @@ namespace markerless_mocap {
 template <class Item>
 class StampCache {
  public:
-  /// \param most maximum number per camera; the oldest are dropped
-  StampCache(size_t cameras, size_t most) : waiting_(cameras), last_ns_(cameras), max_size_(most) {}
+  /// \param max_size maximum number per camera; the oldest are dropped
+  StampCache(size_t cameras, size_t max_size)
+      : waiting_(cameras), last_ns_(cameras), max_size_(max_size) {}
 
   void add(size_t camera, int64_t stamp_ns, Item item) {
     auto& waiting = waiting_.at(camera);

@@ -35,8 +35,9 @@ struct FittingMessages {
   std::vector<CameraImage> images;                ///< by camera, with the stamps of the masks
 };
 
-/// Subscribes to all inputs of pose fitting and joins them by stamp. A frame set without parts or
-/// tree is passed on as soon as a later one is complete, provided that it has masks.
+/// Subscribes to all inputs of pose fitting and joins them by stamp. For a method that needs masks,
+/// a frame set without parts or tree is passed on when a later one is complete or after the
+/// deadline. For the others it is dropped. A frame set without a hull is always dropped.
 class FittingInputs {
  public:
   /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
