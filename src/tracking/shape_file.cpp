@@ -10,7 +10,7 @@
 namespace markerless_mocap {
 
 double statureOf(const ShapeParameters& shape) {
-  using L = ContourLength;
+  using L = BodyLength;
   return shape[L::kAnkleHeight] + shape[L::kShank] + shape[L::kThigh] + shape[L::kTorso] +
          shape[L::kNeck] + shape[L::kHead];
 }

@@ -60,8 +60,8 @@ void readSize(const YAML::Node& node, const std::string& where, int parameter,
 const std::string& shapeParameterName(int parameter) {
   static const std::array<std::string, kShapeParameterCount> names = [] {
     std::array<std::string, kShapeParameterCount> out;
-    for (size_t i = 0; i < ContourLength::kCount; ++i) out[i] = kLengthNames[i];
-    for (int kind = 0; kind < ContourCone::kCount; ++kind)
+    for (size_t i = 0; i < BodyLength::kCount; ++i) out[i] = kLengthNames[i];
+    for (int kind = 0; kind < BodyCone::kCount; ++kind)
       for (int end = 0; end < 2; ++end)
         for (int value = 0; value < kValuesPerEnd; ++value)
           out[size_t(radiusIndex(kind, end) + value)] =
@@ -72,29 +72,28 @@ const std::string& shapeParameterName(int parameter) {
 }
 
 bool isOffset(int parameter) {
-  return parameter >= ContourLength::kCount &&
-         (parameter - ContourLength::kCount) % kValuesPerEnd != 0;
+  return parameter >= BodyLength::kCount && (parameter - BodyLength::kCount) % kValuesPerEnd != 0;
 }
 
 BodyProportions proportionsOf(const ShapeParameters& shape) {
   BodyProportions p;
-  p.torso = shape[ContourLength::kTorso];
-  p.neck = shape[ContourLength::kNeck];
-  p.head = shape[ContourLength::kHead];
-  p.upper_arm = shape[ContourLength::kUpperArm];
-  p.forearm = shape[ContourLength::kForearm];
-  p.hand = shape[ContourLength::kHand];
-  p.thigh = shape[ContourLength::kThigh];
-  p.shank = shape[ContourLength::kShank];
-  p.foot = shape[ContourLength::kFoot];
-  p.ankle_height = shape[ContourLength::kAnkleHeight];
-  p.shoulder_width = shape[ContourLength::kShoulderWidth];
-  p.hip_width = shape[ContourLength::kHipWidth];
+  p.torso = shape[BodyLength::kTorso];
+  p.neck = shape[BodyLength::kNeck];
+  p.head = shape[BodyLength::kHead];
+  p.upper_arm = shape[BodyLength::kUpperArm];
+  p.forearm = shape[BodyLength::kForearm];
+  p.hand = shape[BodyLength::kHand];
+  p.thigh = shape[BodyLength::kThigh];
+  p.shank = shape[BodyLength::kShank];
+  p.foot = shape[BodyLength::kFoot];
+  p.ankle_height = shape[BodyLength::kAnkleHeight];
+  p.shoulder_width = shape[BodyLength::kShoulderWidth];
+  p.hip_width = shape[BodyLength::kHipWidth];
   // The radii of these cone ends in urdf/human.urdf.in at girth 1.
-  p.girth = (shape[radiusIndex(ContourCone::kChest, 1)] / 0.109 +
-             shape[radiusIndex(ContourCone::kThigh, 0)] / 0.087 +
-             shape[radiusIndex(ContourCone::kCalf, 0)] / 0.057 +
-             shape[radiusIndex(ContourCone::kUpperArm, 1)] / 0.045) /
+  p.girth = (shape[radiusIndex(BodyCone::kChest, 1)] / 0.109 +
+             shape[radiusIndex(BodyCone::kThigh, 0)] / 0.087 +
+             shape[radiusIndex(BodyCone::kCalf, 0)] / 0.057 +
+             shape[radiusIndex(BodyCone::kUpperArm, 1)] / 0.045) /
             4;
   return p;
 }
@@ -102,25 +101,24 @@ BodyProportions proportionsOf(const ShapeParameters& shape) {
 ShapeStatistics ShapeStatistics::handMade() {
   // Radii of the two ends at a stature of 1.75 m, as in urdf/human.urdf.in. Pelvis and chest
   // consist of two cones each, side by side.
-  constexpr double kRadii[ContourCone::kCount][2] = {
-      {0.106, 0.106}, {0.104, 0.109}, {0.058, 0.058}, {0.056, 0.056},
-      {0.075, 0.080}, {0.054, 0.045}, {0.042, 0.032}, {0.032, 0.026},
-      {0.087, 0.058}, {0.055, 0.055}, {0.052, 0.042}, {0.040, 0.036}};
+  constexpr double kRadii[BodyCone::kCount][2] = {{0.106, 0.106}, {0.104, 0.109}, {0.058, 0.058},
+                                                  {0.056, 0.056}, {0.075, 0.080}, {0.054, 0.045},
+                                                  {0.042, 0.032}, {0.032, 0.026}, {0.087, 0.058},
+                                                  {0.055, 0.055}, {0.052, 0.042}, {0.040, 0.036}};
   constexpr double kDrawn = 1.75, kPelvisSide = 0.073, kChestSide = 0.075;
   const BodyProportions p = BodyProportions::fromStature(1.0);
   ShapeStatistics made;
-  made.mean.head<ContourLength::kCount>() << p.torso, p.neck, p.head, p.upper_arm, p.forearm,
-      p.hand, p.thigh, p.shank, p.foot, p.ankle_height, p.shoulder_width, p.hip_width;
-  for (int kind = 0; kind < ContourCone::kCount; ++kind)
+  made.mean.head<BodyLength::kCount>() << p.torso, p.neck, p.head, p.upper_arm, p.forearm, p.hand,
+      p.thigh, p.shank, p.foot, p.ankle_height, p.shoulder_width, p.hip_width;
+  for (int kind = 0; kind < BodyCone::kCount; ++kind)
     for (int end = 0; end < 2; ++end) {
       made.mean[radiusIndex(kind, end)] = kRadii[kind][end] / kDrawn;
-      if (kind == ContourCone::kPelvis || kind == ContourCone::kChest)
+      if (kind == BodyCone::kPelvis || kind == BodyCone::kChest)
         made.mean[offsetIndex(kind, end) + 1] =
-            (kind == ContourCone::kPelvis ? kPelvisSide : kChestSide) / kDrawn;
+            (kind == BodyCone::kPelvis ? kPelvisSide : kChestSide) / kDrawn;
     }
   for (int i = 0; i < kShapeParameterCount; ++i)
-    made.deviation[i] =
-        isOffset(i) ? 0.0 : made.mean[i] * (i < ContourLength::kCount ? 0.06 : 0.25);
+    made.deviation[i] = isOffset(i) ? 0.0 : made.mean[i] * (i < BodyLength::kCount ? 0.06 : 0.25);
   return made;
 }
 
@@ -142,7 +140,7 @@ ShapeStatistics ShapeStatistics::fromPeople(const std::vector<ShapeParameters>& 
                              ? 0.0
                              : std::hypot(2.0 * std::sqrt(variance[i]), 0.002);
     else
-      out.deviation[i] = out.mean[i] * (i < ContourLength::kCount ? 0.05 : 0.25);
+      out.deviation[i] = out.mean[i] * (i < BodyLength::kCount ? 0.05 : 0.25);
   }
   return out;
 }

@@ -48,8 +48,8 @@ TEST(ContourBody, MirrorsRightFromLeft) {
   ContourFrames frames;
   ContourWorldCones cones;
   ShapeParameters shape = plainSizes();
-  shape[offsetIndex(ContourCone::kThigh, 1)] = 0.02;
-  shape[offsetIndex(ContourCone::kThigh, 1) + 1] = 0.01;
+  shape[offsetIndex(BodyCone::kThigh, 1)] = 0.02;
+  shape[offsetIndex(BodyCone::kThigh, 1) + 1] = 0.01;
   const ContourBody body(shape);
   body.place(ContourPose(), frames);
   body.place(frames, cones);
@@ -109,7 +109,7 @@ TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {
 
 TEST(ContourBody, RefusesSizesThatNoBodyHas) {
   ShapeParameters shape = plainSizes();
-  shape[ContourLength::kThigh] = 0;
+  shape[BodyLength::kThigh] = 0;
   EXPECT_EQ(errorTextOf([&] { ContourBody body(shape); }),
             "shape parameter thigh of a body is 0.000000, it must be finite and positive");
 }
@@ -119,20 +119,20 @@ TEST(ShapeStatistics, ReadsWhatItWrites) {
   const ShapeStatistics read = ShapeStatistics::fromYaml(made.text(), "file");
   EXPECT_LT((read.mean - made.mean).cwiseAbs().maxCoeff(), 6e-6);
   EXPECT_LT((read.deviation - made.deviation).cwiseAbs().maxCoeff(), 6e-6);
-  EXPECT_NEAR(made.meanShape(1.8)[ContourLength::kThigh], 1.8 * 0.245, 1e-12);
+  EXPECT_NEAR(made.meanShape(1.8)[BodyLength::kThigh], 1.8 * 0.245, 1e-12);
 }
 
 TEST(ShapeStatistics, IsTheMeanOfPeople) {
   const ShapeParameters one = ShapeStatistics::handMade().meanShape(1.6);
   ShapeParameters other = ShapeStatistics::handMade().meanShape(1.8);
-  const int offset = offsetIndex(ContourCone::kChest, 1) + 1, thigh = ContourLength::kThigh;
+  const int offset = offsetIndex(BodyCone::kChest, 1) + 1, thigh = BodyLength::kThigh;
   other[offset] += 1.8 * 0.01;
   const ShapeStatistics both = ShapeStatistics::fromPeople({one, other}, {1.6, 1.8});
   EXPECT_NEAR(both.mean[thigh], 0.245, 1e-12);
   EXPECT_NEAR(both.deviation[thigh], 0.05 * 0.245, 1e-12);
   EXPECT_NEAR(both.mean[offset], one[offset] / 1.6 + 0.005, 1e-12);
   EXPECT_NEAR(both.deviation[offset], std::hypot(2 * 0.005, 0.002), 1e-12);
-  EXPECT_EQ(both.deviation[offsetIndex(ContourCone::kNeck, 0) + 1], 0);
+  EXPECT_EQ(both.deviation[offsetIndex(BodyCone::kNeck, 0) + 1], 0);
   EXPECT_THROW(ShapeStatistics::fromPeople({one}, {1.6, 1.8}), std::invalid_argument);
 }
 

@@ -197,7 +197,7 @@ TEST_F(ContourFitterTest, FollowsFromThePredictedPose) {
 TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
   ShapeParameters stump =
       body.shape();  // forearms and hands so short that nothing is drawn of them
-  stump[ContourLength::kForearm] = stump[ContourLength::kHand] = 0.01;
+  stump[BodyLength::kForearm] = stump[BodyLength::kHand] = 0.01;
   const ContourObservation cut =
       ContourObserver(rig, options).observe(drawnMasks(rig, ContourBody(stump), stride()));
   const ContourFit whole = fitter.fit(seen, body, stride(), std::nullopt, fitter.schedule());

@@ -41,7 +41,7 @@ class ContourTrackerTest : public ::testing::Test {
   /// Forearms and hands thicker than those that are drawn, metres.
   ContourBody withFatForearms(double by) const {
     ShapeParameters shape = body.shape();
-    for (const int kind : {int(ContourCone::kForearm), int(ContourCone::kHand)})
+    for (const int kind : {int(BodyCone::kForearm), int(BodyCone::kHand)})
       for (const int end : {0, 1}) shape[radiusIndex(kind, end)] += by;
     return ContourBody(shape);
   }

@@ -202,7 +202,7 @@ TEST_F(ContourHypothesesTest, ChallengeOfNothingIsNothing) {
 
 TEST_F(ContourHypothesesTest, FrontAndBackStayUndecidedWhileNothingTellsThemApart) {
   ShapeParameters shape = body.shape();
-  shape[ContourLength::kFoot] = 0.03;  // toes are all that tells of one who stands upright
+  shape[BodyLength::kFoot] = 0.03;  // toes are all that tells of one who stands upright
   const ContourBody without_toes(shape);
   ContourPose upright;
   upright.position.z() = 0.92;

@@ -13,7 +13,7 @@ using Deviations = std::array<double, ContourLimb::kCount>;
 /// A body so stout that an arm which hangs lies within its trunk.
 ContourBody stout() {
   ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.75);
-  for (const int kind : {ContourCone::kPelvis, ContourCone::kChest, ContourCone::kThigh})
+  for (const int kind : {BodyCone::kPelvis, BodyCone::kChest, BodyCone::kThigh})
     for (const int end : {0, 1}) shape[radiusIndex(kind, end)] *= 2.2;
   return ContourBody(shape);
 }

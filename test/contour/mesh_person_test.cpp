@@ -41,7 +41,8 @@ class MeshPersonTest : public testing::Test {
     prior.shape_statistics = PersonResources::standard().shape_statistics;
     prior.stature = 1.75;
     estimate_ = new ShapeEstimate(estimateShape(person_->rig(), ContourOptions(), prior,
-                                                prior.shape_statistics.meanShape(prior.stature), samples, {}));
+                                                prior.shape_statistics.meanShape(prior.stature),
+                                                samples, {}));
   }
   static void TearDownTestSuite() {
     delete estimate_;
@@ -75,12 +76,11 @@ TEST_F(MeshPersonTest, BonesOfTheLimbsAreAsLongAsThePersons) {
     };
     return (joints_[0].col(column(from)) - joints_[0].col(column(to))).norm();
   };
-  EXPECT_NEAR(estimate_->shape[ContourLength::kThigh], length("l_hip", "l_knee"), kMaxLengthError);
-  EXPECT_NEAR(estimate_->shape[ContourLength::kShank], length("l_knee", "l_ankle"),
+  EXPECT_NEAR(estimate_->shape[BodyLength::kThigh], length("l_hip", "l_knee"), kMaxLengthError);
+  EXPECT_NEAR(estimate_->shape[BodyLength::kShank], length("l_knee", "l_ankle"), kMaxLengthError);
+  EXPECT_NEAR(estimate_->shape[BodyLength::kUpperArm], length("l_shoulder", "l_elbow"),
               kMaxLengthError);
-  EXPECT_NEAR(estimate_->shape[ContourLength::kUpperArm], length("l_shoulder", "l_elbow"),
-              kMaxLengthError);
-  EXPECT_NEAR(estimate_->shape[ContourLength::kForearm], length("l_elbow", "l_wrist"),
+  EXPECT_NEAR(estimate_->shape[BodyLength::kForearm], length("l_elbow", "l_wrist"),
               kMaxLengthError);
 }
 

@@ -21,8 +21,8 @@ ContourOptions fewRays() {
 /// A person smaller than believed, with long thighs.
 ShapeParameters truth() {
   ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.65);
-  shape[ContourLength::kThigh] *= 1.05;
-  shape[radiusIndex(ContourCone::kThigh, 0)] *= 1.1;
+  shape[BodyLength::kThigh] *= 1.05;
+  shape[radiusIndex(BodyCone::kThigh, 0)] *= 1.1;
   return shape;
 }
 
@@ -63,7 +63,7 @@ class BodyMeasurerTest : public ::testing::Test {
     by.add(milliseconds * kMillisecond_ns, {}, body, fit);
   }
   static double offBy(const ShapeParameters& shape) {
-    return (shape - truth()).head<ContourLength::kCount>().norm();
+    return (shape - truth()).head<BodyLength::kCount>().norm();
   }
 
   CameraRig rig = drawnRig(5);
@@ -124,8 +124,8 @@ TEST_F(BodyMeasurerTest, SizesComeNearerToThePersonsOnceThereAreEnoughPoses) {
   const std::optional<ShapeParameters> shape = measurer.shape();
   ASSERT_TRUE(shape);
   EXPECT_LT(offBy(*shape), 0.4 * offBy(body.shape()));
-  EXPECT_NEAR((*shape)[ContourLength::kThigh], truth()[ContourLength::kThigh], 0.015);
-  const int thigh = radiusIndex(ContourCone::kThigh, 0);
+  EXPECT_NEAR((*shape)[BodyLength::kThigh], truth()[BodyLength::kThigh], 0.015);
+  const int thigh = radiusIndex(BodyCone::kThigh, 0);
   EXPECT_NEAR((*shape)[thigh], truth()[thigh], 0.006);
 }
 

@@ -17,10 +17,10 @@ class SizeEstimatorTest : public ::testing::Test {
     prior.shape_statistics = ShapeStatistics::handMade();
     prior.stature = 1.75;
     truth = prior.shape_statistics.meanShape(1.68);
-    truth[ContourLength::kThigh] *= 1.05;
-    truth[ContourLength::kForearm] *= 0.93;
-    truth[radiusIndex(ContourCone::kChest, 1)] *= 1.2;
-    truth[radiusIndex(ContourCone::kThigh, 0)] *= 1.15;
+    truth[BodyLength::kThigh] *= 1.05;
+    truth[BodyLength::kForearm] *= 0.93;
+    truth[radiusIndex(BodyCone::kChest, 1)] *= 1.2;
+    truth[radiusIndex(BodyCone::kThigh, 0)] *= 1.15;
     const ContourBody body(truth);
     const ContourObserver observer(rig, options);
     for (unsigned i = 0; i < 6; ++i) {
@@ -48,17 +48,17 @@ TEST_F(SizeEstimatorTest, FindsLengthsRadiiAndStatureTogether) {
   const ShapeEstimate found = estimate();
   EXPECT_EQ(found.samples_used, 6);
   EXPECT_NEAR(found.stature, 1.68, 0.03);
-  for (const int size : {int(ContourLength::kThigh), int(ContourLength::kForearm),
-                         int(ContourLength::kUpperArm), int(ContourLength::kTorso)})
+  for (const int size : {int(BodyLength::kThigh), int(BodyLength::kForearm),
+                         int(BodyLength::kUpperArm), int(BodyLength::kTorso)})
     EXPECT_NEAR(found.shape[size], truth[size], 0.015) << shapeParameterName(size);
-  for (const int size : {radiusIndex(ContourCone::kChest, 1), radiusIndex(ContourCone::kThigh, 0)})
+  for (const int size : {radiusIndex(BodyCone::kChest, 1), radiusIndex(BodyCone::kThigh, 0)})
     EXPECT_NEAR(found.shape[size], truth[size], 0.006) << shapeParameterName(size);
   const ContourBody body(truth), fitted(found.shape);
   for (size_t i = 0; i < poses.size(); ++i)
     EXPECT_LT(jointDistance(body, poses[i], fitted, found.poses[i]), 0.015);
-  EXPECT_GT(found.deviation[ContourLength::kThigh], 0);
-  EXPECT_LT(found.deviation[ContourLength::kThigh], 0.03);
-  EXPECT_EQ(found.deviation[offsetIndex(ContourCone::kThigh, 0)], 0);
+  EXPECT_GT(found.deviation[BodyLength::kThigh], 0);
+  EXPECT_LT(found.deviation[BodyLength::kThigh], 0.03);
+  EXPECT_EQ(found.deviation[offsetIndex(BodyCone::kThigh, 0)], 0);
 }
 
 TEST_F(SizeEstimatorTest, KnownPointsPinTheJointsDown) {

@@ -41,7 +41,7 @@ class ContourMethodTest : public testing::Test {
     return errorOf(*tracker->body()->model, pose, frame);
   }
   static double offBy(const ShapeParameters& shape) {
-    return (shape - truth()).head<ContourLength::kCount>().norm();
+    return (shape - truth()).head<BodyLength::kCount>().norm();
   }
   static std::string beingMeasured(int poses) {
     return "the body is being measured, " + std::to_string(poses) + " of " +

@@ -15,7 +15,7 @@ namespace markerless_mocap {
 /// Someone smaller than believed.
 inline ShapeParameters truth() {
   ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.66);
-  shape[ContourLength::kThigh] *= 1.04;
+  shape[BodyLength::kThigh] *= 1.04;
   return shape;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 ShapeParameters someone() {
   ShapeParameters shape = ShapeStatistics::handMade().meanShape(1.68);
-  shape[ContourLength::kThigh] = 0.412345;
-  shape[offsetIndex(ContourCone::kYoke, 1) + 2] = -0.0123;
+  shape[BodyLength::kThigh] = 0.412345;
+  shape[offsetIndex(BodyCone::kYoke, 1) + 2] = -0.0123;
   return shape;
 }
 
@@ -29,8 +29,8 @@ std::string refusal(const std::string& yaml) {
 TEST(SizesFile, GivesBackWhatWasWrittenToAMicrometre) {
   const ShapeParameters read = shapeFromYaml(shapeToYaml(someone()), "anna.yaml");
   EXPECT_LT((read - someone()).cwiseAbs().maxCoeff(), 0.51e-6);
-  EXPECT_EQ(read[ContourLength::kThigh], 0.412345);
-  EXPECT_EQ(read[offsetIndex(ContourCone::kYoke, 1) + 2], -0.0123);
+  EXPECT_EQ(read[BodyLength::kThigh], 0.412345);
+  EXPECT_EQ(read[offsetIndex(BodyCone::kYoke, 1) + 2], -0.0123);
   EXPECT_EQ(shapeToYaml(read), shapeToYaml(someone()));
 }
 
@@ -68,7 +68,7 @@ TEST(SizesFile, RefusesWhatNoBodyMeasures) {
 TEST(SizesFile, AnOffsetMayBeNegativeButMustBeANumber) {
   const std::string name = "thigh_cone/b/offset_x";
   EXPECT_EQ(
-      shapeFromYaml(with(name, name + ": -0.02"), "anna.yaml")[offsetIndex(ContourCone::kThigh, 1)],
+      shapeFromYaml(with(name, name + ": -0.02"), "anna.yaml")[offsetIndex(BodyCone::kThigh, 1)],
       -0.02);
   EXPECT_EQ(refusal(with(name, name + ": wide")),
             "anna.yaml: thigh_cone/b/offset_x must be a number of metres");
@@ -77,8 +77,8 @@ TEST(SizesFile, AnOffsetMayBeNegativeButMustBeANumber) {
 TEST(StatureOf, IsTheSumFromFloorToCrown) {
   EXPECT_NEAR(statureOf(ShapeStatistics::handMade().meanShape(1.68)), 1.68, 0.005);
   ShapeParameters shape = someone();
-  shape[ContourLength::kShank] += 0.03;
-  shape[ContourLength::kForearm] += 0.5;  // hangs beside
+  shape[BodyLength::kShank] += 0.03;
+  shape[BodyLength::kForearm] += 0.5;  // hangs beside
   EXPECT_NEAR(statureOf(shape) - statureOf(someone()), 0.03, 1e-12);
 }
 

@@ -9,7 +9,7 @@
 namespace markerless_mocap {
 
 /// Distances between joints, as in BodyProportions.
-struct ContourLength {
+struct BodyLength {
   enum Id {
     kTorso,
     kNeck,
@@ -29,7 +29,7 @@ struct ContourLength {
 
 /// Round cones of the body: two spheres of different radius and their convex hull. All but neck and
 /// head exist on both sides, mirrored.
-struct ContourCone {
+struct BodyCone {
   enum Kind {
     kPelvis,
     kChest,
@@ -52,13 +52,12 @@ struct ContourCone {
 /// of the segment, for the left side.
 constexpr int kValuesPerEnd = 4;
 constexpr int radiusIndex(int kind, int end) {
-  return ContourLength::kCount + (2 * kind + end) * kValuesPerEnd;
+  return BodyLength::kCount + (2 * kind + end) * kValuesPerEnd;
 }
 constexpr int offsetIndex(int kind, int end) {
   return radiusIndex(kind, end) + 1;  // x, y, z
 }
-constexpr int kShapeParameterCount =
-    ContourLength::kCount + 2 * ContourCone::kCount * kValuesPerEnd;
+constexpr int kShapeParameterCount = BodyLength::kCount + 2 * BodyCone::kCount * kValuesPerEnd;
 
 /// Shape parameters of a body, metres: the lengths, then radius and offset x y z of each end of
 /// each kind of cone.

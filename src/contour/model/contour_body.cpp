@@ -77,7 +77,7 @@ ContourLimb::Id limbOfCone(int cone) {
   return contourKinematicTree().cones[size_t(cone)].limb;
 }
 
-ContourCone::Kind kindOfCone(int cone) {
+BodyCone::Kind kindOfCone(int cone) {
   return contourKinematicTree().cones[size_t(cone)].kind;
 }
 

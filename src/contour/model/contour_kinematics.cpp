@@ -7,8 +7,8 @@ using Eigen::Vector3d;
 using S = ContourSegment;
 using B = SphericalJoint;
 using A = RevoluteJoint;
-using L = ContourLength;
-using C = ContourCone;
+using L = BodyLength;
+using C = BodyCone;
 
 // Fractions of the URDF body in urdf/human.urdf.in: position of the waist, roots of the clavicles,
 // centre of the head, and offset of the head.
@@ -81,7 +81,7 @@ std::array<KinematicSegment, S::kCount> segments() {
 
 /// The ends of a cone without the offsets of the shape.
 struct Bones {
-  ContourCone::Kind kind;
+  BodyCone::Kind kind;
   ContourSegment::Id segment;  ///< of the left side
   ContourLimb::Id limb;
   bool paired;

@@ -41,7 +41,7 @@ struct KinematicSegment {
 };
 
 struct KinematicCone {
-  ContourCone::Kind kind;
+  BodyCone::Kind kind;
   ContourLimb::Id limb;
   AttachedPoint ends[2];
   int radius[2];  ///< indices of the shape parameters

@@ -70,11 +70,10 @@ ShapePrior freePrior(double stature) {
   prior.deviation = 1e-4;  // the true stature is known
   ShapeParameters& deviation = prior.shape_statistics.deviation;
   for (int i = 0; i < kShapeParameterCount; ++i)
-    deviation[i] = isOffset(i)
-                       ? kOffsetDeviation
-                       : prior.shape_statistics.mean[i] *
-                             (i < ContourLength::kCount ? kLengthDeviation : kRadiusDeviation);
-  for (const int kind : {ContourCone::kNeck, ContourCone::kHead})
+    deviation[i] = isOffset(i) ? kOffsetDeviation
+                               : prior.shape_statistics.mean[i] *
+                                     (i < BodyLength::kCount ? kLengthDeviation : kRadiusDeviation);
+  for (const int kind : {BodyCone::kNeck, BodyCone::kHead})
     for (int end = 0; end < 2; ++end) deviation[offsetIndex(kind, end) + 1] = 0.0;
   return prior;
 }

@@ -24,20 +24,20 @@ TEST(LearnContourBody, FindsThePersonsOwnLengths) {
   const CharacterOptions who = exampleOf(0);
   const HumanSkeleton bones = HumanSkeleton::adult(who.stature, who.male);
   const ShapeParameters shape = learned.meanShape(who.stature);
-  EXPECT_NEAR(shape[ContourLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
-  EXPECT_NEAR(shape[ContourLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
-  EXPECT_NEAR(shape[ContourLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
+  EXPECT_NEAR(shape[BodyLength::kThigh], bones.lengthOf(Bone::kLeftThigh), 0.01);
+  EXPECT_NEAR(shape[BodyLength::kForearm], bones.lengthOf(Bone::kLeftForearm), 0.01);
+  EXPECT_NEAR(shape[BodyLength::kHipWidth], 2 * bones.headOf(Bone::kLeftThigh).y(), 0.01);
 }
 
 TEST(LearnContourBody, ThePackagesTemplateIsAPersons) {
   const std::string text = readText(MOCAP_SOURCE_DIR "/models/contour_body.yaml");
   const ShapeStatistics learned = ShapeStatistics::fromYaml(text, "contour_body.yaml");
   const ShapeStatistics made = ShapeStatistics::handMade();
-  for (int i = 0; i < ContourLength::kCount; ++i)
+  for (int i = 0; i < BodyLength::kCount; ++i)
     EXPECT_NEAR(learned.mean[i], made.mean[i], 0.25 * made.mean[i]) << shapeParameterName(i);
   const ContourBody body(learned.meanShape(1.75));
-  EXPECT_GT(learned.mean[radiusIndex(ContourCone::kThigh, 0)],
-            learned.mean[radiusIndex(ContourCone::kForearm, 1)]);
+  EXPECT_GT(learned.mean[radiusIndex(BodyCone::kThigh, 0)],
+            learned.mean[radiusIndex(BodyCone::kForearm, 1)]);
 }
 
 TEST(LearnContourBody, PeopleDiffer) {
