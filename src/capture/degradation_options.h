@@ -4,8 +4,8 @@
 
 namespace markerless_mocap {
 
-/// What makes the virtual studio's film as hard as a real one, one number each; 0 is no trouble. A
-/// part of the studio's section.
+/// Degradations of the rendered images, one number each; 0 switches one off. A part of the studio's
+/// section.
 struct DegradationOptions {
   static constexpr const char* kStage = "virtual_studio";
   /// standard deviation of the sensor noise, grey levels of 255

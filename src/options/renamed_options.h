@@ -11,8 +11,8 @@ struct OptionPath {
   std::string key;
 };
 
-/// Throws std::invalid_argument, a sentence with the new key, if the key is one of an earlier
-/// release.
+/// Throws std::invalid_argument with a message that names the new key if the key is one of an
+/// earlier release.
 void throwIfKeyWasRenamed(const OptionPath& path);
 
 /// The same for a value, a word, of a key that is still there.

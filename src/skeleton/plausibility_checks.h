@@ -11,7 +11,7 @@ namespace markerless_mocap {
 
 struct Rejection {
   TreeStatus status;
-  std::string reason;  ///< one sentence
+  std::string reason;  ///< message for the user
 };
 
 /// Rejects hulls that cannot be one person, before thinning.

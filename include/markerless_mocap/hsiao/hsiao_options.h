@@ -8,7 +8,7 @@ namespace markerless_mocap {
 
 constexpr int kHsiaoAngles = 16;
 
-/// Ranges of the sixteen angles. Equal ends hold a joint still.
+/// Ranges of the sixteen angles. If minimum and maximum are equal, the joint does not move.
 struct HsiaoLimits {
   /// smallest and largest angle, rad; equal: the joint does not move
   std::array<double, kHsiaoAngles> lower, upper;

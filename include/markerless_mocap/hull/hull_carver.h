@@ -80,7 +80,7 @@ struct HullView {
 ///
 /// A gap in a silhouette may cut the body into several components. They are joined by voxels that
 /// lack up to `bridging_votes` more votes. A camera is left out and reported if its mask is full,
-/// or if it is empty or lacks a part of a person on whom the other cameras agree.
+/// or if it is empty or lacks a person on whom the other cameras agree.
 class HullCarver {
  public:
   /// Computes the projection of each voxel into each camera. Throws std::invalid_argument if there

@@ -62,13 +62,13 @@ class OptionVisitor {
   }
 };
 
-/// Fills fields from a YAML map. Throws std::invalid_argument with one sentence that names the path
+/// Fills fields from a YAML map. Throws std::invalid_argument with a message that names the path
 /// of the key, the value and what is allowed: on a wrong type, a value out of range, a key that no
 /// field asked for, and a key or value of an earlier release, with its new name.
 class OptionReader : public OptionVisitor {
  public:
   /// \param node map of key to value; an undefined or null node leaves all defaults
-  /// \param where path of the map, for error sentences
+  /// \param where path of the map, for error messages
   /// \param stage kStage of the options, which renamed keys are looked up by; empty: `where`
   OptionReader(const YAML::Node& node, std::string where, std::string stage = "");
   void visitField(const OptionField& field) override;

@@ -35,7 +35,7 @@ const char* toString(SegmentationStatus status);
 /// Result of `body_segmentation` for one hull.
 struct BodyParts {
   SegmentationStatus status = SegmentationStatus::kInvalid;
-  std::string reason;                       ///< one sentence unless kOk
+  std::string reason;                       ///< message for the user unless kOk
   std::array<PartCurve, kPartCount> parts;  ///< by PartLabel
   std::vector<uint8_t> labels;              ///< PartLabel of each hull voxel, in the hull's order
 

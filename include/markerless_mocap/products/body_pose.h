@@ -9,8 +9,8 @@
 
 namespace markerless_mocap {
 
-/// kTracked: tracked from the last pose. kReinitialized: found from this frame alone. kLost: no
-/// pose.
+/// kTracked: tracked from the last pose. kReinitialized: the first pose after a start, or an
+/// alternative hypothesis that has replaced the last pose. kLost: no pose.
 enum class PoseStatus { kLost, kTracked, kReinitialized };
 const char* toString(PoseStatus status);
 
@@ -22,11 +22,11 @@ constexpr std::array<double, kCount> allNaN() {
   return values;
 }
 
-/// Result of `pose_fitting` for one frame set. If the status is kLost, only `status` and `reason`
-/// are valid.
+/// Result of `pose_fitting` for one frame set. If the status is kLost, only `status`, `reason`
+/// and the measures of the quality of the fit are valid.
 struct BodyPose {
   PoseStatus status = PoseStatus::kLost;
-  std::string reason;  ///< one sentence if the pose is lost or a part is not seen, else empty
+  std::string reason;  ///< message for the user if lost or a part is not seen, else empty
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()
   /// By PartLabel; limb 1 is the model's left, limb 2 its right.

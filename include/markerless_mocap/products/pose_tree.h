@@ -86,7 +86,7 @@ const char* toString(TreeStatus status);
 /// rejected frame can be inspected. Labels are reliable only if the status is kOk.
 struct PoseTree {
   TreeStatus status = TreeStatus::kNoSkeleton;
-  std::string reason;  ///< one sentence unless kOk
+  std::string reason;  ///< message for the user unless kOk
   double rank = 0.0;   ///< rank of the origin (Eq. 1), 0 to 1; 1: the ideal tree
   /// Estimated probability that all five labels and both sides are correct. It equals the rank if
   /// extremities are labelled by rank.

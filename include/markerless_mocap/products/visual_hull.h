@@ -55,7 +55,7 @@ struct VisualHull {
   /// Of the person's component or components; empty if there is no usable hull.
   std::vector<HullVoxel> voxels;
   HullStatus status = HullStatus::kNobody;
-  std::string reason;  ///< one sentence; empty when kOk
+  std::string reason;  ///< message for the user; empty when kOk
   /// All components, largest first; poorly seen and suspected ghosts last.
   std::vector<HullComponent> components;
   std::vector<LeftOutCamera> cameras_left_out;

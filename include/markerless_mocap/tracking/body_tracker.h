@@ -32,8 +32,11 @@ class BodyTracker {
   /// \param now a stamp that is not later than the last one restarts the tracking. Throws
   ///   std::invalid_argument if masks or images do not match the rig
   virtual BodyPose update(const TrackerInput& now) = 0;
+  /// Restarts the tracking: poses of earlier frames have no influence. The body stays, and so do
+  /// the frames collected for the estimate of its shape.
   virtual void reset() = 0;
   /// Estimates the shape of the body from the frames seen so far instead of waiting for more.
+  /// Does nothing in methods that do not estimate the shape.
   virtual void estimateShapeNow() {}
   /// The current body of the person. It changes only in update(), after its shape has been
   /// estimated.

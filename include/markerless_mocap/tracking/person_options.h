@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// Settings that say who is followed.
+/// Settings of the person: stature and shape estimate.
 struct PersonOptions {
   static constexpr const char* kStage = "pose_fitting";
   /// height of the person, m

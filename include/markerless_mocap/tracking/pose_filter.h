@@ -20,7 +20,7 @@ namespace markerless_mocap {
 ///   compensate each other at hands and feet. They do so only as long as all joints are filtered
 ///   alike.
 /// With velocity v and smoothing factor a(f) = 1 / (1 + 1 / (2 pi f dt)):
-///   v += a(velocity cutoff) ((raw - last raw) / dt - v);  cutoff = min_cutoff + beta max |v|
+///   v += a(velocity cutoff) ((raw - last raw) / dt - v);  cutoff = options.cutoff + beta max |v|
 ///   filtered = (last + v dt) + a(cutoff) (raw - (last + v dt))
 /// The filter never waits for later poses. Not thread-safe.
 class PoseFilter {

@@ -53,7 +53,7 @@ struct ContourFit {
   ContourPose pose;
   /// Mean overlap of body and masks over the usable views, 0 to 1: half the fraction of the body
   /// that is in the mask plus half the fraction of the mask that is in the body (Fleischmann 2012,
-  /// 5.2.1).
+  /// 5.2.2).
   double overlap = 0.0;
   double rays_explained = 0.0;  ///< fraction of the rays nearer than kRayExplained, 0 to 1
   std::array<LimbEvidence, ContourLimb::kCount> limbs{};

@@ -8,7 +8,7 @@
 namespace markerless_mocap {
 
 /// Boundary between a pixel of the person and one of the background, in half pixels. One coordinate
-/// is odd; it tells the direction in which the two pixels are neighbours.
+/// is odd; it gives the direction in which the two pixels are neighbours.
 struct Crack {
   int16_t x2, y2;
   Eigen::Vector2d pixel() const { return {0.5 * x2, 0.5 * y2}; }

@@ -20,9 +20,10 @@ struct ContourTrackingResult {
   ContourFit fit;  ///< valid unless lost
 };
 
-/// Tracks one hypothesis of the pose: predicts and fits. If the fit becomes worse than usual, it
-/// also tries the last pose, other positions of the limbs that leave the masks or lack rays, and a
-/// trunk without twist. It keeps the pose with the best quality. Not thread-safe.
+/// Tracks one hypothesis of the pose: predicts and fits. If the fit becomes worse than usual or a
+/// limb leaves the masks, it also tries the last pose and other positions of limbs. At intervals it
+/// also searches the least certain limb and, if the trunk is twisted, fits without the twist. It
+/// keeps the pose with the best quality. Not thread-safe.
 class ContourHypothesisTracker {
  public:
   /// Throws std::invalid_argument if an option is out of range.

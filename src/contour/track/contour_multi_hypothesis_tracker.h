@@ -11,7 +11,9 @@ namespace markerless_mocap {
 /// Result of one frame: the active hypothesis.
 struct ActiveTrack {
   ContourTrackingResult track;
-  bool switched = false;  ///< an alternative has replaced the active hypothesis
+  /// The pose does not continue that of the last frame: a start, or another hypothesis has become
+  /// active.
+  bool switched = false;
 };
 
 /// Tracks the active hypothesis and, until it is decided, one alternative: front and back
@@ -35,7 +37,8 @@ class ContourMultiHypothesisTracker {
   void proposeAlternative(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                           const std::vector<ContourPose>& poses);
   bool hasAlternative() const { return alternative_.has_value(); }
-  /// True if no alternative has nearly the same quality.
+  /// True if a pose is tracked and there is no alternative, or the alternative has turned out
+  /// clearly worse.
   bool isUnambiguous() const;
   /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }

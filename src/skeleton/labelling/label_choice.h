@@ -23,7 +23,7 @@ struct EdgeExchange {
 /// The ends of a skeleton that are chosen as extremities.
 struct LabelChoice {
   TreeStatus status = TreeStatus::kTooFewBranches;
-  std::string reason;  ///< one sentence unless kOk
+  std::string reason;  ///< message for the user unless kOk
   std::array<int32_t, kUnsidedExtremityCount> extremities{
       -1, -1, -1, -1, -1};  ///< nodes of the graph, by UnsidedExtremity
   int32_t origin = -1;      ///< node of the graph

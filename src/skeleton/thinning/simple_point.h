@@ -12,9 +12,9 @@ constexpr uint32_t kCenterBit = 1u << 13;
 /// voxel itself.
 int objectComponents(uint32_t neighborhood);
 
-/// A table that tells for each neighbourhood whether the voxel in its centre is simple, so that its
-/// removal does not change the topology. It is simple if it touches one 26-connected component of
-/// the object, and one 6-connected component of the background within its 18 nearest neighbours
+/// A table that contains for each neighbourhood whether the voxel in its centre is simple, so that
+/// its removal does not change the topology. It is simple if it touches one 26-connected component
+/// of the object, and one 6-connected component of the background within its 18 nearest neighbours
 /// (Malandain & Bertrand 1992).
 class SimplePointTable {
  public:

@@ -10,7 +10,7 @@
 
 namespace markerless_mocap {
 
-/// One way to track the sequence.
+/// One variant of the tracker.
 struct StudyVariant {
   std::string name;
   FleischmannOptions options;
