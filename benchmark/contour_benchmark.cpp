@@ -57,7 +57,7 @@ struct Scene {
   CameraRig rig = ring();
   ContourOptions options;
   ShapeStatistics people = ShapeStatistics::handMade();
-  ContourBody body{people.sizes(1.75)};
+  ContourBody body{people.meanShape(1.75)};
   ContourPose pose;
   std::vector<cv::Mat> masks;
   ContourObserver observer{rig, options};
@@ -101,17 +101,17 @@ void fit(benchmark::State& state) {
 }
 BENCHMARK(fit)->Unit(benchmark::kMillisecond);
 
-void findSizes(benchmark::State& state) {
+void estimateShapeOfThirty(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   size_t(state.range(0)));
   ShapePrior prior;
-  prior.people = scene().people;
+  prior.shape_statistics = scene().people;
   const std::vector<ShapeSample> instants(30, {scene().seen, scene().pose, {}});
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        estimateShape(scene().rig, scene().options, prior, prior.people.sizes(1.7), instants, {}));
+    benchmark::DoNotOptimize(estimateShape(scene().rig, scene().options, prior,
+                                           prior.shape_statistics.meanShape(1.7), instants, {}));
 }
-BENCHMARK(findSizes)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(estimateShapeOfThirty)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void matchRaysInVectors(benchmark::State& state) {
   std::vector<RayMatch> matches;

@@ -123,11 +123,11 @@ void fillCavities(benchmark::State& state) {
 
 void peel(benchmark::State& state) {
   const Prepared prepared(state);
-  SymmetricPeeling peeling;
+  SymmetricThinning thinning;
   BitWords bits;
   for (auto _ : state) {
     bits = prepared.bits;
-    peeling.peel(prepared.window.box(), kPeelingRounds, &bits);
+    thinning.thin(prepared.window.box(), kPeelingRounds, &bits);
   }
 }
 

@@ -12,7 +12,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "../test/appearance/appearance_scene.h"
+#include "fleischmann/appearance_scene.h"
 #include "fleischmann/fitness/edge_samples.h"
 #include "fleischmann/fitness/fleischmann_cone_outlines.h"
 #include "fleischmann/fleischmann_fitness.h"
