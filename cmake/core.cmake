@@ -20,7 +20,8 @@ mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TES
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
 mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core)
-mocap_room(contour DEPENDS tracking numerics LIBRARIES opencv_core opencv_imgproc TBB::tbb
+mocap_room(region LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
+mocap_room(contour DEPENDS tracking numerics region LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
 # Square roots and divisions in vectors; no value changes.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/fit/ray_match.cpp PROPERTIES

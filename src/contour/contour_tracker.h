@@ -7,6 +7,7 @@
 
 #include "contour/contour_urdf_converter.h"
 #include "contour/measure/online_shape_estimator.h"
+#include "contour/regions/region_observer.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
 #include "markerless_mocap/contour/contour_options.h"
 #include "markerless_mocap/tracking/body_tracker.h"
@@ -35,9 +36,16 @@ class ContourTracker : public BodyTracker {
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
   void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
-  ActiveTrack start(const TrackerInput& now, const ContourObservation& seen);
-  ActiveTrack reinitialize(const TrackerInput& now, const ContourObservation& seen,
-                           const ActiveTrack& active);
+  ActiveTrack start(const TrackerInput& now);
+  /// What a search is fitted to, and the poses that it starts from.
+  struct Search {
+    ContourObservation seen;
+    std::vector<ContourPose> poses;
+  };
+  Search searchOf(const TrackerInput& now);
+  /// Where the background is not known, colours around the most promising pose tell what to fit to.
+  Search byColor(const TrackerInput& now, Search search) const;
+  ActiveTrack reinitialize(const TrackerInput& now, const ActiveTrack& active);
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
@@ -54,7 +62,7 @@ class ContourTracker : public BodyTracker {
   PersonResources resources_;
   PersonOptions person_;
   InitializerFactory make_initializer_;
-  ContourObserver observer_;
+  RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
   bool accepted_ = false;  ///< the pose has been accepted since the last start
   bool reported_ = false;  ///< a pose has been reported since the last start

@@ -199,18 +199,24 @@ bool ContourHypothesisTracker::untwist(const ContourObservation& seen, const Con
   return tryPoses(seen, body, untwisted(fit.pose), loose, kUntwistGain, fit);
 }
 
-ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
-                                                       const ContourObservation& seen,
-                                                       const ContourBody& body) {
+std::optional<ContourPrediction> ContourHypothesisTracker::predict(int64_t stamp_ns) const {
   const int64_t gap = last_ ? stamp_ns - last_->stamp_ns : 0;
-  if (!last_ || gap <= 0 || gap > kMaxGap_ns) {
-    last_.reset();
-    return {};
-  }
-  const ContourPrediction prediction{
+  if (!last_ || gap <= 0 || gap > kMaxGap_ns) return std::nullopt;
+  return ContourPrediction{
       last_->before ? predictConstantVelocity(*last_->before, last_->pose, kVelocityFraction)
                     : last_->pose,
       1e-9 * double(gap)};
+}
+
+ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
+                                                       const ContourObservation& seen,
+                                                       const ContourBody& body) {
+  const std::optional<ContourPrediction> predicted = predict(stamp_ns);
+  if (!predicted) {
+    last_.reset();
+    return {};
+  }
+  const ContourPrediction& prediction = *predicted;
   ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
   ContourTrackingStatus status = ContourTrackingStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {

@@ -39,6 +39,8 @@ class ContourHypothesisTracker {
   /// more than half a second later. The shape of the body may change between frames.
   ContourTrackingResult update(int64_t stamp_ns, const ContourObservation& seen,
                                const ContourBody& body);
+  /// The pose that update() would start from; empty while lost.
+  std::optional<ContourPrediction> predict(int64_t stamp_ns) const;
   void lose() { last_.reset(); }
   bool tracking() const { return last_.has_value(); }
   /// Usual quality of the fits, 0 to 1: mean of overlap and explained rays; 0 while lost.

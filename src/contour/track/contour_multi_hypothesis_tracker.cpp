@@ -97,6 +97,11 @@ ActiveTrack ContourMultiHypothesisTracker::start(int64_t stamp_ns, const Contour
   return active;
 }
 
+ActiveTrack ContourMultiHypothesisTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
+  lose();
+  return {active_.startFrom(stamp_ns, fit), true};
+}
+
 ActiveTrack ContourMultiHypothesisTracker::update(int64_t stamp_ns, const ContourObservation& seen,
                                                   const ContourBody& body) {
   ActiveTrack active{active_.update(stamp_ns, seen, body), false};

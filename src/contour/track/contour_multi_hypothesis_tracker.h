@@ -33,9 +33,15 @@ class ContourMultiHypothesisTracker {
   ActiveTrack reinitialize(int64_t stamp_ns, const ContourObservation& seen,
                            const ContourBody& body, const std::vector<ContourPose>& poses,
                            const ActiveTrack& active);
+  /// Starts from a finished fit, without alternative.
+  ActiveTrack startFrom(int64_t stamp_ns, const ContourFit& fit);
   /// Takes the best of several poses as alternative, unless there is one already.
   void proposeAlternative(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                           const std::vector<ContourPose>& poses);
+  /// The pose that update() would start from; empty while lost.
+  std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
+    return active_.predict(stamp_ns);
+  }
   bool hasAlternative() const { return alternative_.has_value(); }
   /// True if a pose is tracked and there is no alternative, or the alternative has turned out
   /// clearly worse.

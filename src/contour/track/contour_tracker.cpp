@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "contour/track/default_postures.h"
@@ -28,6 +29,11 @@ constexpr double kMinOverlap = 0.72;
 constexpr double kPoorQuality =
     0.80;  // default postures are tried if the proposals have a lower quality
 constexpr int64_t kStartInterval_ns = 50000000;
+
+// Expected error of the body's outline where colours are looked for around it: of a prediction, and
+// of the rounds of a start, each of which fits the body to what the last one found.
+constexpr double kPredictionError_m = 0.04;
+constexpr double kStartErrors_m[] = {0.08, 0.06, 0.04};
 
 ShapePrior priorOf(const PersonResources& resources, const PersonOptions& person) {
   return {resources.shape_statistics, person.stature, person.stature_sigma};
@@ -110,19 +116,40 @@ void ContourTracker::initializeStature(const ContourObservation& seen,
   shape_estimator_->setStature(best_stature);
 }
 
-ActiveTrack ContourTracker::start(const TrackerInput& now, const ContourObservation& seen) {
-  if (seen.usableViews() < 2) return {};
-  const std::vector<ContourPose> poses = proposals(now, seen);
-  if (shape_estimator_ && !poses.empty()) initializeStature(seen, poses);
-  return hypotheses_.start(now.stamp_ns, seen, *contour_body_, poses);
+ContourTracker::Search ContourTracker::searchOf(const TrackerInput& now) {
+  Search search{observer_.observe(now), {}};
+  if (search.seen.usableViews() < 2) return search;
+  search.poses = proposals(now, search.seen);
+  return search;
 }
 
-ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ContourObservation& seen,
-                                         const ActiveTrack& active) {
+ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search search) const {
+  ContourFit fit = hypotheses_.bestFit(search.seen, *contour_body_, search.poses);
+  for (const double error_m : kStartErrors_m) {
+    if (fit.status != ContourFitStatus::kFitted) break;
+    search.seen = observer_.observeNear(now, *contour_body_, fit.pose, error_m);
+    search.poses = {fit.pose};
+    fit = hypotheses_.bestFit(search.seen, *contour_body_, search.poses);
+  }
+  return search;
+}
+
+ActiveTrack ContourTracker::start(const TrackerInput& now) {
+  observer_.reset();
+  Search search = searchOf(now);
+  if (search.poses.empty()) return {};
+  if (shape_estimator_) initializeStature(search.seen, search.poses);
+  if (observer_.needsColor(now)) search = byColor(now, std::move(search));
+  return hypotheses_.start(now.stamp_ns, search.seen, *contour_body_, search.poses);
+}
+
+ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTrack& active) {
   if (now.stamp_ns < next_start_ns_) return active;
   next_start_ns_ = now.stamp_ns + kStartInterval_ns;
   initializer_->reset();  // the proposal must depend on this frame only
-  return hypotheses_.reinitialize(now.stamp_ns, seen, *contour_body_, proposals(now, seen), active);
+  Search search = searchOf(now);
+  if (observer_.needsColor(now)) search = byColor(now, std::move(search));
+  return hypotheses_.reinitialize(now.stamp_ns, search.seen, *contour_body_, search.poses, active);
 }
 
 bool ContourTracker::isAccepted(const ContourFit& fit) const {
@@ -225,18 +252,28 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
-  const ContourObservation seen = observer_.observe(now.masks);
+  const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
+  const ContourObservation seen =
+      predicted ? observer_.observeNear(now, *contour_body_, predicted->pose, kPredictionError_m)
+                : observer_.observe(now);
   ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
-    active = start(now, seen);
+    active = start(now);
     accepted_ = isAccepted(active.track.fit);
     next_start_ns_ = now.stamp_ns + kStartInterval_ns;
     reported_ = false;
   } else {
-    if (!accepted_) active = reinitialize(now, seen, active);
+    if (!accepted_) active = reinitialize(now, active);
     accepted_ = accepted_ || isAccepted(active.track.fit);
     reconsider(now, seen, active.track);
   }
+  if (active.track.status != ContourTrackingStatus::kLost)
+    observer_.learn(now, *contour_body_, active.track.fit.pose);
+  if (std::getenv("TRACE"))
+    fprintf(stderr, "%.3f status %d acc %d overlap %.3f explained %.3f amb %d sw %d\n",
+            1e-9 * double(now.stamp_ns), int(active.track.status), int(accepted_),
+            active.track.fit.overlap, active.track.fit.rays_explained,
+            int(!hypotheses_.isUnambiguous()), int(active.switched));
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
   if (const std::optional<BodyPose> estimating =

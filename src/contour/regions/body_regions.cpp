@@ -1,0 +1,129 @@
+#include "contour/regions/body_regions.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+
+#include "contour/model/contour_kinematics.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kSamplesAcross = 330;     // every second pixel up to VGA, fewer of larger images
+constexpr uchar kUnknown = 128;         // of a mask
+constexpr double kMaxUnknown = 0.0005;  // of a mask, otherwise colours are needed
+constexpr float kMinSigma = 0.7f;       // samples
+
+int stepOf(const Camera& camera) {
+  return std::max(1, (camera.width() + kSamplesAcross - 1) / kSamplesAcross);
+}
+
+/// The part of the image that whole samples cover.
+cv::Rect sampledBox(const cv::Mat& image, int step) {
+  return {0, 0, image.cols / step * step, image.rows / step * step};
+}
+
+cv::Mat sampled(const cv::Mat& image, int step, cv::InterpolationFlags how) {
+  if (step == 1) return image;
+  cv::Mat out;
+  cv::resize(image(sampledBox(image, step)), out, {image.cols / step, image.rows / step}, 0, 0,
+             how);
+  return out;
+}
+
+ProjectedBody projected(const Camera& camera, int step, const ContourBody& body,
+                        const ContourPose& pose, double error_m) {
+  ContourFrames frames;
+  ContourWorldCones cones;
+  body.place(pose, frames);
+  body.place(frames, cones);
+  const CameraCalibration& lens = camera.calibration();
+  const Eigen::Vector3d forward = lens.T_world_camera.linear().col(2);
+  const double f = 0.5 * (lens.K(0, 0) + lens.K(1, 1)) / step;
+  const auto depthOf = [&](const Eigen::Vector3d& p) { return forward.dot(p - camera.position()); };
+  const Eigen::Vector2d centre = Eigen::Vector2d::Constant(0.5 * (step - 1));
+  ProjectedBody out;
+  for (size_t c = 0; c < cones.size(); ++c) {
+    const auto a = camera.project(cones[c].a), b = camera.project(cones[c].b);
+    if (!a || !b) continue;
+    const double depth_a = depthOf(cones[c].a), depth_b = depthOf(cones[c].b);
+    out.cones.push_back({((*a - centre) / step).cast<float>(), ((*b - centre) / step).cast<float>(),
+                         float(f * cones[c].radius_a / depth_a),
+                         float(f * cones[c].radius_b / depth_b), float(depth_a), float(depth_b),
+                         int(contourKinematicTree().cones[c].ends[0].segment)});
+  }
+  const double depth = std::max(0.1, depthOf(pose.position));
+  out.sigma = float(f * error_m / depth) + kMinSigma;
+  return out;
+}
+
+/// The mask at the samples, enlarged to the image with smooth borders.
+cv::Mat enlarged(const cv::Mat& samples, int step, const cv::Mat& image) {
+  if (step == 1) return samples;
+  cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1), smooth;
+  const cv::Rect box = cv::boundingRect(samples);
+  if (box.area() == 0) return out;
+  const cv::Rect wide =
+      (box + cv::Size(2, 2) - cv::Point(1, 1)) & cv::Rect(0, 0, samples.cols, samples.rows);
+  cv::resize(samples(wide), smooth, wide.size() * step, 0, 0, cv::INTER_LINEAR);
+  cv::Mat(smooth > 127)
+      .copyTo(out(cv::Rect(wide.x * step, wide.y * step, smooth.cols, smooth.rows)));
+  return out;
+}
+
+}  // namespace
+
+bool needsRegions(const cv::Mat& image, const cv::Mat& mask) {
+  if (image.empty() || image.type() != CV_8UC3) return false;
+  static const bool kAlways = std::getenv("REGION") != nullptr;
+  if (kAlways) return true;
+  return !mask.empty() && cv::countNonZero(mask == kUnknown) > kMaxUnknown * double(mask.total());
+}
+
+BodyRegions::BodyRegions(const CameraRig& rig) : rig_(rig) {
+  for (size_t i = 0; i < rig.size(); ++i) segmenters_.emplace_back(int(ContourSegment::kCount));
+}
+
+bool BodyRegions::hasColors() const {
+  return std::any_of(segmenters_.begin(), segmenters_.end(),
+                     [](const RegionSegmenter& one) { return one.hasColors(); });
+}
+
+void BodyRegions::reset() {
+  for (RegionSegmenter& segmenter : segmenters_) segmenter.reset();
+}
+
+std::vector<cv::Mat> BodyRegions::segment(const std::vector<cv::Mat>& images,
+                                          const std::vector<cv::Mat>& masks,
+                                          const ContourBody& body, const ContourPose& pose,
+                                          double error_m) const {
+  std::vector<cv::Mat> out(rig_.size());
+  tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
+    if (!needsRegions(images[i], masks[i])) {
+      out[i] = masks[i];
+      return;
+    }
+    const int step = stepOf(rig_[i]);
+    const cv::Mat known = masks[i].empty() ? cv::Mat() : sampled(masks[i], step, cv::INTER_NEAREST);
+    const cv::Mat found =
+        segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
+                               projected(rig_[i], step, body, pose, error_m), known);
+    out[i] = enlarged(found, step, images[i]);
+  });
+  return out;
+}
+
+void BodyRegions::learn(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
+                        const ContourBody& body, const ContourPose& pose, double error_m) {
+  tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
+    if (!needsRegions(images[i], masks[i])) return;
+    const int step = stepOf(rig_[i]);
+    segmenters_[i].learn(sampled(images[i], step, cv::INTER_AREA),
+                         projected(rig_[i], step, body, pose, error_m));
+  });
+}
+
+}  // namespace markerless_mocap

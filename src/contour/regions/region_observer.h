@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "contour/fit/contour_observation.h"
+#include "contour/regions/body_regions.h"
+#include "markerless_mocap/tracking/body_tracker.h"
+
+namespace markerless_mocap {
+
+/// Converts masks to the data that a body is fitted to. Where background subtraction left samples
+/// unknown, colours around a pose decide. Not thread-safe.
+class RegionObserver {
+ public:
+  /// Throws std::invalid_argument as ContourObserver.
+  RegionObserver(const CameraRig& rig, const ContourOptions& options);
+
+  /// What the masks show; unknown samples are no evidence.
+  ContourObservation observe(const TrackerInput& now) const;
+  /// True if the background of a view is so little known that colours are needed, and if there are
+  /// images.
+  bool needsColor(const TrackerInput& now) const;
+  /// As observe(), but colours around `pose` decide in views with an unknown background.
+  /// \param error_m expected error of the outline of the body in `pose`, metres
+  ContourObservation observeNear(const TrackerInput& now, const ContourBody& body,
+                                 const ContourPose& pose, double error_m) const;
+  /// Learns the colours of the person and the surroundings. \param pose one that is believed
+  void learn(const TrackerInput& now, const ContourBody& body, const ContourPose& pose);
+  /// Forgets the colours.
+  void reset() { regions_.reset(); }
+
+ private:
+  ContourObserver observer_;
+  BodyRegions regions_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,83 @@
+#include "region/colors/part_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+// A sample of the core is deeper inside a part than this fraction of its largest depth.
+constexpr float kCoreDepth = 0.5f;
+// The ring of the surroundings: from these multiples of sigma outside the body, plus samples.
+constexpr float kRingStart_sigmas = 0.5f, kRingStart = 0.5f;
+constexpr float kRingEnd_sigmas = 2.f, kRingEnd = 7.f;
+
+constexpr float kFloor = 1e-4f;     // of a probability
+constexpr float kMaxLogOdds = 4.f;  // colour alone never decides more than this
+
+void count(const cv::Mat& bins, const BodyDrawing& drawing, size_t index, float sigma,
+           std::vector<uint32_t>& person, std::vector<uint32_t>& surroundings) {
+  const PartDistance& part = drawing.parts[index];
+  const float core = -kCoreDepth * part.depth_inside;
+  const float ring_start = kRingStart_sigmas * sigma + kRingStart;
+  const float ring_end = kRingEnd_sigmas * sigma + kRingEnd;
+  for (int y = 0; y < part.box.height; ++y) {
+    const float* own = part.distance.ptr<float>(y);
+    const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
+    const float* body = drawing.distance.ptr<float>(row) + shift;
+    const uchar* label = drawing.part.ptr<uchar>(row) + shift;
+    const uint16_t* bin = bins.ptr<uint16_t>(y + part.box.y) + part.box.x;
+    for (int x = 0; x < part.box.width; ++x) {
+      if (own[x] <= core && label[x] == index) ++person[bin[x]];
+      if (own[x] < ring_end && body[x] > ring_start) ++surroundings[bin[x]];
+    }
+  }
+}
+
+}  // namespace
+
+void learnColors(const cv::Mat& bins, const BodyDrawing& drawing, float sigma, float person_rate,
+                 float surroundings_rate, std::vector<PartColors>& colors) {
+  std::vector<uint32_t> person(ColorBins::kCount), surroundings(ColorBins::kCount);
+  for (size_t i = 0; i < drawing.parts.size(); ++i) {
+    if (drawing.parts[i].box.area() == 0) continue;
+    std::fill(person.begin(), person.end(), 0);
+    std::fill(surroundings.begin(), surroundings.end(), 0);
+    count(bins, drawing, i, sigma, person, surroundings);
+    colors[i].person.learn(person, person_rate);
+    colors[i].surroundings.learn(surroundings, surroundings_rate);
+  }
+}
+
+cv::Mat colorLogOdds(const cv::Mat& bins, const BodyDrawing& drawing, float sigma,
+                     const std::vector<PartColors>& colors) {
+  cv::Mat person = cv::Mat::zeros(drawing.box.size(), CV_32FC1), other = person.clone();
+  const float reach = 2.5f * sigma + 2, scale = -0.5f / (sigma * sigma);
+  for (size_t i = 0; i < drawing.parts.size(); ++i) {
+    const PartDistance& part = drawing.parts[i];
+    if (part.box.area() == 0 || colors[i].person.empty() || colors[i].surroundings.empty())
+      continue;
+    const float *of_person = colors[i].person.data(), *of_other = colors[i].surroundings.data();
+    for (int y = 0; y < part.box.height; ++y) {
+      const float* own = part.distance.ptr<float>(y);
+      const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
+      const uint16_t* bin = bins.ptr<uint16_t>(y + part.box.y) + part.box.x;
+      float *to_person = person.ptr<float>(row) + shift, *to_other = other.ptr<float>(row) + shift;
+      for (int x = 0; x < part.box.width; ++x) {
+        if (own[x] > reach) continue;
+        const float outside = std::max(own[x], 0.f);
+        const float weight = std::exp(scale * outside * outside);
+        to_person[x] += weight * (of_person[bin[x]] + kFloor);
+        to_other[x] += weight * (of_other[bin[x]] + kFloor);
+      }
+    }
+  }
+  for (int y = 0; y < person.rows; ++y) {
+    float *p = person.ptr<float>(y), *o = other.ptr<float>(y);
+    for (int x = 0; x < person.cols; ++x)
+      p[x] = o[x] > 0 ? std::clamp(std::log(p[x] / o[x]), -kMaxLogOdds, kMaxLogOdds) : 0.f;
+  }
+  return person;
+}
+
+}  // namespace markerless_mocap

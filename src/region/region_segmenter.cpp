@@ -1,0 +1,171 @@
+#include "region/region_segmenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+
+#include "region/colors/part_colors.h"
+#include "region/cut/band_cut.h"
+#include "region/drawing/body_drawing.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Weights of what is newly learned. The surroundings change as the person moves.
+constexpr float kPersonRate = 0.1f, kSurroundingsRate = 0.5f;
+
+// Further from the projected outline, a sample is decided by the body alone.
+constexpr float kBand_sigmas = 2.5f, kBand = 2.f;
+// The surroundings are learned up to this distance.
+constexpr float kMargin_sigmas = 2.5f, kMargin = 8.f;
+
+constexpr float kShapeWeight = 0.5f;  // of the predicted outline beside colour
+static const float kKnownLogOdds = std::getenv("KNOWN")
+                                       ? float(atof(std::getenv("KNOWN")))
+                                       : 3.f;  // of a sample that background subtraction decided
+constexpr float kDecided = 100.f;              // outside the band
+
+constexpr double kMinComponent = 0.02;  // of the person's area
+constexpr int kMaxHole = 8;             // samples
+
+/// log(Phi(-z) / Phi(z)) of the standard normal distribution.
+float logOddsOfOffset(float z) {
+  const double lower = 0.5 * std::erfc(std::clamp(double(z), -5.0, 5.0) * M_SQRT1_2);
+  return float(std::log(lower / (1 - lower)));
+}
+
+/// A table of logOddsOfOffset.
+class OffsetTable {
+ public:
+  OffsetTable() {
+    for (int i = 0; i <= kSteps; ++i)
+      values_[size_t(i)] = logOddsOfOffset(kRange * (2.f * float(i) / kSteps - 1));
+  }
+  float operator()(float z) const {
+    const float at = (std::clamp(z, -kRange, kRange) / kRange + 1) * 0.5f * kSteps;
+    return values_[size_t(at + 0.5f)];
+  }
+
+ private:
+  static constexpr int kSteps = 400;
+  static constexpr float kRange = 4.f;
+  std::array<float, kSteps + 1> values_;
+};
+
+void addShape(const BodyDrawing& drawing, float sigma, cv::Mat& log_odds, cv::Mat& band) {
+  static const OffsetTable table;
+  band.create(log_odds.size(), CV_8UC1);
+  const float reach = kBand_sigmas * sigma + kBand;
+  for (int y = 0; y < log_odds.rows; ++y) {
+    const float* distance = drawing.distance.ptr<float>(y);
+    float* odds = log_odds.ptr<float>(y);
+    uchar* undecided = band.ptr<uchar>(y);
+    for (int x = 0; x < log_odds.cols; ++x) {
+      const float d = distance[x];
+      undecided[x] = std::abs(d) <= reach ? 255 : 0;
+      odds[x] =
+          undecided[x] ? odds[x] + kShapeWeight * table(d / sigma) : (d < 0 ? kDecided : -kDecided);
+    }
+  }
+}
+
+void addKnown(const cv::Mat& known, cv::Mat& log_odds) {
+  for (int y = 0; y < log_odds.rows; ++y) {
+    const uchar* value = known.ptr<uchar>(y);
+    float* odds = log_odds.ptr<float>(y);
+    for (int x = 0; x < log_odds.cols; ++x)
+      odds[x] += value[x] == 255 ? kKnownLogOdds : value[x] == 0 ? -kKnownLogOdds : 0.f;
+  }
+}
+
+/// Drops small components.
+void dropSpecks(cv::Mat& mask) {
+  cv::Mat labels, stats, centres;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
+  const double least = kMinComponent * cv::countNonZero(mask);
+  std::vector<uchar> keep(size_t(count), 255);
+  keep[0] = 0;
+  for (int i = 1; i < count; ++i)
+    if (stats.at<int>(i, cv::CC_STAT_AREA) < least) keep[size_t(i)] = 0;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x) mask.at<uchar>(y, x) = keep[size_t(labels.at<int>(y, x))];
+}
+
+void fillHoles(cv::Mat& mask) {
+  cv::Mat labels, stats, centres;
+  const int count = cv::connectedComponentsWithStats(~mask, labels, stats, centres, 4, CV_32S);
+  for (int i = 1; i < count; ++i) {
+    if (stats.at<int>(i, cv::CC_STAT_AREA) > kMaxHole) continue;
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    mask(box).setTo(255, labels(box) == i);
+  }
+}
+
+}  // namespace
+
+class RegionSegmenter::Impl {
+ public:
+  explicit Impl(int parts) : colors_(size_t(parts)) {}
+
+  bool hasColors() const { return has_colors_; }
+  void reset() {
+    colors_.assign(colors_.size(), {});
+    has_colors_ = false;
+  }
+
+  void learn(const cv::Mat& image, const ProjectedBody& body) {
+    const BodyDrawing drawing = draw(image, body);
+    if (drawing.box.area() == 0) return;
+    learnColors(ColorBins::instance().of(image), drawing, body.sigma, kPersonRate,
+                kSurroundingsRate, colors_);
+    has_colors_ = true;
+  }
+
+  cv::Mat segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const {
+    cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1);
+    const BodyDrawing drawing = draw(image, body);
+    if (drawing.box.area() == 0) return out;
+    const cv::Mat bins = ColorBins::instance().of(image);
+    std::vector<PartColors> colors = colors_;
+    if (!has_colors_)
+      learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
+    cv::Mat log_odds = colorLogOdds(bins, drawing, body.sigma, colors), band;
+    if (!known.empty()) addKnown(known(drawing.box), log_odds);
+    addShape(drawing, body.sigma, log_odds, band);
+    cv::Mat mask = bandCut(image(drawing.box), log_odds, band);
+    dropSpecks(mask);
+    fillHoles(mask);
+    mask.copyTo(out(drawing.box));
+    return out;
+  }
+
+ private:
+  BodyDrawing draw(const cv::Mat& image, const ProjectedBody& body) const {
+    return drawBody(body, int(colors_.size()), image.size(), kMargin_sigmas * body.sigma + kMargin);
+  }
+
+  std::vector<PartColors> colors_;
+  bool has_colors_ = false;
+};
+
+RegionSegmenter::RegionSegmenter(int parts) : impl_(std::make_unique<Impl>(parts)) {}
+RegionSegmenter::~RegionSegmenter() = default;
+RegionSegmenter::RegionSegmenter(RegionSegmenter&&) noexcept = default;
+RegionSegmenter& RegionSegmenter::operator=(RegionSegmenter&&) noexcept = default;
+bool RegionSegmenter::hasColors() const {
+  return impl_->hasColors();
+}
+void RegionSegmenter::reset() {
+  impl_->reset();
+}
+void RegionSegmenter::learn(const cv::Mat& image, const ProjectedBody& body) {
+  impl_->learn(image, body);
+}
+cv::Mat RegionSegmenter::segment(const cv::Mat& image, const ProjectedBody& body,
+                                 const cv::Mat& known) const {
+  return impl_->segment(image, body, known);
+}
+
+}  // namespace markerless_mocap
