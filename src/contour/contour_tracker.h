@@ -41,7 +41,10 @@ class ContourTracker : public BodyTracker {
   struct Search {
     ContourObservation seen;
     std::vector<ContourPose> poses;
+    double agreement;  ///< see RegionMasks
   };
+  /// What is fitted to: the masks, or colours around the predicted pose.
+  RegionObservation observe(const TrackerInput& now) const;
   Search searchOf(const TrackerInput& now);
   /// Where the background is not known, colours around the most promising pose tell what to fit to.
   Search byColor(const TrackerInput& now, Search search) const;
@@ -64,8 +67,9 @@ class ContourTracker : public BodyTracker {
   InitializerFactory make_initializer_;
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
-  bool accepted_ = false;  ///< the pose has been accepted since the last start
-  bool reported_ = false;  ///< a pose has been reported since the last start
+  double agreement_ = 1.0;  ///< of the last frame, see RegionMasks
+  bool accepted_ = false;   ///< the pose has been accepted since the last start
+  bool reported_ = false;   ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;

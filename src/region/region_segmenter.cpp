@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
 #include "region/colors/part_colors.h"
@@ -11,6 +10,9 @@
 
 namespace markerless_mocap {
 namespace {
+
+// Values of a mask; 0 is background.
+constexpr uchar kPerson = 255, kUnknown = 128;
 
 // Weights of what is newly learned. The surroundings change as the person moves.
 constexpr float kPersonRate = 0.1f, kSurroundingsRate = 0.5f;
@@ -21,10 +23,8 @@ constexpr float kBand_sigmas = 2.5f, kBand = 2.f;
 constexpr float kMargin_sigmas = 2.5f, kMargin = 8.f;
 
 constexpr float kShapeWeight = 0.5f;  // of the predicted outline beside colour
-static const float kKnownLogOdds = std::getenv("KNOWN")
-                                       ? float(atof(std::getenv("KNOWN")))
-                                       : 3.f;  // of a sample that background subtraction decided
-constexpr float kDecided = 100.f;              // outside the band
+constexpr float kKnownLogOdds = 1.f;  // of a sample that background subtraction decided
+constexpr float kDecided = 100.f;     // outside the band
 
 constexpr double kMinComponent = 0.02;  // of the person's area
 constexpr int kMaxHole = 8;             // samples
@@ -75,8 +75,14 @@ void addKnown(const cv::Mat& known, cv::Mat& log_odds) {
     const uchar* value = known.ptr<uchar>(y);
     float* odds = log_odds.ptr<float>(y);
     for (int x = 0; x < log_odds.cols; ++x)
-      odds[x] += value[x] == 255 ? kKnownLogOdds : value[x] == 0 ? -kKnownLogOdds : 0.f;
+      odds[x] += value[x] == kPerson ? kKnownLogOdds : value[x] == kUnknown ? 0.f : -kKnownLogOdds;
   }
+}
+
+void compare(const cv::Mat& known, RegionMask& found) {
+  const int unknown = cv::countNonZero(found.mask & (known == kUnknown));
+  found.known = cv::countNonZero(found.mask) - unknown;
+  found.agreeing = cv::countNonZero(found.mask & (known == kPerson));
 }
 
 /// Drops small components.
@@ -123,8 +129,8 @@ class RegionSegmenter::Impl {
     has_colors_ = true;
   }
 
-  cv::Mat segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const {
-    cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1);
+  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const {
+    RegionMask out{cv::Mat::zeros(image.size(), CV_8UC1)};
     const BodyDrawing drawing = draw(image, body);
     if (drawing.box.area() == 0) return out;
     const cv::Mat bins = ColorBins::instance().of(image);
@@ -137,7 +143,8 @@ class RegionSegmenter::Impl {
     cv::Mat mask = bandCut(image(drawing.box), log_odds, band);
     dropSpecks(mask);
     fillHoles(mask);
-    mask.copyTo(out(drawing.box));
+    mask.copyTo(out.mask(drawing.box));
+    if (!known.empty()) compare(known, out);
     return out;
   }
 
@@ -163,8 +170,8 @@ void RegionSegmenter::reset() {
 void RegionSegmenter::learn(const cv::Mat& image, const ProjectedBody& body) {
   impl_->learn(image, body);
 }
-cv::Mat RegionSegmenter::segment(const cv::Mat& image, const ProjectedBody& body,
-                                 const cv::Mat& known) const {
+RegionMask RegionSegmenter::segment(const cv::Mat& image, const ProjectedBody& body,
+                                    const cv::Mat& known) const {
   return impl_->segment(image, body, known);
 }
 

@@ -21,6 +21,14 @@ struct ProjectedBody {
   float sigma = 0;  ///< expected error of the outline, samples
 };
 
+/// The person as found in a view.
+struct RegionMask {
+  cv::Mat mask;  ///< CV_8UC1, 0 | 255
+  /// Samples of the person whose background was known, and those of them that background
+  /// subtraction sees as person, too.
+  int known = 0, agreeing = 0;
+};
+
 /// Separates a person from what is behind them by colour, where the background is not known. A
 /// predicted pose says where to look; colour histograms of each part of the body and of its
 /// surroundings decide, and a graph cut makes the borders follow the edges of the image.
@@ -50,9 +58,8 @@ class RegionSegmenter {
   /// image itself, inside and outside the projected body.
   /// \param image CV_8UC3 BGR, samples of the whole image
   /// \param known CV_8UC1 of the same size: 0 background, 255 person, 128 unknown; or empty
-  /// \return CV_8UC1 of the same size: 0, 255, or 128 where colours cannot tell; all 0 if the body
-  ///   is outside the image
-  cv::Mat segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const;
+  /// \return a mask of the same size; all 0 if the body is outside the image
+  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const;
 
  private:
   class Impl;

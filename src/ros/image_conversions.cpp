@@ -64,7 +64,7 @@ cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
     throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
                                 "\" has the encoding \"" + message.encoding +
                                 "\", allowed is mono8");
-  return sharedPixels(message, "") > 0;
+  cv::Mat m = sharedPixels(message, ""); cv::Mat o = m > 0; o.setTo(128, m == 128); return o;
 }
 
 sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& header) {

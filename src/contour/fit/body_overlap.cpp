@@ -61,9 +61,14 @@ double viewOverlap(const ContourView& view, const Camera& camera, const ContourW
     const auto b = diskOf(camera, view.step, cone.b, cone.radius_b);
     if (a && b) draw(*a, *b, canvas);
   }
-  const double body = cv::countNonZero(canvas), person = cv::countNonZero(view.person);
   const cv::Rect box(view.corner, view.person.size());
-  const double both = cv::countNonZero(canvas(box) & view.person);
+  cv::Mat seen = view.person;
+  if (!view.known.empty()) {
+    canvas(box) &= view.known;
+    seen = view.person & view.known;
+  }
+  const double body = cv::countNonZero(canvas), person = cv::countNonZero(seen);
+  const double both = cv::countNonZero(canvas(box) & seen);
   if (body == 0 || person == 0) return 0.0;
   return 0.5 * both / body + 0.5 * both / person;
 }

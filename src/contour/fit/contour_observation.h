@@ -29,7 +29,8 @@ struct ContourView {
   ViewStatus status = ViewStatus::kMissing;
   int step = 1;      ///< pixels between samples
   cv::Point corner;  ///< first sample: its pixel divided by step
-  cv::Mat person;    ///< CV_8UC1, 0 | 255: the mask at the samples
+  cv::Mat person;    ///< CV_8UC1, 0 | 255: the mask at the samples; unknown counts as person
+  cv::Mat known;     ///< CV_8UC1, 0 unknown | 255; empty if all samples are known
   /// CV_32FC1: distance to the border of the silhouette, pixels, negative inside.
   cv::Mat distance;
 };
@@ -51,9 +52,9 @@ class ContourObserver {
   ~ContourObserver();
   const CameraRig& rig() const { return rig_; }
 
-  /// \param masks one per camera, CV_8UC1, non-zero = person, of the size of the camera's image, or
-  ///   empty if missing; else throws std::invalid_argument. A mask without person or without
-  ///   background is not used, see ContourView::status. The result does not depend on the number of
+  /// \param masks one per camera, CV_8UC1, 0 background, 128 unknown, other values person, of the
+  ///   size of the camera's image, or empty if missing; else throws std::invalid_argument. A mask
+  ///   without person or without background is not used, see ContourView::status. The result does not depend on the number of
   ///   threads.
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
 

@@ -69,6 +69,22 @@ void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& vie
     }
 }
 
+/// Marks unknown samples; the body may be there.
+void findUnknown(const cv::Mat& mask, ContourView& view) {
+  cv::Mat known(view.person.size(), CV_8UC1, cv::Scalar(255));
+  bool all_known = true;
+  for (int y = 0; y < known.rows; ++y) {
+    const uchar* from =
+        mask.ptr<uchar>((view.corner.y + y) * view.step) + view.corner.x * view.step;
+    for (int x = 0; x < known.cols; ++x)
+      if (from[x * view.step] == kUnknownSample) {
+        known.at<uchar>(y, x) = 0;
+        all_known = false;
+      }
+  }
+  if (!all_known) view.known = known;
+}
+
 ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
   ContourView view;
   if (mask.empty()) return view;
@@ -80,6 +96,7 @@ ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
   if (cracks.empty()) return view;
   view.status = ViewStatus::kUsable;
   measureDistances(mask, box, view);
+  findUnknown(mask, view);
   return view;
 }
 

@@ -25,7 +25,8 @@ void compareRows(const uchar* row, const uchar* other, int first, int last, int 
     }
     const int end = std::min(x + kWord, last);
     for (; x < end; ++x)
-      if ((row[x] != 0) != (other[x] != 0))
+      if ((row[x] != 0) != (other[x] != 0) && row[x] != kUnknownSample &&
+          other[x] != kUnknownSample)
         cracks.push_back({int16_t(2 * x + dx), int16_t(2 * y + dy)});
   }
 }

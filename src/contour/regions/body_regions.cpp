@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/model/contour_kinematics.h"
@@ -74,12 +73,22 @@ cv::Mat enlarged(const cv::Mat& samples, int step, const cv::Mat& image) {
   return out;
 }
 
+/// 1 if no view was searched.
+double agreementOf(const std::vector<RegionMask>& found) {
+  double known = 0, agreeing = 0;
+  bool any = false;
+  for (const RegionMask& view : found) {
+    any = any || !view.mask.empty();
+    known += view.known;
+    agreeing += view.agreeing;
+  }
+  return !any ? 1.0 : known > 0 ? agreeing / known : 0.0;
+}
+
 }  // namespace
 
 bool needsRegions(const cv::Mat& image, const cv::Mat& mask) {
   if (image.empty() || image.type() != CV_8UC3) return false;
-  static const bool kAlways = std::getenv("REGION") != nullptr;
-  if (kAlways) return true;
   return !mask.empty() && cv::countNonZero(mask == kUnknown) > kMaxUnknown * double(mask.total());
 }
 
@@ -96,23 +105,21 @@ void BodyRegions::reset() {
   for (RegionSegmenter& segmenter : segmenters_) segmenter.reset();
 }
 
-std::vector<cv::Mat> BodyRegions::segment(const std::vector<cv::Mat>& images,
-                                          const std::vector<cv::Mat>& masks,
-                                          const ContourBody& body, const ContourPose& pose,
-                                          double error_m) const {
-  std::vector<cv::Mat> out(rig_.size());
+RegionMasks BodyRegions::segment(const std::vector<cv::Mat>& images,
+                                 const std::vector<cv::Mat>& masks, const ContourBody& body,
+                                 const ContourPose& pose, double error_m) const {
+  RegionMasks out;
+  out.masks = masks;
+  std::vector<RegionMask> found(rig_.size());
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(images[i], masks[i])) {
-      out[i] = masks[i];
-      return;
-    }
+    if (!needsRegions(images[i], masks[i])) return;
     const int step = stepOf(rig_[i]);
     const cv::Mat known = masks[i].empty() ? cv::Mat() : sampled(masks[i], step, cv::INTER_NEAREST);
-    const cv::Mat found =
-        segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
-                               projected(rig_[i], step, body, pose, error_m), known);
-    out[i] = enlarged(found, step, images[i]);
+    found[i] = segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
+                                      projected(rig_[i], step, body, pose, error_m), known);
+    out.masks[i] = enlarged(found[i].mask, step, images[i]);
   });
+  out.agreement = agreementOf(found);
   return out;
 }
 

@@ -22,9 +22,10 @@ bool RegionObserver::needsColor(const TrackerInput& now) const {
   return false;
 }
 
-ContourObservation RegionObserver::observeNear(const TrackerInput& now, const ContourBody& body,
-                                               const ContourPose& pose, double error_m) const {
-  return observer_.observe(regions_.segment(now.images, now.masks, body, pose, error_m));
+RegionObservation RegionObserver::observeNear(const TrackerInput& now, const ContourBody& body,
+                                              const ContourPose& pose, double error_m) const {
+  const RegionMasks found = regions_.segment(now.images, now.masks, body, pose, error_m);
+  return {observer_.observe(found.masks), found.agreement};
 }
 
 void RegionObserver::learn(const TrackerInput& now, const ContourBody& body,

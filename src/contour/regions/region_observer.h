@@ -8,6 +8,12 @@
 
 namespace markerless_mocap {
 
+/// What colours show around a pose.
+struct RegionObservation {
+  ContourObservation seen;
+  double agreement;  ///< see RegionMasks
+};
+
 /// Converts masks to the data that a body is fitted to. Where background subtraction left samples
 /// unknown, colours around a pose decide. Not thread-safe.
 class RegionObserver {
@@ -22,8 +28,8 @@ class RegionObserver {
   bool needsColor(const TrackerInput& now) const;
   /// As observe(), but colours around `pose` decide in views with an unknown background.
   /// \param error_m expected error of the outline of the body in `pose`, metres
-  ContourObservation observeNear(const TrackerInput& now, const ContourBody& body,
-                                 const ContourPose& pose, double error_m) const;
+  RegionObservation observeNear(const TrackerInput& now, const ContourBody& body,
+                                const ContourPose& pose, double error_m) const;
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const TrackerInput& now, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.

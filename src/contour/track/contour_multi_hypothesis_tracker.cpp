@@ -65,16 +65,21 @@ std::vector<ContourFit> ContourMultiHypothesisTracker::fitsFrom(
   return fits;
 }
 
-ContourFit ContourMultiHypothesisTracker::bestFit(const ContourObservation& seen,
-                                                  const ContourBody& body,
-                                                  std::vector<ContourPose> poses) const {
+std::vector<ContourFit> ContourMultiHypothesisTracker::bestFits(
+    const ContourObservation& seen, const ContourBody& body, std::vector<ContourPose> poses) const {
   if (poses.size() > kMaxFinalFits) {
     const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kCoarseFit);
     poses.clear();
     for (size_t i = 0; i < std::min(kMaxFinalFits, first.size()); ++i)
       poses.push_back(first[i].pose);
   }
-  const std::vector<ContourFit> fits = fitsFrom(seen, body, poses, RobustSchedule::wide());
+  return fitsFrom(seen, body, poses, RobustSchedule::wide());
+}
+
+ContourFit ContourMultiHypothesisTracker::bestFit(const ContourObservation& seen,
+                                                  const ContourBody& body,
+                                                  std::vector<ContourPose> poses) const {
+  const std::vector<ContourFit> fits = bestFits(seen, body, std::move(poses));
   return fits.empty() ? ContourFit{} : fits.front();
 }
 

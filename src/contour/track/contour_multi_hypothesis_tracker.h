@@ -49,7 +49,10 @@ class ContourMultiHypothesisTracker {
   /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
-  /// The best of the fits that start at several poses.
+  /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.
+  std::vector<ContourFit> bestFits(const ContourObservation& seen, const ContourBody& body,
+                                   std::vector<ContourPose> poses) const;
+  /// The first of bestFits().
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
                      std::vector<ContourPose> poses) const;
 

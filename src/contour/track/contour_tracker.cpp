@@ -30,6 +30,11 @@ constexpr double kPoorQuality =
     0.80;  // default postures are tried if the proposals have a lower quality
 constexpr int64_t kStartInterval_ns = 50000000;
 
+// Colours follow a body wherever they are told to look. Where the background is known, the
+// silhouettes must show the person, too: this fraction of what colours found, to accept a start and
+// to go on.
+constexpr double kMinAgreement = 0.6, kLostAgreement = 0.4;
+
 // Expected error of the body's outline where colours are looked for around it: of a prediction, and
 // of the rounds of a start, each of which fits the body to what the last one found.
 constexpr double kPredictionError_m = 0.04;
@@ -117,21 +122,40 @@ void ContourTracker::initializeStature(const ContourObservation& seen,
 }
 
 ContourTracker::Search ContourTracker::searchOf(const TrackerInput& now) {
-  Search search{observer_.observe(now), {}};
+  Search search{observer_.observe(now), {}, 1.0};
   if (search.seen.usableViews() < 2) return search;
   search.poses = proposals(now, search.seen);
   return search;
 }
 
+RegionObservation ContourTracker::observe(const TrackerInput& now) const {
+  const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
+  if (!predicted) return {observer_.observe(now), 1.0};
+  return observer_.observeNear(now, *contour_body_, predicted->pose, kPredictionError_m);
+}
+
 ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search search) const {
-  ContourFit fit = hypotheses_.bestFit(search.seen, *contour_body_, search.poses);
-  for (const double error_m : kStartErrors_m) {
-    if (fit.status != ContourFitStatus::kFitted) break;
-    search.seen = observer_.observeNear(now, *contour_body_, fit.pose, error_m);
-    search.poses = {fit.pose};
-    fit = hypotheses_.bestFit(search.seen, *contour_body_, search.poses);
+  double best = 0.0;
+  Search found = search;
+  for (const ContourFit& first : hypotheses_.bestFits(search.seen, *contour_body_, search.poses)) {
+    ContourFit fit = first;
+    Search near;
+    for (const double error_m : kStartErrors_m) {
+      if (fit.status != ContourFitStatus::kFitted) break;
+      RegionObservation seen = observer_.observeNear(now, *contour_body_, fit.pose, error_m);
+      near = {std::move(seen.seen), {fit.pose}, seen.agreement};
+      fit = hypotheses_.bestFit(near.seen, *contour_body_, near.poses);
+    }
+    const double quality = qualityOf(fit) * near.agreement;
+    if (std::getenv("TRACE"))
+      fprintf(stderr, "  cand %.3f -> %.3f agr %.2f | z %.2f\n", qualityOf(first), qualityOf(fit),
+              near.agreement, fit.pose.position.z());
+    if (fit.status != ContourFitStatus::kFitted || quality < best) continue;
+    best = quality;
+    near.poses = {fit.pose};
+    found = std::move(near);
   }
-  return search;
+  return found;
 }
 
 ActiveTrack ContourTracker::start(const TrackerInput& now) {
@@ -140,6 +164,7 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
   if (search.poses.empty()) return {};
   if (shape_estimator_) initializeStature(search.seen, search.poses);
   if (observer_.needsColor(now)) search = byColor(now, std::move(search));
+  agreement_ = search.agreement;
   return hypotheses_.start(now.stamp_ns, search.seen, *contour_body_, search.poses);
 }
 
@@ -154,7 +179,7 @@ ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTr
 
 bool ContourTracker::isAccepted(const ContourFit& fit) const {
   const bool good = qualityOf(fit) > (shape_estimator_ ? kMinQualityOfMeanShape : kMinQuality);
-  return fit.overlap > kMinOverlap && hypotheses_.isUnambiguous() &&
+  return fit.overlap > kMinOverlap && agreement_ > kMinAgreement && hypotheses_.isUnambiguous() &&
          (good || hypotheses_.isConfirmed());
 }
 
@@ -227,6 +252,8 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
   BodyPose pose;
   if (fit.overlap <= kMinOverlap)
     pose.reason = overlapTooSmall(fit);
+  else if (agreement_ <= kMinAgreement)
+    pose.reason = "colours show a person where the silhouettes show background";
   else if (hypotheses_.isUnambiguous())
     pose.reason = "a person was found, but another frame must confirm the pose";
   else
@@ -252,10 +279,10 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
-  const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
-  const ContourObservation seen =
-      predicted ? observer_.observeNear(now, *contour_body_, predicted->pose, kPredictionError_m)
-                : observer_.observe(now);
+  const RegionObservation found = observe(now);
+  const ContourObservation& seen = found.seen;
+  agreement_ = found.agreement;
+  if (agreement_ < kLostAgreement) hypotheses_.lose();
   ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
     active = start(now);
@@ -270,10 +297,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   if (active.track.status != ContourTrackingStatus::kLost)
     observer_.learn(now, *contour_body_, active.track.fit.pose);
   if (std::getenv("TRACE"))
-    fprintf(stderr, "%.3f status %d acc %d overlap %.3f explained %.3f amb %d sw %d\n",
+    fprintf(stderr, "%.3f st %d acc %d ov %.3f ex %.3f amb %d agr %.2f\n",
             1e-9 * double(now.stamp_ns), int(active.track.status), int(accepted_),
             active.track.fit.overlap, active.track.fit.rays_explained,
-            int(!hypotheses_.isUnambiguous()), int(active.switched));
+            int(!hypotheses_.isUnambiguous()), agreement_);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
   if (const std::optional<BodyPose> estimating =
