@@ -7,7 +7,7 @@
 
 #include "contour/contour_urdf_converter.h"
 #include "contour/measure/online_shape_estimator.h"
-#include "contour/regions/region_observer.h"
+#include "contour/regions/region_search.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
 #include "markerless_mocap/contour/contour_options.h"
 #include "markerless_mocap/tracking/body_tracker.h"
@@ -39,19 +39,19 @@ class ContourTracker : public BodyTracker {
   ActiveTrack start(const TrackerInput& now);
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {
-    ContourObservation seen;
+    RegionObservation found;
     std::vector<ContourPose> poses;
-    double agreement;  ///< see RegionMasks
   };
-  /// What is fitted to: the masks, or colours around the predicted pose.
+  /// The masks, or colours around the predicted pose.
   RegionObservation observe(const TrackerInput& now) const;
-  Search searchOf(const TrackerInput& now);
-  /// Where the background is not known, colours around the most promising pose tell what to fit to.
+  /// Where the background is not known: colours around the most promising pose, and that pose.
   Search byColor(const TrackerInput& now, Search search) const;
   ActiveTrack reinitialize(const TrackerInput& now, const ActiveTrack& active);
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
+  /// Returns true if other places of limbs agree better with colours and silhouettes.
+  bool searchLimbs(const TrackerInput& now, RegionObservation& found, ActiveTrack& active);
   void reconsider(const TrackerInput& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
   /// Returns a pose without estimate as long as the body shape is being estimated: no pose is
@@ -71,6 +71,7 @@ class ContourTracker : public BodyTracker {
   bool accepted_ = false;   ///< the pose has been accepted since the last start
   bool reported_ = false;   ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
+  int64_t next_limb_search_ns_ = 0;
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> contour_body_;        ///< with the shape of body_

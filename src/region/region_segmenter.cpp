@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "region/colors/part_colors.h"
@@ -79,10 +80,43 @@ void addKnown(const cv::Mat& known, cv::Mat& log_odds) {
   }
 }
 
-void compare(const cv::Mat& known, RegionMask& found) {
-  const int unknown = cv::countNonZero(found.mask & (known == kUnknown));
-  found.known = cv::countNonZero(found.mask) - unknown;
-  found.agreeing = cv::countNonZero(found.mask & (known == kPerson));
+/// Number of the part that is nearest to each sample of the box.
+cv::Mat nearestParts(const BodyDrawing& drawing) {
+  cv::Mat nearest(drawing.box.size(), CV_8UC1, cv::Scalar(0));
+  cv::Mat distance(drawing.box.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::max()));
+  for (size_t i = 0; i < drawing.parts.size(); ++i) {
+    const PartDistance& part = drawing.parts[i];
+    for (int y = 0; y < part.box.height; ++y) {
+      const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
+      const float* own = part.distance.ptr<float>(y);
+      float* least = distance.ptr<float>(row) + shift;
+      uchar* number = nearest.ptr<uchar>(row) + shift;
+      for (int x = 0; x < part.box.width; ++x)
+        if (own[x] < least[x]) {
+          least[x] = own[x];
+          number[x] = uchar(i);
+        }
+    }
+  }
+  return nearest;
+}
+
+/// Counts where background subtraction and colours agree. \param mask in drawing.box
+void compare(const BodyDrawing& drawing, const cv::Mat& known, const cv::Mat& mask,
+             RegionMask& found) {
+  found.silhouette = cv::countNonZero(known == kPerson);
+  found.known.assign(drawing.parts.size(), 0);
+  found.agreeing = found.known;
+  const cv::Mat near = known(drawing.box), nearest = nearestParts(drawing);
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x) {
+      if (!mask.at<uchar>(y, x) || near.at<uchar>(y, x) == kUnknown) continue;
+      const size_t part = drawing.part.at<uchar>(y, x) != BodyDrawing::kNoPart
+                              ? drawing.part.at<uchar>(y, x)
+                              : nearest.at<uchar>(y, x);
+      ++found.known[part];
+      if (near.at<uchar>(y, x) == kPerson) ++found.agreeing[part];
+    }
 }
 
 /// Drops small components.
@@ -130,7 +164,8 @@ class RegionSegmenter::Impl {
   }
 
   RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const {
-    RegionMask out{cv::Mat::zeros(image.size(), CV_8UC1)};
+    RegionMask out;
+    out.mask = cv::Mat::zeros(image.size(), CV_8UC1);
     const BodyDrawing drawing = draw(image, body);
     if (drawing.box.area() == 0) return out;
     const cv::Mat bins = ColorBins::instance().of(image);
@@ -144,11 +179,32 @@ class RegionSegmenter::Impl {
     dropSpecks(mask);
     fillHoles(mask);
     mask.copyTo(out.mask(drawing.box));
-    if (!known.empty()) compare(known, out);
+    if (!known.empty()) compare(drawing, known, mask, out);
+    return out;
+  }
+
+  cv::Mat candidates(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known,
+                     float reach) const {
+    cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1);
+    const BodyDrawing drawing = drawBody(body, int(colors_.size()), image.size(), reach);
+    if (drawing.box.area() == 0) return out;
+    const cv::Mat bins = ColorBins::instance().of(image);
+    cv::Mat colored = personColored(bins, has_colors_ ? colors_ : colorsOf(image, bins, body));
+    cv::morphologyEx(colored, colored, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
+    if (!known.empty()) colored |= known == kPerson;
+    const cv::Mat near = drawing.distance < reach;
+    colored(drawing.box).copyTo(out(drawing.box), near);
     return out;
   }
 
  private:
+  std::vector<PartColors> colorsOf(const cv::Mat& image, const cv::Mat& bins,
+                                   const ProjectedBody& body) const {
+    std::vector<PartColors> colors(colors_.size());
+    const BodyDrawing drawing = draw(image, body);
+    learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
+    return colors;
+  }
   BodyDrawing draw(const cv::Mat& image, const ProjectedBody& body) const {
     return drawBody(body, int(colors_.size()), image.size(), kMargin_sigmas * body.sigma + kMargin);
   }
@@ -169,6 +225,10 @@ void RegionSegmenter::reset() {
 }
 void RegionSegmenter::learn(const cv::Mat& image, const ProjectedBody& body) {
   impl_->learn(image, body);
+}
+cv::Mat RegionSegmenter::candidates(const cv::Mat& image, const ProjectedBody& body,
+                                    const cv::Mat& known, float reach) const {
+  return impl_->candidates(image, body, known, reach);
 }
 RegionMask RegionSegmenter::segment(const cv::Mat& image, const ProjectedBody& body,
                                     const cv::Mat& known) const {

@@ -24,9 +24,10 @@ struct ProjectedBody {
 /// The person as found in a view.
 struct RegionMask {
   cv::Mat mask;  ///< CV_8UC1, 0 | 255
-  /// Samples of the person whose background was known, and those of them that background
-  /// subtraction sees as person, too.
-  int known = 0, agreeing = 0;
+  /// By part of the body: samples of the person whose background was known, and those of them that
+  /// background subtraction sees as person, too.
+  std::vector<int> known, agreeing;
+  int silhouette = 0;  ///< samples that background subtraction sees as person, in the whole view
 };
 
 /// Separates a person from what is behind them by colour, where the background is not known. A
@@ -60,6 +61,13 @@ class RegionSegmenter {
   /// \param known CV_8UC1 of the same size: 0 background, 255 person, 128 unknown; or empty
   /// \return a mask of the same size; all 0 if the body is outside the image
   RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const;
+
+  /// Where else the person may be: samples near the body that background subtraction sees as
+  /// person, or that have colours of the person.
+  /// \param reach distance from the projected body, samples
+  /// \return CV_8UC1, 0 | 255
+  cv::Mat candidates(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known,
+                     float reach) const;
 
  private:
   class Impl;

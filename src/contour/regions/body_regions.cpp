@@ -14,7 +14,10 @@ namespace {
 constexpr int kSamplesAcross = 330;     // every second pixel up to VGA, fewer of larger images
 constexpr uchar kUnknown = 128;         // of a mask
 constexpr double kMaxUnknown = 0.0005;  // of a mask, otherwise colours are needed
-constexpr float kMinSigma = 0.7f;       // samples
+// Expected error of a body around which candidates are looked for, and how far from it, metres.
+constexpr double kCandidateError = 0.04;
+constexpr float kCandidateReach = 0.5f;
+constexpr float kMinSigma = 0.7f;  // samples
 
 int stepOf(const Camera& camera) {
   return std::max(1, (camera.width() + kSamplesAcross - 1) / kSamplesAcross);
@@ -73,16 +76,35 @@ cv::Mat enlarged(const cv::Mat& samples, int step, const cv::Mat& image) {
   return out;
 }
 
-/// 1 if no view was searched.
-double agreementOf(const std::vector<RegionMask>& found) {
-  double known = 0, agreeing = 0;
-  bool any = false;
+/// Limb of each segment, which is a part of the segmenter.
+ContourLimb::Id limbOfPart(size_t part) {
+  for (size_t c = 0; c < kContourCones; ++c)
+    if (size_t(contourKinematicTree().cones[c].ends[0].segment) == part)
+      return contourKinematicTree().cones[c].limb;
+  return ContourLimb::kTrunk;
+}
+
+double ratio(double part, double whole) {
+  return whole > 0 ? part / whole : 1.0;
+}
+
+void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
+  std::array<double, ContourLimb::kCount> known{}, agreeing{};
+  double silhouette = 0, all_known = 0, all_agreeing = 0;
   for (const RegionMask& view : found) {
-    any = any || !view.mask.empty();
-    known += view.known;
-    agreeing += view.agreeing;
+    silhouette += view.silhouette;
+    for (size_t part = 0; part < view.known.size(); ++part) {
+      known[limbOfPart(part)] += view.known[part];
+      agreeing[limbOfPart(part)] += view.agreeing[part];
+    }
   }
-  return !any ? 1.0 : known > 0 ? agreeing / known : 0.0;
+  for (size_t limb = 0; limb < known.size(); ++limb) {
+    out.limb_agreement[limb] = ratio(agreeing[limb], known[limb]);
+    all_known += known[limb];
+    all_agreeing += agreeing[limb];
+  }
+  out.agreement = ratio(all_agreeing, all_known);
+  out.overlap = ratio(all_agreeing, all_known + silhouette - all_agreeing);
 }
 
 }  // namespace
@@ -119,7 +141,25 @@ RegionMasks BodyRegions::segment(const std::vector<cv::Mat>& images,
                                       projected(rig_[i], step, body, pose, error_m), known);
     out.masks[i] = enlarged(found[i].mask, step, images[i]);
   });
-  out.agreement = agreementOf(found);
+  measureAgreement(found, out);
+  return out;
+}
+
+std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
+                                             const std::vector<cv::Mat>& masks,
+                                             const ContourBody& body,
+                                             const ContourPose& pose) const {
+  std::vector<cv::Mat> out = masks;
+  tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
+    if (!needsRegions(images[i], masks[i])) return;
+    const int step = stepOf(rig_[i]);
+    const ProjectedBody at = projected(rig_[i], step, body, pose, kCandidateError);
+    const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
+    const cv::Mat found = segmenters_[i].candidates(sampled(images[i], step, cv::INTER_AREA), at,
+                                                    sampled(masks[i], step, cv::INTER_NEAREST),
+                                                    kCandidateReach * samples_per_metre);
+    out[i] = enlarged(found, step, images[i]);
+  });
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -14,12 +15,17 @@ namespace markerless_mocap {
 /// \param mask CV_8UC1 0 | 128 unknown | 255, or empty
 bool needsRegions(const cv::Mat& image, const cv::Mat& mask);
 
-/// Masks of all cameras.
+/// Masks of all cameras, and how well background subtraction agrees with them. Only views where
+/// colours decided count, and of them only samples with a known background.
 struct RegionMasks {
   std::vector<cv::Mat> masks;  ///< by camera, CV_8UC1, of the size of the image
-  /// Fraction of the person found by colours that background subtraction sees as person, too, where
-  /// it knows the background; 0 if it knows none there, 1 if no view needs colours.
+  /// Fraction of the person found by colours that background subtraction sees as person, too, and
+  /// the same of each limb; 1 if no view needed colours or nothing is known there.
   double agreement = 1.0;
+  std::array<double, ContourLimb::kCount> limb_agreement;
+  /// Intersection over union of the person found by colours and the silhouettes; 1 if no view
+  /// needed colours.
+  double overlap = 1.0;
 };
 
 /// Masks from colours around a predicted pose, for all cameras. It is used where background
@@ -37,6 +43,11 @@ class BodyRegions {
   /// \return a view that needs no regions has its mask
   RegionMasks segment(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
                       const ContourBody& body, const ContourPose& pose, double error_m) const;
+  /// Where the person is or may be: a view that needs no regions has its mask, others show samples
+  /// near the body that background subtraction sees as person, or that have colours of the person.
+  std::vector<cv::Mat> candidates(const std::vector<cv::Mat>& images,
+                                  const std::vector<cv::Mat>& masks, const ContourBody& body,
+                                  const ContourPose& pose) const;
   /// Learns the colours of the person and of the surroundings from a pose that is believed.
   void learn(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
              const ContourBody& body, const ContourPose& pose, double error_m);

@@ -1,6 +1,7 @@
 #include "contour/regions/region_observer.h"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 
 namespace markerless_mocap {
 namespace {
@@ -12,8 +13,12 @@ constexpr double kLearningError = 0.03;  // metres, of the outline of a fitted b
 RegionObserver::RegionObserver(const CameraRig& rig, const ContourOptions& options)
     : observer_(rig, options), regions_(rig) {}
 
-ContourObservation RegionObserver::observe(const TrackerInput& now) const {
-  return observer_.observe(now.masks);
+RegionObservation RegionObserver::observe(const TrackerInput& now) const {
+  RegionObservation out;
+  out.seen = observer_.observe(now.masks);
+  out.masks = now.masks;
+  out.limb_agreement.fill(1.0);
+  return out;
 }
 
 bool RegionObserver::needsColor(const TrackerInput& now) const {
@@ -25,7 +30,17 @@ bool RegionObserver::needsColor(const TrackerInput& now) const {
 RegionObservation RegionObserver::observeNear(const TrackerInput& now, const ContourBody& body,
                                               const ContourPose& pose, double error_m) const {
   const RegionMasks found = regions_.segment(now.images, now.masks, body, pose, error_m);
-  return {observer_.observe(found.masks), found.agreement};
+  return {observer_.observe(found.masks), found.masks, found.agreement, found.overlap,
+          found.limb_agreement};
+}
+
+std::vector<cv::Mat> RegionObserver::candidates(const TrackerInput& now, const ContourBody& body,
+                                                const ContourPose& pose) const {
+  return regions_.candidates(now.images, now.masks, body, pose);
+}
+
+ContourObservation RegionObserver::observe(const std::vector<cv::Mat>& masks) const {
+  return observer_.observe(masks);
 }
 
 void RegionObserver::learn(const TrackerInput& now, const ContourBody& body,

@@ -11,7 +11,10 @@ namespace markerless_mocap {
 /// What colours show around a pose.
 struct RegionObservation {
   ContourObservation seen;
-  double agreement;  ///< see RegionMasks
+  std::vector<cv::Mat> masks;  ///< by camera, what `seen` was made of
+  double agreement = 1.0;      ///< see RegionMasks
+  double overlap = 1.0;        ///< see RegionMasks
+  std::array<double, ContourLimb::kCount> limb_agreement;
 };
 
 /// Converts masks to the data that a body is fitted to. Where background subtraction left samples
@@ -22,7 +25,7 @@ class RegionObserver {
   RegionObserver(const CameraRig& rig, const ContourOptions& options);
 
   /// What the masks show; unknown samples are no evidence.
-  ContourObservation observe(const TrackerInput& now) const;
+  RegionObservation observe(const TrackerInput& now) const;
   /// True if the background of a view is so little known that colours are needed, and if there are
   /// images.
   bool needsColor(const TrackerInput& now) const;
@@ -30,6 +33,10 @@ class RegionObserver {
   /// \param error_m expected error of the outline of the body in `pose`, metres
   RegionObservation observeNear(const TrackerInput& now, const ContourBody& body,
                                 const ContourPose& pose, double error_m) const;
+  /// Where the person is or may be, see BodyRegions::candidates().
+  std::vector<cv::Mat> candidates(const TrackerInput& now, const ContourBody& body,
+                                  const ContourPose& pose) const;
+  ContourObservation observe(const std::vector<cv::Mat>& masks) const;
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const TrackerInput& now, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.

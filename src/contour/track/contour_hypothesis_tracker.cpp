@@ -104,10 +104,8 @@ ContourTrackingResult ContourHypothesisTracker::keep(int64_t stamp_ns, const Con
   return {status, fit};
 }
 
-ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
-                                                      const ContourObservation& seen,
-                                                      const ContourBody& body,
-                                                      const ContourPose& pose) {
+ContourFit ContourHypothesisTracker::search(const ContourObservation& seen, const ContourBody& body,
+                                            const ContourPose& pose) const {
   ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, RobustSchedule::wide());
   // Proposals often lack arms, and the arms of a fit may rest at the trunk although they are
   // elsewhere.
@@ -115,7 +113,14 @@ ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
     if (fit.status == ContourFitStatus::kFitted)
       tryPoses(seen, body, limbAlternatives(seen, body, ContourLimb::Id(limb), fit, fit.pose),
                std::nullopt, kMinGain, fit);
-  return startFrom(stamp_ns, fit);
+  return fit;
+}
+
+ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
+                                                      const ContourObservation& seen,
+                                                      const ContourBody& body,
+                                                      const ContourPose& pose) {
+  return startFrom(stamp_ns, search(seen, body, pose));
 }
 
 ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {

@@ -29,6 +29,10 @@ class ContourHypothesisTracker {
   /// Throws std::invalid_argument if an option is out of range.
   ContourHypothesisTracker(const CameraRig& rig, const ContourOptions& options);
 
+  /// The best fit from a pose that may be wrong by tenths of a radian and decimetres. Other positions
+  /// of its limbs are tried, too.
+  ContourFit search(const ContourObservation& seen, const ContourBody& body,
+                    const ContourPose& pose) const;
   /// (Re)starts at a pose that may be wrong by tenths of a radian and decimetres. Other positions
   /// of its limbs are tried, too. The status is kTracked or, if the overlap is too small, kLost.
   ContourTrackingResult start(int64_t stamp_ns, const ContourObservation& seen,

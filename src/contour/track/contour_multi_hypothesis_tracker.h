@@ -38,6 +38,11 @@ class ContourMultiHypothesisTracker {
   /// Takes the best of several poses as alternative, unless there is one already.
   void proposeAlternative(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                           const std::vector<ContourPose>& poses);
+  /// See ContourHypothesisTracker::search().
+  ContourFit search(const ContourObservation& seen, const ContourBody& body,
+                    const ContourPose& pose) const {
+    return active_.search(seen, body, pose);
+  }
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
     return active_.predict(stamp_ns);

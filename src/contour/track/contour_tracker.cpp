@@ -34,11 +34,10 @@ constexpr int64_t kStartInterval_ns = 50000000;
 // silhouettes must show the person, too: this fraction of what colours found, to accept a start and
 // to go on.
 constexpr double kMinAgreement = 0.6, kLostAgreement = 0.4;
+constexpr double kMinLimbAgreement = 0.6;
 
-// Expected error of the body's outline where colours are looked for around it: of a prediction, and
-// of the rounds of a start, each of which fits the body to what the last one found.
+// Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
-constexpr double kStartErrors_m[] = {0.08, 0.06, 0.04};
 
 ShapePrior priorOf(const PersonResources& resources, const PersonOptions& person) {
   return {resources.shape_statistics, person.stature, person.stature_sigma};
@@ -88,6 +87,7 @@ void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
 void ContourTracker::reset() {
   hypotheses_.lose();
   reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
+  next_limb_search_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
@@ -121,66 +121,73 @@ void ContourTracker::initializeStature(const ContourObservation& seen,
   shape_estimator_->setStature(best_stature);
 }
 
-ContourTracker::Search ContourTracker::searchOf(const TrackerInput& now) {
-  Search search{observer_.observe(now), {}, 1.0};
-  if (search.seen.usableViews() < 2) return search;
-  search.poses = proposals(now, search.seen);
-  return search;
-}
-
 RegionObservation ContourTracker::observe(const TrackerInput& now) const {
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
-  if (!predicted) return {observer_.observe(now), 1.0};
+  if (!predicted) return observer_.observe(now);
   return observer_.observeNear(now, *contour_body_, predicted->pose, kPredictionError_m);
 }
 
 ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search search) const {
-  double best = 0.0;
-  Search found = search;
-  for (const ContourFit& first : hypotheses_.bestFits(search.seen, *contour_body_, search.poses)) {
-    ContourFit fit = first;
-    Search near;
-    for (const double error_m : kStartErrors_m) {
-      if (fit.status != ContourFitStatus::kFitted) break;
-      RegionObservation seen = observer_.observeNear(now, *contour_body_, fit.pose, error_m);
-      near = {std::move(seen.seen), {fit.pose}, seen.agreement};
-      fit = hypotheses_.bestFit(near.seen, *contour_body_, near.poses);
-    }
-    const double quality = qualityOf(fit) * near.agreement;
-    if (std::getenv("TRACE"))
-      fprintf(stderr, "  cand %.3f -> %.3f agr %.2f | z %.2f\n", qualityOf(first), qualityOf(fit),
-              near.agreement, fit.pose.position.z());
-    if (fit.status != ContourFitStatus::kFitted || quality < best) continue;
-    best = quality;
-    near.poses = {fit.pose};
-    found = std::move(near);
-  }
-  return found;
+  if (!observer_.needsColor(now)) return search;
+  std::vector<ContourPose> starts;
+  for (const ContourFit& fit :
+       hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
+    starts.push_back(fit.pose);
+  const std::vector<RegionFit> fits =
+      searchByColor(observer_, hypotheses_, now, *contour_body_, starts);
+  if (std::getenv("TRACE"))
+    for (const auto& f : fits)
+      fprintf(stderr, "  cand q %.3f iou %.3f agr %.2f limbs %.2f %.2f %.2f %.2f\n",
+              qualityOf(f.fit), f.found.overlap, f.found.agreement, f.found.limb_agreement[2],
+              f.found.limb_agreement[3], f.found.limb_agreement[4], f.found.limb_agreement[5]);
+  if (fits.empty()) return search;
+  return {fits.front().found, {fits.front().fit.pose}};
 }
 
 ActiveTrack ContourTracker::start(const TrackerInput& now) {
   observer_.reset();
-  Search search = searchOf(now);
-  if (search.poses.empty()) return {};
-  if (shape_estimator_) initializeStature(search.seen, search.poses);
-  if (observer_.needsColor(now)) search = byColor(now, std::move(search));
-  agreement_ = search.agreement;
-  return hypotheses_.start(now.stamp_ns, search.seen, *contour_body_, search.poses);
+  Search search{observer_.observe(now), {}};
+  if (search.found.seen.usableViews() < 2) return {};
+  search.poses = proposals(now, search.found.seen);
+  if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
+  search = byColor(now, std::move(search));
+  agreement_ = search.found.agreement;
+  return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
 }
 
 ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTrack& active) {
   if (now.stamp_ns < next_start_ns_) return active;
   next_start_ns_ = now.stamp_ns + kStartInterval_ns;
   initializer_->reset();  // the proposal must depend on this frame only
-  Search search = searchOf(now);
-  if (observer_.needsColor(now)) search = byColor(now, std::move(search));
-  return hypotheses_.reinitialize(now.stamp_ns, search.seen, *contour_body_, search.poses, active);
+  Search search{observer_.observe(now), {}};
+  search.poses = proposals(now, search.found.seen);
+  search = byColor(now, std::move(search));
+  return hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_, search.poses,
+                                  active);
 }
 
 bool ContourTracker::isAccepted(const ContourFit& fit) const {
   const bool good = qualityOf(fit) > (shape_estimator_ ? kMinQualityOfMeanShape : kMinQuality);
   return fit.overlap > kMinOverlap && agreement_ > kMinAgreement && hypotheses_.isUnambiguous() &&
          (good || hypotheses_.isConfirmed());
+}
+
+// A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show
+// it elsewhere.
+bool ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& found,
+                                 ActiveTrack& active) {
+  const double least = *std::min_element(found.limb_agreement.begin(), found.limb_agreement.end());
+  const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
+  if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !observer_.needsColor(now)) return false;
+  next_limb_search_ns_ = now.stamp_ns + kReconsiderInterval_ns;
+  const RegionFit before{found, active.track.fit};
+  RegionFit after = searchLimbsByColor(observer_, hypotheses_, now, *contour_body_, before);
+  if (std::getenv("TRACE"))
+    fprintf(stderr, "  limbs %.3f -> %.3f\n", before.score(), after.score());
+  if (&after.fit != &before.fit && qualityOf(after.fit) == qualityOf(before.fit)) return false;
+  found = std::move(after.found);
+  active = hypotheses_.startFrom(now.stamp_ns, after.fit);
+  return true;
 }
 
 // A valid pose tree is nearly always right, so it becomes the alternative if it contradicts the
@@ -279,7 +286,7 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
-  const RegionObservation found = observe(now);
+  RegionObservation found = observe(now);
   const ContourObservation& seen = found.seen;
   agreement_ = found.agreement;
   if (agreement_ < kLostAgreement) hypotheses_.lose();
@@ -292,6 +299,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   } else {
     if (!accepted_) active = reinitialize(now, active);
     accepted_ = accepted_ || isAccepted(active.track.fit);
+    searchLimbs(now, found, active);
     reconsider(now, seen, active.track);
   }
   if (active.track.status != ContourTrackingStatus::kLost)

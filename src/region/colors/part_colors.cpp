@@ -12,6 +12,10 @@ constexpr float kCoreDepth = 0.5f;
 constexpr float kRingStart_sigmas = 0.5f, kRingStart = 0.5f;
 constexpr float kRingEnd_sigmas = 2.f, kRingEnd = 7.f;
 
+// A colour is the person's if it is this many times as frequent in the person as in the
+// surroundings.
+constexpr float kMinRatio = 6.f;
+
 constexpr float kFloor = 1e-4f;     // of a probability
 constexpr float kMaxLogOdds = 4.f;  // colour alone never decides more than this
 
@@ -78,6 +82,27 @@ cv::Mat colorLogOdds(const cv::Mat& bins, const BodyDrawing& drawing, float sigm
       p[x] = o[x] > 0 ? std::clamp(std::log(p[x] / o[x]), -kMaxLogOdds, kMaxLogOdds) : 0.f;
   }
   return person;
+}
+
+cv::Mat personColored(const cv::Mat& bins, const std::vector<PartColors>& colors) {
+  std::vector<float> person(ColorBins::kCount), surroundings(ColorBins::kCount);
+  int parts = 0;
+  for (const PartColors& part : colors) {
+    if (part.person.empty() || part.surroundings.empty()) continue;
+    ++parts;
+    for (size_t bin = 0; bin < person.size(); ++bin) {
+      person[bin] += part.person.data()[bin];
+      surroundings[bin] += part.surroundings.data()[bin];
+    }
+  }
+  std::vector<uchar> is_person(ColorBins::kCount);
+  for (size_t bin = 0; bin < person.size(); ++bin)
+    is_person[bin] =
+        person[bin] > kMinRatio * (surroundings[bin] + kFloor * float(parts)) ? 255 : 0;
+  cv::Mat out(bins.size(), CV_8UC1);
+  for (int y = 0; y < bins.rows; ++y)
+    for (int x = 0; x < bins.cols; ++x) out.at<uchar>(y, x) = is_person[bins.at<uint16_t>(y, x)];
+  return out;
 }
 
 }  // namespace markerless_mocap

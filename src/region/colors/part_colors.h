@@ -25,4 +25,8 @@ void learnColors(const cv::Mat& bins, const BodyDrawing& drawing, float sigma, f
 cv::Mat colorLogOdds(const cv::Mat& bins, const BodyDrawing& drawing, float sigma,
                      const std::vector<PartColors>& colors);
 
+/// Samples whose colour is more frequent in the person, whatever part, than in the surroundings.
+/// \return CV_8UC1 of the size of `bins`, 0 | 255
+cv::Mat personColored(const cv::Mat& bins, const std::vector<PartColors>& colors);
+
 }  // namespace markerless_mocap

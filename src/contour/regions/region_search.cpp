@@ -1,0 +1,82 @@
+#include "contour/regions/region_search.h"
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+#include <utility>
+
+namespace markerless_mocap {
+namespace {
+
+// Expected errors of the body's outline in the rounds of a search, metres.
+const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
+
+constexpr double kMinGain = 0.01;  // of the score
+
+bool isFitted(const RegionFit& one) {
+  return one.fit.status == ContourFitStatus::kFitted;
+}
+
+/// Mean intersection over union of the persons in two sets of masks.
+double overlapOf(const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& others) {
+  double sum = 0.0;
+  int views = 0;
+  for (size_t i = 0; i < masks.size(); ++i) {
+    if (masks[i].empty() || others[i].empty()) continue;
+    const int either = cv::countNonZero(masks[i] | others[i]);
+    sum += either ? double(cv::countNonZero(masks[i] & others[i])) / either : 0.0;
+    ++views;
+  }
+  return views ? sum / views : 0.0;
+}
+
+RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+                   const TrackerInput& now, const ContourBody& body, const ContourPose& pose,
+                   const std::vector<double>& errors_m) {
+  RegionFit out;
+  ContourPose at = pose;
+  for (const double error_m : errors_m) {
+    out.found = observer.observeNear(now, body, at, error_m);
+    out.fit = tracker.bestFit(out.found.seen, body, {at});
+    if (!isFitted(out)) break;
+    at = out.fit.pose;
+  }
+  return out;
+}
+
+}  // namespace
+
+double RegionFit::score() const {
+  return qualityOf(fit) + found.overlap;
+}
+
+RegionFit searchLimbsByColor(const RegionObserver& observer,
+                             const ContourMultiHypothesisTracker& tracker, const TrackerInput& now,
+                             const ContourBody& body, RegionFit first) {
+  const std::vector<cv::Mat> wide = observer.candidates(now, body, first.fit.pose);
+  const ContourFit moved = tracker.search(observer.observe(wide), body, first.fit.pose);
+  if (moved.status != ContourFitStatus::kFitted) return first;
+  RegionFit second = followed(observer, tracker, now, body, moved.pose, kRoundsAfterLimbs);
+  if (!isFitted(second)) return first;
+  const double gain = qualityOf(second.fit) - qualityOf(first.fit) +
+                      overlapOf(second.found.masks, wide) - overlapOf(first.found.masks, wide);
+  return gain > kMinGain ? second : first;
+}
+
+std::vector<RegionFit> searchByColor(const RegionObserver& observer,
+                                     const ContourMultiHypothesisTracker& tracker,
+                                     const TrackerInput& now, const ContourBody& body,
+                                     const std::vector<ContourPose>& poses) {
+  std::vector<RegionFit> out;
+  for (const ContourPose& pose : poses) {
+    RegionFit one = followed(observer, tracker, now, body, pose, kFirstRounds);
+    if (!isFitted(one)) continue;
+    one = searchLimbsByColor(observer, tracker, now, body, std::move(one));
+    out.push_back(std::move(one));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const RegionFit& one, const RegionFit& other) {
+    return one.score() > other.score();
+  });
+  return out;
+}
+
+}  // namespace markerless_mocap

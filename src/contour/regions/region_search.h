@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "contour/regions/region_observer.h"
+#include "contour/track/contour_multi_hypothesis_tracker.h"
+
+namespace markerless_mocap {
+
+/// A pose and what colours show around it.
+struct RegionFit {
+  RegionObservation found;
+  ContourFit fit;
+  /// To compare poses of the same frame set: the pose must fit what colours found around it, and
+  /// the silhouettes must show the same person.
+  double score() const;
+};
+
+/// Moves poses to where the colours of the frame set fit: in turn, colours around the pose show a
+/// person, and the pose is fitted to that person. Then the same with other places of the limbs,
+/// which the silhouettes propose.
+/// \param poses may be wrong by tenths of a radian and decimetres
+/// \return one result per pose, best first; poses that cannot be fitted are left out
+std::vector<RegionFit> searchByColor(const RegionObserver& observer,
+                                     const ContourMultiHypothesisTracker& tracker,
+                                     const TrackerInput& now, const ContourBody& body,
+                                     const std::vector<ContourPose>& poses);
+
+/// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
+/// \return the better of the two
+RegionFit searchLimbsByColor(const RegionObserver& observer,
+                             const ContourMultiHypothesisTracker& tracker, const TrackerInput& now,
+                             const ContourBody& body, RegionFit first);
+
+}  // namespace markerless_mocap
