@@ -67,7 +67,9 @@ class ContourTracker : public BodyTracker {
   InitializerFactory make_initializer_;
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
-  double agreement_ = 1.0;  ///< of the last frame, see RegionMasks
+  // Of the last frame, see RegionMasks.
+  double agreement_ = 1.0;
+  std::array<double, ContourLimb::kCount> limb_agreement_{};
   bool accepted_ = false;   ///< the pose has been accepted since the last start
   bool reported_ = false;   ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;

@@ -34,6 +34,7 @@ constexpr int64_t kStartInterval_ns = 50000000;
 // silhouettes must show the person, too: this fraction of what colours found, to accept a start and
 // to go on.
 constexpr double kMinAgreement = 0.6, kLostAgreement = 0.4;
+// The same of one limb; with less it is not seen, and is searched for elsewhere.
 constexpr double kMinLimbAgreement = 0.6;
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
@@ -152,6 +153,7 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
   search = byColor(now, std::move(search));
   agreement_ = search.found.agreement;
+  limb_agreement_ = search.found.limb_agreement;
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
 }
 
@@ -278,7 +280,8 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
     const LimbEvidence& limb = active.track.fit.limbs[limbOf(part)];
     pose.part_sigma_m[size_t(part)] = limb.deviation;
     pose.part_seen[size_t(part)] =
-        limb.deviation < kMaxSeenDeviation && limb.outside < kMaxSeenOutside;
+        limb.deviation < kMaxSeenDeviation && limb.outside < kMaxSeenOutside &&
+        limb_agreement_[limbOf(part)] >= kMinLimbAgreement;
   }
   return pose;
 }
@@ -289,6 +292,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   RegionObservation found = observe(now);
   const ContourObservation& seen = found.seen;
   agreement_ = found.agreement;
+  limb_agreement_ = found.limb_agreement;
   if (agreement_ < kLostAgreement) hypotheses_.lose();
   ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
@@ -305,10 +309,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   if (active.track.status != ContourTrackingStatus::kLost)
     observer_.learn(now, *contour_body_, active.track.fit.pose);
   if (std::getenv("TRACE"))
-    fprintf(stderr, "%.3f st %d acc %d ov %.3f ex %.3f amb %d agr %.2f\n",
+    fprintf(stderr, "%.3f st %d acc %d ov %.3f ex %.3f amb %d agr %.2f L %.2f %.2f %.2f %.2f\n",
             1e-9 * double(now.stamp_ns), int(active.track.status), int(accepted_),
             active.track.fit.overlap, active.track.fit.rays_explained,
-            int(!hypotheses_.isUnambiguous()), agreement_);
+            int(!hypotheses_.isUnambiguous()), agreement_, found.limb_agreement[2], found.limb_agreement[3], found.limb_agreement[4], found.limb_agreement[5]);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
   if (const std::optional<BodyPose> estimating =
