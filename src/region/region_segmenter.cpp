@@ -158,7 +158,7 @@ class RegionSegmenter::Impl {
   void learn(const cv::Mat& image, const ProjectedBody& body) {
     const BodyDrawing drawing = draw(image, body);
     if (drawing.box.area() == 0) return;
-    learnColors(ColorBins::instance().of(image), drawing, body.sigma, kPersonRate,
+    learnColors(ColorBins::instance().of(image(drawing.box)), drawing, body.sigma, kPersonRate,
                 kSurroundingsRate, colors_);
     has_colors_ = true;
   }
@@ -168,7 +168,7 @@ class RegionSegmenter::Impl {
     out.mask = cv::Mat::zeros(image.size(), CV_8UC1);
     const BodyDrawing drawing = draw(image, body);
     if (drawing.box.area() == 0) return out;
-    const cv::Mat bins = ColorBins::instance().of(image);
+    const cv::Mat bins = ColorBins::instance().of(image(drawing.box));
     std::vector<PartColors> colors = colors_;
     if (!has_colors_)
       learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
@@ -188,21 +188,21 @@ class RegionSegmenter::Impl {
     cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1);
     const BodyDrawing drawing = drawBody(body, int(colors_.size()), image.size(), reach);
     if (drawing.box.area() == 0) return out;
-    const cv::Mat bins = ColorBins::instance().of(image);
-    cv::Mat colored = personColored(bins, has_colors_ ? colors_ : colorsOf(image, bins, body));
+    const cv::Mat bins = ColorBins::instance().of(image(drawing.box));
+    cv::Mat colored = personColored(bins, has_colors_ ? colors_ : colorsOf(image, body));
     cv::morphologyEx(colored, colored, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
-    if (!known.empty()) colored |= known == kPerson;
+    if (!known.empty()) colored |= known(drawing.box) == kPerson;
     const cv::Mat near = drawing.distance < reach;
-    colored(drawing.box).copyTo(out(drawing.box), near);
+    colored.copyTo(out(drawing.box), near);
     return out;
   }
 
  private:
-  std::vector<PartColors> colorsOf(const cv::Mat& image, const cv::Mat& bins,
-                                   const ProjectedBody& body) const {
+  std::vector<PartColors> colorsOf(const cv::Mat& image, const ProjectedBody& body) const {
     std::vector<PartColors> colors(colors_.size());
     const BodyDrawing drawing = draw(image, body);
-    learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
+    learnColors(ColorBins::instance().of(image(drawing.box)), drawing, body.sigma, kPersonRate,
+                kSurroundingsRate, colors);
     return colors;
   }
   BodyDrawing draw(const cv::Mat& image, const ProjectedBody& body) const {

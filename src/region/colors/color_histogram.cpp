@@ -9,16 +9,20 @@ constexpr uint32_t kMinCount = 12;       // samples
 constexpr float kBlurSigma_bins = 0.7f;  // bridges bins that few samples leave empty
 
 /// Blurs along one axis with the weights of the neighbours one bin away.
+/// \param step distance of neighbours in `values` \param length bins along the axis
 void blur(std::vector<float>& values, int step, int length) {
   const float side = std::exp(-0.5f / (kBlurSigma_bins * kBlurSigma_bins));
-  const float sum = 1 + 2 * side;
+  const float middle = 1 / (1 + 2 * side), next = side * middle;
   std::vector<float> out(values.size());
-  for (int i = 0; i < int(values.size()); ++i) {
-    const int at = i / step % length;
-    const float below = at > 0 ? values[size_t(i - step)] : 0.f;
-    const float above = at + 1 < length ? values[size_t(i + step)] : 0.f;
-    out[size_t(i)] = (values[size_t(i)] + side * (below + above)) / sum;
-  }
+  for (int block = 0; block < int(values.size()); block += step * length)
+    for (int along = 0; along < length; ++along) {
+      const float* from = &values[size_t(block + along * step)];
+      float* to = &out[size_t(block + along * step)];
+      const int below = along > 0 ? -step : 0, above = along + 1 < length ? step : 0;
+      const float of_below = below ? next : 0, of_above = above ? next : 0;
+      for (int i = 0; i < step; ++i)
+        to[i] = middle * from[i] + of_below * from[i + below] + of_above * from[i + above];
+    }
   values = std::move(out);
 }
 

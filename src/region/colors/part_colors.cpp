@@ -16,8 +16,22 @@ constexpr float kRingEnd_sigmas = 2.f, kRingEnd = 7.f;
 // surroundings.
 constexpr float kMinRatio = 6.f;
 
+// Parts further from a sample than this are not mixed in: multiples of sigma, plus samples.
+constexpr float kReach_sigmas = 2.5f, kReach = 2.f;
+constexpr int kWeightsPerSample = 4;
+
 constexpr float kFloor = 1e-4f;     // of a probability
 constexpr float kMaxLogOdds = 4.f;  // colour alone never decides more than this
+
+/// Weight of a part by the distance of a sample outside it, in steps of 1 / kWeightsPerSample.
+std::vector<float> weightsByDistance(float sigma, float reach) {
+  std::vector<float> weights(size_t(kWeightsPerSample * reach) + 2);
+  for (size_t i = 0; i < weights.size(); ++i) {
+    const float sigmas = float(i) / kWeightsPerSample / sigma;
+    weights[i] = std::exp(-0.5f * sigmas * sigmas);
+  }
+  return weights;
+}
 
 void count(const cv::Mat& bins, const BodyDrawing& drawing, size_t index, float sigma,
            std::vector<uint32_t>& person, std::vector<uint32_t>& surroundings) {
@@ -30,7 +44,7 @@ void count(const cv::Mat& bins, const BodyDrawing& drawing, size_t index, float 
     const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
     const float* body = drawing.distance.ptr<float>(row) + shift;
     const uchar* label = drawing.part.ptr<uchar>(row) + shift;
-    const uint16_t* bin = bins.ptr<uint16_t>(y + part.box.y) + part.box.x;
+    const uint16_t* bin = bins.ptr<uint16_t>(row) + shift;
     for (int x = 0; x < part.box.width; ++x) {
       if (own[x] <= core && label[x] == index) ++person[bin[x]];
       if (own[x] < ring_end && body[x] > ring_start) ++surroundings[bin[x]];
@@ -56,7 +70,8 @@ void learnColors(const cv::Mat& bins, const BodyDrawing& drawing, float sigma, f
 cv::Mat colorLogOdds(const cv::Mat& bins, const BodyDrawing& drawing, float sigma,
                      const std::vector<PartColors>& colors) {
   cv::Mat person = cv::Mat::zeros(drawing.box.size(), CV_32FC1), other = person.clone();
-  const float reach = 2.5f * sigma + 2, scale = -0.5f / (sigma * sigma);
+  const float reach = kReach_sigmas * sigma + kReach;
+  const std::vector<float> weights = weightsByDistance(sigma, reach);
   for (size_t i = 0; i < drawing.parts.size(); ++i) {
     const PartDistance& part = drawing.parts[i];
     if (part.box.area() == 0 || colors[i].person.empty() || colors[i].surroundings.empty())
@@ -65,12 +80,11 @@ cv::Mat colorLogOdds(const cv::Mat& bins, const BodyDrawing& drawing, float sigm
     for (int y = 0; y < part.box.height; ++y) {
       const float* own = part.distance.ptr<float>(y);
       const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
-      const uint16_t* bin = bins.ptr<uint16_t>(y + part.box.y) + part.box.x;
+      const uint16_t* bin = bins.ptr<uint16_t>(row) + shift;
       float *to_person = person.ptr<float>(row) + shift, *to_other = other.ptr<float>(row) + shift;
       for (int x = 0; x < part.box.width; ++x) {
         if (own[x] > reach) continue;
-        const float outside = std::max(own[x], 0.f);
-        const float weight = std::exp(scale * outside * outside);
+        const float weight = weights[size_t(kWeightsPerSample * std::max(own[x], 0.f))];
         to_person[x] += weight * (of_person[bin[x]] + kFloor);
         to_other[x] += weight * (of_other[bin[x]] + kFloor);
       }

@@ -16,7 +16,7 @@ struct PartColors {
 /// Learns the colours of all parts. The core of a part, which a small error of the pose does not
 /// move out of the person, gives the person's colours; a ring around the body gives those of the
 /// surroundings.
-/// \param bins CV_16UC1 of the whole image, see ColorBins
+/// \param bins CV_16UC1 in drawing.box, see ColorBins
 void learnColors(const cv::Mat& bins, const BodyDrawing& drawing, float sigma, float person_rate,
                  float surroundings_rate, std::vector<PartColors>& colors);
 
