@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/bits/bit_mask.h"
+
 namespace markerless_mocap {
 
 /// One row of a mode (expected colour) of each pixel.
@@ -62,6 +64,11 @@ class Background {
   /// Computes the weights, the noise and the quantised means from means and standard deviations.
   void setThreshold(double threshold_sigmas, double min_sigma);
 
+  /// Pixels whose background is not known: their colours mean nothing. Empty: all are known.
+  const BitMask& unknown() const { return unknown_; }
+  bool hasUnknown() const { return unknown_.rows() > 0; }
+  void setUnknown(BitMask unknown) { unknown_ = std::move(unknown); }
+
   /// Throws std::invalid_argument with a message that names the file if it cannot be written.
   void save(const std::string& path) const;
   /// The weights are not set: call setThreshold(). Throws std::invalid_argument with a message that
@@ -78,6 +85,7 @@ class Background {
   int weight_unit_ = 1;
   std::vector<uint16_t> mean_, sigma_;
   std::vector<uint8_t> quantised_;  ///< per row: the means, channel by channel, then the weights
+  BitMask unknown_;
 };
 
 }  // namespace markerless_mocap

@@ -19,6 +19,16 @@ constexpr int kUpdateStride = 16;
 /// The background is not updated this near the person, px, so that parts missing in the mask are
 /// not learned as background.
 constexpr int kGuardX = 16, kGuardY = 8;
+/// The boundary of the person is not refined this near unknown pixels, px.
+constexpr int kUnrefinedReach = 3;
+
+void add(const BitMask& more, BitMask* mask) {
+  for (size_t i = 0; i < more.words().size(); ++i) mask->words()[i] |= more.words()[i];
+}
+
+void remove(const BitMask& less, BitMask* mask) {
+  for (size_t i = 0; i < less.words().size(); ++i) mask->words()[i] &= ~less.words()[i];
+}
 
 class ModelSubtractor : public Subtractor {
  public:
@@ -26,15 +36,14 @@ class ModelSubtractor : public Subtractor {
       : options_(options),
         learner_(options.background_frames, options.compensate_flicker),
         background_(std::move(background)) {
-    if (!background_.empty())
-      background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+    if (!background_.empty()) setThreshold();
   }
 
   void learn(const cv::Mat& image) override { learner_.add(image); }
 
   void finishLearning() override {
     background_ = learner_.learn(modesOf(options_), options_.min_sigma);
-    background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+    setThreshold();
     learner_ = BackgroundLearner(options_.background_frames, options_.compensate_flicker);
   }
 
@@ -46,10 +55,12 @@ class ModelSubtractor : public Subtractor {
     if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
     const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
-    found.mask = openedAndClosed(classes.foreground, options_);
+    found.mask = cleaned(classes.foreground);
+    const BitMask unrefined = nearUnknown(found.mask);
     matting.refine(image, background_, found.light_gain, classes, &found.mask);
     // This comes last, as the new boundary has pinholes and specks.
     fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
+    if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
     updateBackground(image, found.light_gain, found.mask, classes.shadow);
     return found;
@@ -58,16 +69,52 @@ class ModelSubtractor : public Subtractor {
   const Background* background() const override { return &background_; }
 
  private:
+  void setThreshold();
+  BitMask cleaned(const BitMask& foreground) const;
+  BitMask nearUnknown(const BitMask& mask) const;
+  void restoreUnknown(const BitMask& unrefined, Extraction* found) const;
   void updateBackground(const cv::Mat& image, double gain, const BitMask& mask,
                         const BitMask& shadow);
 
   SilhouetteOptions options_;
   BackgroundLearner learner_;
   Background background_;
+  BitMask near_unknown_;  ///< where the boundary is not refined; only if something is unknown
   int next_row_ = 0;  ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
 };
+
+void ModelSubtractor::setThreshold() {
+  background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
+  if (background_.hasUnknown()) near_unknown_ = dilated(background_.unknown(), kUnrefinedReach);
+}
+
+/// Unknown pixels count as foreground in the morphology, so that the person is not eroded there,
+/// and are removed afterwards.
+BitMask ModelSubtractor::cleaned(const BitMask& foreground) const {
+  if (!background_.hasUnknown()) return openedAndClosed(foreground, options_);
+  BitMask all = foreground;
+  add(background_.unknown(), &all);
+  all = openedAndClosed(all, options_);
+  remove(background_.unknown(), &all);
+  return all;
+}
+
+/// The mask where refining needs colours that are unknown.
+BitMask ModelSubtractor::nearUnknown(const BitMask& mask) const {
+  if (!background_.hasUnknown()) return {};
+  BitMask near = mask;
+  for (size_t i = 0; i < near.words().size(); ++i) near.words()[i] &= near_unknown_.words()[i];
+  return near;
+}
+
+void ModelSubtractor::restoreUnknown(const BitMask& unrefined, Extraction* found) const {
+  remove(near_unknown_, &found->mask);
+  add(unrefined, &found->mask);
+  add(background_.unknown(), &found->mask);
+  found->unknown = background_.unknown();
+}
 
 /// Moves the means towards the image, so that a slow change of the light is learned. Behind the
 /// person and in shadows they follow the light of the whole scene instead.

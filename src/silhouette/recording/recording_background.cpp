@@ -1,0 +1,172 @@
+#include "silhouette/recording/recording_background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "silhouette/recording/inward_flood.h"
+#include "silhouette/recording/swept_region.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr float kMinShade = 0.6f, kMaxShade = 0.95f, kMaxResidual = 10, kMinLitShare = 0.06f;
+constexpr float kSureShare = 0.85f;
+constexpr int kMaxSpeck = 12;  ///< px
+
+SceneColors surelySeen(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept,
+                       const cv::Mat& still) {
+  SceneColors scene{cv::Mat(swept.size(), CV_32FC3), (swept == 0) | still};
+  for (int y = 0; y < swept.rows; ++y)
+    for (int x = 0; x < swept.cols; ++x)
+      scene.color.at<cv::Vec3f>(y, x) = candidates[size_t(y) * swept.cols + x].colors[0].color;
+  return scene;
+}
+
+bool isShadeOf(const cv::Vec3f& dark, const cv::Vec3f& bright) {
+  const float ratio = dark.dot(bright) / bright.dot(bright);
+  return ratio > kMinShade && ratio < kMaxShade && cv::norm(dark - bright * ratio) < kMaxResidual;
+}
+
+/// Where a pixel is often in shadow, its background is the brighter colour.
+void removeShadows(const std::vector<PixelCandidates>& candidates, SceneColors* scene) {
+  for (int y = 0; y < scene->known.rows; ++y)
+    for (int x = 0; x < scene->known.cols; ++x) {
+      if (!scene->known.at<uint8_t>(y, x)) continue;
+      cv::Vec3f& color = scene->color.at<cv::Vec3f>(y, x);
+      cv::Vec3f lit = color;
+      for (const ColorCandidate& candidate : candidates[size_t(y) * scene->known.cols + x])
+        if (candidate.share >= kMinLitShare && isShadeOf(color, candidate.color) &&
+            cv::norm(candidate.color) > cv::norm(lit))
+          lit = candidate.color;
+      color = lit;
+    }
+}
+
+void acceptSureColors(const std::vector<PixelCandidates>& candidates, const PersonColors& person,
+                      SceneColors* scene) {
+  for (int y = 0; y < scene->known.rows; ++y)
+    for (int x = 0; x < scene->known.cols; ++x) {
+      const ColorCandidate& mode = candidates[size_t(y) * scene->known.cols + x].colors[0];
+      if (scene->known.at<uint8_t>(y, x) || mode.share < kSureShare ||
+          person.logRatio(mode.color) >= 0)
+        continue;
+      scene->known.at<uint8_t>(y, x) = 255;
+      scene->color.at<cv::Vec3f>(y, x) = mode.color;
+    }
+}
+
+/// Fills one speck with the mean of the known colours around it.
+void fillSpeck(const cv::Mat& labels, int label, const cv::Rect& box, SceneColors* scene) {
+  const cv::Rect around = cv::Rect(box.x - 2, box.y - 2, box.width + 4, box.height + 4) &
+                          cv::Rect({}, scene->known.size());
+  cv::Mat mine = labels(around) == label;
+  const cv::Scalar mean = cv::mean(scene->color(around), scene->known(around));
+  scene->color(around).setTo(mean, mine);
+  scene->known(around).setTo(255, mine);
+}
+
+void fillSpecks(SceneColors* scene) {
+  cv::Mat labels, stats, centers;
+  const int n = cv::connectedComponentsWithStats(scene->known == 0, labels, stats, centers, 4);
+  for (int label = 1; label < n; ++label) {
+    const int* stat = stats.ptr<int>(label);
+    if (stat[cv::CC_STAT_AREA] <= kMaxSpeck)
+      fillSpeck(labels, label, {stat[0], stat[1], stat[2], stat[3]}, scene);
+  }
+}
+
+}  // namespace
+
+SceneColors learnSceneColors(const SceneSamples& samples) {
+  const std::vector<PixelCandidates> candidates = findCandidates(samples);
+  const cv::Mat swept = sweptRegion(samples, candidates);
+  const SceneColors seeds = surelySeen(candidates, swept, stillPixels(candidates, swept));
+  PersonColors person;
+  SceneColors scene;
+  for (int round = 0; round < 2; ++round) {
+    scene = {seeds.color.clone(), seeds.known.clone()};
+    floodInward(candidates, person, &scene);
+    removeShadows(candidates, &scene);
+    person = PersonColors(samples, scene, swept);
+  }
+  acceptSureColors(candidates, person, &scene);
+  fillSpecks(&scene);
+  return scene;
+}
+
+namespace {
+
+constexpr float kReach = 20;     ///< of a sample from the background's colour, grey levels
+constexpr int kFewSamples = 3;   ///< with fewer, the deviation is not measured
+constexpr float kUsualSigma = 4;
+
+uint16_t fixed(float grey) {
+  return uint16_t(std::lround(std::clamp(grey, 0.0f, 255.0f) * Background::kMeanScale));
+}
+
+/// Mean and deviation of those samples of a pixel that show the background.
+class PixelStatistics {
+ public:
+  PixelStatistics(const SceneSamples& samples, int channels)
+      : samples_(samples), channels_(channels) {}
+
+  /// \param expected rough colour
+  void measure(int x, int y, const float* expected) {
+    float sums[3] = {}, squares = 0;
+    count_ = 0;
+    for (int i = 0; i < samples_.count(); ++i) {
+      const uint8_t* pixel = samples_.images[i].ptr(y) + x * channels_;
+      float difference[3], distance = 0;
+      for (int c = 0; c < channels_; ++c) {
+        difference[c] = pixel[c] / samples_.gains[i] - expected[c];
+        distance += difference[c] * difference[c];
+      }
+      if (distance > kReach * kReach) continue;
+      ++count_;
+      squares += distance;
+      for (int c = 0; c < channels_; ++c) sums[c] += difference[c];
+    }
+    float shift = 0;
+    for (int c = 0; c < channels_; ++c) {
+      const float offset = sums[c] / std::max(1, count_);
+      mean[c] = expected[c] + offset;
+      shift += offset * offset;
+    }
+    const float rest = std::max(0.0f, squares - count_ * shift);
+    sigma = count_ < kFewSamples ? kUsualSigma : std::sqrt(rest / (channels_ * (count_ - 1)));
+  }
+
+  float mean[3] = {}, sigma = 0;
+
+ private:
+  const SceneSamples& samples_;
+  int channels_, count_ = 0;
+};
+
+}  // namespace
+
+Background learnFromRecording(const SceneSamples& samples, int modes) {
+  const SceneColors scene = learnSceneColors(samples);
+  const cv::Size size = samples.images[0].size();
+  const int channels = samples.images[0].channels();
+  cv::Mat color, known;
+  cv::resize(scene.color, color, size, 0, 0, cv::INTER_LINEAR);
+  cv::resize(scene.known, known, size, 0, 0, cv::INTER_NEAREST);
+  Background background(size, channels, modes);
+  BitMask unknown(size);
+  PixelStatistics pixel(samples, channels);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      if (!known.at<uint8_t>(y, x)) unknown.set(x, y);
+      pixel.measure(x, y, color.at<cv::Vec3f>(y, x).val);
+      for (int k = 0; k < modes; ++k) {
+        for (int c = 0; c < channels; ++c) background.mean(k, y, c)[x] = fixed(pixel.mean[c]);
+        background.sigma(k, y)[x] = fixed(pixel.sigma);
+      }
+    }
+  if (unknown.count() > 0) background.setUnknown(std::move(unknown));
+  return background;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,118 @@
+#include "silhouette/recording/scene_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/imgproc.hpp>
+
+#include "silhouette/background/light_gain.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Learning needs no more detail than this many pixels show.
+constexpr int kMaxPixels = 160000;
+/// Twice as many samples are kept before every second one is dropped.
+constexpr int kSamples = 36;
+constexpr size_t kMaxBytes = size_t(160) << 20;
+constexpr int kMinSamples = 12;
+/// An image is compared with those so many frames before and after it.
+constexpr std::array<int, 2> kApart = {3, 8};
+constexpr int kReach = 8;
+constexpr double kMotion = 12;  ///< grey levels
+constexpr int kSmooth = 5, kClose = 9, kDilate = 5;
+
+cv::Mat smallCopy(const cv::Mat& image) {
+  int factor = 1;
+  while (image.total() / size_t(factor * factor) > kMaxPixels) factor *= 2;
+  cv::Mat small;
+  cv::resize(image, small, {image.cols / factor, image.rows / factor}, 0, 0, cv::INTER_AREA);
+  if (small.channels() == 1) cv::cvtColor(small, small, cv::COLOR_GRAY2BGR);
+  return small;
+}
+
+cv::Mat ellipse(int side) {
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
+}
+
+void markDifference(const cv::Mat& a, const cv::Mat& b, cv::Mat* moving) {
+  cv::Mat difference, planes[3];
+  cv::absdiff(a, b, difference);
+  cv::split(difference, planes);
+  *moving |= cv::max(planes[0], cv::max(planes[1], planes[2])) > kMotion;
+}
+
+size_t budget(const cv::Mat& image) {
+  const size_t fitting = kMaxBytes / (image.total() * image.elemSize());
+  return std::clamp<size_t>(fitting, kMinSamples, 2 * kSamples);
+}
+
+cv::Mat medianOf(const std::vector<cv::Mat>& images) {
+  cv::Mat median(images[0].size(), CV_8UC3);
+  std::vector<uint8_t> values(images.size());
+  for (int y = 0; y < median.rows; ++y)
+    for (int x = 0; x < 3 * median.cols; ++x) {
+      for (size_t i = 0; i < images.size(); ++i) values[i] = images[i].ptr(y)[x];
+      std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+      median.ptr(y)[x] = values[values.size() / 2];
+    }
+  return median;
+}
+
+}  // namespace
+
+void SceneSampler::add(const cv::Mat& image) {
+  Frame frame{image.clone(), smallCopy(image), {}};
+  cv::blur(frame.small, frame.smooth, {kSmooth, kSmooth});
+  recent_.push_back(std::move(frame));
+  ++seen_;
+  if (seen_ > kReach) keep(seen_ - 1 - kReach);
+  if (recent_.size() > 2 * kReach) recent_.pop_front();
+}
+
+const cv::Mat* SceneSampler::smoothAt(int index) const {
+  const int first = seen_ - int(recent_.size());
+  return index >= first && index < seen_ ? &recent_[index - first].smooth : nullptr;
+}
+
+cv::Mat SceneSampler::movingAt(int index) const {
+  const cv::Mat& now = *smoothAt(index);
+  cv::Mat moving = cv::Mat::zeros(now.size(), CV_8UC1);
+  for (const int apart : kApart)
+    for (const int other : {index - apart, index + apart})
+      if (const cv::Mat* smooth = smoothAt(other)) markDifference(now, *smooth, &moving);
+  cv::morphologyEx(moving, moving, cv::MORPH_CLOSE, ellipse(kClose));
+  cv::dilate(moving, moving, ellipse(kDilate));
+  return moving;
+}
+
+void SceneSampler::keep(int index) {
+  if (index % stride_ != 0) return;
+  const Frame& frame = recent_[index - (seen_ - int(recent_.size()))];
+  kept_.push_back({index, frame.image, frame.small, movingAt(index)});
+  if (kept_.size() < budget(frame.image)) return;
+  stride_ *= 2;
+  kept_.erase(std::remove_if(kept_.begin(), kept_.end(),
+                             [&](const Kept& kept) { return kept.index % stride_ != 0; }),
+              kept_.end());
+}
+
+SceneSamples SceneSampler::samples(bool compensate_flicker) const {
+  SceneSampler all = *this;
+  for (int index = std::max(0, seen_ - kReach); index < seen_; ++index) all.keep(index);
+  SceneSamples samples;
+  for (const Kept& kept : all.kept_) {
+    samples.images.push_back(kept.image);
+    samples.colors.push_back(kept.small);
+    samples.moving.push_back(kept.moving);
+  }
+  samples.size = samples.colors[0].size();
+  const cv::Mat median = medianOf(samples.colors);
+  for (cv::Mat& color : samples.colors) {
+    samples.gains.push_back(
+        compensate_flicker ? float(estimateLightGain(color, median).gain) : 1.0f);
+    color = color / samples.gains.back();
+  }
+  return samples;
+}
+
+}  // namespace markerless_mocap
