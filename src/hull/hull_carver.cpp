@@ -9,6 +9,7 @@
 
 #include "hull/color/coloring.h"
 #include "hull/selection/camera_faults.h"
+#include "hull/selection/unknown_views.h"
 
 namespace markerless_mocap {
 namespace {
@@ -111,15 +112,19 @@ class HullCarver::State {
   std::optional<VoxelBox> followed_;  ///< box around the last person
 };
 
-VisualHull HullCarver::State::carve(const std::vector<HullView>& views) {
-  checkViews(rig_, views);
+VisualHull HullCarver::State::carve(const std::vector<HullView>& all_views) {
+  checkViews(rig_, all_views);
+  std::vector<LeftOutCamera> unknown;
+  const std::vector<HullView> views = withoutUnknownViews(all_views, rig_, &unknown);
   voting_.setMasks(views);
-  if (followed_) {
-    VisualHull hull = carveIn(*followed_, views);
-    if (hull.status == HullStatus::kOk) return hull;
+  VisualHull hull;
+  if (followed_) hull = carveIn(*followed_, views);
+  if (!followed_ || hull.status != HullStatus::kOk) {
     followed_.reset();
+    hull = carveIn(voting_.bounds(), views);
   }
-  return carveIn(voting_.bounds(), views);
+  hull.cameras_left_out.insert(hull.cameras_left_out.begin(), unknown.begin(), unknown.end());
+  return hull;
 }
 
 FaultyCameraFinder::Result HullCarver::State::carveComponents(const MaskSummary& masks,

@@ -95,6 +95,15 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
                          }));
 }
 
+void Pipeline::useBackgrounds(const std::vector<SharedBackground>& backgrounds) {
+  if (backgrounds.empty()) return;
+  if (backgrounds.size() != silhouettes_.size())
+    throw std::invalid_argument("pipeline got " + std::to_string(backgrounds.size()) +
+                                " backgrounds, the rig has " + std::to_string(rig().size()) +
+                                " cameras");
+  for (size_t i = 0; i < backgrounds.size(); ++i) silhouettes_[i].useBackground(backgrounds[i]);
+}
+
 void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   if (frames.size() != rig().size())
     throw std::invalid_argument("pipeline got " + std::to_string(frames.size()) +

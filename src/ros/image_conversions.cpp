@@ -6,6 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "markerless_mocap/products/mask_values.h"
+
 namespace markerless_mocap {
 
 namespace encodings = sensor_msgs::image_encodings;
@@ -64,7 +66,10 @@ cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
     throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
                                 "\" has the encoding \"" + message.encoding +
                                 "\", allowed is mono8");
-  cv::Mat m = sharedPixels(message, ""); cv::Mat o = m > 0; o.setTo(128, m == 128); return o;
+  const cv::Mat pixels = sharedPixels(message, "");
+  cv::Mat mask = pixels > 0;
+  mask.setTo(kUnknownPixel, pixels == kUnknownPixel);
+  return mask;
 }
 
 sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& header) {

@@ -20,7 +20,8 @@ cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 /// std::invalid_argument if the image cannot be decoded.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
 
-/// A mask (CV_8UC1, 0 | 255) from a message; every non-zero pixel becomes 255. Throws
+/// A mask (CV_8UC1, 0 | 128 | 255) from a message; 128 is unknown, and every other non-zero pixel
+/// becomes 255. Throws
 /// std::invalid_argument unless the encoding is mono8.
 cv::Mat maskFromMessage(const sensor_msgs::Image& message);
 

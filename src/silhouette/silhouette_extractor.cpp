@@ -1,9 +1,12 @@
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 
+#include <optional>
 #include <stdexcept>
 
+#include "markerless_mocap/products/mask_values.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
+#include "silhouette/recording/live_learner.h"
 
 namespace markerless_mocap {
 namespace {
@@ -11,6 +14,12 @@ namespace {
 std::string described(const cv::Size& size, int type) {
   const char* kind = type == CV_8UC1 ? " grey" : type == CV_8UC3 ? " BGR" : " of another type";
   return std::to_string(size.width) + " x " + std::to_string(size.height) + kind;
+}
+
+cv::Mat maskOf(const Extraction& found) {
+  cv::Mat mask = found.mask.toMat();
+  if (found.unknown.rows() > 0) mask.setTo(kUnknownPixel, found.unknown.toMat());
+  return mask;
 }
 
 }  // namespace
@@ -23,16 +32,18 @@ class SilhouetteExtractor::Impl {
     checkImage(image);
     if (!subtractor_) begin(image);
     if (frames_learned_ < options_.background_frames && loaded_.empty()) {
-      subtractor_->learn(image);
-      if (++frames_learned_ == options_.background_frames) subtractor_->finishLearning();
+      learn(image);
       return {};
     }
+    if (live_) addLive(image);
     const Extraction found = subtractor_->extract(image);
-    return {stateAfter(found), found.mask.toMat(), found.changed_fraction, found.light_gain};
+    const double unknown = double(found.unknown.count()) / double(image.total());
+    return {stateAfter(found), maskOf(found), unknown, found.changed_fraction, found.light_gain};
   }
 
   void reset() {
     subtractor_.reset();
+    live_.reset();
     frames_learned_ = stale_run_ = 0;
     size_ = loaded_.size();
     type_ = loaded_.empty() ? -1 : loaded_.type();
@@ -64,6 +75,14 @@ class SilhouetteExtractor::Impl {
     reset();
   }
 
+  void use(const SharedBackground& background) {
+    if (background && background->modes() != modesOf(options_))
+      throw std::invalid_argument("silhouette: the given background is not of the model " +
+                                  options_.model);
+    loaded_ = background ? *background : Background();
+    reset();
+  }
+
   int framesLearned() const { return frames_learned_; }
 
  private:
@@ -74,11 +93,31 @@ class SilhouetteExtractor::Impl {
     size_ = image.size();
     type_ = image.type();
     subtractor_ = makeSubtractor(options_, loaded_);
+    if (loaded_.empty() && canLearnFromRecording(options_))
+      live_.emplace(options_);
+  }
+
+  void learn(const cv::Mat& image) {
+    subtractor_->learn(image);
+    if (live_) live_->add(image);
+    if (++frames_learned_ < options_.background_frames) return;
+    subtractor_->finishLearning();
+    if (live_ && live_->isOccupied())
+      subtractor_ = makeSubtractor(options_, live_->learn());
+    else
+      live_.reset();
+  }
+
+  void addLive(const cv::Mat& image) {
+    live_->add(image);
+    if (live_->isDue()) subtractor_ = makeSubtractor(options_, live_->learn());
+    if (live_->isDone()) live_.reset();
   }
 
   SilhouetteOptions options_;
+  std::optional<LiveLearner> live_;         ///< as long as the background gets better
   std::unique_ptr<Subtractor> subtractor_;  ///< created at the first image
-  Background loaded_;                       ///< background from a file, as loaded; else empty
+  Background loaded_;                       ///< background from a file or given; else empty
   int frames_learned_ = 0;
   int stale_run_ = 0;  ///< number of images in a row that differ too much from the background
   cv::Size size_;
@@ -129,6 +168,10 @@ void SilhouetteExtractor::saveBackground(const std::string& path) const {
 
 void SilhouetteExtractor::loadBackground(const std::string& path) {
   impl_->load(path);
+}
+
+void SilhouetteExtractor::useBackground(const SharedBackground& background) {
+  impl_->use(background);
 }
 
 }  // namespace markerless_mocap

@@ -48,6 +48,40 @@ TEST(HullStatus, FullMaskNamesTheCameras) {
       "the mask of 'cam0', 'cam3' is full: no person can be separated from the background");
 }
 
+TEST(HullStatus, UnknownPixelsMayBePerson) {
+  std::vector<HullView> views = renderViews(makeRig(8), {Sphere()});
+  const size_t exact = carve(views).voxels.size();
+  cv::Mat& mask = views[0].mask;
+  mask.setTo(128, mask);
+  const VisualHull hull = carve(views);
+  EXPECT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_EQ(hull.voxels.size(), exact);
+  EXPECT_TRUE(hull.cameras_left_out.empty());
+}
+
+TEST(HullStatus, MasksThatAreMostlyUnknownDoNotVote) {
+  std::vector<HullView> views = renderViews(makeRig(8), {Sphere()}), without = views;
+  for (const size_t c : {1, 4}) {
+    cv::Mat& mask = views[c].mask;
+    mask(cv::Rect(0, 0, 80, 120)).setTo(128);
+    without[c].mask.release();
+  }
+  const VisualHull hull = carve(views), expected = carve(without);
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_EQ(hull.voxels.size(), expected.voxels.size());
+  ASSERT_EQ(hull.cameras_left_out.size(), 2u);
+  EXPECT_EQ(hull.cameras_left_out[1].name, "cam4");
+  EXPECT_EQ(hull.cameras_left_out[1].reason, "the background of 50 % of its image is not known");
+}
+
+TEST(HullStatus, TooFewViewsThatAreKnownAreNoHull) {
+  std::vector<HullView> views = renderViews(makeRig(4), {Sphere()});
+  for (HullView& view : views) view.mask.rowRange(0, 60).setTo(128);
+  const VisualHull hull = carve(views);
+  expectUnusable(hull, HullStatus::kNoCameras, "0 of 4 cameras are present, 2 are needed");
+  EXPECT_EQ(hull.cameras_left_out.size(), 4u);
+}
+
 TEST(HullStatus, SmallComponentIsNobody) {
   HullOptions options = makeOptions();
   options.min_component_litres = 400;

@@ -64,7 +64,9 @@ struct HullOptions {
 
 /// What one camera adds to a frame set. Both mats are empty if the camera's frame is missing.
 struct HullView {
-  cv::Mat mask;   ///< CV_8UC1, 0 | 255, size of the camera
+  /// CV_8UC1, size of the camera; each pixel that is not 0 may be person (255 is, 128 is unknown).
+  /// A mask of which more than a quarter is unknown does not vote.
+  cv::Mat mask;
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
 };
 

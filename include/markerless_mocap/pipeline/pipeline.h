@@ -46,7 +46,7 @@ void forEachStage(PipelineOptions& options, const Function& function) {
 /// The part of a frame set that comes from one camera. A mat is empty if it is missing.
 struct CameraFrame {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1
-  cv::Mat mask;   ///< CV_8UC1 0 | 255; if given, the background subtraction is skipped
+  cv::Mat mask;   ///< CV_8UC1 0 | 128 (unknown) | 255; if given, the background subtraction is skipped
 };
 
 /// Images or masks of all cameras at one time.
@@ -60,7 +60,7 @@ struct FrameSet {
 struct PipelineResult {
   bool learning = false;  ///< too few cameras have learned their background; all other members are
                           ///< empty
-  std::vector<cv::Mat> masks;  ///< one per camera, CV_8UC1 0 | 255; empty where missing
+  std::vector<cv::Mat> masks;  ///< one per camera, CV_8UC1 0 | 128 (unknown) | 255; empty where missing
   VisualHull hull;
   BodyParts parts;
   PoseTree tree;
@@ -92,6 +92,10 @@ class Pipeline {
   /// set. Source and sink run in parallel with the stages; each is called in the order of time and
   /// never concurrently with itself. Throws as process(), and what source and sink throw.
   void processStream(const Source& source, const Sink& sink);
+
+  /// Backgrounds from an earlier pass, one per camera, or none; nullptr: it is learned from the
+  /// first images. Throws std::invalid_argument if their number is wrong.
+  void useBackgrounds(const std::vector<SharedBackground>& backgrounds);
 
   const CameraRig& rig() const { return carver_.rig(); }
   /// The current body of the person; it changes after its shape has been estimated. Do not call

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "markerless_mocap/silhouette/recording_learner.h"
 #include "markerless_mocap/silhouette/silhouette_options.h"
 
 namespace markerless_mocap {
@@ -16,7 +17,10 @@ enum class SilhouetteState { kLearning, kReady, kStale };
 /// Result of one frame.
 struct SilhouetteResult {
   SilhouetteState state = SilhouetteState::kLearning;
-  cv::Mat mask;  ///< CV_8UC1, 0 | 255, empty while learning
+  /// CV_8UC1: 0 background, 255 person, 128 unknown (the background there has not been seen yet).
+  /// Empty while learning.
+  cv::Mat mask;
+  double unknown_fraction = 0;  ///< fraction of pixels that are unknown, 0 to 1
   /// Fraction of pixels that differ from the background, with shadows, 0 to 1.
   double changed_fraction = 0;
   double light_gain = 1;  ///< brightness of the image divided by the background's
@@ -34,11 +38,12 @@ class SilhouetteExtractor {
 
   /// \param image CV_8UC1 or CV_8UC3 (BGR), same size and type in every call; throws
   ///   std::invalid_argument otherwise. The background is learned from the first
-  ///   `background_frames` images, which show the empty scene or people who cross it.
+  ///   `background_frames` images. If somebody moves in them (option `background`), what these
+  ///   images do not show is unknown, and is learned later, as people move.
   SilhouetteResult update(const cv::Mat& image);
   /// Returns to the initial state: the background as it was loaded, or learning.
   void reset();
-  /// Discards the background, also a loaded one, and starts learning.
+  /// Discards the background, also a loaded or given one, and starts learning.
   void relearn();
   int framesLearned() const;
 
@@ -48,6 +53,9 @@ class SilhouetteExtractor {
   /// Loads a background instead of learning one. Throws std::invalid_argument with a message that
   /// names the file if it holds no background of this `model`.
   void loadBackground(const std::string& path);
+  /// Uses a background instead of learning one; nullptr: learns. Throws std::invalid_argument if it
+  /// is not of this `model`.
+  void useBackground(const SharedBackground& background);
 
  private:
   class Impl;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "markerless_mocap/products/mask_values.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
@@ -66,7 +67,9 @@ void SilhouetteCamera::process(const CameraImage& image) {
 void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image) {
   if (mask.type() != CV_8UC1)
     throw std::invalid_argument("the image is not a mask, allowed is one channel");
-  publishShared(publisher_, messageFromMat(mask > 0, image.header()));
+  cv::Mat plain = mask > 0;
+  plain.setTo(kUnknownPixel, mask == kUnknownPixel);
+  publishShared(publisher_, messageFromMat(plain, image.header()));
   status_.ok("masks are published");
 }
 
@@ -80,12 +83,17 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   publishShared(publisher_, messageFromMat(silhouette.mask, image.header()));
   const auto changed = uint64_t(std::lround(100 * silhouette.changed_fraction));
   const auto light = uint64_t(std::lround(100 * silhouette.light_gain));
+  const auto unknown = uint64_t(std::ceil(100 * silhouette.unknown_fraction));
+  status_.set("unknown pixels, per cent", unknown);
   status_.set("changed pixels, per cent", changed);
   status_.set("light, per cent of the background's", light);
   if (silhouette.state == SilhouetteState::kStale)
     status_.waiting("the background is stale: " + std::to_string(changed) +
                     " % of the image differ from it, the light is " + std::to_string(light) +
                     " % of what it was; masks are published, call learn_background");
+  else if (unknown > 0)
+    status_.ok("ready, masks are published; the background of " + std::to_string(unknown) +
+               " % of the image has not been seen yet, as somebody stood there");
   else
     status_.ok("ready, masks are published");
 }

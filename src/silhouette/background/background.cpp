@@ -32,7 +32,7 @@ bool isUsable(const FileHead& head) {
 
 template <class VectorT>
 std::streamsize bytesOf(const VectorT& values) {
-  return std::streamsize(values.size() * sizeof(values[0]));
+  return std::streamsize(values.size() * sizeof(typename VectorT::value_type));
 }
 
 }  // namespace
@@ -86,6 +86,7 @@ void Background::save(const std::string& path) const {
   file.write(reinterpret_cast<const char*>(&head), sizeof(head));
   file.write(reinterpret_cast<const char*>(mean_.data()), bytesOf(mean_));
   file.write(reinterpret_cast<const char*>(sigma_.data()), bytesOf(sigma_));
+  file.write(reinterpret_cast<const char*>(unknown_.words().data()), bytesOf(unknown_.words()));
   file.close();
   if (!file) throw std::invalid_argument("the background file " + path + " cannot be written");
 }
@@ -99,6 +100,11 @@ Background Background::load(const std::string& path) {
   Background background({head.width, head.height}, head.channels, head.modes);
   file.read(reinterpret_cast<char*>(background.mean_.data()), bytesOf(background.mean_));
   file.read(reinterpret_cast<char*>(background.sigma_.data()), bytesOf(background.sigma_));
+  if (file && file.peek() != std::ifstream::traits_type::eof()) {
+    background.unknown_.resize(background.size_);
+    std::vector<uint64_t>& words = background.unknown_.words();
+    file.read(reinterpret_cast<char*>(words.data()), bytesOf(words));
+  }
   if (!file || file.peek() != std::ifstream::traits_type::eof())
     throw std::invalid_argument("the background file " + path +
                                 " is shorter or longer than its head says");

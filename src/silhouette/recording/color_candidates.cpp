@@ -55,17 +55,6 @@ void addClusters(std::vector<cv::Vec3f> samples, PixelCandidates* pixel) {
   }
 }
 
-float deviationOf(const std::vector<cv::Vec3f>& samples) {
-  cv::Vec3f sum;
-  float squares = 0;
-  for (const cv::Vec3f& sample : samples) {
-    sum += sample;
-    squares += squared(sample);
-  }
-  const float n = float(samples.size());
-  return std::sqrt(std::max(0.0f, squares / n - squared(sum * (1 / n))) / 3);
-}
-
 }  // namespace
 
 std::vector<PixelCandidates> findCandidates(const SceneSamples& samples) {
@@ -80,7 +69,6 @@ std::vector<PixelCandidates> findCandidates(const SceneSamples& samples) {
         if (samples.moving[i].at<uint8_t>(y, x) == 0) still.push_back(all.back());
       }
       PixelCandidates& pixel = candidates[size_t(y) * samples.size.width + x];
-      pixel.deviation = deviationOf(all);
       addClusters(all, &pixel);
       if (still.size() < all.size()) addClusters(still, &pixel);
     }

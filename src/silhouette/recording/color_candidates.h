@@ -19,7 +19,6 @@ struct PixelCandidates {
   static constexpr int kMax = 6;
   std::array<ColorCandidate, kMax> colors;
   int count = 0;
-  float deviation = 0;  ///< of all samples, root mean square over channels, grey levels
 
   const ColorCandidate* begin() const { return colors.data(); }
   const ColorCandidate* end() const { return colors.data() + count; }

@@ -7,8 +7,16 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kReach = 4;  ///< known colours this near count, px
-constexpr float kMaxDistance = 22, kMaxCost = 14, kMinShare = 0.04f;
+constexpr float kMaxDistance = 22, kMaxCost = 7,  kMinShare = 0.04f;
 constexpr float kShareWeight = 4, kUsualShare = 0.5f, kPersonWeight = 3, kMaxLogRatio = 3;
+
+constexpr float kMinShade = 0.6f, kMaxShade = 0.95f, kMaxResidual = 10, kMinLitShare = 0.06f;
+constexpr float kMaxLitDistance = 14, kMaxLitRatio = 0;
+
+bool isShadeOf(const cv::Vec3f& dark, const cv::Vec3f& bright) {
+  const float ratio = dark.dot(bright) / bright.dot(bright);
+  return ratio > kMinShade && ratio < kMaxShade && cv::norm(dark - bright * ratio) < kMaxResidual;
+}
 
 class Flood {
  public:
@@ -68,7 +76,19 @@ class Flood {
       best_cost = cost;
       best = &candidate;
     }
-    return best;
+    return best ? lit(p, best) : nullptr;
+  }
+
+  /// Where a pixel is often in shadow, its background is the brighter colour.
+  const ColorCandidate* lit(const cv::Point& p, const ColorCandidate* chosen) const {
+    const ColorCandidate* brightest = chosen;
+    for (const ColorCandidate& candidate : candidates_[indexOf(p)])
+      if (candidate.share >= kMinLitShare && isShadeOf(chosen->color, candidate.color) &&
+          cv::norm(candidate.color) > cv::norm(brightest->color) &&
+          person_.logRatio(candidate.color) <= kMaxLitRatio &&
+          distanceToKnown(p, candidate.color) <= kMaxLitDistance)
+        brightest = &candidate;
+    return brightest;
   }
 
   float distanceToKnown(const cv::Point& p, const cv::Vec3f& color) const {

@@ -10,37 +10,15 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr float kMinShade = 0.6f, kMaxShade = 0.95f, kMaxResidual = 10, kMinLitShare = 0.06f;
 constexpr float kSureShare = 0.85f;
 constexpr int kMaxSpeck = 12;  ///< px
 
-SceneColors surelySeen(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept,
-                       const cv::Mat& still) {
-  SceneColors scene{cv::Mat(swept.size(), CV_32FC3), (swept == 0) | still};
+SceneColors surelySeen(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept) {
+  SceneColors scene{cv::Mat(swept.size(), CV_32FC3), swept == 0};
   for (int y = 0; y < swept.rows; ++y)
     for (int x = 0; x < swept.cols; ++x)
       scene.color.at<cv::Vec3f>(y, x) = candidates[size_t(y) * swept.cols + x].colors[0].color;
   return scene;
-}
-
-bool isShadeOf(const cv::Vec3f& dark, const cv::Vec3f& bright) {
-  const float ratio = dark.dot(bright) / bright.dot(bright);
-  return ratio > kMinShade && ratio < kMaxShade && cv::norm(dark - bright * ratio) < kMaxResidual;
-}
-
-/// Where a pixel is often in shadow, its background is the brighter colour.
-void removeShadows(const std::vector<PixelCandidates>& candidates, SceneColors* scene) {
-  for (int y = 0; y < scene->known.rows; ++y)
-    for (int x = 0; x < scene->known.cols; ++x) {
-      if (!scene->known.at<uint8_t>(y, x)) continue;
-      cv::Vec3f& color = scene->color.at<cv::Vec3f>(y, x);
-      cv::Vec3f lit = color;
-      for (const ColorCandidate& candidate : candidates[size_t(y) * scene->known.cols + x])
-        if (candidate.share >= kMinLitShare && isShadeOf(color, candidate.color) &&
-            cv::norm(candidate.color) > cv::norm(lit))
-          lit = candidate.color;
-      color = lit;
-    }
 }
 
 void acceptSureColors(const std::vector<PixelCandidates>& candidates, const PersonColors& person,
@@ -81,13 +59,12 @@ void fillSpecks(SceneColors* scene) {
 SceneColors learnSceneColors(const SceneSamples& samples) {
   const std::vector<PixelCandidates> candidates = findCandidates(samples);
   const cv::Mat swept = sweptRegion(samples, candidates);
-  const SceneColors seeds = surelySeen(candidates, swept, stillPixels(candidates, swept));
+  const SceneColors seeds = surelySeen(candidates, swept);
   PersonColors person;
   SceneColors scene;
   for (int round = 0; round < 2; ++round) {
     scene = {seeds.color.clone(), seeds.known.clone()};
     floodInward(candidates, person, &scene);
-    removeShadows(candidates, &scene);
     person = PersonColors(samples, scene, swept);
   }
   acceptSureColors(candidates, person, &scene);
@@ -116,6 +93,7 @@ class PixelStatistics {
     float sums[3] = {}, squares = 0;
     count_ = 0;
     for (int i = 0; i < samples_.count(); ++i) {
+      if (samples_.images[i].empty()) continue;
       const uint8_t* pixel = samples_.images[i].ptr(y) + x * channels_;
       float difference[3], distance = 0;
       for (int c = 0; c < channels_; ++c) {
@@ -146,24 +124,22 @@ class PixelStatistics {
 
 }  // namespace
 
-Background learnFromRecording(const SceneSamples& samples, int modes) {
+Background learnFromRecording(const SceneSamples& samples) {
   const SceneColors scene = learnSceneColors(samples);
-  const cv::Size size = samples.images[0].size();
-  const int channels = samples.images[0].channels();
+  const cv::Size size = samples.image_size;
+  const int channels = samples.image_channels;
   cv::Mat color, known;
   cv::resize(scene.color, color, size, 0, 0, cv::INTER_LINEAR);
   cv::resize(scene.known, known, size, 0, 0, cv::INTER_NEAREST);
-  Background background(size, channels, modes);
+  Background background(size, channels, 1);
   BitMask unknown(size);
   PixelStatistics pixel(samples, channels);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       if (!known.at<uint8_t>(y, x)) unknown.set(x, y);
       pixel.measure(x, y, color.at<cv::Vec3f>(y, x).val);
-      for (int k = 0; k < modes; ++k) {
-        for (int c = 0; c < channels; ++c) background.mean(k, y, c)[x] = fixed(pixel.mean[c]);
-        background.sigma(k, y)[x] = fixed(pixel.sigma);
-      }
+      for (int c = 0; c < channels; ++c) background.mean(0, y, c)[x] = fixed(pixel.mean[c]);
+      background.sigma(0, y)[x] = fixed(pixel.sigma);
     }
   if (unknown.count() > 0) background.setUnknown(std::move(unknown));
   return background;

@@ -11,8 +11,7 @@ namespace markerless_mocap {
 SceneColors learnSceneColors(const SceneSamples& samples);
 
 /// The background from a recording in which nobody need ever leave the scene. Pixels whose
-/// background is never seen, or may be a person who stands still, are unknown.
-/// \param modes of the result; a pixel has one colour, which all modes repeat
-Background learnFromRecording(const SceneSamples& samples, int modes);
+/// background is never seen, or may be a person who stands still, are unknown. One mode.
+Background learnFromRecording(const SceneSamples& samples);
 
 }  // namespace markerless_mocap

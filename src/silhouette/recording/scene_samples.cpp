@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 #include "silhouette/background/light_gain.h"
 
@@ -11,24 +12,14 @@ namespace {
 
 /// Learning needs no more detail than this many pixels show.
 constexpr int kMaxPixels = 160000;
-/// Twice as many samples are kept before every second one is dropped.
+/// Samples; twice as many are kept before every second one is dropped.
 constexpr int kSamples = 36;
-constexpr size_t kMaxBytes = size_t(160) << 20;
-constexpr int kMinSamples = 12;
+constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are kept
 /// An image is compared with those so many frames before and after it.
 constexpr std::array<int, 2> kApart = {3, 8};
 constexpr int kReach = 8;
 constexpr double kMotion = 12;  ///< grey levels
 constexpr int kSmooth = 5, kClose = 9, kDilate = 5;
-
-cv::Mat smallCopy(const cv::Mat& image) {
-  int factor = 1;
-  while (image.total() / size_t(factor * factor) > kMaxPixels) factor *= 2;
-  cv::Mat small;
-  cv::resize(image, small, {image.cols / factor, image.rows / factor}, 0, 0, cv::INTER_AREA);
-  if (small.channels() == 1) cv::cvtColor(small, small, cv::COLOR_GRAY2BGR);
-  return small;
-}
 
 cv::Mat ellipse(int side) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
@@ -41,11 +32,13 @@ void markDifference(const cv::Mat& a, const cv::Mat& b, cv::Mat* moving) {
   *moving |= cv::max(planes[0], cv::max(planes[1], planes[2])) > kMotion;
 }
 
-size_t budget(const cv::Mat& image) {
-  const size_t fitting = kMaxBytes / (image.total() * image.elemSize());
-  return std::clamp<size_t>(fitting, kMinSamples, 2 * kSamples);
+/// Of so many samples, one keeps its whole image.
+int wholeImageStride(const cv::Mat& image) {
+  const size_t all = 2 * kSamples * image.total() * image.elemSize();
+  return int((all + kMaxBytes - 1) / kMaxBytes);
 }
 
+/// Median of each pixel and channel.
 cv::Mat medianOf(const std::vector<cv::Mat>& images) {
   cv::Mat median(images[0].size(), CV_8UC3);
   std::vector<uint8_t> values(images.size());
@@ -60,36 +53,61 @@ cv::Mat medianOf(const std::vector<cv::Mat>& images) {
 
 }  // namespace
 
+cv::Mat smallCopy(const cv::Mat& image) {
+  int factor = 1;
+  while (image.total() / size_t(factor * factor) > kMaxPixels) factor *= 2;
+  cv::Mat small;
+  cv::resize(image, small, {image.cols / factor, image.rows / factor}, 0, 0, cv::INTER_AREA);
+  if (small.channels() == 1) cv::cvtColor(small, small, cv::COLOR_GRAY2BGR);
+  return small;
+}
+
+bool SceneSampler::wantsNext() const {
+  for (const int apart : {0, kApart[0], kApart[1], -kApart[0], -kApart[1]})
+    if (seen_ + apart >= 0 && (seen_ + apart) % stride_ == 0) return true;
+  return false;
+}
+
 void SceneSampler::add(const cv::Mat& image) {
-  Frame frame{image.clone(), smallCopy(image), {}};
-  cv::blur(frame.small, frame.smooth, {kSmooth, kSmooth});
+  Frame frame;
+  if (!image.empty()) {
+    image_size_ = image.size();
+    image_channels_ = image.channels();
+    frame = {image.clone(), smallCopy(image), {}};
+    cv::blur(frame.small, frame.smooth, {kSmooth, kSmooth});
+  }
   recent_.push_back(std::move(frame));
   ++seen_;
   if (seen_ > kReach) keep(seen_ - 1 - kReach);
   if (recent_.size() > 2 * kReach) recent_.pop_front();
 }
 
-const cv::Mat* SceneSampler::smoothAt(int index) const {
+const SceneSampler::Frame* SceneSampler::frameAt(int index) const {
   const int first = seen_ - int(recent_.size());
-  return index >= first && index < seen_ ? &recent_[index - first].smooth : nullptr;
+  if (index < first || index >= seen_ || recent_[index - first].image.empty()) return nullptr;
+  return &recent_[index - first];
 }
 
 cv::Mat SceneSampler::movingAt(int index) const {
-  const cv::Mat& now = *smoothAt(index);
+  const cv::Mat& now = frameAt(index)->smooth;
   cv::Mat moving = cv::Mat::zeros(now.size(), CV_8UC1);
   for (const int apart : kApart)
     for (const int other : {index - apart, index + apart})
-      if (const cv::Mat* smooth = smoothAt(other)) markDifference(now, *smooth, &moving);
+      if (const Frame* frame = frameAt(other)) markDifference(now, frame->smooth, &moving);
   cv::morphologyEx(moving, moving, cv::MORPH_CLOSE, ellipse(kClose));
   cv::dilate(moving, moving, ellipse(kDilate));
   return moving;
 }
 
 void SceneSampler::keep(int index) {
-  if (index % stride_ != 0) return;
-  const Frame& frame = recent_[index - (seen_ - int(recent_.size()))];
-  kept_.push_back({index, frame.image, frame.small, movingAt(index)});
-  if (kept_.size() < budget(frame.image)) return;
+  const Frame* frame = frameAt(index);
+  if (index % stride_ != 0 || !frame) return;
+  const bool is_whole = index / stride_ % wholeImageStride(frame->image) == 0;
+  kept_.push_back({index, is_whole ? frame->image : cv::Mat(), frame->small, movingAt(index)});
+  if (kept_.size() >= 2 * kSamples) thinOut();
+}
+
+void SceneSampler::thinOut() {
   stride_ *= 2;
   kept_.erase(std::remove_if(kept_.begin(), kept_.end(),
                              [&](const Kept& kept) { return kept.index % stride_ != 0; }),
@@ -99,6 +117,8 @@ void SceneSampler::keep(int index) {
 SceneSamples SceneSampler::samples(bool compensate_flicker) const {
   SceneSampler all = *this;
   for (int index = std::max(0, seen_ - kReach); index < seen_; ++index) all.keep(index);
+  if (all.kept_.empty())
+    throw std::invalid_argument("silhouette: there is no image to learn the background from");
   SceneSamples samples;
   for (const Kept& kept : all.kept_) {
     samples.images.push_back(kept.image);
@@ -106,6 +126,8 @@ SceneSamples SceneSampler::samples(bool compensate_flicker) const {
     samples.moving.push_back(kept.moving);
   }
   samples.size = samples.colors[0].size();
+  samples.image_size = image_size_;
+  samples.image_channels = image_channels_;
   const cv::Mat median = medianOf(samples.colors);
   for (cv::Mat& color : samples.colors) {
     samples.gains.push_back(

@@ -8,23 +8,33 @@ namespace markerless_mocap {
 
 /// Images of a recording, evenly spread over it, and what moves in them.
 struct SceneSamples {
-  /// CV_8UC3, of `size`, in the light of the median image.
-  std::vector<cv::Mat> colors;
+  cv::Size size;                ///< of the copies that are worked on: the images' or smaller
+  std::vector<cv::Mat> colors;  ///< CV_8UC3 of `size`, in the light of the median image
   std::vector<cv::Mat> moving;  ///< CV_8UC1 of `size`; non-zero: something moves here
-  std::vector<cv::Mat> images;  ///< as they came
+  cv::Size image_size;
+  int image_channels = 0;
+  std::vector<cv::Mat> images;  ///< as they came; some are empty if all would need much memory
   std::vector<float> gains;     ///< light of the images relative to the median image
-  cv::Size size;                ///< of the copies that are worked on; the images' or smaller
 
-  int count() const { return int(images.size()); }
+  int count() const { return int(colors.size()); }
 };
 
-/// Collects the samples from the stream of all images.
+/// Copy of an image with at most 160000 pixels, CV_8UC3.
+cv::Mat smallCopy(const cv::Mat& image);
+
+/// Collects samples from a stream of images.
 class SceneSampler {
  public:
-  /// \param image CV_8UC1 or CV_8UC3, always the same size and type
+  /// \param stride one image in so many becomes a sample; doubled whenever there are too many
+  explicit SceneSampler(int stride = 1) : stride_(stride) {}
+
+  /// Whether the next image is needed, for a sample or for what moves in one.
+  bool wantsNext() const;
+  /// \param image CV_8UC1 or CV_8UC3, always the same size and type; empty: it is missing
   void add(const cv::Mat& image);
   int seen() const { return seen_; }
-  /// At least one image must have been added.
+  bool empty() const { return recent_.empty(); }
+  /// Throws std::invalid_argument if no image has been added.
   SceneSamples samples(bool compensate_flicker) const;
 
  private:
@@ -37,10 +47,13 @@ class SceneSampler {
   };
 
   void keep(int index);
+  void thinOut();
+  const Frame* frameAt(int index) const;
   cv::Mat movingAt(int index) const;
-  const cv::Mat* smoothAt(int index) const;
 
-  int seen_ = 0, stride_ = 1;
+  int seen_ = 0, stride_;
+  cv::Size image_size_;
+  int image_channels_ = 0;
   std::deque<Frame> recent_;  ///< the last of them is image seen_ - 1
   std::vector<Kept> kept_;
 };

@@ -1,7 +1,5 @@
 #include "silhouette/recording/swept_region.h"
 
-#include <algorithm>
-#include <array>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -11,8 +9,6 @@ constexpr float kDeviation = 16;  ///< grey levels
 constexpr int kMinSamples = 2;
 constexpr int kClose = 9, kDilate = 7, kOpen = 3;
 constexpr int kMinArea = 60;
-constexpr float kNoiseFactor = 1.5f;
-constexpr int kBins = 16;  ///< of brightness
 
 cv::Mat ellipse(int side) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
@@ -32,33 +28,6 @@ cv::Mat oftenDifferent(const SceneSamples& samples,
   return different;
 }
 
-int binOf(const PixelCandidates& pixel) {
-  const cv::Vec3f& color = pixel.colors[0].color;
-  return std::clamp(int((color[0] + color[1] + color[2]) / 3 * kBins / 256), 0, kBins - 1);
-}
-
-/// Median deviation of the pixels outside of `swept`, by brightness.
-std::array<float, kBins> noiseByBrightness(const std::vector<PixelCandidates>& candidates,
-                                           const cv::Mat& swept) {
-  std::array<std::vector<float>, kBins> deviations;
-  std::vector<float> all = {1};
-  for (size_t i = 0; i < candidates.size(); ++i) {
-    if (swept.data[i]) continue;
-    deviations[binOf(candidates[i])].push_back(candidates[i].deviation);
-    all.push_back(candidates[i].deviation);
-  }
-  const auto median = [](std::vector<float>& values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  };
-  std::array<float, kBins> noise;
-  constexpr size_t kEnough = 50;
-  const float overall = median(all);
-  for (int i = 0; i < kBins; ++i)
-    noise[i] = deviations[i].size() < kEnough ? overall : median(deviations[i]);
-  return noise;
-}
-
 }  // namespace
 
 cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidates>& candidates) {
@@ -76,15 +45,6 @@ cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidat
   }
   cv::dilate(swept, swept, ellipse(kDilate));
   return swept;
-}
-
-cv::Mat stillPixels(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept) {
-  const std::array<float, kBins> noise = noiseByBrightness(candidates, swept);
-  cv::Mat still(swept.size(), CV_8UC1);
-  for (size_t i = 0; i < candidates.size(); ++i)
-    still.data[i] = candidates[i].deviation < kNoiseFactor * noise[binOf(candidates[i])] ? 255 : 0;
-  cv::morphologyEx(still, still, cv::MORPH_OPEN, ellipse(kOpen));
-  return still;
 }
 
 }  // namespace markerless_mocap

@@ -11,8 +11,4 @@ namespace markerless_mocap {
 /// the most frequent colour is the background.
 cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidates>& candidates);
 
-/// Pixels of constant colour: CV_8UC1. They show the background always, or a person who stands
-/// still.
-cv::Mat stillPixels(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept);
-
 }  // namespace markerless_mocap

@@ -142,7 +142,7 @@ void Recording::readMessage() {
   ++messages_read_;
 }
 
-std::optional<FrameSet> Recording::next() {
+std::optional<FrameSet> Recording::next(bool decode) {
   if (!view_) startReading();
   while (ready_.empty() && message_ != view_->end()) readMessage();
   if (ready_.empty())
@@ -151,20 +151,25 @@ std::optional<FrameSet> Recording::next() {
   if (ready_.empty()) return std::nullopt;
   const Assembler::FrameSet frame_set = std::move(ready_.front());
   ready_.pop_front();
-  return frameSetOf(frame_set);
+  return frameSetOf(frame_set, decode);
+}
+
+int Recording::expectedFrameSets() {
+  if (!view_) startReading();
+  return int(view_->size() / streams_.size());
 }
 
 double Recording::fractionRead() const {
   return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
 }
 
-FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
+FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set, bool decode) {
   FrameSet out;
   out.stamp_ns = frame_set.stamp_ns;
   out.frames.resize(cameras_.size());
   out.owner = frame_set.items;
   for (size_t i = 0; i < streams_.size(); ++i) {
-    if (!frame_set.present[i]) continue;
+    if (!decode || !frame_set.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];
     try {
       (streams_[i].is_mask ? frame.mask : frame.image) =

@@ -58,7 +58,10 @@ class Recording {
 
   /// The next frame set in the order of time; empty after the last one. Missing frames are empty.
   /// Throws std::runtime_error if there are no images after the start, or if the bag is damaged.
-  std::optional<FrameSet> next();
+  /// \param decode false: the images are left out
+  std::optional<FrameSet> next(bool decode = true);
+  /// About as many frame sets as the recording has; 0 if it has none.
+  int expectedFrameSets();
   /// Fraction of the recording that has been read, 0 to 1.
   double fractionRead() const;
 
@@ -80,7 +83,7 @@ class Recording {
   void listStreams();
   void startReading();
   void readMessage();
-  FrameSet frameSetOf(const Assembler::FrameSet& frame_set);
+  FrameSet frameSetOf(const Assembler::FrameSet& frame_set, bool decode);
 
   RecordingOptions options_;
   rosbag::Bag bag_;

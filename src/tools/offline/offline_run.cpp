@@ -9,6 +9,7 @@
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 #include "tools/common/progress.h"
+#include "tools/offline/recording_backgrounds.h"
 #include "tools/offline/result_writer.h"
 #include "tools/offline/run_report.h"
 
@@ -53,19 +54,22 @@ void saveBody(const OfflineOptions& options, const TrackedBody& body) {
 
 }  // namespace
 
-std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording) {
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording,
+                                     bool decode) {
   if (options.interrupted())
     throw std::runtime_error("interrupted, " + options.output + " is not written");
-  return recording->next();
+  return recording->next(decode);
 }
 
-void measureBody(const OfflineOptions& options, PersonResources* resources, std::ostream* notes) {
+void measureBody(const OfflineOptions& options, const std::vector<SharedBackground>& backgrounds,
+                 PersonResources* resources, std::ostream* notes) {
   RecordingOptions beginning = options.recording;
   beginning.duration = std::min(beginning.duration, kMaxMeasuringSeconds);
   Recording recording(options.input, beginning);
   PipelineOptions stages = options.pipeline;
   stages.fitting.method = "contour";  // the only method that estimates the shape
   Pipeline pipeline(recording.rig(), *resources, stages);
+  pipeline.useBackgrounds(backgrounds);
   std::atomic<bool> measured = false;
   pipeline.processStream(
       [&] { return measured ? std::nullopt : nextFrameSet(options, &recording); },
@@ -87,12 +91,16 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   Recording recording(options.input, options.recording);
   PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
-  PipelineOptions stages = options.pipeline;
+  OfflineOptions with_backgrounds = options;
+  const std::vector<SharedBackground> backgrounds =
+      learnBackgrounds(options, &with_backgrounds.pipeline, notes);
+  PipelineOptions stages = with_backgrounds.pipeline;
   if (stages.fitting.person.measure && needsOf(stages.fitting.method).masks &&
       !resources.known_shape)
-    measureBody(options, &resources, notes);
+    measureBody(with_backgrounds, backgrounds, &resources, notes);
   stages.fitting.person.measure = false;
   Pipeline pipeline(recording.rig(), resources, stages);
+  pipeline.useBackgrounds(backgrounds);
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary;
 

@@ -26,15 +26,18 @@ struct OfflineOptions {
   std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set
 };
 
-/// The next frame set of the recording. Throws as Recording::next(), and std::runtime_error if the
+/// The next frame set of the recording, with or without its images. Throws as Recording::next(), and std::runtime_error if the
 /// run was interrupted.
-std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording);
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording,
+                                     bool decode = true);
 
 /// Processes the first seconds of a recording until the shape of the body is estimated, so that the
 /// whole recording can be processed with it. Throws as runOffline().
+/// \param backgrounds as Pipeline::useBackgrounds()
 /// \param resources receives the shape if it could be estimated
 /// \param notes stream for the result; nullptr: none
-void measureBody(const OfflineOptions& options, PersonResources* resources, std::ostream* notes);
+void measureBody(const OfflineOptions& options, const std::vector<SharedBackground>& backgrounds,
+                 PersonResources* resources, std::ostream* notes);
 
 /// Runs all stages over a bag and writes the results to another bag. The same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or

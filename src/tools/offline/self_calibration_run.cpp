@@ -7,6 +7,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
+#include "tools/offline/recording_backgrounds.h"
 
 namespace markerless_mocap {
 namespace {
@@ -64,14 +65,18 @@ std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
 
 OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file) {
   PersonResources resources = readPersonResources(run.body_id, run.urdf_template, run.body_file);
-  if (!resources.known_shape) measureBody(run, &resources, nullptr);
-  PipelineOptions stages = run.pipeline;
+  OfflineOptions with_backgrounds = run;
+  const std::vector<SharedBackground> backgrounds =
+      learnBackgrounds(run, &with_backgrounds.pipeline, nullptr);
+  if (!resources.known_shape) measureBody(with_backgrounds, backgrounds, &resources, nullptr);
+  PipelineOptions stages = with_backgrounds.pipeline;
   stages.fitting.method = "contour";
   stages.fitting.person.measure = false;
   RecordingOptions beginning = run.recording;
   beginning.duration = std::min(beginning.duration, kMaxSeconds);
   Recording recording(run.input, beginning);
   Pipeline pipeline(recording.rig(), resources, stages);
+  pipeline.useBackgrounds(backgrounds);
   const ShapeParameters shape = pipeline.body()->shape;
   PostureCollector collector(pipeline, stages.fitting.contour);
   pipeline.processStream(

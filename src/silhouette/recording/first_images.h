@@ -1,0 +1,19 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "silhouette/recording/scene_samples.h"
+
+namespace markerless_mocap {
+
+/// Whether something as large as a person moves in the images.
+bool showMotion(const SceneSamples& samples);
+
+/// Whether something stood in the first images that later is gone: a region which is constant
+/// later on, but differs from the first images. People who come later leave no such region, as they
+/// move.
+/// \param later CV_8UC3 of the samples' size
+bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& later);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "markerless_mocap/silhouette/silhouette_options.h"
+#include "silhouette/background/background.h"
+#include "silhouette/recording/scene_samples.h"
+
+namespace markerless_mocap {
+
+/// Learns the background of a scene that people do not leave while they are watched: from the first
+/// images, and again from all images so far after two, four, ... times as many.
+class LiveLearner {
+ public:
+  explicit LiveLearner(const SilhouetteOptions& options);
+
+  /// \param image CV_8UC1 or CV_8UC3, always the same size and type
+  void add(const cv::Mat& image);
+  /// Whether something moves in the images so far, or option `background` is `recording`.
+  bool isOccupied() const;
+  /// Whether the background should be learned again now.
+  bool isDue() const { return sampler_.seen() == next_; }
+  /// Whether it need not be learned again.
+  bool isDone() const { return next_ > last_; }
+  Background learn();
+
+ private:
+  SilhouetteOptions options_;
+  SceneSampler sampler_;
+  int next_, last_;  ///< numbers of images
+};
+
+}  // namespace markerless_mocap
