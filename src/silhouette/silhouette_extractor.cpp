@@ -26,12 +26,15 @@ cv::Mat maskOf(const Extraction& found) {
 
 class SilhouetteExtractor::Impl {
  public:
-  explicit Impl(const SilhouetteOptions& options) : options_(options) { options_.validate(); }
+  explicit Impl(const SilhouetteOptions& options) : options_(options) {
+    options_.validate();
+    if (!learns()) subtractor_ = makeSubtractor(options_, {});  // a fault of the file is told now
+  }
 
   SilhouetteResult update(const cv::Mat& image) {
     checkImage(image);
-    if (!subtractor_) begin(image);
-    if (frames_learned_ < options_.background_frames && loaded_.empty()) {
+    if (!subtractor_ || type_ < 0) begin(image);
+    if (learns() && frames_learned_ < options_.background_frames && loaded_.empty()) {
       learn(image);
       return {};
     }
@@ -42,7 +45,7 @@ class SilhouetteExtractor::Impl {
   }
 
   void reset() {
-    subtractor_.reset();
+    if (learns()) subtractor_.reset();
     live_.reset();
     frames_learned_ = stale_run_ = 0;
     size_ = loaded_.size();
@@ -89,10 +92,13 @@ class SilhouetteExtractor::Impl {
   void checkImage(const cv::Mat& image) const;
   SilhouetteState stateAfter(const Extraction& found);
 
+  /// Whether the model has a background.
+  bool learns() const { return options_.model != "network"; }
+
   void begin(const cv::Mat& image) {
     size_ = image.size();
     type_ = image.type();
-    subtractor_ = makeSubtractor(options_, loaded_);
+    if (learns()) subtractor_ = makeSubtractor(options_, loaded_);
     if (loaded_.empty() && canLearnFromRecording(options_))
       live_.emplace(options_);
   }
@@ -129,9 +135,9 @@ void SilhouetteExtractor::Impl::checkImage(const cv::Mat& image) const {
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
     throw std::invalid_argument("silhouette: the image must be 8 bit grey or BGR");
   if (type_ >= 0 && (image.size() != size_ || image.type() != type_))
-    throw std::invalid_argument("silhouette: the image is " +
-                                described(image.size(), image.type()) + ", the background is " +
-                                described(size_, type_));
+    throw std::invalid_argument(
+        "silhouette: the image is " + described(image.size(), image.type()) +
+        (learns() ? ", the background is " : ", the first one was ") + described(size_, type_));
 }
 
 SilhouetteState SilhouetteExtractor::Impl::stateAfter(const Extraction& found) {

@@ -3,9 +3,10 @@
 namespace markerless_mocap {
 
 void SilhouetteOptions::visit(OptionVisitor& v) {
-  v.field("model", model, {"gaussian", "mean_shift", "mog2", "knn"},
+  v.field("model", model, {"gaussian", "mean_shift", "mog2", "knn", "network"},
           "background model; gaussian: one colour per pixel; mean_shift: several (Hsiao 2008); "
-          "mog2, knn: OpenCV's, for comparison");
+          "mog2, knn: OpenCV's, for comparison; network: no background, a network that segments "
+          "people");
   v.field("background", background, {"auto", "first_images", "recording"},
           "what the background is learned from; first_images: the first `background_frames`; "
           "recording: all images, where nobody need leave the scene; auto: the first images if "
@@ -44,6 +45,7 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "shows that the background is out of date");
   v.field("stale_frames", stale_frames, 1, 100000,
           "number of successive such images after which the background is reported as out of date");
+  v.section("network", network, "the model network: an ONNX file and how to run it");
 }
 
 void SilhouetteOptions::validate() const {

@@ -90,6 +90,7 @@ class OptionComments : public testing::Test {
 
 TEST_F(OptionComments, AreTheMeaningsThatTheLoaderGives) {
   expectSame<SilhouetteOptions>("SilhouetteOptions");
+  expectSame<NetworkOptions>("NetworkOptions");
   expectSame<HullOptions>("HullOptions");
   expectSame<SegmentationOptions>("SegmentationOptions");
   expectSame<PoseTreeOptions>("PoseTreeOptions");

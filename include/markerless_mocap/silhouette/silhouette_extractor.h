@@ -21,16 +21,18 @@ struct SilhouetteResult {
   /// Empty while learning.
   cv::Mat mask;
   double unknown_fraction = 0;  ///< fraction of pixels that are unknown, 0 to 1
-  /// Fraction of pixels that differ from the background, with shadows, 0 to 1.
+  /// Fraction of pixels that differ from the background, with shadows, 0 to 1; 0 for a network.
   double changed_fraction = 0;
   double light_gain = 1;  ///< brightness of the image divided by the background's
 };
 
-/// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up.
+/// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up. The
+/// model `network` has no background and gives masks from the first image on.
 /// Not thread-safe; one object per camera.
 class SilhouetteExtractor {
  public:
-  /// Throws std::invalid_argument as SilhouetteOptions::validate().
+  /// Throws std::invalid_argument as SilhouetteOptions::validate(), and with a message that names the
+  /// file if the network cannot be loaded or gives an output of another shape than the options say.
   explicit SilhouetteExtractor(const SilhouetteOptions& options);
   ~SilhouetteExtractor();
   SilhouetteExtractor(SilhouetteExtractor&&) noexcept;
@@ -48,7 +50,7 @@ class SilhouetteExtractor {
   int framesLearned() const;
 
   /// Throws std::invalid_argument with a message that names the file: while learning, if the file
-  /// cannot be written, or if `model` is OpenCV's, which cannot be saved.
+  /// cannot be written, or if `model` is OpenCV's or a network, which cannot be saved.
   void saveBackground(const std::string& path) const;
   /// Loads a background instead of learning one. Throws std::invalid_argument with a message that
   /// names the file if it holds no background of this `model`.

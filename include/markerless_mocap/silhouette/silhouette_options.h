@@ -3,6 +3,7 @@
 #include <string>
 
 #include "markerless_mocap/options/options.h"
+#include "markerless_mocap/silhouette/network_options.h"
 
 namespace markerless_mocap {
 
@@ -10,7 +11,7 @@ namespace markerless_mocap {
 struct SilhouetteOptions {
   static constexpr const char* kStage = "silhouette";
   /// background model; gaussian: one colour per pixel; mean_shift: several (Hsiao 2008); mog2, knn:
-  /// OpenCV's, for comparison
+  /// OpenCV's, for comparison; network: no background, a network that segments people
   std::string model = "gaussian";
   /// what the background is learned from; first_images: the first `background_frames`; recording:
   /// all images, where nobody need leave the scene; auto: the first images if nobody is in them,
@@ -48,6 +49,8 @@ struct SilhouetteOptions {
   double stale_fraction = 0.5;
   /// number of successive such images after which the background is reported as out of date
   int stale_frames = 60;
+  /// the model network: an ONNX file and how to run it
+  NetworkOptions network;
 
   void visit(OptionVisitor& v);
   /// Throws std::invalid_argument naming key, value and allowed range.

@@ -152,6 +152,7 @@ int modesOf(const SilhouetteOptions& options) {
 
 std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,
                                            const Background& background) {
+  if (options.model == "network") return makeNetworkSubtractor(options);
   if (modesOf(options) == 0) return makeOpenCvSubtractor(options);
   return std::make_unique<ModelSubtractor>(options, background);
 }

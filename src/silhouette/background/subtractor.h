@@ -33,7 +33,9 @@ class Subtractor {
 std::unique_ptr<Subtractor> makeSubtractor(const SilhouetteOptions& options,
                                            const Background& background);
 std::unique_ptr<Subtractor> makeOpenCvSubtractor(const SilhouetteOptions& options);
-/// Number of modes per pixel of a model; 0 for OpenCV's models.
+/// Needs no learning. Throws as PersonNet.
+std::unique_ptr<Subtractor> makeNetworkSubtractor(const SilhouetteOptions& options);
+/// Number of modes per pixel of a model; 0 for OpenCV's models and for a network.
 int modesOf(const SilhouetteOptions& options);
 
 }  // namespace markerless_mocap
