@@ -18,13 +18,14 @@ StudioOptions validated(const StudioOptions& options) {
   return options;
 }
 
-/// Times while the shutter is open, evenly spaced around `seconds`.
-std::vector<double> shutterTimes(double seconds, double exposure_ms) {
+/// Times while the shutter is open, evenly spaced around its middle.
+std::vector<FilmTime> shutterTimes(const FilmTime& middle, double exposure_ms) {
   constexpr double kStepMs = 4.0;  // a hand at 5 m/s moves 2 cm in this time
-  if (exposure_ms == 0.0) return {seconds};
+  if (exposure_ms == 0.0) return {middle};
   const int half = std::max(1, int(std::ceil(0.5 * exposure_ms / kStepMs)));
-  std::vector<double> times;
-  for (int i = -half; i <= half; ++i) times.push_back(seconds + 0.5e-3 * exposure_ms * i / half);
+  std::vector<FilmTime> times;
+  for (int i = -half; i <= half; ++i)
+    times.push_back(middle.later(0.5e-3 * exposure_ms * i / half));
   return times;
 }
 
@@ -32,12 +33,12 @@ std::vector<double> shutterTimes(double seconds, double exposure_ms) {
 class Exposure {
  public:
   Exposure(const StudioScene& cast, const StudioCameras& cameras, const StudioOptions& options,
-           double seconds, bool people) {
-    const auto times = shutterTimes(seconds, people ? options.degradations.exposure_ms : 0.0);
+           const FilmTime& middle) {
+    const auto times = shutterTimes(middle, middle.people ? options.degradations.exposure_ms : 0.0);
     std::vector<std::optional<LitScene>> made(times.size());
     tbb::parallel_for(size_t(0), times.size(), [&](size_t i) {
-      made[i].emplace(cameras.room(), cast.objectsAt(times[i], people),
-                      options.degradations.shadow_strength);
+      made[i].emplace(cameras.room(), cast.objectsAt(times[i]),
+                      options.degradations.shadow_strength, cast.lightAt(times[i]));
     });
     for (auto& scene : made) scenes_.push_back(std::move(*scene));
   }
@@ -58,8 +59,7 @@ VirtualStudio::VirtualStudio(const StudioOptions& options, const StudioFiles& fi
                              const std::string& body_id)
     : options_(validated(options)),
       cameras_(std::make_unique<StudioCameras>(options)),
-      scene_(std::make_unique<StudioScene>(options, files, cameras_->room().wallColor(), body_id)) {
-}
+      scene_(std::make_unique<StudioScene>(options, files, cameras_->room(), body_id)) {}
 
 VirtualStudio::~VirtualStudio() = default;
 
@@ -101,18 +101,19 @@ StudioFrameSet VirtualStudio::render(int index) const {
     frame_set.body = scene_->bodyAt(frame);
     frame_set.points = scene_->pointsAt(seconds);
   }
-  film(index, seconds, &frame_set);
+  const double since = (index - options_.background_frames) / options_.fps;
+  film(index, {seconds, since, frame_set.person}, &frame_set);
   return frame_set;
 }
 
-void VirtualStudio::film(int index, double seconds, StudioFrameSet* frame_set) const {
-  const auto exposureAt = [&](double when) {
-    return Exposure(*scene_, *cameras_, options_, when, frame_set->person);
+void VirtualStudio::film(int index, const FilmTime& time, StudioFrameSet* frame_set) const {
+  const auto exposureAt = [&](const FilmTime& when) {
+    return Exposure(*scene_, *cameras_, options_, when);
   };
   // Cameras with different time offsets see different scenes.
   const bool in_step = options_.degradations.time_offset_ms == 0.0 || !frame_set->person;
   std::optional<Exposure> shared;
-  if (in_step) shared.emplace(exposureAt(seconds));
+  if (in_step) shared.emplace(exposureAt(time));
   const size_t count = cameras_->rig().size();
   frame_set->images.resize(count);
   frame_set->masks.resize(count);
@@ -120,7 +121,7 @@ void VirtualStudio::film(int index, double seconds, StudioFrameSet* frame_set) c
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     const MeshRenderer& renderer = cameras_->renderer(i);
     RenderedView view = in_step ? shared->seenBy(renderer)
-                                : exposureAt(seconds + cameras_->offset(i)).seenBy(renderer);
+                                : exposureAt(time.later(cameras_->offset(i))).seenBy(renderer);
     frame_set->masks[i] = view.mask;
     if (cameras_->isDropped(index, i)) return;
     frame_set->silhouettes[i] = cameras_->silhouette(index, i, view.mask);

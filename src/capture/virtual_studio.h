@@ -31,6 +31,7 @@ struct StudioFrameSet {
   std::vector<Eigen::Vector3d> points;  ///< positions of groundTruthNames(), world metres
 };
 
+struct FilmTime;
 class StudioScene;
 class StudioCameras;
 
@@ -61,7 +62,7 @@ class VirtualStudio {
   StudioFrameSet render(int index) const;
 
  private:
-  void film(int index, double seconds, StudioFrameSet* frame_set) const;
+  void film(int index, const FilmTime& time, StudioFrameSet* frame_set) const;
 
   StudioOptions options_;
   std::unique_ptr<const StudioCameras> cameras_;

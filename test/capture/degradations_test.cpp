@@ -4,36 +4,10 @@
 #include <opencv2/core.hpp>
 
 #include "capture/cameras/camera_rigs.h"
-#include "capture/studio_fixture.h"
+#include "capture/trouble_fixture.h"
 
 namespace markerless_mocap {
 namespace {
-
-/// No trouble at all, a small rig.
-StudioOptions easyStudio() {
-  StudioOptions options = smallStudio();
-  options.background_frames = 1;
-  options.degradations = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  return options;
-}
-
-StudioOptions with(double DegradationOptions::*trouble, double value) {
-  StudioOptions options = easyStudio();
-  options.degradations.*trouble = value;
-  return options;
-}
-
-VirtualStudio studio(const StudioOptions& options) {
-  return VirtualStudio(options, packageFiles(), "person1");
-}
-
-/// Mean absolute difference of the pixels that `where` marks.
-double meanDifference(const cv::Mat& a, const cv::Mat& b, const cv::Mat& where) {
-  cv::Mat apart;
-  cv::absdiff(a, b, apart);
-  const cv::Scalar mean = cv::mean(apart, where);
-  return (mean[0] + mean[1] + mean[2]) / 3.0;
-}
 
 int pixels(const std::vector<cv::Mat>& masks) {
   int sum = 0;

@@ -22,12 +22,18 @@ TEST(FurnitureTest, chairStandsOnTheFloor) {
   EXPECT_LT((high - low).head<2>().maxCoeff(), 0.5f);
 }
 
+double volumeOf(const ColoredMesh& mesh) {
+  double volume = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6.0;
+  return volume;
+}
+
 /// Each edge is passed as often one way as the other: the surfaces are closed and turned alike.
 TEST(FurnitureTest, chairIsClosedAndItsNormalsPointOut) {
   const ColoredMesh mesh = chairMesh();
   ASSERT_EQ(mesh.colors.size(), mesh.vertices.size());
   std::map<std::array<float, 6>, int> passes;
-  double volume = 0.0;
   for (const auto& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3f &a = mesh.vertices[triangle[i]],
@@ -35,12 +41,24 @@ TEST(FurnitureTest, chairIsClosedAndItsNormalsPointOut) {
       ++passes[{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()}];
       --passes[{b.x(), b.y(), b.z(), a.x(), a.y(), a.z()}];
     }
-    volume += mesh.vertices[triangle[0]].dot(
-                  mesh.vertices[triangle[1]].cross(mesh.vertices[triangle[2]])) /
-              6.0;
   }
   for (const auto& [edge, balance] : passes) EXPECT_EQ(balance, 0);
-  EXPECT_NEAR(volume, 0.0108, 0.003);  // of wood, cubic metres
+  EXPECT_NEAR(volumeOf(mesh), 0.0108, 0.003);  // of wood, cubic metres
+}
+
+TEST(FurnitureTest, boxAndDoorAreClosedAndTheirNormalsPointOut) {
+  EXPECT_NEAR(volumeOf(boxMesh()), 0.6 * 0.45 * 0.7, 1e-4);
+  EXPECT_NEAR(volumeOf(doorLeafMesh()), 0.9 * 0.04 * 2.05, 1e-4);
+}
+
+TEST(FurnitureTest, doorwayIsAsLargeAsTheLeafAndFacesTheRoom) {
+  const ColoredMesh mesh = doorwayMesh();
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3f &origin = mesh.vertices[a], one = mesh.vertices[b] - origin;
+    area += 0.5 * one.cross(mesh.vertices[c] - origin).cast<double>();
+  }
+  EXPECT_LT((area - Eigen::Vector3d(0, 0.9 * 2.05, 0)).norm(), 1e-4);
 }
 
 }  // namespace

@@ -32,6 +32,11 @@ TEST(VirtualStudioTest, sameOptionsGiveTheSameBytes) {
   StudioOptions options = smallStudio();
   options.rig = "random8";
   options.degradations = {3.0, 0.02, 0.4, 0.3, 0.4, 2.0, 30.0, 0.2, 12.0, 1.0, 1.0};
+  DegradationOptions& troubles = options.degradations;
+  troubles.bystander_distance = troubles.screen_width = troubles.window_width = 1.8;
+  troubles.door_angle = 70.0;
+  troubles.sun_patches = troubles.light_switch = troubles.floor_reflection = 0.3;
+  troubles.auto_exposure = troubles.auto_white_balance = 0.8;
   const VirtualStudio one = studio(options), two = studio(options);
   two.render(40);  // the order of asking does not matter
   const StudioFrameSet a = one.render(20), b = two.render(20);

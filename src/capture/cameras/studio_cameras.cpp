@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "capture/cameras/camera_rigs.h"
+#include "capture/degradations/auto_camera.h"
 #include "capture/degradations/mask_damage.h"
 #include "capture/degradations/sensor.h"
 #include "markerless_mocap/camera/rig_file.h"
@@ -53,7 +54,9 @@ StudioCameras::StudioCameras(const StudioOptions& options)
       rig_(plannedRig(options)),
       calibrated_rig_(perturbedRig(rig_, degradations_.calibration_error_px, seed_)),
       room_(TexturedRoom::around(seed_, rig_)),
-      renderers_(makeRenderers(rig_, room_)) {
+      renderers_(makeRenderers(rig_, room_, degradations_.floor_reflection)) {
+  for (const MeshRenderer& renderer : renderers_)
+    metered_.push_back(meteredColor(renderer.background()));
   for (size_t i = 0; i < rig_.size(); ++i)
     offsets_.push_back(1e-3 * degradations_.time_offset_ms *
                        (splitMixUniform(combinedHash(seed_, kOffset) + i) - 0.5));
@@ -69,6 +72,8 @@ bool StudioCameras::isDropped(int index, size_t camera) const {
 
 void StudioCameras::expose(int index, size_t camera, double seconds, cv::Mat& image) const {
   const double gain = flickerGain(degradations_.flicker, seconds, combinedHash(seed_, kFlicker));
+  followLight(degradations_.auto_exposure, degradations_.auto_white_balance, metered_[camera],
+              image);
   applySensor(degradations_.noise_stddev, gain, streamOf(index, camera, kNoise), image);
 }
 

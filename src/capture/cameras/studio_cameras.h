@@ -36,6 +36,7 @@ class StudioCameras {
   CameraRig rig_, calibrated_rig_;
   TexturedRoom room_;
   std::vector<MeshRenderer> renderers_;
+  std::vector<cv::Scalar> metered_;  ///< colour of the empty room, by camera
   std::vector<double> offsets_;
 };
 

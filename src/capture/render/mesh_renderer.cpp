@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "capture/render/floor_mirror.h"
+#include "capture/render/pixel_blend.h"
 #include "capture/render/room_view.h"
 #include "capture/render/sample_grid.h"
 #include "capture/render/triangle_rasterizer.h"
@@ -17,39 +19,33 @@ namespace {
 
 /// Colour of a pixel: its nine samples blended over the background.
 void blend(const SampleBuffer& buffer, int x, int y, cv::Vec3b& color) {
-  int covered = 0, sum[3] = {};
-  for (int v = -1; v <= 1; ++v) {
-    const Sample* const samples = buffer.row(2 * y + 1 + v) + 2 * x + 1;
-    for (int u = -1; u <= 1; ++u) {
-      if (samples[u].kind == Sample::kNothing) continue;
-      const int fraction = kTent[std::abs(u) + std::abs(v)];
-      covered += fraction;
-      for (int i = 0; i < 3; ++i) sum[i] += fraction * samples[u].bgr[i];
-    }
-  }
-  if (covered == 0) return;
+  const PixelBlend objects(buffer, x, y);
+  if (objects.covered == 0) return;
   for (int i = 0; i < 3; ++i)
-    color[i] = uint8_t((sum[i] + (kTentSum - covered) * color[i] + kTentSum / 2) / kTentSum);
+    color[i] = uint8_t((objects.sum[i] + (kTentSum - objects.covered) * color[i] + kTentSum / 2) /
+                       kTentSum);
 }
 
 void drawObjects(const SampleGrid& grid, const SampleBuffer& buffer, RenderedView& view) {
-  for (int y = buffer.rect.y / 2; 2 * y + 2 < buffer.rect.br().y; ++y)
-    for (int x = buffer.rect.x / 2; 2 * x + 2 < buffer.rect.br().x; ++x) {
-      blend(buffer, x, y, view.image.at<cv::Vec3b>(y, x));
-      const Sample& center = buffer.row(2 * y + 1)[2 * x + 1];
-      if (center.kind == Sample::kNothing) continue;
-      const Eigen::Vector2f& plane = grid.row(2 * y + 1)[2 * x + 1];
-      view.depth.at<float>(y, x) = center.depth * std::sqrt(1.0f + plane.squaredNorm());
-      if (center.kind == Sample::kPerson) view.mask.at<uint8_t>(y, x) = 255;
-    }
+  forEachPixel(buffer, [&](int x, int y) {
+    blend(buffer, x, y, view.image.at<cv::Vec3b>(y, x));
+    const Sample& center = buffer.row(2 * y + 1)[2 * x + 1];
+    if (center.kind == Sample::kNothing) return;
+    const Eigen::Vector2f& plane = grid.row(2 * y + 1)[2 * x + 1];
+    view.depth.at<float>(y, x) = center.depth * std::sqrt(1.0f + plane.squaredNorm());
+    if (center.kind == Sample::kPerson) view.mask.at<uint8_t>(y, x) = 255;
+  });
 }
 
 }  // namespace
 
-MeshRenderer::MeshRenderer(Camera camera, const TexturedRoom& room)
+MeshRenderer::MeshRenderer(Camera camera, const TexturedRoom& room, double floor_reflection)
     : camera_(std::move(camera)),
       grid_(std::make_shared<SampleGrid>(camera_)),
-      room_view_(std::make_shared<RoomView>(camera_, *grid_, room)) {}
+      mirror_(floor_reflection > 0.0
+                  ? std::make_shared<FloorMirror>(camera_, *grid_, room, floor_reflection)
+                  : nullptr),
+      room_view_(std::make_shared<RoomView>(camera_, *grid_, room, mirror_.get())) {}
 
 const cv::Mat& MeshRenderer::background() const {
   return room_view_->picture();
@@ -62,14 +58,17 @@ RenderedView MeshRenderer::render(const LitScene& scene) const {
   view.mask = cv::Mat::zeros(size, CV_8UC1);
   view.depth = cv::Mat(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::infinity()));
   room_view_->castShadows(scene, view.image);
-  const SampleBuffer buffer = rasterize(*grid_, scene);
-  if (!buffer.rect.empty()) drawObjects(*grid_, buffer, view);
+  room_view_->changeLight(scene, view.image);
+  if (mirror_) mirror_->addObjects(*grid_, scene, view.image);
+  drawObjects(*grid_, rasterize(*grid_, scene), view);
   return view;
 }
 
-std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom& room) {
+std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom& room,
+                                        double floor_reflection) {
   std::vector<std::optional<MeshRenderer>> made(rig.size());
-  tbb::parallel_for(size_t(0), rig.size(), [&](size_t i) { made[i].emplace(rig[i], room); });
+  tbb::parallel_for(size_t(0), rig.size(),
+                    [&](size_t i) { made[i].emplace(rig[i], room, floor_reflection); });
   std::vector<MeshRenderer> renderers;
   for (auto& renderer : made) renderers.push_back(std::move(*renderer));
   return renderers;

@@ -18,6 +18,7 @@ struct RenderedView {
   cv::Mat depth;  ///< CV_32FC1, metres along that ray to the nearest object; infinity for the room
 };
 
+class FloorMirror;
 class SampleGrid;
 class RoomView;
 
@@ -29,7 +30,8 @@ class RoomView;
 class MeshRenderer {
  public:
   /// Computes all rays and the image of the empty room.
-  MeshRenderer(Camera camera, const TexturedRoom& room);
+  /// \param floor_reflection 0 to 1: fraction of the light that the floor mirrors, seen from above
+  MeshRenderer(Camera camera, const TexturedRoom& room, double floor_reflection = 0.0);
   const Camera& camera() const { return camera_; }
   /// Image of the empty room without noise, CV_8UC3 BGR.
   const cv::Mat& background() const;
@@ -38,11 +40,13 @@ class MeshRenderer {
  private:
   Camera camera_;
   std::shared_ptr<const SampleGrid> grid_;
+  std::shared_ptr<const FloorMirror> mirror_;  ///< nullptr: the floor is dull
   std::shared_ptr<const RoomView> room_view_;
 };
 
 /// One renderer per camera, created in parallel.
-std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom& room);
+std::vector<MeshRenderer> makeRenderers(const CameraRig& rig, const TexturedRoom& room,
+                                        double floor_reflection = 0.0);
 
 /// Simulates an open shutter: the mean of the images of evenly spaced times; mask and depth are
 /// those of the middle one. Throws std::invalid_argument if there is no image or the sizes differ.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "capture/render/floor_mirror.h"
 #include "capture/scene/shadow_map.h"
 
 namespace markerless_mocap {
@@ -18,13 +19,26 @@ int blocksAlong(int pixels, int block) {
   return (pixels + block - 1) / block;
 }
 
+/// Cosine of the angle at which the sun meets the room's surface, 0 on those that it does not see.
+float sunOnWall(const Eigen::Vector3f& half_size, const Eigen::Vector3f& place) {
+  constexpr float kOn = 1e-3f;  // metres
+  const Eigen::Vector3f to_sun = (sunLamp().position - place).normalized();
+  if (place.z() < kOn) return to_sun.z();
+  if (place.x() < kOn - half_size.x()) return std::max(to_sun.x(), 0.0f);
+  if (place.y() < kOn - half_size.y()) return std::max(to_sun.y(), 0.0f);
+  return 0.0f;
+}
+
 }  // namespace
 
-RoomView::RoomView(const Camera& camera, const SampleGrid& grid, const TexturedRoom& room)
-    : picture_(camera.height(), camera.width(), CV_8UC3),
+RoomView::RoomView(const Camera& camera, const SampleGrid& grid, const TexturedRoom& room,
+                   const FloorMirror* mirror)
+    : half_size_(room.halfSize()),
+      picture_(camera.height(), camera.width(), CV_8UC3),
       positions_(camera.height(), camera.width(), CV_32FC3),
       lamps_(room.lamps()) {
   drawPicture(camera, grid, room);
+  if (mirror) mirror->addRoom(picture_);
   boundBlocks(room);
 }
 
@@ -103,11 +117,34 @@ void RoomView::shadeBlock(const cv::Rect& rect, const LitScene& scene, uint32_t 
       float lost = 0.0f;
       for (size_t i = 0; i < lamps_.size(); ++i)
         if (lamps >> i & 1u)
-          lost +=
-              lamps_[i].fraction * scene.shadowMaps()[i].occlusion(shadowTexel(lamps_[i], place));
+          lost += lamps_[i].fraction * scene.lampOn(i) *
+                  scene.shadowMaps()[i].occlusion(shadowTexel(lamps_[i], place));
       if (lost == 0.0f) continue;
       const float left = 1.0f - float(scene.shadowStrength()) * lost;
       for (uint8_t& level : image.at<cv::Vec3b>(y, x).val) level = uint8_t(level * left + 0.5f);
+    }
+}
+
+/// Factor of the room's picture.
+Eigen::Vector3f RoomView::lightAt(const LitScene& scene, const Eigen::Vector3f& place) const {
+  const RoomLight& light = scene.light();
+  const float off = (1.0f - light.main_lamp) * mainLampAt(lamps_[kMainLamp], place);
+  Eigen::Vector3f factor = Eigen::Vector3f::Constant(1.0f - off);
+  if (!scene.sunShadow()) return factor;
+  const float hidden = scene.sunShadow()->occlusion(shadowTexel(sunLamp(), place));
+  factor += sunlightAt(light, place) * (sunOnWall(half_size_, place) * (1.0f - hidden));
+  return factor;
+}
+
+void RoomView::changeLight(const LitScene& scene, cv::Mat& image) const {
+  if (scene.light().usual()) return;
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x) {
+      const Eigen::Map<const Eigen::Vector3f> place(positions_.at<cv::Vec3f>(y, x).val);
+      const Eigen::Vector3f factor = lightAt(scene, place);
+      cv::Vec3b& color = image.at<cv::Vec3b>(y, x);
+      for (int i = 0; i < 3; ++i)
+        color[i] = uint8_t(std::min(color[i] * factor[2 - i] + 0.5f, 255.0f));
     }
 }
 

@@ -102,10 +102,12 @@ cv::Rect placesOf(const SampleGrid& grid, const Corner* const (&corners)[3]) {
   return any_before ? boxOfCut(grid, corners) : cv::Rect();
 }
 
-std::vector<Corner> cornersOf(const SampleGrid& grid, const SceneObject& object) {
+std::vector<Corner> cornersOf(const SampleGrid& grid, const SceneObject& object, bool mirrored) {
   std::vector<Corner> corners(object.vertices.size());
   for (size_t i = 0; i < corners.size(); ++i) {
-    corners[i].point = grid.worldToCamera() * object.vertices[i].cast<double>();
+    Eigen::Vector3d vertex = object.vertices[i].cast<double>();
+    if (mirrored) vertex.z() = -vertex.z();
+    corners[i].point = grid.worldToCamera() * vertex;
     corners[i].place = grid.place(corners[i].point);
   }
   return corners;
@@ -152,12 +154,12 @@ cv::Rect wholePixels(const cv::Rect& rect, const cv::Size& size) {
 
 }  // namespace
 
-SampleBuffer rasterize(const SampleGrid& grid, const LitScene& scene) {
+SampleBuffer rasterize(const SampleGrid& grid, const LitScene& scene, bool mirrored) {
   std::vector<std::vector<Corner>> corners;
   std::vector<Candidate> candidates;
   cv::Rect covered;
   for (uint32_t o = 0; o < scene.objects().size(); ++o) {
-    corners.push_back(cornersOf(grid, scene.objects()[o]));
+    corners.push_back(cornersOf(grid, scene.objects()[o], mirrored));
     const auto& triangles = scene.objects()[o].mesh->triangles;
     for (uint32_t t = 0; t < triangles.size(); ++t) {
       const auto& [a, b, c] = triangles[t];

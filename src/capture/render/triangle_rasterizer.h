@@ -30,6 +30,7 @@ struct SampleBuffer {
 
 /// Draws all triangles of the scene, front and back, with a depth buffer. A ray through the common
 /// edge of two triangles hits exactly one of them.
-SampleBuffer rasterize(const SampleGrid& grid, const LitScene& scene);
+/// \param mirrored draw the scene below the floor, as if the floor were a mirror
+SampleBuffer rasterize(const SampleGrid& grid, const LitScene& scene, bool mirrored = false);
 
 }  // namespace markerless_mocap

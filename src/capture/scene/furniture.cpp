@@ -1,5 +1,11 @@
 #include "capture/scene/furniture.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "capture/scene/panel.h"
+#include "capture/scene/value_noise.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -22,7 +28,48 @@ void addBox(const Eigen::Vector3f& low, const Eigen::Vector3f& high, const Eigen
     }
 }
 
+constexpr float kCell = 0.025f;  // of surfaces with a pattern, metres
+constexpr float kDoorWidth = 0.9f, kDoorHeight = 2.05f, kDoorDepth = 0.04f;
+
+Eigen::Vector3f cardboard(float u, float v) {
+  const float grain = 1.0f + 0.06f * fractalNoise(21, u, v, 0.2f, 3);
+  if (std::abs(u - 0.24f) < 0.035f) return Eigen::Vector3f(0.74f, 0.66f, 0.50f) * grain;  // tape
+  const bool print = v > 0.42f && v < 0.56f && u > 0.06f && u < 0.2f;
+  return Eigen::Vector3f(0.60f, 0.45f, 0.29f) * (print ? 0.45f : grain);
+}
+
+Eigen::Vector3f paintedWood(float u, float v) {
+  const Eigen::Vector3f paint(0.42f, 0.50f, 0.56f);
+  const float x = std::min(u, kDoorWidth - u);
+  const bool groove = (x > 0.12f && x < 0.16f) || (v > 0.98f && v < 1.02f);
+  return paint * (groove ? 0.75f : 1.0f + 0.03f * fractalNoise(22, u * 4.0f, v, 0.3f, 3));
+}
+
+Eigen::Vector3f darkCorridor(float, float v) {
+  return Eigen::Vector3f(0.16f, 0.14f, 0.13f) * (0.6f + 0.4f * v / kDoorHeight);
+}
+
 }  // namespace
+
+ColoredMesh boxMesh() {
+  ColoredMesh mesh;
+  addPanelBox({-0.3f, -0.225f, 0.0f}, {0.3f, 0.225f, 0.7f}, kCell, cardboard, &mesh);
+  return mesh;
+}
+
+ColoredMesh doorLeafMesh() {
+  ColoredMesh mesh;
+  addPanelBox({0.0f, -kDoorDepth, 0.0f}, {kDoorWidth, 0.0f, kDoorHeight}, kCell, paintedWood,
+              &mesh);
+  return mesh;
+}
+
+ColoredMesh doorwayMesh() {
+  ColoredMesh mesh;
+  addPanel({{kDoorWidth, 0.0f, 0.0f}, {-kDoorWidth, 0.0f, 0.0f}, {0.0f, 0.0f, kDoorHeight}}, kCell,
+           darkCorridor, &mesh);
+  return mesh;
+}
 
 ColoredMesh chairMesh() {
   constexpr float kHalf = 0.21f, kLeg = 0.04f, kSeat = 0.45f, kThickness = 0.03f, kTop = 0.9f;

@@ -52,19 +52,6 @@ std::vector<Eigen::Vector3f> smoothNormals(const SceneObject& object) {
   return normals;
 }
 
-float lightAt(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
-              const std::vector<Lamp>& lamps, const std::vector<ShadowMap>& shadow_maps,
-              float shadow_strength) {
-  float light = kAmbientBelow + (kAmbientAbove - kAmbientBelow) * 0.5f * (1.0f + normal.z());
-  for (size_t i = 0; i < lamps.size(); ++i) {
-    const float facing = normal.dot((lamps[i].position - point).normalized());
-    if (facing <= 0.0f) continue;
-    const float seen = 1.0f - shadow_strength * shadow_maps[i].occludedFraction(point);
-    light += kLamps * lamps[i].fraction * facing * seen;
-  }
-  return light;
-}
-
 std::vector<ShadowMap> castShadows(const TexturedRoom& room,
                                    const std::vector<SceneObject>& objects) {
   std::vector<std::optional<ShadowMap>> made(room.lamps().size());
@@ -78,26 +65,52 @@ std::vector<ShadowMap> castShadows(const TexturedRoom& room,
 }  // namespace
 
 LitScene::LitScene(const TexturedRoom& room, std::vector<SceneObject> objects,
-                   double shadow_strength)
-    : objects_(std::move(objects)), shadow_strength_(shadow_strength) {
+                   double shadow_strength, const RoomLight& light)
+    : objects_(std::move(objects)), shadow_strength_(shadow_strength), light_(light) {
   if (!(shadow_strength >= 0.0 && shadow_strength <= 1.0))
     throw std::invalid_argument("the shadows' strength is " + std::to_string(shadow_strength) +
                                 ", allowed is 0 to 1");
   for (size_t i = 0; i < objects_.size(); ++i) validate(objects_[i], i);
   shadow_maps_ = std::make_shared<const std::vector<ShadowMap>>(castShadows(room, objects_));
+  if (light_.sun > 0.0f) sun_shadow_ = std::make_shared<const ShadowMap>(sunLamp(), objects_);
   lit_colors_.resize(objects_.size());
-  for (size_t i = 0; i < objects_.size(); ++i) {
-    const SceneObject& object = objects_[i];
-    const std::vector<Eigen::Vector3f> normals = smoothNormals(object);
-    lit_colors_[i].resize(object.vertices.size());
-    const tbb::blocked_range<size_t> all(0, object.vertices.size(), 1024);
-    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& range) {
-      for (size_t v = range.begin(); v < range.end(); ++v)
-        lit_colors_[i][v] =
-            object.mesh->colors[v] * lightAt(object.vertices[v], normals[v], room.lamps(),
-                                             *shadow_maps_, float(shadow_strength_));
-    });
+  for (size_t i = 0; i < objects_.size(); ++i) lightObject(room, i);
+}
+
+void LitScene::lightObject(const TexturedRoom& room, size_t number) {
+  const SceneObject& object = objects_[number];
+  std::vector<Eigen::Vector3f>& colors = lit_colors_[number];
+  colors = object.mesh->colors;
+  if (object.shines) return;
+  const std::vector<Eigen::Vector3f> normals = smoothNormals(object);
+  const tbb::blocked_range<size_t> all(0, object.vertices.size(), 1024);
+  tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& range) {
+    for (size_t v = range.begin(); v < range.end(); ++v) {
+      const Eigen::Vector3f &point = object.vertices[v], &normal = normals[v];
+      const Eigen::Vector3f sun = sunAt(point, normal).cwiseProduct(colors[v]);
+      colors[v] = colors[v] * lampsAt(room, point, normal) + sun;
+    }
+  });
+}
+
+float LitScene::lampsAt(const TexturedRoom& room, const Eigen::Vector3f& point,
+                        const Eigen::Vector3f& normal) const {
+  float light = kAmbientBelow + (kAmbientAbove - kAmbientBelow) * 0.5f * (1.0f + normal.z());
+  for (size_t i = 0; i < room.lamps().size(); ++i) {
+    const Lamp& lamp = room.lamps()[i];
+    const float facing = normal.dot((lamp.position - point).normalized());
+    if (facing <= 0.0f) continue;
+    const float seen = 1.0f - float(shadow_strength_) * shadowMaps()[i].occludedFraction(point);
+    light += kLamps * lamp.fraction * facing * seen * lampOn(i);
   }
+  return light;
+}
+
+Eigen::Vector3f LitScene::sunAt(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const {
+  if (!sun_shadow_) return Eigen::Vector3f::Zero();
+  const float facing = normal.dot((sunLamp().position - point).normalized());
+  if (facing <= 0.0f) return Eigen::Vector3f::Zero();
+  return sunlightAt(light_, point) * (facing * (1.0f - sun_shadow_->occludedFraction(point)));
 }
 
 }  // namespace markerless_mocap

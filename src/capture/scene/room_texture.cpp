@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "capture/scene/value_noise.h"
 #include "numerics/split_mix.h"
 
 namespace markerless_mocap {
@@ -14,49 +15,6 @@ constexpr float kGroove = 0.006f;   // metres on each side of the gap between bo
 uint64_t combinedHash(uint64_t seed, int64_t a, int64_t b, int64_t c = 0) {
   return splitMix64(seed ^ splitMix64(uint64_t(a) * 0x9e3779b97f4a7c15u ^
                                       splitMix64(uint64_t(b) * 0xc2b2ae3d27d4eb4fu ^ uint64_t(c))));
-}
-
-/// Random numbers from -1 to 1 at the corners of a periodic grid.
-class Lattice {
- public:
-  Lattice() : values_(size_t(kSide) * kSide) {
-    for (size_t i = 0; i < values_.size(); ++i) values_[i] = float(2.0 * splitMixUniform(i) - 1.0);
-  }
-  /// \param seed shifts the grid
-  float at(uint64_t seed, int x, int y) const {
-    return values_[((uint32_t(y) + uint32_t(seed >> 8)) % kSide) * kSide +
-                   (uint32_t(x) + uint32_t(seed)) % kSide];
-  }
-
- private:
-  static constexpr uint32_t kSide = 256;
-  std::vector<float> values_;
-};
-
-/// Integer part, rounded down; std::floor is a function call on plain x86-64.
-int floorOf(float value) {
-  const int whole = int(value);
-  return whole - int(value < float(whole));
-}
-
-/// Value noise, -1 to 1, with a period of one unit.
-float smoothNoise(uint64_t seed, float x, float y) {
-  static const Lattice lattice;
-  const int ix = floorOf(x), iy = floorOf(y);
-  const float u = x - float(ix), v = y - float(iy);
-  const float su = u * u * (3 - 2 * u), sv = v * v * (3 - 2 * v);
-  const float upper = lattice.at(seed, ix, iy) * (1 - su) + lattice.at(seed, ix + 1, iy) * su;
-  const float lower =
-      lattice.at(seed, ix, iy + 1) * (1 - su) + lattice.at(seed, ix + 1, iy + 1) * su;
-  return upper * (1 - sv) + lower * sv;
-}
-
-/// Sum of noise of several sizes; the largest is `size` metres, each further one half of that.
-float fractalNoise(uint64_t seed, float x, float y, float size, int octaves) {
-  float sum = 0.0f, amplitude = 0.6f, scale = 1.0f / size;
-  for (int i = 0; i < octaves; ++i, amplitude *= 0.65f, scale *= 2.1f)
-    sum += amplitude * smoothNoise(splitMix64(seed + uint64_t(i)), x * scale, y * scale);
-  return sum;
 }
 
 /// A sequence of random numbers.

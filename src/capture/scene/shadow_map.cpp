@@ -54,7 +54,8 @@ ShadowMap::ShadowMap(const Lamp& lamp, const std::vector<SceneObject>& objects) 
   findRect(objects);
   if (empty()) return;
   inverse_depth_.assign(size_t(rect_.area()), 0.0f);
-  for (const SceneObject& object : objects) draw(object);
+  for (const SceneObject& object : objects)
+    if (!object.shines) draw(object);
   soften();
 }
 
@@ -63,6 +64,7 @@ void ShadowMap::findRect(const std::vector<SceneObject>& objects) {
   Eigen::Vector2f low(kMaxTexel, kMaxTexel), high(-kMaxTexel, -kMaxTexel);
   for (const SceneObject& object : objects)
     for (const Eigen::Vector3f& vertex : object.vertices) {
+      if (object.shines) break;
       if (lamp_.position.z() - vertex.z() < kMinBelow) continue;
       const Eigen::Vector2f texel = shadowTexel(lamp_, vertex);
       low = low.cwiseMin(texel);

@@ -4,17 +4,17 @@
 #include <cmath>
 
 #include "capture/ground_truth.h"
-#include "capture/scene/furniture.h"
 #include "capture/truth/body_retargeter.h"
 #include "character/adult_character.h"
 #include "character/imported_character.h"
 #include "markerless_mocap/body/body_urdf.h"
+#include "motion/motion_script.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// Directions of the other person and the chair, seen from the centre, radians.
-constexpr double kOtherBearing = 2.2, kChairBearing = M_PI;
+/// Directions of other people, seen from the centre, radians.
+constexpr double kOtherBearing = 2.2, kBystanderBearing = -1.96;
 constexpr double kOtherPhase = 0.43;  // fraction of the motion's period
 
 /// Options of the second person: another sex, stature and appearance.
@@ -46,10 +46,15 @@ void camouflage(const Eigen::Vector3f& wall, float amount, Character* character)
   }
 }
 
-Eigen::Isometry3d placeAt(double distance, double bearing, double heading) {
-  Eigen::Isometry3d place(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()));
-  place.translation() << distance * std::cos(bearing), distance * std::sin(bearing), 0.0;
-  return place;
+/// A person who looks at the centre and fidgets.
+Actor bystanderAt(double distance, const CharacterOptions& lead, const std::string& folder) {
+  CharacterOptions character = otherThan(lead);
+  character.appearance_seed += 1;
+  Character made = makeCharacter(character);
+  const MotionScript script = readMotionScript(folder + "/fidget.yaml");
+  LoopedMotion motion(performMotion(script, made.skeleton));
+  return {std::move(made), std::move(motion), 0.0,
+          placeAt(distance, kBystanderBearing, kBystanderBearing + M_PI)};
 }
 
 }  // namespace
@@ -70,10 +75,11 @@ SceneObject Actor::seenAt(double seconds) const {
 }
 
 StudioScene::StudioScene(const StudioOptions& options, const StudioFiles& files,
-                         const Eigen::Vector3f& wall, const std::string& body_id) {
+                         const TexturedRoom& room, const std::string& body_id)
+    : events_(options.degradations, room.halfSize()) {
   const auto actorOf = [&](Character character) {
     MotionClip clip = loadMotion(options, files.motions_folder, character.skeleton);
-    camouflage(wall, float(options.degradations.camouflage), &character);
+    camouflage(room.wallColor(), float(options.degradations.camouflage), &character);
     return Actor{std::move(character), LoopedMotion(std::move(clip))};
   };
   actors_.push_back(actorOf(leadOf(options)));
@@ -82,7 +88,9 @@ StudioScene::StudioScene(const StudioOptions& options, const StudioFiles& files,
     actors_.back().phase = kOtherPhase * actors_.back().motion.period();
     actors_.back().place = placeAt(distance, kOtherBearing, kOtherBearing);
   }
-  if (options.degradations.chair_distance > 0.0) placeChair(options.degradations.chair_distance);
+  if (const double distance = options.degradations.bystander_distance; distance > 0.0)
+    bystander_ = std::make_unique<const Actor>(
+        bystanderAt(distance, options.character, files.motions_folder));
   const HumanSkeleton& skeleton = actors_.front().character.skeleton;
   urdf_ = fillUrdfTemplate(files.urdf_template, body_id, proportionsOf(skeleton));
   body_ = std::make_shared<BodyModel>(BodyModel::fromUrdf(urdf_, body_id));
@@ -97,26 +105,20 @@ void StudioScene::drive(double fps) {
   for (size_t i = 0; i < frames; ++i) states_.push_back(driven.follow(actor.at(double(i) / fps)));
 }
 
-/// Puts the chair in the room; its seat faces the centre.
-void StudioScene::placeChair(double distance) {
-  chair_ = std::make_unique<const ColoredMesh>(chairMesh());
-  const Eigen::Isometry3d place = placeAt(distance, kChairBearing, kChairBearing + M_PI);
-  for (const Eigen::Vector3f& v : chair_->vertices)
-    furniture_.vertices.push_back((place * v.cast<double>()).cast<float>());
-  furniture_.mesh = chair_.get();
-  furniture_.person = false;
-}
-
 std::vector<Eigen::Vector3d> StudioScene::pointsAt(double seconds) const {
   const Actor& actor = actors_.front();
   return groundTruthPoints(actor.character.skeleton, actor.at(seconds));
 }
 
-std::vector<SceneObject> StudioScene::objectsAt(double seconds, bool people) const {
+std::vector<SceneObject> StudioScene::objectsAt(const FilmTime& time) const {
   std::vector<SceneObject> objects;
-  if (hasFurniture()) objects.push_back(furniture_);
-  if (people)
-    for (const Actor& actor : actors_) objects.push_back(actor.seenAt(seconds));
+  events_.addObjects(time.since, &objects);
+  if (bystander_) {
+    objects.push_back(bystander_->seenAt(time.since));
+    objects.back().person = false;
+  }
+  if (time.people)
+    for (const Actor& actor : actors_) objects.push_back(actor.seenAt(time.motion));
   return objects;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "capture/scene/lit_scene.h"
+#include "capture/scene/room_events.h"
 #include "capture/scene/studio_motion.h"
 #include "capture/virtual_studio.h"
 #include "character/character.h"
@@ -24,12 +25,21 @@ struct Actor {
   SceneObject seenAt(double seconds) const;
 };
 
+/// A time of the film.
+struct FilmTime {
+  double motion = 0.0;  ///< seconds of the motion, which repeats
+  double since = 0.0;   ///< seconds since the person came; below 0 the room is empty
+  bool people = false;  ///< whether the actors are in the room
+
+  FilmTime later(double seconds) const { return {motion + seconds, since + seconds, people}; }
+};
+
 /// The people and the furniture in front of the cameras, with the ground truth of the first person.
 class StudioScene {
  public:
-  /// \param wall colour of camouflage
+  /// \param room gives the colour of camouflage and the places of things on the walls
   /// \param body_id id of the retargeted URDF body
-  StudioScene(const StudioOptions& options, const StudioFiles& files, const Eigen::Vector3f& wall,
+  StudioScene(const StudioOptions& options, const StudioFiles& files, const TexturedRoom& room,
               const std::string& body_id);
 
   const BodyModel& body() const { return *body_; }
@@ -42,20 +52,18 @@ class StudioScene {
   const BodyState& bodyAt(int frame) const { return states_[size_t(frame)]; }
   std::vector<Eigen::Vector3d> pointsAt(double seconds) const;
 
-  bool hasFurniture() const { return furniture_.mesh != nullptr; }
-  /// \param people whether there are people in the room
-  std::vector<SceneObject> objectsAt(double seconds, bool people) const;
+  std::vector<SceneObject> objectsAt(const FilmTime& time) const;
+  RoomLight lightAt(const FilmTime& time) const { return events_.lightAt(time.since); }
 
  private:
   void drive(double fps);
-  void placeChair(double distance);
 
+  RoomEvents events_;
   std::vector<Actor> actors_;
+  std::unique_ptr<const Actor> bystander_;
   std::string urdf_;
   std::shared_ptr<const BodyModel> body_;
   std::vector<BodyState> states_;  ///< by frame of the first person's period
-  std::unique_ptr<const ColoredMesh> chair_;
-  SceneObject furniture_;
 };
 
 }  // namespace markerless_mocap
