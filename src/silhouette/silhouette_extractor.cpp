@@ -99,8 +99,7 @@ class SilhouetteExtractor::Impl {
     size_ = image.size();
     type_ = image.type();
     if (learns()) subtractor_ = makeSubtractor(options_, loaded_);
-    if (loaded_.empty() && canLearnFromRecording(options_))
-      live_.emplace(options_);
+    if (loaded_.empty() && canLearnFromRecording(options_)) live_.emplace(options_);
   }
 
   void learn(const cv::Mat& image) {

@@ -10,10 +10,12 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
   v.field("background", background, {"auto", "first_images", "recording"},
           "what the background is learned from; first_images: the first `background_frames`; "
           "recording: all images, where nobody need leave the scene; auto: the first images if "
-          "nobody is in them, else as recording. mean_shift, mog2 and knn always learn from the first images");
-  v.field("background_frames", background_frames, 2, 10000,
-          "number of first images that the background is learned from; they show the empty scene, or "
-          "people who cross it so that every pixel shows the background most often");
+          "nobody is in them, else as recording. mean_shift, mog2 and knn always learn from the "
+          "first images");
+  v.field(
+      "background_frames", background_frames, 2, 10000,
+      "number of first images that the background is learned from; they show the empty scene, or "
+      "people who cross it so that every pixel shows the background most often");
   v.field("threshold_sigmas", threshold_sigmas, 1, 50,
           "a pixel that differs from the background by more than this is foreground, standard "
           "deviations");

@@ -106,8 +106,7 @@ TEST(RecordingLearner, EmptyRoomAtFirstIsFoundAlsoIfSomebodyStaysOnTheSpotLater)
 TEST(RecordingLearner, PersonWhoStandsStillAtFirstAndThenLeavesIsNoticed) {
   const cv::Mat scene = makeScene(3);
   RecordingLearner learner({}, kFrames);
-  for (int i = 0; i < kFrames; ++i)
-    learner.add(withNoise(i < 35 ? withPerson(scene) : scene, i));
+  for (int i = 0; i < kFrames; ++i) learner.add(withNoise(i < 35 ? withPerson(scene) : scene, i));
   EXPECT_TRUE(learner.isOccupiedAtFirst());
   SilhouetteExtractor extractor = withBackground(learner.learn());
   EXPECT_EQ(cv::countNonZero(extractor.update(withNoise(scene, 999)).mask), 0);
@@ -186,8 +185,7 @@ TEST(SilhouetteExtractor, LiveBackgroundIsFilledInAsThePersonMoves) {
   const cv::Mat scene = makeScene(3);
   SilhouetteExtractor extractor{SilhouetteOptions()};
   int frame = 0;
-  for (; frame < 31; ++frame)
-    extractor.update(withNoise(withPerson(scene, swayer(frame)), frame));
+  for (; frame < 31; ++frame) extractor.update(withNoise(withPerson(scene, swayer(frame)), frame));
   const cv::Mat image = withNoise(withPerson(scene, swayer(frame)), frame);
   const SilhouetteResult early = extractor.update(image);
   EXPECT_GT(early.unknown_fraction, 0.05);

@@ -17,8 +17,8 @@ struct SilhouetteOptions {
   /// all images, where nobody need leave the scene; auto: the first images if nobody is in them,
   /// else as recording. mean_shift, mog2 and knn always learn from the first images
   std::string background = "auto";
-  /// number of first images that the background is learned from; they show the empty scene, or people who
-  /// cross it so that every pixel shows the background most often
+  /// number of first images that the background is learned from; they show the empty scene, or
+  /// people who cross it so that every pixel shows the background most often
   int background_frames = 30;
   /// a pixel that differs from the background by more than this is foreground, standard deviations
   double threshold_sigmas = 3.0;

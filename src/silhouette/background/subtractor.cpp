@@ -80,7 +80,7 @@ class ModelSubtractor : public Subtractor {
   BackgroundLearner learner_;
   Background background_;
   BitMask near_unknown_;  ///< where the boundary is not refined; only if something is unknown
-  int next_row_ = 0;  ///< first row that the next image updates
+  int next_row_ = 0;      ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
 };

@@ -11,7 +11,7 @@ namespace markerless_mocap {
 
 /// A clean mask, and how well the background fits the image.
 struct Extraction {
-  BitMask mask;               ///< foreground and unknown
+  BitMask mask;                 ///< foreground and unknown
   BitMask unknown = BitMask();  ///< without rows: nothing is unknown
   double changed_fraction = 0;
   double light_gain = 1;

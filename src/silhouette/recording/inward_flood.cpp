@@ -7,7 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kReach = 4;  ///< known colours this near count, px
-constexpr float kMaxDistance = 22, kMaxCost = 7,  kMinShare = 0.04f;
+constexpr float kMaxDistance = 22, kMaxCost = 7, kMinShare = 0.04f;
 constexpr float kShareWeight = 4, kUsualShare = 0.5f, kPersonWeight = 3, kMaxLogRatio = 3;
 
 constexpr float kMinShade = 0.6f, kMaxShade = 0.95f, kMaxResidual = 10, kMinLitShare = 0.06f;
@@ -69,7 +69,8 @@ class Flood {
       if (candidate.share < kMinShare) continue;
       const float distance = distanceToKnown(p, candidate.color);
       if (distance > kMaxDistance) continue;
-      const float ratio = std::clamp(person_.logRatio(candidate.color), -kMaxLogRatio, kMaxLogRatio);
+      const float ratio =
+          std::clamp(person_.logRatio(candidate.color), -kMaxLogRatio, kMaxLogRatio);
       const float cost =
           distance - kShareWeight * std::log(candidate.share / kUsualShare) + kPersonWeight * ratio;
       if (cost >= best_cost) continue;
@@ -93,9 +94,8 @@ class Flood {
 
   float distanceToKnown(const cv::Point& p, const cv::Vec3f& color) const {
     float nearest = 1e9f;
-    const cv::Rect around =
-        cv::Rect(p.x - kReach, p.y - kReach, 2 * kReach + 1, 2 * kReach + 1) &
-        cv::Rect({}, scene_.known.size());
+    const cv::Rect around = cv::Rect(p.x - kReach, p.y - kReach, 2 * kReach + 1, 2 * kReach + 1) &
+                            cv::Rect({}, scene_.known.size());
     for (int y = around.y; y < around.br().y; ++y)
       for (int x = around.x; x < around.br().x; ++x)
         if (scene_.known.at<uint8_t>(y, x)) {

@@ -74,8 +74,8 @@ SceneColors learnSceneColors(const SceneSamples& samples) {
 
 namespace {
 
-constexpr float kReach = 20;     ///< of a sample from the background's colour, grey levels
-constexpr int kFewSamples = 3;   ///< with fewer, the deviation is not measured
+constexpr float kReach = 20;    ///< of a sample from the background's colour, grey levels
+constexpr int kFewSamples = 3;  ///< with fewer, the deviation is not measured
 constexpr float kUsualSigma = 4;
 
 uint16_t fixed(float grey) {

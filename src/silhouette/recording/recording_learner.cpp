@@ -28,9 +28,7 @@ double unknownFraction(const Background& background) {
 class RecordingLearner::Impl {
  public:
   Impl(const SilhouetteOptions& options, int expected_images)
-      : options_(options),
-        stride_(std::max(1, expected_images / kSamples)),
-        sampler_(stride_) {
+      : options_(options), stride_(std::max(1, expected_images / kSamples)), sampler_(stride_) {
     options_.validate();
     if (!canLearnFromRecording(options_))
       throw std::invalid_argument(

@@ -130,8 +130,8 @@ SceneSamples SceneSampler::samples(bool compensate_flicker) const {
   samples.image_channels = image_channels_;
   const cv::Mat median = medianOf(samples.colors);
   for (cv::Mat& color : samples.colors) {
-    samples.gains.push_back(
-        compensate_flicker ? float(estimateLightGain(color, median).gain) : 1.0f);
+    samples.gains.push_back(compensate_flicker ? float(estimateLightGain(color, median).gain)
+                                               : 1.0f);
     color = color / samples.gains.back();
   }
   return samples;

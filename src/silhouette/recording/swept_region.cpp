@@ -1,5 +1,6 @@
 #include "silhouette/recording/swept_region.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -28,6 +29,40 @@ cv::Mat oftenDifferent(const SceneSamples& samples,
   return different;
 }
 
+/// The bounding box, larger by a quarter of its longer side.
+cv::Rect surroundings(const std::vector<cv::Point>& region) {
+  const cv::Rect box = cv::boundingRect(region);
+  const int margin = std::max(box.width, box.height) / 4;
+  return {box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin};
+}
+
+/// Joins two regions that are near each other; returns whether there were any.
+bool joinTwo(std::vector<std::vector<cv::Point>>* regions) {
+  for (size_t i = 0; i < regions->size(); ++i)
+    for (size_t j = i + 1; j < regions->size(); ++j) {
+      std::vector<cv::Point>&first = (*regions)[i], &second = (*regions)[j];
+      if ((surroundings(first) & surroundings(second)).empty()) continue;
+      first.insert(first.end(), second.begin(), second.end());
+      regions->erase(regions->begin() + ptrdiff_t(j));
+      return true;
+    }
+  return false;
+}
+
+/// The large regions of a mask. The two sides of a person who sways are one region: between them,
+/// the person is always there.
+std::vector<std::vector<cv::Point>> regions(const cv::Mat& mask) {
+  std::vector<std::vector<cv::Point>> regions;
+  cv::findContours(mask, regions, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  const auto is_small = [](const std::vector<cv::Point>& region) {
+    return cv::contourArea(region) < kMinArea;
+  };
+  regions.erase(std::remove_if(regions.begin(), regions.end(), is_small), regions.end());
+  while (joinTwo(&regions)) {
+  }
+  return regions;
+}
+
 }  // namespace
 
 cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidates>& candidates) {
@@ -35,12 +70,9 @@ cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidat
   cv::morphologyEx(different, different, cv::MORPH_OPEN, ellipse(kOpen));
   cv::morphologyEx(different, different, cv::MORPH_CLOSE, ellipse(kClose));
   cv::Mat swept = different.clone();
-  std::vector<std::vector<cv::Point>> outlines;
-  cv::findContours(different, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-  for (const std::vector<cv::Point>& outline : outlines) {
-    if (cv::contourArea(outline) < kMinArea) continue;
+  for (const std::vector<cv::Point>& region : regions(different)) {
     std::vector<cv::Point> hull;
-    cv::convexHull(outline, hull);
+    cv::convexHull(region, hull);
     cv::fillConvexPoly(swept, hull, cv::Scalar(255));
   }
   cv::dilate(swept, swept, ellipse(kDilate));

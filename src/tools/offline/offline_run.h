@@ -26,8 +26,8 @@ struct OfflineOptions {
   std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set
 };
 
-/// The next frame set of the recording, with or without its images. Throws as Recording::next(), and std::runtime_error if the
-/// run was interrupted.
+/// The next frame set of the recording, with or without its images. Throws as Recording::next(),
+/// and std::runtime_error if the run was interrupted.
 std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording,
                                      bool decode = true);
 

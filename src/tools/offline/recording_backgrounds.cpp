@@ -29,8 +29,8 @@ void tell(const CameraRig& rig, const std::vector<SharedBackground>& backgrounds
            "recording; not seen in it:";
   for (size_t i = 0; i < backgrounds.size(); ++i)
     if (backgrounds[i])
-      notes << ' ' << rig[i].name() << ' '
-            << std::lround(100 * unknownFraction(*backgrounds[i])) << " %";
+      notes << ' ' << rig[i].name() << ' ' << std::lround(100 * unknownFraction(*backgrounds[i]))
+            << " %";
   notes << '\n';
 }
 
