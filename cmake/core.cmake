@@ -12,7 +12,7 @@ mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics)
 mocap_room(camera LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
-mocap_room(products LIBRARIES Eigen3::Eigen)
+mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS numerics options products
   LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video)
 mocap_room(hull DEPENDS camera numerics options products LIBRARIES opencv_core TBB::tbb)
@@ -21,7 +21,7 @@ mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TES
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
 mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core)
-mocap_room(region LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
+mocap_room(region DEPENDS products LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
 mocap_room(contour DEPENDS tracking numerics region LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
 # Square roots and divisions in vectors; no value changes.

@@ -10,6 +10,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kCorners = 32;
+constexpr uchar kUnknown = 128;  // of a mask
 
 /// Adds the outline of a sphere in the image: the circle of points whose viewing rays touch the
 /// sphere. Returns whether the whole outline is in front of the camera.
@@ -56,8 +57,9 @@ cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, co
 double maskIou(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != CV_8UC1 || b.type() != CV_8UC1)
     throw std::invalid_argument("masks to compare must be CV_8UC1 and of one size");
-  const int either = cv::countNonZero(a | b);
-  return either == 0 ? 0.0 : double(cv::countNonZero((a > 0) & (b > 0))) / either;
+  const cv::Mat known = (a != kUnknown) & (b != kUnknown);
+  const int either = cv::countNonZero((a | b) & known);
+  return either == 0 ? 0.0 : double(cv::countNonZero((a > 0) & (b > 0) & known)) / either;
 }
 
 }  // namespace markerless_mocap

@@ -20,7 +20,8 @@ cv::Mat bodySilhouette(const BodyModel& model, const LinkPoses& T_world_link, co
                        const std::vector<bool>& link_shown = {});
 
 /// Intersection over union of two masks of one size (CV_8UC1, non-zero = inside), 0 to 1; 0 if both
-/// are empty. Throws std::invalid_argument if sizes or types differ.
+/// are empty. Pixels that are unknown (128) in one of them are left out. Throws
+/// std::invalid_argument if sizes or types differ.
 double maskIou(const cv::Mat& a, const cv::Mat& b);
 
 }  // namespace markerless_mocap

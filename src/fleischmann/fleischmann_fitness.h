@@ -13,8 +13,8 @@ namespace markerless_mocap {
 
 /// Input of one camera at one time.
 struct FleischmannView {
-  cv::Mat silhouette;  ///< CV_8UC1 of the size of the camera's image, non-zero = person; empty if
-                       ///< missing
+  cv::Mat silhouette;  ///< CV_8UC1 of the size of the camera's image, 0 | 128 unknown | person;
+                       ///< empty if missing
   cv::Mat image;       ///< CV_8UC1 or CV_8UC3 BGR of the same size; empty if this view has no edges
 };
 
@@ -53,7 +53,8 @@ class FleischmannFitness {
   int observe(const std::vector<FleischmannView>& views);
 
   /// f_s is the mean over the views of half the fraction of the drawing that is in the silhouette
-  /// plus half the fraction of the silhouette that is drawn (Eq. 5.5). f_e is the mean of the edge
+  /// plus half the fraction of the silhouette that is drawn (Eq. 5.5); unknown pixels are left
+  /// out of both. f_e is the mean of the edge
   /// map under the edges of the body (Eq. 5.1). Both are 0 in a view that does not contain the
   /// body, and without views.
   /// \param candidate kFleischmannParameterCount values

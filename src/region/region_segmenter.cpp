@@ -5,15 +5,13 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "region/colors/part_colors.h"
 #include "region/cut/band_cut.h"
 #include "region/drawing/body_drawing.h"
 
 namespace markerless_mocap {
 namespace {
-
-// Values of a mask; 0 is background.
-constexpr uchar kPerson = 255, kUnknown = 128;
 
 // Weights of what is newly learned. The surroundings change as the person moves.
 constexpr float kPersonRate = 0.1f, kSurroundingsRate = 0.5f;
@@ -76,7 +74,9 @@ void addKnown(const cv::Mat& known, cv::Mat& log_odds) {
     const uchar* value = known.ptr<uchar>(y);
     float* odds = log_odds.ptr<float>(y);
     for (int x = 0; x < log_odds.cols; ++x)
-      odds[x] += value[x] == kPerson ? kKnownLogOdds : value[x] == kUnknown ? 0.f : -kKnownLogOdds;
+      odds[x] += value[x] == kPersonPixel    ? kKnownLogOdds
+                 : value[x] == kUnknownPixel ? 0.f
+                                             : -kKnownLogOdds;
   }
 }
 
@@ -104,18 +104,18 @@ cv::Mat nearestParts(const BodyDrawing& drawing) {
 /// Counts where background subtraction and colours agree. \param mask in drawing.box
 void compare(const BodyDrawing& drawing, const cv::Mat& known, const cv::Mat& mask,
              RegionMask& found) {
-  found.silhouette = cv::countNonZero(known == kPerson);
+  found.silhouette = cv::countNonZero(known == kPersonPixel);
   found.known.assign(drawing.parts.size(), 0);
   found.agreeing = found.known;
   const cv::Mat near = known(drawing.box), nearest = nearestParts(drawing);
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x) {
-      if (!mask.at<uchar>(y, x) || near.at<uchar>(y, x) == kUnknown) continue;
+      if (!mask.at<uchar>(y, x) || near.at<uchar>(y, x) == kUnknownPixel) continue;
       const size_t part = drawing.part.at<uchar>(y, x) != BodyDrawing::kNoPart
                               ? drawing.part.at<uchar>(y, x)
                               : nearest.at<uchar>(y, x);
       ++found.known[part];
-      if (near.at<uchar>(y, x) == kPerson) ++found.agreeing[part];
+      if (near.at<uchar>(y, x) == kPersonPixel) ++found.agreeing[part];
     }
 }
 
@@ -191,7 +191,7 @@ class RegionSegmenter::Impl {
     const cv::Mat bins = ColorBins::instance().of(image(drawing.box));
     cv::Mat colored = personColored(bins, has_colors_ ? colors_ : colorsOf(image, body));
     cv::morphologyEx(colored, colored, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
-    if (!known.empty()) colored |= known(drawing.box) == kPerson;
+    if (!known.empty()) colored |= known(drawing.box) == kPersonPixel;
     const cv::Mat near = drawing.distance < reach;
     colored.copyTo(out(drawing.box), near);
     return out;

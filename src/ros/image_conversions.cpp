@@ -6,13 +6,17 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "markerless_mocap/products/mask_values.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 
 namespace encodings = sensor_msgs::image_encodings;
 
 namespace {
+
+bool isMask(const sensor_msgs::Image& message) {
+  return message.encoding == encodings::MONO8 || message.encoding == encodings::TYPE_8UC1;
+}
 
 bool isBayer8(const std::string& encoding) {
   return encoding == encodings::BAYER_RGGB8 || encoding == encodings::BAYER_BGGR8 ||
@@ -61,15 +65,21 @@ cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
   return image;
 }
 
+bool hasUnknownBackground(const sensor_msgs::Image& message) {
+  if (!isMask(message)) return false;
+  try {
+    return hasUnknownBackground(sharedPixels(message, ""));
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
-  if (message.encoding != encodings::MONO8 && message.encoding != encodings::TYPE_8UC1)
+  if (!isMask(message))
     throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
                                 "\" has the encoding \"" + message.encoding +
                                 "\", allowed is mono8");
-  const cv::Mat pixels = sharedPixels(message, "");
-  cv::Mat mask = pixels > 0;
-  mask.setTo(kUnknownPixel, pixels == kUnknownPixel);
-  return mask;
+  return maskOfThreeValues(sharedPixels(message, ""));
 }
 
 sensor_msgs::Image messageFromMat(const cv::Mat& image, const std_msgs::Header& header) {

@@ -20,10 +20,12 @@ cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 /// std::invalid_argument if the image cannot be decoded.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
 
-/// A mask (CV_8UC1, 0 | 128 | 255) from a message; 128 is unknown, and every other non-zero pixel
-/// becomes 255. Throws
-/// std::invalid_argument unless the encoding is mono8.
+/// A mask (CV_8UC1, 0 | 128 unknown | 255) from a message; pixels of other values become 255.
+/// Throws std::invalid_argument unless the encoding is mono8.
 cv::Mat maskFromMessage(const sensor_msgs::Image& message);
+
+/// As hasUnknownBackground() of the mask in a message; false if the message is no mask.
+bool hasUnknownBackground(const sensor_msgs::Image& message);
 
 /// \param image CV_8UC1 becomes mono8, CV_8UC3 (BGR) becomes bgr8; throws std::invalid_argument on
 ///   another type

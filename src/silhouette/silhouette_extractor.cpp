@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "markerless_mocap/products/mask_values.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
 #include "silhouette/recording/live_learner.h"

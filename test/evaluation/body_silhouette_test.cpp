@@ -118,6 +118,13 @@ TEST(MaskIou, CountsByHand) {
   EXPECT_DOUBLE_EQ(maskIou(a, a), 1.0);
 }
 
+TEST(MaskIou, WhatIsUnknownInOneOfTheMasksIsLeftOut) {
+  const cv::Mat a = (cv::Mat_<uint8_t>(2, 3) << 255, 128, 0, 128, 1, 0);
+  const cv::Mat b = (cv::Mat_<uint8_t>(2, 3) << 0, 255, 128, 0, 255, 0);
+  EXPECT_DOUBLE_EQ(maskIou(a, b), 1.0 / 2.0);
+  EXPECT_DOUBLE_EQ(maskIou(b, a), 1.0 / 2.0);
+}
+
 TEST(MaskIou, TwoEmptyMasksAgreeOnNothing) {
   const cv::Mat empty = cv::Mat::zeros(4, 4, CV_8UC1);
   EXPECT_EQ(maskIou(empty, empty), 0.0);

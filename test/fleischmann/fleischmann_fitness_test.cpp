@@ -96,6 +96,30 @@ TEST(FleischmannFitness, viewsWithoutAPersonDoNotCount) {
   EXPECT_EQ(none.edge, 0.0);
 }
 
+// Part of a person and of the wall beside him is unknown. As the person's or as the wall's, these
+// pixels would lower the fitness of the true pose.
+TEST(FleischmannFitness, unknownPixelsDoNotCount) {
+  for (const int downsampling : {1, 2}) {
+    FleischmannImageOptions options;
+    options.downsampling = downsampling;
+    Figure figure(options);
+    std::vector<FleischmannView> views = figure.viewsOf(stride());
+    figure.fitness.observe(views);
+    const double known = figure.fitness.fitness(stride().data(), EdgeSelection()).silhouette;
+    for (FleischmannView& view : views) {
+      const cv::Rect person = cv::boundingRect(view.silhouette);
+      const cv::Rect half(0, 0, view.silhouette.cols, person.y + person.height / 2);
+      view.silhouette(half).setTo(128);
+      ASSERT_GT(cv::countNonZero(view.silhouette == 128), 2 * person.area() / 2);
+    }
+    ASSERT_EQ(figure.fitness.observe(views), 4);
+    EXPECT_NEAR(figure.fitness.fitness(stride().data(), EdgeSelection()).silhouette, known, 0.01);
+    FleischmannVector off = stride();
+    off[int(kLeftKnee)] += 0.4;
+    EXPECT_LT(figure.fitness.fitness(off.data(), EdgeSelection()).silhouette, known - 0.01);
+  }
+}
+
 // An arm that is raised sticks out; one that is not in the silhouettes has none of them.
 TEST(FleischmannFitness, evidenceTellsWhatSilhouettesShowOfALimb) {
   Figure figure;

@@ -115,14 +115,23 @@ TEST(ImageConversions, RubbishAndNothingAreNotDecoded) {
   EXPECT_THROW(matFromMessage(message), std::invalid_argument);
 }
 
-TEST(ImageConversions, MaskIsZeroOr255) {
-  cv::Mat mask(1, 3, CV_8UC1, cv::Scalar(0));
-  mask.at<uchar>(0, 1) = 1;
-  mask.at<uchar>(0, 2) = 255;
+TEST(ImageConversions, MaskIsBackgroundPersonOrUnknown) {
+  const cv::Mat mask = (cv::Mat_<uchar>(1, 6) << 0, 1, 127, 128, 129, 255);
   const cv::Mat back = maskFromMessage(messageFromMat(mask, header()));
-  EXPECT_EQ(back.at<uchar>(0, 0), 0);
-  EXPECT_EQ(back.at<uchar>(0, 1), 255);
-  EXPECT_EQ(back.at<uchar>(0, 2), 255);
+  const cv::Mat expected = (cv::Mat_<uchar>(1, 6) << 0, 255, 255, 128, 255, 255);
+  EXPECT_EQ(cv::norm(back, expected, cv::NORM_INF), 0.0);
+}
+
+TEST(ImageConversions, AMessageTellsWhetherItsBackgroundIsUnknown) {
+  cv::Mat mask(40, 50, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(10, 10, 8, 20)).setTo(255);
+  EXPECT_FALSE(hasUnknownBackground(messageFromMat(mask, header())));
+  mask(cv::Rect(20, 10, 8, 20)).setTo(128);
+  sensor_msgs::Image message = messageFromMat(mask, header());
+  EXPECT_TRUE(hasUnknownBackground(message));
+  message.data.resize(10);
+  EXPECT_FALSE(hasUnknownBackground(message));
+  EXPECT_FALSE(hasUnknownBackground(messageFromMat(colorPixels(), header())));
 }
 
 TEST(ImageConversions, ColourImageIsNoMask) {

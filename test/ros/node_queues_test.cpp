@@ -8,6 +8,7 @@
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/latency_meter.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/pose_fitting/color_demand.h"
 
 namespace markerless_mocap {
 namespace {
@@ -95,6 +96,35 @@ TEST(HoldingQueue, OneThatWaitsHoldsThoseBehindItUntilTooManyWait) {
   queue.clear();
   release(0);
   EXPECT_EQ(out.size(), 4u);
+}
+
+TEST(ColorDemand, ImagesAreNeededWhileTheBackgroundIsUnknownAndAShortTimeLonger) {
+  ColorDemand demand(2, 50);
+  EXPECT_FALSE(demand.isNeeded(0, 0));
+  demand.noteUnknown(0, 100);
+  EXPECT_TRUE(demand.isNeeded(0, 100));
+  EXPECT_TRUE(demand.isNeeded(0, 150));
+  EXPECT_FALSE(demand.isNeeded(0, 151));
+  EXPECT_FALSE(demand.isNeeded(0, 40));  // a bag that begins again
+  EXPECT_FALSE(demand.isNeeded(1, 100));
+}
+
+TEST(ColorDemand, OfAGreyCameraNothingIsNeeded) {
+  ColorDemand demand(2, 50);
+  for (const size_t camera : {0, 1}) demand.noteUnknown(camera, 100);
+  demand.noteGrey(0);
+  demand.noteUnknown(0, 110);
+  EXPECT_FALSE(demand.isNeeded(0, 110));
+  EXPECT_TRUE(demand.isNeeded(1, 110));
+}
+
+TEST(CatchUpQueue, TellsHowManyWait) {
+  CatchUpQueue<int> queue(3);
+  EXPECT_EQ(queue.waitingCount(), 0u);
+  for (int i = 0; i < 3; ++i) queue.push(i);
+  EXPECT_EQ(queue.waitingCount(), 3u);
+  queue.take();
+  EXPECT_EQ(queue.waitingCount(), 2u);
 }
 
 TEST(CatchUpQueue, ItemsBehindASlowOneWait) {

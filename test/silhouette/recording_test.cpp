@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "markerless_mocap/products/mask_values.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "markerless_mocap/silhouette/recording_learner.h"
 #include "silhouette/scene.h"
 

@@ -38,6 +38,25 @@ TEST(Overlay, WithoutBodyAndMaskIsTheWholeImage) {
   EXPECT_EQ(sheet.at<cv::Vec3b>(230, 5), cv::Vec3b(80, 80, 80));
 }
 
+// The person fills 12 of 33 x 25 pixels that are shown; the rest of the image is unknown.
+TEST(Overlay, WhatIsUnknownIsNotShownAsThePerson) {
+  cv::Mat mask(60, 80, CV_8UC1, cv::Scalar(128));
+  mask(cv::Rect(30, 10, 20, 30)).setTo(0);
+  mask(cv::Rect(35, 15, 10, 20)).setTo(255);
+  const cv::Mat sheet = overlayOf(oneCamera(), {{cv::Mat(), mask}}, {mask}, {});
+  int unknown = 0, person = 0;
+  for (int y = 0; y < sheet.rows; ++y)
+    for (int x = 0; x < sheet.cols; ++x) {
+      const auto pixel = sheet.at<cv::Vec3b>(y, x);
+      unknown += pixel[0] > pixel[2] + 40;
+      person += pixel == cv::Vec3b(120, 120, 120);
+    }
+  const double tile = sheet.rows * sheet.cols;
+  EXPECT_NEAR(person / tile, 200.0 / (33 * 25), 0.02);
+  EXPECT_GT(unknown, sheet.rows);  // its outline, in a colour of its own
+  EXPECT_LT(unknown / tile, 0.05);
+}
+
 TEST(Overlay, ABodyAtTheEdgeStaysInTheImage) {
   cv::Mat body = cv::Mat::zeros(60, 80, CV_8UC1);
   body.col(79).setTo(255);  // as high as the image

@@ -15,6 +15,7 @@ namespace markerless_mocap {
 struct TrackerNeeds {
   bool masks = false;   ///< silhouettes and calibrations of all cameras
   bool images = false;  ///< images of all cameras
+  bool colors = false;  ///< colour images of the cameras whose masks have hasUnknownBackground()
 };
 
 /// Throws std::invalid_argument on an unknown method.

@@ -46,8 +46,7 @@ void forEachStage(PipelineOptions& options, const Function& function) {
 /// The part of a frame set that comes from one camera. A mat is empty if it is missing.
 struct CameraFrame {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1
-  cv::Mat
-      mask;  ///< CV_8UC1 0 | 128 (unknown) | 255; if given, the background subtraction is skipped
+  cv::Mat mask;   ///< CV_8UC1 0 | 128 unknown | 255; if given, background subtraction is skipped
 };
 
 /// Images or masks of all cameras at one time.
@@ -62,7 +61,7 @@ struct PipelineResult {
   bool learning = false;  ///< too few cameras have learned their background; all other members are
                           ///< empty
   std::vector<cv::Mat>
-      masks;  ///< one per camera, CV_8UC1 0 | 128 (unknown) | 255; empty where missing
+      masks;  ///< one per camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   VisualHull hull;
   BodyParts parts;
   PoseTree tree;

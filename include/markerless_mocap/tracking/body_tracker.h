@@ -15,8 +15,9 @@ namespace markerless_mocap {
 
 /// Input of a tracker at one time. All references must stay valid during the call.
 struct TrackerInput {
-  int64_t stamp_ns;                    ///< capture time
-  const std::vector<cv::Mat>& masks;   ///< by camera, CV_8UC1 0 | 255; empty where missing
+  int64_t stamp_ns;  ///< capture time
+  const std::vector<cv::Mat>&
+      masks;  ///< by camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   const std::vector<cv::Mat>& images;  ///< by camera, grey or BGR; empty where missing
   const VisualHull& hull;
   const BodyParts& parts;

@@ -7,6 +7,7 @@
 #include "contour/fit/contour_observation.h"
 #include "contour/fit/outline.h"
 #include "contour/fit/ray_table.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
@@ -77,7 +78,7 @@ void findUnknown(const cv::Mat& mask, ContourView& view) {
     const uchar* from =
         mask.ptr<uchar>((view.corner.y + y) * view.step) + view.corner.x * view.step;
     for (int x = 0; x < known.cols; ++x)
-      if (from[x * view.step] == kUnknownSample) {
+      if (from[x * view.step] == kUnknownPixel) {
         known.at<uchar>(y, x) = 0;
         all_known = false;
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "markerless_mocap/products/silhouette_mask.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -25,8 +27,7 @@ void compareRows(const uchar* row, const uchar* other, int first, int last, int 
     }
     const int end = std::min(x + kWord, last);
     for (; x < end; ++x)
-      if ((row[x] != 0) != (other[x] != 0) && row[x] != kUnknownSample &&
-          other[x] != kUnknownSample)
+      if ((row[x] != 0) != (other[x] != 0) && row[x] != kUnknownPixel && other[x] != kUnknownPixel)
         cracks.push_back({int16_t(2 * x + dx), int16_t(2 * y + dy)});
   }
 }

@@ -14,9 +14,6 @@ struct Crack {
   Eigen::Vector2d pixel() const { return {0.5 * x2, 0.5 * y2}; }
 };
 
-/// Value of a mask where neither person nor background is known.
-constexpr uchar kUnknownSample = 128;
-
 /// Finds all cracks of a mask inside a box, row by row. The border of the image is no crack,
 /// because the person may continue beyond it; nor is the border of unknown pixels.
 /// \param mask CV_8UC1, 0 background, 128 unknown, other values person

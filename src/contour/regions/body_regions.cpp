@@ -7,13 +7,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/model/contour_kinematics.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr int kSamplesAcross = 330;     // every second pixel up to VGA, fewer of larger images
-constexpr uchar kUnknown = 128;         // of a mask
-constexpr double kMaxUnknown = 0.0005;  // of a mask, otherwise colours are needed
+constexpr int kSamplesAcross = 330;  // every second pixel up to VGA, fewer of larger images
 // Expected error of a body around which candidates are looked for, and how far from it, metres.
 constexpr double kCandidateError = 0.04;
 constexpr float kCandidateReach = 0.5f;
@@ -111,7 +110,7 @@ void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
 
 bool needsRegions(const cv::Mat& image, const cv::Mat& mask) {
   if (image.empty() || image.type() != CV_8UC3) return false;
-  return !mask.empty() && cv::countNonZero(mask == kUnknown) > kMaxUnknown * double(mask.total());
+  return hasUnknownBackground(mask);
 }
 
 BodyRegions::BodyRegions(const CameraRig& rig) : rig_(rig) {

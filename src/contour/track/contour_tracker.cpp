@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "contour/track/default_postures.h"
@@ -136,11 +135,6 @@ ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search s
     starts.push_back(fit.pose);
   const std::vector<RegionFit> fits =
       searchByColor(observer_, hypotheses_, now, *contour_body_, starts);
-  if (std::getenv("TRACE"))
-    for (const auto& f : fits)
-      fprintf(stderr, "  cand q %.3f iou %.3f agr %.2f limbs %.2f %.2f %.2f %.2f\n",
-              qualityOf(f.fit), f.found.overlap, f.found.agreement, f.found.limb_agreement[2],
-              f.found.limb_agreement[3], f.found.limb_agreement[4], f.found.limb_agreement[5]);
   if (fits.empty()) return search;
   return {fits.front().found, {fits.front().fit.pose}};
 }
@@ -184,8 +178,6 @@ bool ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& fou
   next_limb_search_ns_ = now.stamp_ns + kReconsiderInterval_ns;
   const RegionFit before{found, active.track.fit};
   RegionFit after = searchLimbsByColor(observer_, hypotheses_, now, *contour_body_, before);
-  if (std::getenv("TRACE"))
-    fprintf(stderr, "  limbs %.3f -> %.3f\n", before.score(), after.score());
   if (&after.fit != &before.fit && qualityOf(after.fit) == qualityOf(before.fit)) return false;
   found = std::move(after.found);
   active = hypotheses_.startFrom(now.stamp_ns, after.fit);
@@ -279,9 +271,9 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   for (int part = 0; part < kPartCount; ++part) {
     const LimbEvidence& limb = active.track.fit.limbs[limbOf(part)];
     pose.part_sigma_m[size_t(part)] = limb.deviation;
-    pose.part_seen[size_t(part)] =
-        limb.deviation < kMaxSeenDeviation && limb.outside < kMaxSeenOutside &&
-        limb_agreement_[limbOf(part)] >= kMinLimbAgreement;
+    pose.part_seen[size_t(part)] = limb.deviation < kMaxSeenDeviation &&
+                                   limb.outside < kMaxSeenOutside &&
+                                   limb_agreement_[limbOf(part)] >= kMinLimbAgreement;
   }
   return pose;
 }
@@ -308,11 +300,6 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   }
   if (active.track.status != ContourTrackingStatus::kLost)
     observer_.learn(now, *contour_body_, active.track.fit.pose);
-  if (std::getenv("TRACE"))
-    fprintf(stderr, "%.3f st %d acc %d ov %.3f ex %.3f amb %d agr %.2f L %.2f %.2f %.2f %.2f\n",
-            1e-9 * double(now.stamp_ns), int(active.track.status), int(accepted_),
-            active.track.fit.overlap, active.track.fit.rays_explained,
-            int(!hypotheses_.isUnambiguous()), agreement_, found.limb_agreement[2], found.limb_agreement[3], found.limb_agreement[4], found.limb_agreement[5]);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
   if (const std::optional<BodyPose> estimating =

@@ -11,6 +11,7 @@
 #include "fleischmann/fitness/edge_samples.h"
 #include "fleischmann/fitness/fleischmann_cone_outlines.h"
 #include "fleischmann/fitness/quad_canvas.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 
@@ -23,11 +24,18 @@ struct FleischmannFitness::View {
   std::string name;
   cv::Size full;  ///< size of the images from the camera
   BitImage silhouette{};
+  BitImage unknown{};  ///< only with has_unknown
   int64_t area = 0;
   cv::Mat edges{};
-  bool shows_person = false, has_edges = false;
+  bool shows_person = false, has_edges = false, has_unknown = false;
 
   void take(const FleischmannView& seen, const FleischmannImageOptions& options);
+  /// Of a drawing and the silhouette; pixels whose background is unknown do not count.
+  Overlap overlap(const QuadCanvas& canvas) const {
+    Overlap known = canvas.overlap(silhouette);
+    if (has_unknown) known.drawn -= canvas.overlap(unknown).shared;
+    return known;
+  }
 };
 
 struct FleischmannFitness::Cones {
@@ -95,14 +103,21 @@ void FleischmannFitness::View::take(const FleischmannView& seen,
   edges = cv::Mat::zeros(size, CV_8UC1);
   if (seen.silhouette.empty()) return;
   const bool whole = options.downsampling == 1;
-  const cv::Mat mask =
-      whole ? seen.silhouette : reducedMask(seen.silhouette, size, options.downsampling);
-  silhouette = BitImage(mask);
+  const auto reduced = [&](const cv::Mat& mask) {
+    return whole ? mask : reducedMask(mask, size, options.downsampling);
+  };
+  const cv::Mat nonzero = reduced(seen.silhouette);
+  silhouette = BitImage(nonzero);
+  has_unknown = hasUnknownPixels(seen.silhouette);
+  if (has_unknown) {
+    silhouette = BitImage(reduced(personPixels(seen.silhouette)));
+    unknown = BitImage(reduced(seen.silhouette == kUnknownPixel));
+  }
   area = silhouette.count();
   shows_person = area >= options.min_silhouette_pixels;
   if (!shows_person || seen.image.empty()) return;
   const cv::Mat image = whole ? seen.image : reducedImage(seen.image, size, options.downsampling);
-  edges = edgeMap(image, mask,
+  edges = edgeMap(image, nonzero,
                   {options.edge_threshold, options.edge_dilation, options.edge_blur_sigma});
   has_edges = true;
 }
@@ -151,7 +166,7 @@ FitnessTerms FleischmannFitness::fitness(const double* candidate,
     if (!view.shows_person) continue;
     view.camera.outlines(s.cones, s.corners);
     s.drawQuads(view.camera.width(), view.camera.height());
-    const Overlap overlap = s.canvas.overlap(view.silhouette);
+    const Overlap overlap = view.overlap(s.canvas);
     if (overlap.drawn > 0)
       sum.silhouette += 0.5 * double(overlap.shared) / double(overlap.drawn) +
                         0.5 * double(overlap.shared) / double(view.area);
@@ -175,7 +190,7 @@ ConeVisibility FleischmannFitness::evidence(const double* candidate, ConeSet con
     view.camera.outlines(s.cones, s.corners);
     const auto overlap = [&](ConeSet drawn) {
       s.drawQuads(view.camera.width(), view.camera.height(), drawn);
-      return s.canvas.overlap(view.silhouette);
+      return view.overlap(s.canvas);
     };
     const Overlap all = overlap(kAllCones), others = overlap(kAllCones & ~cones);
     sum.drawn += overlap(cones).drawn;

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 
-#include "markerless_mocap/products/mask_values.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {

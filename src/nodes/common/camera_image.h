@@ -12,6 +12,7 @@ struct CameraImage {
   sensor_msgs::ImageConstPtr raw;
   sensor_msgs::CompressedImageConstPtr compressed;
 
+  explicit operator bool() const { return raw || compressed; }
   const std_msgs::Header& header() const { return raw ? raw->header : compressed->header; }
   /// The decoded image, empty if there is none. This object must outlive it. Throws
   /// std::invalid_argument as

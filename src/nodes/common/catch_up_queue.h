@@ -42,6 +42,12 @@ class CatchUpQueue {
     changed_.notify_one();
   }
 
+  /// Number of items that wait.
+  size_t waitingCount() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return waiting_.size();
+  }
+
   /// Number of items that were dropped for newer ones.
   uint64_t droppedCount() const {
     const std::lock_guard<std::mutex> lock(mutex_);

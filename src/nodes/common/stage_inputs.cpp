@@ -21,21 +21,20 @@ std::string silentTopic(const std::string& topic, const std::string& type) {
 
 }  // namespace
 
-void StageInputs::listenToImages(const std::string& camera, const std::string& transport,
-                                 uint32_t queue, Need need,
-                                 const std::function<void(const CameraImage&)>& callback) {
+ros::Subscriber StageInputs::subscribeToImages(
+    const std::string& camera, const std::string& transport, uint32_t queue, Need need,
+    const std::function<void(const CameraImage&)>& callback) {
   using sensor_msgs::CompressedImage;
   const std::string topic = camera + "/image_raw";
   if (transport == "compressed")
-    listen<CompressedImage>(topic + "/compressed", queue, need,
-                            [callback](const CompressedImage::ConstPtr& image) {
-                              callback({nullptr, image});
-                            });
-  else
-    listen<sensor_msgs::Image>(topic, queue, need,
-                               [callback](const sensor_msgs::ImageConstPtr& image) {
-                                 callback({image, nullptr});
-                               });
+    return subscribe<CompressedImage>(topic + "/compressed", queue, need,
+                                      [callback](const CompressedImage::ConstPtr& image) {
+                                        callback({nullptr, image});
+                                      });
+  return subscribe<sensor_msgs::Image>(topic, queue, need,
+                                       [callback](const sensor_msgs::ImageConstPtr& image) {
+                                         callback({image, nullptr});
+                                       });
 }
 
 void StageInputs::require(const std::string& topic, const std::string& type) {

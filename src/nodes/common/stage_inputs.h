@@ -27,21 +27,32 @@ class StageInputs {
   /// \param callback takes a shared pointer to the message
   template <class MessageT, class CallbackT>
   void listen(const std::string& topic, uint32_t queue, Need need, CallbackT callback) {
+    subscribers_.push_back(subscribe<MessageT>(topic, queue, need, callback));
+  }
+  /// \param transport raw or compressed
+  void listenToImages(const std::string& camera, const std::string& transport, uint32_t queue,
+                      Need need, const std::function<void(const CameraImage&)>& callback) {
+    subscribers_.push_back(subscribeToImages(camera, transport, queue, need, callback));
+  }
+  /// As listenToImages(), until the result is destroyed.
+  ros::Subscriber subscribeToImages(const std::string& camera, const std::string& transport,
+                                    uint32_t queue, Need need,
+                                    const std::function<void(const CameraImage&)>& callback);
+
+ private:
+  template <class MessageT, class CallbackT>
+  ros::Subscriber subscribe(const std::string& topic, uint32_t queue, Need need,
+                            CallbackT callback) {
     const std::string name = handle_.resolveName(topic);
     if (need == kRequired) require(name, ros::message_traits::DataType<MessageT>::value());
-    subscribers_.push_back(handle_.subscribe<MessageT>(
+    return handle_.subscribe<MessageT>(
         name, queue,
         gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
           silent_.erase(name);
           callback(message);
         }),
-        {}, lowLatencyTransport()));
+        {}, lowLatencyTransport());
   }
-  /// \param transport raw or compressed
-  void listenToImages(const std::string& camera, const std::string& transport, uint32_t queue,
-                      Need need, const std::function<void(const CameraImage&)>& callback);
-
- private:
   void require(const std::string& topic, const std::string& type);
   void reportSilence();
 

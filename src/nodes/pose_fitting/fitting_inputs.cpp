@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
 
 namespace markerless_mocap {
 namespace {
@@ -43,6 +44,9 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       images_(options.cameras.size(), kMaxViews),
       pending_(kMaxWaiting),
       inputs_(handle, status) {
+  if (needs_.colors)
+    colors_.emplace(options_.cameras, options_.image_transport, &inputs_, status_,
+                    [this] { dispatchReady(); });
   if (!needs_.masks) rig_ = std::make_shared<const CameraRig>();
   for (size_t i = 0; needs_.masks && i < options_.cameras.size(); ++i) listenToCamera(i);
   listenToStages();
@@ -79,16 +83,22 @@ void FittingInputs::listenToCamera(size_t camera) {
         [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
           if (collector_.add(camera, *info)) rig_.reset();
         });
-  inputs_.listen<sensor_msgs::Image>(name + "/silhouette", kQueue, StageInputs::kRequired,
-                                     [this, camera](const sensor_msgs::ImageConstPtr& mask) {
-                                       masks_.add(camera, nanosecondsOf(mask->header.stamp), mask);
-                                       dispatchReady();
-                                     });
+  inputs_.listen<sensor_msgs::Image>(
+      name + "/silhouette", kQueue, StageInputs::kRequired,
+      [this, camera](const sensor_msgs::ImageConstPtr& mask) { receiveMask(camera, mask); });
   if (!needs_.images) return;
   inputs_.listenToImages(name, options_.image_transport, kQueue, StageInputs::kOptional,
                          [this, camera](const CameraImage& image) {
                            images_.add(camera, nanosecondsOf(image.header().stamp), image);
                          });
+}
+
+void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask) {
+  const int64_t stamp_ns = nanosecondsOf(mask->header.stamp);
+  const bool unknown = colors_ && hasUnknownBackground(*mask);
+  if (colors_) colors_->noteMask(camera, stamp_ns, unknown);
+  masks_.add(camera, stamp_ns, {mask, unknown});
+  dispatchReady();
 }
 
 void FittingInputs::receive(Stream stream, const std_msgs::Header& header, Item item) {
@@ -115,7 +125,7 @@ void FittingInputs::join(Assembler::FrameSet frame_set) {
 }
 
 void FittingInputs::dispatchReady() {
-  pending_.release([this](const FittingMessages& input) { return waitsForMasks(input); },
+  pending_.release([this](const FittingMessages& input) { return waitsForViews(input); },
                    [this](FittingMessages input) {
                      if (needs_.masks) addViews(&input);
                      input.error = grid_ ? prepareRig() : "no hull/grid has been received yet";
@@ -124,10 +134,12 @@ void FittingInputs::dispatchReady() {
                    });
 }
 
-bool FittingInputs::waitsForMasks(const FittingMessages& input) const {
+bool FittingInputs::waitsForViews(const FittingMessages& input) const {
   if (!needs_.masks) return false;
+  const int64_t stamp_ns = nanosecondsOf(input.header.stamp), tolerance = stampTolerance();
   for (size_t i = 0; i < options_.cameras.size(); ++i)
-    if (masks_.mayStillCome(i, nanosecondsOf(input.header.stamp), stampTolerance(), kMaxDelay))
+    if (masks_.mayStillCome(i, stamp_ns, tolerance, kMaxDelay) ||
+        (colors_ && colors_->mayStillCome(i, stamp_ns, tolerance, kMaxDelay)))
       return true;
   return false;
 }
@@ -139,13 +151,22 @@ int64_t FittingInputs::stampTolerance() const {
 void FittingInputs::addViews(FittingMessages* input) {
   const int64_t stamp_ns = nanosecondsOf(input->header.stamp);
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
-    input->masks.push_back(masks_.take(i, stamp_ns, stampTolerance()));
-    const sensor_msgs::ImageConstPtr& mask = input->masks.back();
-    if (!mask) status_->count("frame sets without the silhouette of " + options_.cameras[i]);
-    if (needs_.images)
-      input->images.push_back(mask ? images_.take(i, nanosecondsOf(mask->header.stamp))
-                                   : CameraImage());
+    const Mask mask = masks_.take(i, stamp_ns, stampTolerance());
+    if (!mask.message)
+      status_->count("frame sets without the silhouette of " + options_.cameras[i]);
+    input->masks.push_back(mask.message);
+    if (needs_.images || needs_.colors) input->images.push_back(takeImage(i, mask));
   }
+}
+
+CameraImage FittingInputs::takeImage(size_t camera, const Mask& mask) {
+  if (!mask.message) return {};
+  const int64_t stamp_ns = nanosecondsOf(mask.message->header.stamp);
+  if (needs_.images) return images_.take(camera, stamp_ns);
+  const CameraImage image = colors_->take(camera, stamp_ns);
+  if (!mask.unknown) return {};
+  if (!image) status_->count("frame sets without the colours of " + options_.cameras[camera]);
+  return image;
 }
 
 std::string FittingInputs::prepareRig() {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/pose_fitting/color_images.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
 
@@ -32,12 +34,13 @@ struct FittingMessages {
   BodyPartsMsg::ConstPtr parts;
   PoseTreeMsg::ConstPtr tree;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera
-  std::vector<CameraImage> images;                ///< by camera, with the stamps of the masks
+  std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
 };
 
 /// Subscribes to all inputs of pose fitting and joins them by stamp. For a method that needs masks,
 /// a frame set without parts or tree is passed on when a later one is complete or after the
-/// deadline. For the others it is dropped. A frame set without a hull is always dropped.
+/// deadline. For the others it is dropped. A frame set without a hull is always dropped. For a
+/// method that needs colours, images are subscribed only while the masks call for them.
 class FittingInputs {
  public:
   /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
@@ -54,15 +57,24 @@ class FittingInputs {
   };
   using Assembler = FrameSetAssembler<Item>;
 
+  /// A silhouette as it has come.
+  struct Mask {
+    sensor_msgs::ImageConstPtr message;
+    bool unknown = false;  ///< as hasUnknownBackground()
+  };
+
   void listenToStages();
   void listenToCamera(size_t camera);
+  void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   void receive(Stream stream, const std_msgs::Header& header, Item item);
   void join(Assembler::FrameSet frame_set);
-  /// Passes on the waiting frame sets, oldest first, up to one whose silhouettes may still arrive.
+  /// Passes on the waiting frame sets, oldest first, up to one whose silhouettes, or images that it
+  /// needs, may still arrive.
   void dispatchReady();
-  bool waitsForMasks(const FittingMessages& input) const;
+  bool waitsForViews(const FittingMessages& input) const;
   int64_t stampTolerance() const;  ///< nanoseconds
   void addViews(FittingMessages* input);
+  CameraImage takeImage(size_t camera, const Mask& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
   std::string prepareRig();
   void reportCounts();
@@ -76,10 +88,11 @@ class FittingInputs {
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;
-  StampCache<sensor_msgs::ImageConstPtr> masks_;
+  StampCache<Mask> masks_;
   StampCache<CameraImage> images_;
   HoldingQueue<FittingMessages> pending_;  ///< joined, but without views
   VoxelGridConstPtr grid_;
+  std::optional<ColorImages> colors_;  ///< of a method that needs them
   StageInputs inputs_;
 };
 

@@ -23,7 +23,8 @@ namespace {
 
 // Frame sets that wait during a long search, 3 s at 30 per second. All of them are processed,
 // because each pose depends on the last one; a gap would need another search. Fewer if a frame set
-// contains images (10 MB).
+// contains images (10 MB). Where images are used for their colours only, those behind that many
+// frame sets go without.
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 bool isThere(const std::string& file) {
@@ -43,9 +44,19 @@ std::vector<cv::Mat> masksOf(const FittingMessages& input) {
   return masks;
 }
 
-std::vector<cv::Mat> imagesOf(const FittingMessages& input) {
+cv::Mat imageOrNothing(const CameraImage& image) {
+  try {
+    return image.mat();
+  } catch (const std::invalid_argument&) {
+    return cv::Mat();
+  }
+}
+
+/// \param required if not, images that cannot be read are left out
+std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
   std::vector<cv::Mat> images(input.masks.size());
-  for (size_t i = 0; i < input.images.size(); ++i) images[i] = input.images[i].mat();
+  for (size_t i = 0; i < input.images.size(); ++i)
+    images[i] = required ? input.images[i].mat() : imageOrNothing(input.images[i]);
   return images;
 }
 
@@ -83,9 +94,9 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
-  inputs_ = std::make_unique<FittingInputs>(
-      handle, node_options_, needsOf(options_.method), &status_,
-      [this](FittingMessages input) { queue_.push(std::move(input)); });
+  inputs_ =
+      std::make_unique<FittingInputs>(handle, node_options_, needsOf(options_.method), &status_,
+                                      [this](FittingMessages input) { enqueue(std::move(input)); });
   worker_ = std::thread([this] { work(); });
 }
 
@@ -93,6 +104,12 @@ FittingStage::~FittingStage() {
   inputs_.reset();
   queue_.close();
   worker_.join();
+}
+
+void FittingStage::enqueue(FittingMessages input) {
+  if (!needsOf(options_.method).images && queue_.waitingCount() >= kMaxWaitingWithImages)
+    input.images.clear();
+  queue_.push(std::move(input));
 }
 
 void FittingStage::work() {
@@ -111,7 +128,8 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     if (!input.error.empty()) throw std::invalid_argument(input.error);
     prepareTracker(input);
     const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
-    const std::vector<cv::Mat> masks = masksOf(input), images = imagesOf(input);
+    const std::vector<cv::Mat> masks = masksOf(input);
+    const std::vector<cv::Mat> images = imagesOf(input, needsOf(options_.method).images);
     BodyPose pose = tracker_->update(
         {nanosecondsOf(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
     if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);

@@ -33,6 +33,7 @@ class FittingStage {
   FittingStage& operator=(const FittingStage&) = delete;
 
  private:
+  void enqueue(FittingMessages input);
   void work();
   BodyPose fit(const FittingMessages& input);
   /// Makes a new tracker if the rig has changed. An estimated shape is kept.

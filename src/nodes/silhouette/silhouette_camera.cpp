@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "markerless_mocap/products/mask_values.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
@@ -67,9 +67,7 @@ void SilhouetteCamera::process(const CameraImage& image) {
 void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image) {
   if (mask.type() != CV_8UC1)
     throw std::invalid_argument("the image is not a mask, allowed is one channel");
-  cv::Mat plain = mask > 0;
-  plain.setTo(kUnknownPixel, mask == kUnknownPixel);
-  publishShared(publisher_, messageFromMat(plain, image.header()));
+  publishShared(publisher_, messageFromMat(maskOfThreeValues(mask), image.header()));
   status_.ok("masks are published");
 }
 

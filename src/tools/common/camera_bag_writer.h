@@ -23,7 +23,7 @@ class CameraBagWriter {
   /// Call this once, before the first frame set.
   void writeTransforms(int64_t stamp_ns);
   /// \param image CV_8UC3 or CV_8UC1; empty: none
-  /// \param mask CV_8UC1 0 | 255; empty: none
+  /// \param mask CV_8UC1 0 | 128 unknown | 255; empty: none
   /// Throws std::invalid_argument if image or mask differ in size from the camera's first image.
   void write(int64_t stamp_ns, size_t camera, const cv::Mat& image, const cv::Mat& mask);
   void commit() { bag_.commit(); }

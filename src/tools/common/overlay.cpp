@@ -6,13 +6,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "evaluation/body_silhouette.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr int kTileWidth = 320;         // pixels
 constexpr double kMarginFactor = 1.25;  // size relative to the box around mask and body
-const cv::Scalar kBodyColor(60, 200, 60), kMaskColor(40, 40, 230);
+const cv::Scalar kBodyColor(60, 200, 60), kMaskColor(40, 40, 230), kUnknownColor(230, 160, 40);
 
 cv::Mat backdrop(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask) {
   cv::Mat picture(camera.height(), camera.width(), CV_8UC3, cv::Scalar(40, 40, 40));
@@ -21,21 +22,26 @@ cv::Mat backdrop(const Camera& camera, const CameraFrame& frame, const cv::Mat& 
   else if (!frame.image.empty())
     cv::cvtColor(frame.image, picture, cv::COLOR_GRAY2BGR);
   else if (!mask.empty())
-    picture.setTo(cv::Scalar(120, 120, 120), mask);
+    picture.setTo(cv::Scalar(120, 120, 120), personPixels(mask));
   return picture;
 }
 
-void drawMask(const cv::Mat& mask, cv::Mat* picture) {
+void drawOutline(const cv::Mat& area, const cv::Scalar& color, cv::Mat* picture) {
   std::vector<std::vector<cv::Point>> outlines;
-  cv::findContours(mask, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
-  cv::drawContours(*picture, outlines, -1, kMaskColor, 1, cv::LINE_AA);
+  cv::findContours(area, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
+  cv::drawContours(*picture, outlines, -1, color, 1, cv::LINE_AA);
+}
+
+void drawMask(const cv::Mat& mask, cv::Mat* picture) {
+  drawOutline(mask == kUnknownPixel, kUnknownColor, picture);
+  drawOutline(personPixels(mask), kMaskColor, picture);
 }
 
 /// The box around mask and body with a margin, in the aspect ratio of the image.
 cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& body) {
   const cv::Rect whole({0, 0}, image);
   cv::Rect shown;
-  if (!mask.empty()) shown |= cv::boundingRect(mask);
+  if (!mask.empty()) shown |= cv::boundingRect(personPixels(mask));
   if (!body.empty()) shown |= cv::boundingRect(body);
   if (shown.empty()) return whole;
   const double fraction =

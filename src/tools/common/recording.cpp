@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "ros/rig_collector.h"
@@ -57,8 +58,10 @@ int64_t stampOf(const RecordedImage& image) {
 
 /// A decoded image may share the pixels of the message.
 cv::Mat decoded(const RecordedImage& image, bool is_mask) {
-  if (image.compressed) return matFromMessage(*image.compressed);
-  return is_mask ? maskFromMessage(*image.raw) : sharedMatFromMessage(*image.raw);
+  if (!image.compressed)
+    return is_mask ? maskFromMessage(*image.raw) : sharedMatFromMessage(*image.raw);
+  const cv::Mat pixels = matFromMessage(*image.compressed);
+  return is_mask && pixels.type() == CV_8UC1 ? maskOfThreeValues(pixels) : pixels;
 }
 
 }  // namespace

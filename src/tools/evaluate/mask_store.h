@@ -20,7 +20,7 @@ class MaskStore {
             const std::vector<int64_t>& stamps_ns, int64_t tolerance_ns);
 
   bool empty() const { return masks_.empty(); }
-  /// CV_8UC1 0 | 255; empty if missing.
+  /// CV_8UC1 0 | 128 unknown | 255; empty if missing.
   cv::Mat at(int64_t stamp_ns, size_t camera) const;
 
  private:

@@ -2,6 +2,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/common/progress.h"
 #include "tools/import/camera_files.h"
@@ -88,7 +89,7 @@ void writeFrameSet(const std::vector<CameraFiles>& cameras, size_t frame_set, in
     if (!cameras[i].images.empty())
       image = readImage(cameras[i].images[frame_set], cv::IMREAD_COLOR);
     if (!cameras[i].masks.empty())
-      mask = readImage(cameras[i].masks[frame_set], cv::IMREAD_GRAYSCALE) > 0;
+      mask = maskOfThreeValues(readImage(cameras[i].masks[frame_set], cv::IMREAD_GRAYSCALE));
     bag->write(stamp_ns, i, image, mask);
   }
 }

@@ -49,7 +49,8 @@ CLI::App* describeMatrices(CLI::App& app, Arguments* arguments) {
           "the number of the camera")
       ->required();
   command->add_option("--images", input.images, "such as 'DIR/cam%02d_*.png', sorted by name");
-  command->add_option("--masks", input.masks, "such as 'DIR/silh_cam%02d_*.pbm'; white = person");
+  command->add_option("--masks", input.masks,
+                      "such as 'DIR/silh_cam%02d_*.pbm'; white = person, value 128 = unknown");
   describeCommon(command, arguments);
   return command;
 }

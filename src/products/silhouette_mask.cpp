@@ -1,0 +1,34 @@
+#include "markerless_mocap/products/silhouette_mask.h"
+
+#include <cstring>
+#include <opencv2/core.hpp>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kMaxUnknown = 0.0005;  // of a mask
+
+}  // namespace
+
+bool hasUnknownPixels(const cv::Mat& mask) {
+  for (int y = 0; y < mask.rows; ++y)
+    if (std::memchr(mask.ptr(y), kUnknownPixel, size_t(mask.cols))) return true;
+  return false;
+}
+
+cv::Mat personPixels(const cv::Mat& mask) {
+  return (mask != kBackgroundPixel) & (mask != kUnknownPixel);
+}
+
+bool hasUnknownBackground(const cv::Mat& mask) {
+  return hasUnknownPixels(mask) &&
+         cv::countNonZero(mask == kUnknownPixel) > kMaxUnknown * double(mask.total());
+}
+
+cv::Mat maskOfThreeValues(const cv::Mat& grey) {
+  cv::Mat mask = grey > 0;
+  if (hasUnknownPixels(grey)) mask.setTo(kUnknownPixel, grey == kUnknownPixel);
+  return mask;
+}
+
+}  // namespace markerless_mocap
