@@ -50,8 +50,8 @@ class ContourTracker : public BodyTracker {
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
-  /// Returns true if other places of limbs agree better with colours and silhouettes.
-  bool searchLimbs(const TrackerInput& now, RegionObservation& found, ActiveTrack& active);
+  /// Takes other places of limbs if they agree better with colours and silhouettes.
+  void searchLimbs(const TrackerInput& now, RegionObservation& found, ActiveTrack& active);
   void reconsider(const TrackerInput& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
   /// Returns a pose without estimate as long as the body shape is being estimated: no pose is
@@ -70,8 +70,8 @@ class ContourTracker : public BodyTracker {
   // Of the last frame, see RegionMasks.
   double agreement_ = 1.0;
   std::array<double, ContourLimb::kCount> limb_agreement_{};
-  bool accepted_ = false;   ///< the pose has been accepted since the last start
-  bool reported_ = false;   ///< a pose has been reported since the last start
+  bool accepted_ = false;  ///< the pose has been accepted since the last start
+  bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
   int64_t next_limb_search_ns_ = 0;
   std::optional<OnlineShapeEstimator> shape_estimator_;

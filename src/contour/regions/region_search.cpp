@@ -49,17 +49,19 @@ double RegionFit::score() const {
   return qualityOf(fit) + found.overlap;
 }
 
-RegionFit searchLimbsByColor(const RegionObserver& observer,
-                             const ContourMultiHypothesisTracker& tracker, const TrackerInput& now,
-                             const ContourBody& body, RegionFit first) {
+std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
+                                            const ContourMultiHypothesisTracker& tracker,
+                                            const TrackerInput& now, const ContourBody& body,
+                                            const RegionFit& first) {
   const std::vector<cv::Mat> wide = observer.candidates(now, body, first.fit.pose);
   const ContourFit moved = tracker.search(observer.observe(wide), body, first.fit.pose);
-  if (moved.status != ContourFitStatus::kFitted) return first;
+  if (moved.status != ContourFitStatus::kFitted) return std::nullopt;
   RegionFit second = followed(observer, tracker, now, body, moved.pose, kRoundsAfterLimbs);
-  if (!isFitted(second)) return first;
+  if (!isFitted(second)) return std::nullopt;
   const double gain = qualityOf(second.fit) - qualityOf(first.fit) +
                       overlapOf(second.found.masks, wide) - overlapOf(first.found.masks, wide);
-  return gain > kMinGain ? second : first;
+  if (gain <= kMinGain) return std::nullopt;
+  return second;
 }
 
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
@@ -70,7 +72,8 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   for (const ContourPose& pose : poses) {
     RegionFit one = followed(observer, tracker, now, body, pose, kFirstRounds);
     if (!isFitted(one)) continue;
-    one = searchLimbsByColor(observer, tracker, now, body, std::move(one));
+    if (auto better = searchLimbsByColor(observer, tracker, now, body, one))
+      one = std::move(*better);
     out.push_back(std::move(one));
   }
   std::stable_sort(out.begin(), out.end(), [](const RegionFit& one, const RegionFit& other) {

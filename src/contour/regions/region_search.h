@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contour/regions/region_observer.h"
@@ -27,9 +28,10 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const std::vector<ContourPose>& poses);
 
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
-/// \return the better of the two
-RegionFit searchLimbsByColor(const RegionObserver& observer,
-                             const ContourMultiHypothesisTracker& tracker, const TrackerInput& now,
-                             const ContourBody& body, RegionFit first);
+/// \return empty if they are not better
+std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
+                                            const ContourMultiHypothesisTracker& tracker,
+                                            const TrackerInput& now, const ContourBody& body,
+                                            const RegionFit& first);
 
 }  // namespace markerless_mocap

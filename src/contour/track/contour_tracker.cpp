@@ -170,18 +170,17 @@ bool ContourTracker::isAccepted(const ContourFit& fit) const {
 
 // A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show
 // it elsewhere.
-bool ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& found,
+void ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& found,
                                  ActiveTrack& active) {
   const double least = *std::min_element(found.limb_agreement.begin(), found.limb_agreement.end());
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
-  if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !observer_.needsColor(now)) return false;
+  if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !observer_.needsColor(now)) return;
   next_limb_search_ns_ = now.stamp_ns + kReconsiderInterval_ns;
-  const RegionFit before{found, active.track.fit};
-  RegionFit after = searchLimbsByColor(observer_, hypotheses_, now, *contour_body_, before);
-  if (&after.fit != &before.fit && qualityOf(after.fit) == qualityOf(before.fit)) return false;
-  found = std::move(after.found);
-  active = hypotheses_.startFrom(now.stamp_ns, after.fit);
-  return true;
+  auto better =
+      searchLimbsByColor(observer_, hypotheses_, now, *contour_body_, {found, active.track.fit});
+  if (!better) return;
+  found = std::move(better->found);
+  active = hypotheses_.startFrom(now.stamp_ns, better->fit);
 }
 
 // A valid pose tree is nearly always right, so it becomes the alternative if it contradicts the
