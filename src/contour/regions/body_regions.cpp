@@ -108,6 +108,11 @@ void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
 
 }  // namespace
 
+const cv::Mat& imageOf(const std::vector<cv::Mat>& images, size_t camera) {
+  static const cv::Mat kNone;
+  return camera < images.size() ? images[camera] : kNone;
+}
+
 bool needsRegions(const cv::Mat& image, const cv::Mat& mask) {
   if (image.empty() || image.type() != CV_8UC3) return false;
   return hasUnknownBackground(mask);
@@ -133,7 +138,7 @@ RegionMasks BodyRegions::segment(const std::vector<cv::Mat>& images,
   out.masks = masks;
   std::vector<RegionMask> found(rig_.size());
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(images[i], masks[i])) return;
+    if (!needsRegions(imageOf(images, i), masks[i])) return;
     const int step = stepOf(rig_[i]);
     const cv::Mat known = masks[i].empty() ? cv::Mat() : sampled(masks[i], step, cv::INTER_NEAREST);
     found[i] = segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
@@ -150,7 +155,7 @@ std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
                                              const ContourPose& pose) const {
   std::vector<cv::Mat> out = masks;
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(images[i], masks[i])) return;
+    if (!needsRegions(imageOf(images, i), masks[i])) return;
     const int step = stepOf(rig_[i]);
     const ProjectedBody at = projected(rig_[i], step, body, pose, kCandidateError);
     const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
@@ -165,7 +170,7 @@ std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
 void BodyRegions::learn(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
                         const ContourBody& body, const ContourPose& pose, double error_m) {
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(images[i], masks[i])) return;
+    if (!needsRegions(imageOf(images, i), masks[i])) return;
     const int step = stepOf(rig_[i]);
     segmenters_[i].learn(sampled(images[i], step, cv::INTER_AREA),
                          projected(rig_[i], step, body, pose, error_m));

@@ -10,6 +10,9 @@
 
 namespace markerless_mocap {
 
+/// Image of a camera; empty if there is none.
+const cv::Mat& imageOf(const std::vector<cv::Mat>& images, size_t camera);
+
 /// True if colours must decide in a view: its background is not known where it matters, and there
 /// is a colour image.
 /// \param mask CV_8UC1 0 | 128 unknown | 255, or empty

@@ -23,7 +23,7 @@ RegionObservation RegionObserver::observe(const TrackerInput& now) const {
 
 bool RegionObserver::needsColor(const TrackerInput& now) const {
   for (size_t i = 0; i < now.masks.size(); ++i)
-    if (needsRegions(now.images[i], now.masks[i])) return true;
+    if (needsRegions(imageOf(now.images, i), now.masks[i])) return true;
   return false;
 }
 
