@@ -1,8 +1,10 @@
 #include "contour/regions/region_search.h"
 
 #include <algorithm>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <utility>
+
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
@@ -10,7 +12,7 @@ namespace {
 // Expected errors of the body's outline in the rounds of a search, metres.
 const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
 
-constexpr double kMinGain = 0.01;  // of the score
+constexpr double kMinGain = 0.005;  // of the score
 
 bool isFitted(const RegionFit& one) {
   return one.fit.status == ContourFitStatus::kFitted;
@@ -27,6 +29,24 @@ double overlapOf(const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& 
     ++views;
   }
   return views ? sum / views : 0.0;
+}
+
+/// Those candidates that touch the person or each other: a limb is attached to the body.
+cv::Mat attached(const cv::Mat& person, const cv::Mat& candidates) {
+  if (person.empty() || candidates.empty()) return candidates;
+  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  cv::Mat found, all, labels;
+  cv::morphologyEx(candidates, found, cv::MORPH_OPEN, disk);
+  cv::dilate(found | person, all, disk);
+  const int count = cv::connectedComponents(all, labels, 8, CV_32S);
+  std::vector<bool> keep(size_t(count), false);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (person.at<uchar>(y, x) == kPersonPixel) keep[size_t(labels.at<int>(y, x))] = true;
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (!keep[size_t(labels.at<int>(y, x))]) found.at<uchar>(y, x) = 0;
+  return found;
 }
 
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
@@ -53,8 +73,13 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
                                             const ContourMultiHypothesisTracker& tracker,
                                             const TrackerInput& now, const ContourBody& body,
                                             const RegionFit& first) {
-  const std::vector<cv::Mat> wide = observer.candidates(now, body, first.fit.pose);
-  const ContourFit moved = tracker.search(observer.observe(wide), body, first.fit.pose);
+  std::vector<cv::Mat> wide = observer.candidates(now, body, first.fit.pose);
+  std::vector<cv::Mat> all(wide.size());
+  for (size_t i = 0; i < wide.size(); ++i) {
+    wide[i] = attached(first.found.masks[i], wide[i]);
+    if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
+  }
+  const ContourFit moved = tracker.search(observer.observe(all), body, first.fit.pose);
   if (moved.status != ContourFitStatus::kFitted) return std::nullopt;
   RegionFit second = followed(observer, tracker, now, body, moved.pose, kRoundsAfterLimbs);
   if (!isFitted(second)) return std::nullopt;
