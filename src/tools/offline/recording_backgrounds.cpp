@@ -25,8 +25,8 @@ void readAll(const OfflineOptions& options, Recording* recording,
 
 void tell(const CameraRig& rig, const std::vector<SharedBackground>& backgrounds,
           std::ostream& notes) {
-  notes << "nobody left the room empty at first: the background is learned from the whole "
-           "recording; not seen in it:";
+  notes << "somebody is in the first images: the background is learned from the whole recording; "
+           "not seen in it:";
   for (size_t i = 0; i < backgrounds.size(); ++i)
     if (backgrounds[i])
       notes << ' ' << rig[i].name() << ' ' << std::lround(100 * unknownFraction(*backgrounds[i]))
