@@ -17,6 +17,9 @@ constexpr float kChange = 25;           ///< grey levels
 constexpr float kConstantShare = 0.8f;  ///< of the later images
 constexpr size_t kFewest = 4;           ///< later images to decide by
 constexpr int kOpen = 3;
+// Around what has left, at most some pixels of the later images are not constant.
+constexpr int kAround = 7;  ///< pixels
+constexpr double kQuietAround = 0.8;
 
 std::vector<PixelCandidates> candidatesOf(const std::vector<cv::Mat>& images,
                                           const cv::Mat& reference) {
@@ -29,13 +32,22 @@ std::vector<PixelCandidates> candidatesOf(const std::vector<cv::Mat>& images,
   return findCandidates(samples);
 }
 
-int largestRegion(const cv::Mat& mask) {
+/// True if there is a large region of `changed` that nothing moves around.
+bool hasQuietRegion(const cv::Mat& changed, const cv::Mat& constant) {
   cv::Mat labels, stats, centers;
-  const int n = cv::connectedComponentsWithStats(mask, labels, stats, centers);
-  int largest = 0;
-  for (int label = 1; label < n; ++label)
-    largest = std::max(largest, stats.at<int>(label, cv::CC_STAT_AREA));
-  return largest;
+  const int n = cv::connectedComponentsWithStats(changed, labels, stats, centers);
+  const cv::Mat element =
+      cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kAround + 1, 2 * kAround + 1});
+  for (int label = 1; label < n; ++label) {
+    if (stats.at<int>(label, cv::CC_STAT_AREA) <= kLeftFraction * double(changed.total())) continue;
+    const cv::Mat region = labels == label;
+    cv::Mat around;
+    cv::dilate(region, around, element);
+    around.setTo(0, region);
+    const int quiet = cv::countNonZero(around & constant);
+    if (quiet > kQuietAround * cv::countNonZero(around)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -50,15 +62,16 @@ bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& la
   if (later.size() < kFewest) return false;
   const std::vector<PixelCandidates> before = findCandidates(first);
   const std::vector<PixelCandidates> after = candidatesOf(later, first.colors[0]);
-  cv::Mat changed(first.size, CV_8UC1);
+  cv::Mat changed(first.size, CV_8UC1), constant(first.size, CV_8UC1);
   for (size_t i = 0; i < before.size(); ++i) {
     const ColorCandidate& now = after[i].colors[0];
     const bool differs = cv::norm(now.color - before[i].colors[0].color) > kChange;
-    changed.data[i] = differs && now.share >= kConstantShare ? 255 : 0;
+    constant.data[i] = now.share >= kConstantShare ? 255 : 0;
+    changed.data[i] = differs ? constant.data[i] : 0;
   }
   const cv::Mat element = cv::getStructuringElement(cv::MORPH_ELLIPSE, {kOpen, kOpen});
   cv::morphologyEx(changed, changed, cv::MORPH_OPEN, element);
-  return largestRegion(changed) > kLeftFraction * first.size.area();
+  return hasQuietRegion(changed, constant);
 }
 
 }  // namespace markerless_mocap

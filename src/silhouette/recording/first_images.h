@@ -11,8 +11,8 @@ namespace markerless_mocap {
 bool showMotion(const SceneSamples& samples);
 
 /// Whether something stood in the first images that later is gone: a region which is constant
-/// later on, but differs from the first images. People who come later leave no such region, as they
-/// move.
+/// later on, as is what surrounds it, but differs from the first images. Somebody who comes later
+/// and stays in one place leaves such a region, too, but moves around it.
 /// \param later CV_8UC3 of the samples' size
 bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& later);
 
