@@ -14,7 +14,7 @@ namespace markerless_mocap {
 namespace {
 
 /// Directions of other people, seen from the centre, radians.
-constexpr double kOtherBearing = 2.2, kBystanderBearing = -1.96;
+constexpr double kOtherBearing = 2.2, kBystanderBearing = -1.57;
 constexpr double kOtherPhase = 0.43;  // fraction of the motion's period
 
 /// Options of the second person: another sex, stature and appearance.
