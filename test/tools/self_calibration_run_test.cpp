@@ -9,10 +9,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "contour/rig_shift.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
 #include "ros/package_files.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/common/studio_settings.h"
@@ -23,6 +25,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kTurned = 2;  // camera
+constexpr int kBlock = 20;     // pixels
 
 class SelfCalibrationRun : public ToolTest {
  protected:
@@ -33,7 +36,7 @@ class SelfCalibrationRun : public ToolTest {
   }
 
   /// Somebody walks in a circle within four cameras.
-  void film() {
+  void film(const std::string& images = "none") {
     RenderOptions film;
     film.output = run_.input;
     film.files.urdf_template = readText(packageFile("urdf/human.urdf.in"));
@@ -45,10 +48,32 @@ class SelfCalibrationRun : public ToolTest {
     film.studio.background_frames = 0;
     film.studio.fps = 10.0;
     film.studio.duration = 3.0;
-    film.images = "none";
+    film.images = images;
     film.masks = true;
     renderCapture(film, nullptr, false);
     truth_ = Recording(run_.input, run_.recording).rig();
+  }
+
+  /// Two fifths of every silhouette become unknown, in blocks that stay where they are.
+  void forgetBackground() {
+    const std::string known = run_.input;
+    run_.input = path("unknown.bag");
+    rosbag::Bag from(known);
+    rosbag::Bag to(run_.input, rosbag::bagmode::Write);
+    for (const rosbag::MessageInstance& entry : rosbag::View(from)) {
+      const auto image = entry.instantiate<sensor_msgs::Image>();
+      if (!image || image->encoding != "mono8") {
+        to.write(entry.getTopic(), entry.getTime(), entry);
+        continue;
+      }
+      const cv::Mat mask = maskFromMessage(*image);
+      const int camera = entry.getTopic().at(4) - '0';  // of /cam0/silhouette
+      for (int y = 0; y < mask.rows / kBlock; ++y)
+        for (int x = 0; x < mask.cols / kBlock; ++x)
+          if ((7 * y + 3 * x + camera) % 5 < 2)
+            mask(cv::Rect(x * kBlock, y * kBlock, kBlock, kBlock)).setTo(128);
+      to.write(entry.getTopic(), entry.getTime(), messageFromMat(mask, image->header));
+    }
   }
 
   /// Tells the run of a rig with one camera that points so far past where it does.
@@ -108,6 +133,48 @@ TEST_F(SelfCalibrationRun, FindsTheTurnedCameraToHalfAPixel) {
   for (const Camera& camera : found.rig)
     EXPECT_TRUE(T_world.at(opticalFrame(camera.name()))
                     .isApprox(camera.calibration().T_world_camera, 1e-9));
+}
+
+TEST_F(SelfCalibrationRun, ColoursDoWhereTheBackgroundIsUnknown) {
+  film("raw");
+  forgetBackground();
+  tellTurned(4.0);
+  const OrientationRefinement found = selfCalibrate(run_, path("found.yaml"));
+  EXPECT_EQ(found.status, OrientationRefinementStatus::kCorrected);
+  EXPECT_LT(pixelsOff(rigOf("found.yaml")), 0.8);
+}
+
+TEST_F(SelfCalibrationRun, ARunSaysThatTheCalibrationIsWrongAndUsesItAsItIs) {
+  film();
+  tellTurned(4.0);
+  const RunSummary summary = runOffline(run_, nullptr, false);
+  const std::string& finding = summary.calibrationFinding();
+  EXPECT_EQ(finding.rfind("the calibration looks wrong: the person fits better if these cameras "
+                          "are rotated: cam2 by 0.",
+                          0),
+            0u)
+      << finding;
+  EXPECT_EQ(finding.find("cam0"), std::string::npos) << finding;
+  std::ostringstream text;
+  summary.print(text);
+  EXPECT_NE(text.str().find(finding), std::string::npos);
+  const CameraRig told = rigOf("told.yaml");
+  const std::map<std::string, Eigen::Isometry3d> T_world = transformsIn(run_.output);
+  for (const Camera& camera : told)
+    EXPECT_TRUE(T_world.at(opticalFrame(camera.name()))
+                    .isApprox(camera.calibration().T_world_camera, 1e-9));
+}
+
+TEST_F(SelfCalibrationRun, ARunSaysNothingOfACalibrationThatIsRight) {
+  film();
+  EXPECT_EQ(runOffline(run_, nullptr, false).calibrationFinding(), "");
+}
+
+TEST_F(SelfCalibrationRun, ARunThatIsNotToCheckSaysNothing) {
+  film();
+  tellTurned(4.0);
+  run_.check_calibration = false;
+  EXPECT_EQ(runOffline(run_, nullptr, false).calibrationFinding(), "");
 }
 
 TEST_F(SelfCalibrationRun, ARigThatIsRightIsKeptAndNothingIsWritten) {

@@ -56,6 +56,7 @@ void describe(CLI::App& app, Arguments* arguments) {
 /// if quiet, because the calibration changes.
 void calibrate(const std::string& rig_file, OfflineOptions* options) {
   const OrientationRefinement estimate = selfCalibrate(*options, rig_file);
+  options->check_calibration = false;
   options->remarks = calibrationMessages(estimate, rig_file);
   for (const std::string& remark : options->remarks) std::cerr << remark << '\n';
   if (estimate.status == OrientationRefinementStatus::kCorrected) options->recording.rig = rig_file;

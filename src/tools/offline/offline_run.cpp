@@ -9,6 +9,7 @@
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 #include "tools/common/progress.h"
+#include "tools/offline/calibration_check.h"
 #include "tools/offline/recording_backgrounds.h"
 #include "tools/offline/result_writer.h"
 #include "tools/offline/run_report.h"
@@ -111,6 +112,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   std::optional<RunReport> report;
   if (!options.report_folder.empty())
     report.emplace(options.report_folder, *body->model, pipeline.rig());
+  std::optional<CalibrationCheck> calibration;
+  if (options.check_calibration) calibration.emplace(pipeline, stages.fitting);
   const auto write = [&](const FrameSet& frame_set, const PipelineResult& result) {
     if (summary.frame_sets() == 0) {
       writer.writeStaticTransforms(frame_set.stamp_ns, recording.staticTransforms());
@@ -120,6 +123,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     if (options.masks_out) writer.writeMasks(frame_set.stamp_ns, recording.cameras(), result.masks);
     if (result.learning) return;
     writer.write(frame_set.stamp_ns, result);
+    if (calibration) calibration->add(frame_set, result);
     if (report) summary.addOverlaps(report->add(frame_set, result));
   };
   pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
@@ -136,7 +140,10 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   progress.finish();
   checkOutcome(summary, recording);
   bag.commit();
-  if (report) report->write(options.input, options.remarks);
+  std::vector<std::string> remarks = options.remarks;
+  if (calibration) summary.setCalibrationFinding(calibration->finding());
+  if (!summary.calibrationFinding().empty()) remarks.push_back(summary.calibrationFinding());
+  if (report) report->write(options.input, remarks);
   if (!options.save_body.empty()) saveBody(options, *body);
   if (notes) remarkOn(recording, *notes);
   return summary;

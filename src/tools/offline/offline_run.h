@@ -23,6 +23,7 @@ struct OfflineOptions {
   std::string report_folder;         ///< empty: no report
   std::vector<std::string> remarks;  ///< lines at the top of the report
   bool masks_out = false;            ///< also write the silhouettes
+  bool check_calibration = true;     ///< say if the calibration looks wrong
   std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set
 };
 

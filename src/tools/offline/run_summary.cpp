@@ -81,6 +81,7 @@ void RunSummary::print(std::ostream& out) const {
     out << "overlap        " << std::setprecision(3) << meanIou()
         << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
   printTimes(out);
+  if (!calibration_finding_.empty()) out << calibration_finding_ << '\n';
   if (processed() > 0 && poses() == 0)
     out << "No frame has a pose: hull and segmentation are written, all poses are LOST.\n";
 }

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "markerless_mocap/pipeline/pipeline.h"
@@ -26,6 +27,10 @@ class RunSummary {
   void add(const PipelineResult& result);
   /// \param overlaps intersection over union of body and mask, one per view
   void addOverlaps(const std::vector<double>& overlaps);
+
+  /// \param finding a sentence about the calibration; empty: none
+  void setCalibrationFinding(std::string finding) { calibration_finding_ = std::move(finding); }
+  const std::string& calibrationFinding() const { return calibration_finding_; }
 
   int frame_sets() const { return frame_sets_; }
   /// Number of frame sets after the background was learned.
@@ -56,6 +61,7 @@ class RunSummary {
   std::map<std::string, Reason> reasons_;  ///< reasons of lost poses; key: message without numbers
   int frame_sets_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
   int valid_trees_ = 0;
+  std::string calibration_finding_;
   double iou_sum_ = 0.0;
   int views_ = 0;  ///< number of compared views
 };
