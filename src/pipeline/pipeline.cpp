@@ -104,6 +104,13 @@ void Pipeline::useBackgrounds(const std::vector<SharedBackground>& backgrounds) 
   for (size_t i = 0; i < backgrounds.size(); ++i) silhouettes_[i].useBackground(backgrounds[i]);
 }
 
+std::vector<SharedBackground> Pipeline::backgrounds() const {
+  std::vector<SharedBackground> backgrounds;
+  for (const SilhouetteExtractor& extractor : silhouettes_)
+    backgrounds.push_back(extractor.background());
+  return backgrounds;
+}
+
 void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   if (frames.size() != rig().size())
     throw std::invalid_argument("pipeline got " + std::to_string(frames.size()) +

@@ -61,12 +61,17 @@ class SilhouetteExtractor::Impl {
     if (modesOf(options_) == 0)
       throw std::invalid_argument("silhouette: the background of the model " + options_.model +
                                   " cannot be saved, allowed are gaussian and mean_shift");
-    const bool is_learned = subtractor_ && !subtractor_->background()->empty();
-    if (!is_learned && loaded_.empty())
+    const Background* background = current();
+    if (!background)
       throw std::invalid_argument("silhouette: the background is not learned yet, " +
                                   std::to_string(frames_learned_) + " of " +
                                   std::to_string(options_.background_frames) + " images came");
-    (is_learned ? *subtractor_->background() : loaded_).save(path);
+    background->save(path);
+  }
+
+  SharedBackground background() const {
+    const Background* background = current();
+    return background ? std::make_shared<const Background>(*background) : nullptr;
   }
 
   void load(const std::string& path) {
@@ -94,6 +99,13 @@ class SilhouetteExtractor::Impl {
 
   /// Whether the model has a background.
   bool learns() const { return options_.model != "network"; }
+
+  /// nullptr while learning, or if the model has none that can be saved.
+  const Background* current() const {
+    const Background* used = subtractor_ ? subtractor_->background() : nullptr;
+    if (used && !used->empty()) return used;
+    return loaded_.empty() ? nullptr : &loaded_;
+  }
 
   void begin(const cv::Mat& image) {
     size_ = image.size();
@@ -173,6 +185,10 @@ void SilhouetteExtractor::saveBackground(const std::string& path) const {
 
 void SilhouetteExtractor::loadBackground(const std::string& path) {
   impl_->load(path);
+}
+
+SharedBackground SilhouetteExtractor::background() const {
+  return impl_->background();
 }
 
 void SilhouetteExtractor::useBackground(const SharedBackground& background) {

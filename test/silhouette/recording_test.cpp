@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "markerless_mocap/silhouette/background_picture.h"
 #include "markerless_mocap/silhouette/recording_learner.h"
 #include "silhouette/scene.h"
 
@@ -69,6 +70,35 @@ TEST_P(RecordingOf, WhatIsAlwaysCoveredIsUnknown) {
   EXPECT_NEAR(result.unknown_fraction, double(cv::countNonZero(unknown)) / unknown.total(), 1e-9);
   EXPECT_NEAR(unknownFraction(*background), result.unknown_fraction, 1e-9);
   EXPECT_LT(cv::countNonZero(result.mask == kPersonPixel), 20);
+}
+
+TEST_P(RecordingOf, ThePictureOfABackgroundIsTheSceneWhereItIsKnown) {
+  const cv::Mat scene = makeScene(GetParam());
+  const SharedBackground background = watched(scene, swayer).learn();
+  const BackgroundPicture picture = pictureOf(*background);
+  ASSERT_EQ(picture.colors.type(), CV_8UC3);
+  ASSERT_EQ(picture.colors.size(), scene.size());
+  EXPECT_NEAR(cv::countNonZero(picture.unknown) / double(scene.total()),
+              unknownFraction(*background), 1e-9);
+  EXPECT_GT(cv::countNonZero(picture.unknown(kAlwaysCovered)), 0.9 * kAlwaysCovered.area());
+  cv::Mat bgr = scene, difference;
+  if (scene.channels() == 1) cv::cvtColor(scene, bgr, cv::COLOR_GRAY2BGR);
+  cv::absdiff(picture.colors, bgr, difference);
+  EXPECT_LT(cv::norm(difference, cv::NORM_INF, picture.unknown == 0), 12);
+}
+
+TEST(RecordingLearner, AnExtractorGivesTheBackgroundThatItUses) {
+  const cv::Mat scene = makeScene(3);
+  SilhouetteExtractor extractor{SilhouetteOptions()};
+  extractor.update(scene);
+  EXPECT_FALSE(extractor.background()) << "still learning";
+  const SharedBackground background = watched(scene, swayer).learn();
+  extractor.useBackground(background);
+  for (int image = 0; image < 2; ++image) {
+    ASSERT_TRUE(extractor.background());
+    EXPECT_EQ(unknownFraction(*extractor.background()), unknownFraction(*background));
+    extractor.update(scene);
+  }
 }
 
 TEST_P(RecordingOf, LargeImagesAreLearnedAtFullDetail) {

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <sstream>
 
@@ -180,6 +181,67 @@ TEST_F(OfflineRun, ReportIsOnePageWithPicturesOfItsOwn) {
   EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(path("report/instant_000002.png")));
+  EXPECT_NE(page.find("learned from the first images"), std::string::npos);
+  EXPECT_NE(page.find("all of it is known"), std::string::npos);
+}
+
+std::vector<uint8_t> bytesOfBase64(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<uint8_t> bytes;
+  uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | uint32_t(digits.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(uint8_t(bits >> count));
+  }
+  return bytes;
+}
+
+/// The first picture after a heading.
+cv::Mat pictureUnder(const std::string& page, const std::string& heading) {
+  const std::string start = "base64,";
+  const size_t begin = page.find(start, page.find(heading)) + start.size();
+  return cv::imdecode(bytesOfBase64(page.substr(begin, page.find('"', begin) - begin)),
+                      cv::IMREAD_COLOR);
+}
+
+// A box of 12 x 40 pixels that sways by 8 covers 4 x 40 of the 80 x 60 pixels in every image.
+TEST_F(OfflineRun, ReportTintsWhatTheBackgroundOfARecordingDoesNotKnow) {
+  CameraBagWriter bag(options_.input, ringOfFour(), 0);
+  bag.writeTransforms(kSecond);
+  for (int k = 0; k < 48; ++k)
+    for (int i = 0; i < 4; ++i) {
+      cv::Mat image = smallImage(false);
+      image(cv::Rect(30 + std::abs(k % 16 - 8), 10, 12, 40)).setTo(cv::Scalar(30, 200, 240));
+      bag.write(kSecond + k * kSecond / 10, i, image, cv::Mat());
+    }
+  bag.commit();
+  options_.report_folder = path("report");
+  runOffline(options_, nullptr, false);
+  const std::string page = bytesOf("report/report.html");
+  EXPECT_NE(page.find("learned from the whole recording; blue: never seen without the person"),
+            std::string::npos);
+  const cv::Mat background = pictureUnder(page, "<h3>cam2</h3>");
+  ASSERT_EQ(background.size(), cv::Size(80, 60));
+  EXPECT_GT(background.at<cv::Vec3b>(30, 40)[0], background.at<cv::Vec3b>(30, 40)[2] + 40);
+  EXPECT_NEAR(background.at<cv::Vec3b>(5, 10)[0], 80, 6);
+  EXPECT_NEAR(background.at<cv::Vec3b>(5, 10)[2], 80, 6);
+}
+
+TEST_F(OfflineRun, ReportSaysThatMasksWereRecorded) {
+  CameraBagWriter bag(options_.input, ringOfFour(), 0);
+  bag.writeTransforms(kSecond);
+  for (int i = 0; i < 4; ++i) bag.write(kSecond, i, smallImage(true), smallMask());
+  bag.commit();
+  options_.recording.use_masks = true;
+  options_.report_folder = path("report");
+  runOffline(options_, nullptr, false);
+  EXPECT_NE(bytesOf("report/report.html").find("Background: none, as the masks were recorded"),
+            std::string::npos);
 }
 
 TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {

@@ -97,6 +97,9 @@ class Pipeline {
   /// Backgrounds from an earlier pass, one per camera, or none; nullptr: it is learned from the
   /// first images. Throws std::invalid_argument if their number is wrong.
   void useBackgrounds(const std::vector<SharedBackground>& backgrounds);
+  /// The backgrounds in use, one per camera, as SilhouetteExtractor::background(). Do not call this
+  /// while a stream is processed.
+  std::vector<SharedBackground> backgrounds() const;
 
   const CameraRig& rig() const { return carver_.rig(); }
   /// The current body of the person; it changes after its shape has been estimated. Do not call

@@ -58,6 +58,8 @@ class SilhouetteExtractor {
   /// Uses a background instead of learning one; nullptr: learns. Throws std::invalid_argument if it
   /// is not of this `model`.
   void useBackground(const SharedBackground& background);
+  /// A copy of the background in use; nullptr while learning, or if `model` has none to save.
+  SharedBackground background() const;
 
  private:
   class Impl;

@@ -27,6 +27,7 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse}td,th{padding:3px 12px;text-align:left;"
     "border-bottom:1px solid #e4e4e4}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}"
     "img{max-width:100%}figure{margin:1em 0}figcaption{color:#555}"
+    ".views{display:flex;flex-wrap:wrap;gap:10px}.views figure{margin:.3em 0;width:460px}"
     ".cards{display:flex;flex-wrap:wrap;gap:12px;margin:1em 0}"
     ".card{border:1px solid #ddd;border-radius:6px;padding:8px 16px}"
     ".card b{display:block;font-size:1.5em}.card span{color:#666;font-size:.85em}"

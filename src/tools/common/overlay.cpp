@@ -12,6 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kTileWidth = 320;         // pixels
+constexpr double kTint = 0.55;          // share of the colour in a tinted pixel
 constexpr double kMarginFactor = 1.25;  // size relative to the box around mask and body
 const cv::Scalar kBodyColor(60, 200, 60), kMaskColor(40, 40, 230), kUnknownColor(230, 160, 40);
 
@@ -54,9 +55,17 @@ cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& b
           size};
 }
 
-cv::Mat resized(const cv::Mat& mat, int interpolation) {
+cv::Mat resized(const cv::Mat& mat, int interpolation, int width = kTileWidth) {
   cv::Mat out;
-  cv::resize(mat, out, {kTileWidth, kTileWidth * mat.rows / mat.cols}, 0, 0, interpolation);
+  cv::resize(mat, out, {width, std::max(1, width * mat.rows / mat.cols)}, 0, 0, interpolation);
+  return out;
+}
+
+cv::Mat blended(const cv::Mat& picture, const cv::Mat& area, const cv::Scalar& color,
+                double share) {
+  cv::Mat filled = picture.clone(), out;
+  filled.setTo(color, area);
+  cv::addWeighted(picture, 1.0 - share, filled, share, 0.0, out);
   return out;
 }
 
@@ -70,11 +79,7 @@ std::string labelOf(const Camera& camera, const cv::Mat& mask, const cv::Mat& bo
 cv::Mat tileOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask,
                const cv::Mat& body) {
   cv::Mat picture = backdrop(camera, frame, mask);
-  if (!body.empty()) {
-    cv::Mat filled = picture.clone();
-    filled.setTo(kBodyColor, body);
-    cv::addWeighted(picture, 0.5, filled, 0.5, 0.0, picture);
-  }
+  if (!body.empty()) picture = blended(picture, body, kBodyColor, 0.5);
   const cv::Rect shown = partToShow(picture.size(), mask, body);
   const bool smaller = shown.width > kTileWidth;
   cv::Mat tile = resized(picture(shown), smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
@@ -104,6 +109,25 @@ cv::Mat overlayOf(const CameraRig& rig, const std::vector<CameraFrame>& frames,
     tiles[i].copyTo(sheet(cv::Rect(corner, tiles[i].size())));
   }
   return sheet;
+}
+
+cv::Mat evidenceOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask,
+                   const cv::Mat& body) {
+  const cv::Mat picture = backdrop(camera, frame, mask);
+  const bool smaller = picture.cols > kEvidenceWidth;
+  cv::Mat view = resized(picture, smaller ? cv::INTER_AREA : cv::INTER_LINEAR, kEvidenceWidth);
+  if (!mask.empty()) {
+    const cv::Mat shown = resized(mask, cv::INTER_NEAREST, kEvidenceWidth);
+    view = unknownTinted(view, shown == kUnknownPixel);
+    drawOutline(personPixels(shown), kMaskColor, &view);
+  }
+  if (!body.empty())
+    drawOutline(resized(body, cv::INTER_NEAREST, kEvidenceWidth), kBodyColor, &view);
+  return view;
+}
+
+cv::Mat unknownTinted(const cv::Mat& picture, const cv::Mat& area) {
+  return blended(picture, area, kUnknownColor, kTint);
 }
 
 }  // namespace markerless_mocap

@@ -14,4 +14,16 @@ namespace markerless_mocap {
 cv::Mat overlayOf(const CameraRig& rig, const std::vector<CameraFrame>& frames,
                   const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& bodies);
 
+/// One whole view with the evidence in it: the image, or else the mask, with the mask's unknown
+/// pixels tinted, the outline of its person and that of the body.
+/// \param mask, body CV_8UC1 of the camera's size, or empty
+/// \return CV_8UC3, kEvidenceWidth wide
+constexpr int kEvidenceWidth = 460;  // pixels
+cv::Mat evidenceOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask,
+                   const cv::Mat& body);
+
+/// A picture with an area in the colour of what is unknown, so that the picture shows through.
+/// \param picture CV_8UC3 \param area CV_8UC1 of its size, non-zero = tinted
+cv::Mat unknownTinted(const cv::Mat& picture, const cv::Mat& area);
+
 }  // namespace markerless_mocap

@@ -11,7 +11,7 @@ namespace {
 
 // In SVG units.
 constexpr double kWidth = 900, kLeft = 46, kRight = 10, kTop = 8, kBottom = 24;
-constexpr double kPlotHeight = 170, kBandHeight = 22, kBarHeight = 9, kBarGap = 8;
+constexpr double kPlotHeight = 170, kBandHeight = 22, kBandStep = 20, kBarHeight = 9, kBarGap = 8;
 constexpr double kNameWidth = 90;
 
 std::string number(double value) {
@@ -69,7 +69,8 @@ class TimeAxis {
     return kLeft + (kWidth - kLeft - kRight) * (seconds - begin_) / (end_ - begin_);
   }
   double left(size_t i) const { return at(seconds_[i]); }
-  double right(size_t i) const { return at(i + 1 < seconds_.size() ? seconds_[i + 1] : end_); }
+  double right(size_t i) const { return at(endOf(i)); }
+  double endOf(size_t i) const { return i + 1 < seconds_.size() ? seconds_[i + 1] : end_; }
   std::string ticks(double height, const std::string& unit) const {
     const double step = niceTickStep(end_ - begin_, 10);
     std::string out;
@@ -114,6 +115,23 @@ std::string curve(const TimeAxis& axis, const PlotSeries& line, double top, doub
          line.color + "\" d=\"" + path + "\"/>";
 }
 
+bool isEqual(const BandCell& a, const BandCell& b) {
+  return a.color == b.color && a.title == b.title;
+}
+
+std::string joinedCells(const TimeAxis& axis, const std::vector<double>& seconds,
+                        const std::vector<BandCell>& cells, double y) {
+  std::string svg;
+  for (size_t first = 0, next = 0; first < cells.size(); first = next) {
+    while (next < cells.size() && isEqual(cells[first], cells[next])) ++next;
+    char span[48];
+    std::snprintf(span, sizeof span, ", %.2f s to %.2f s", seconds[first], axis.endOf(next - 1));
+    svg += box(axis.left(first), y, axis.right(next - 1) - axis.left(first), kBandStep - 3,
+               cells[first].color, cells[first].title + span);
+  }
+  return svg;
+}
+
 }  // namespace
 
 double niceTickStep(double range, int parts) {
@@ -142,6 +160,18 @@ std::string timeBand(const std::vector<double>& seconds, const std::vector<BandC
   for (size_t i = 0; i < cells.size(); ++i)
     svg += box(axis.left(i), 0, axis.right(i) - axis.left(i) + 0.3, kBandHeight, cells[i].color,
                cells[i].title);
+  return svg + "</svg>\n";
+}
+
+std::string timeBands(const std::vector<double>& seconds, const std::vector<NamedBand>& bands) {
+  const TimeAxis axis(seconds);
+  const double height = kTop + kBandStep * double(bands.size()) + kBottom;
+  std::string svg = open(height) + axis.ticks(height, " s");
+  for (size_t i = 0; i < bands.size(); ++i) {
+    const double y = kTop + kBandStep * double(i);
+    svg += label(kLeft - 4, y + kBandStep / 2 + 3, "end", bands[i].name) +
+           joinedCells(axis, seconds, bands[i].cells, y);
+  }
   return svg + "</svg>\n";
 }
 

@@ -16,6 +16,12 @@ struct BandCell {
   std::string color, title;  ///< the title is shown as a tooltip
 };
 
+/// A row of bands.
+struct NamedBand {
+  std::string name;  ///< of a few letters
+  std::vector<BandCell> cells;
+};
+
 /// A group of bars of a chart.
 struct BarRow {
   std::string name;
@@ -30,6 +36,10 @@ std::string linePlot(const std::vector<double>& seconds, const std::vector<PlotS
 
 /// Cells over the time axis of linePlot(), as SVG.
 std::string timeBand(const std::vector<double>& seconds, const std::vector<BandCell>& cells);
+
+/// Bands one below the other over the time axis of linePlot(), with their names and the times, as
+/// SVG. Equal cells in a row are joined; the tooltip tells from when to when they last.
+std::string timeBands(const std::vector<double>& seconds, const std::vector<NamedBand>& bands);
 
 /// Horizontal bars, one per colour in each row, as SVG. Bars of NaN are left out.
 std::string barChart(const std::vector<BarRow>& rows, const std::vector<std::string>& colors,

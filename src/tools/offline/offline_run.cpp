@@ -143,7 +143,10 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   std::vector<std::string> remarks = options.remarks;
   if (calibration) summary.setCalibrationFinding(calibration->finding());
   if (!summary.calibrationFinding().empty()) remarks.push_back(summary.calibrationFinding());
-  if (report) report->write(options.input, remarks);
+  if (report) {
+    report->addBackgrounds(backgrounds, pipeline.backgrounds());
+    report->write(options.input, remarks);
+  }
   if (!options.save_body.empty()) saveBody(options, *body);
   if (notes) remarkOn(recording, *notes);
   return summary;

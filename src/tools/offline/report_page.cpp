@@ -7,6 +7,8 @@
 
 #include "tools/common/html_text.h"
 #include "tools/common/svg_plot.h"
+#include "tools/offline/report_cameras.h"
+#include "tools/offline/report_limbs.h"
 
 namespace markerless_mocap {
 namespace {
@@ -69,9 +71,10 @@ std::string counts(const std::vector<ReportRow>& rows) {
 std::string cameraTable(const ReportContent& content) {
   std::ostringstream table;
   table << "<table><tr><th>camera</th><th>mean IoU</th></tr>" << std::fixed << std::setprecision(3);
-  for (size_t i = 0; i < content.cameras.size(); ++i) {
-    table << "<tr><td>" << escapeHtml(content.cameras[i]) << "</td><td>";
-    if (std::isfinite(content.iou_of_camera[i])) table << content.iou_of_camera[i];
+  for (const ReportCamera& camera : content.cameras) {
+    const double mean_iou = meanOfFinite(camera.iou_of_row);
+    table << "<tr><td>" << escapeHtml(camera.name) << "</td><td>";
+    if (std::isfinite(mean_iou)) table << mean_iou;
     table << "</td></tr>";
   }
   table << "</table>\n";
@@ -91,9 +94,11 @@ std::string reportPage(const ReportContent& content) {
   body += "<h2>Skeleton error</h2><p>mean distance of part curves to the body, mm</p>\n" +
           plot(content.rows, 200.0, "mm",
                [](const ReportRow& row) { return 1e3 * row.skeleton_error_m; });
+  body += limbSection(content.rows, secondsOf(content.rows));
   body += cameraTable(content) + "<h2>Pictures</h2><p>filled: body; outline: mask</p>\n";
   for (const ReportPicture& picture : content.pictures)
     body += pictureTag(picture.image, picture.caption);
+  body += cameraSections(content, secondsOf(content.rows));
   return htmlPage(content.title, body);
 }
 

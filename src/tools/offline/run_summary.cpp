@@ -1,21 +1,12 @@
 #include "tools/offline/run_summary.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iomanip>
 
 namespace markerless_mocap {
 namespace {
 
 constexpr size_t kReasonsShown = 3;
-
-/// Messages that differ only in their numbers count as the same reason.
-std::string withoutNumbers(const std::string& message) {
-  std::string out;
-  for (const char c : message)
-    if (!std::isdigit(static_cast<unsigned char>(c))) out += c;
-  return out;
-}
 
 double secondsBetween(std::chrono::steady_clock::time_point a,
                       std::chrono::steady_clock::time_point b) {
@@ -57,11 +48,9 @@ void RunSummary::add(const PipelineResult& result) {
     case PoseStatus::kReinitialized:
       ++reinitialized_;
       break;
-    case PoseStatus::kLost: {
+    case PoseStatus::kLost:
       ++lost_;
-      Reason& reason = reasons_[withoutNumbers(result.pose.reason)];
-      if (reason.count++ == 0) reason.example = result.pose.reason;
-    }
+      reasons_.add(result.pose.reason);
   }
 }
 
@@ -87,10 +76,7 @@ void RunSummary::print(std::ostream& out) const {
 }
 
 void RunSummary::printReasons(std::ostream& out) const {
-  std::vector<Reason> reasons;
-  for (const auto& entry : reasons_) reasons.push_back(entry.second);
-  std::stable_sort(reasons.begin(), reasons.end(),
-                   [](const Reason& a, const Reason& b) { return a.count > b.count; });
+  const std::vector<ReasonCounts::Reason> reasons = reasons_.sorted();
   for (size_t i = 0; i < std::min(reasons.size(), kReasonsShown); ++i)
     out << "  lost " << std::setw(6) << reasons[i].count << " times: " << reasons[i].example
         << '\n';

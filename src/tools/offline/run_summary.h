@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <ostream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "markerless_mocap/pipeline/pipeline.h"
+#include "tools/offline/reason_counts.h"
 
 namespace markerless_mocap {
 
@@ -47,18 +47,14 @@ class RunSummary {
     double seconds;
     int runs;
   };
-  struct Reason {
-    int count = 0;
-    std::string example;
-  };
 
   void printReasons(std::ostream& out) const;
   void printTimes(std::ostream& out) const;
 
   Clock::time_point started_;
   std::unique_ptr<std::mutex> times_mutex_ = std::make_unique<std::mutex>();
-  std::vector<Time> times_;                ///< in the order of processing
-  std::map<std::string, Reason> reasons_;  ///< reasons of lost poses; key: message without numbers
+  std::vector<Time> times_;  ///< in the order of processing
+  ReasonCounts reasons_;     ///< of lost poses
   int frame_sets_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
   int valid_trees_ = 0;
   std::string calibration_finding_;
