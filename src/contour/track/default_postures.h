@@ -7,8 +7,10 @@
 
 namespace markerless_mocap {
 
-/// Upright, bent and crouching poses, in four directions each, at the centre of the hull: start
-/// poses for a search without any proposal. Empty for an empty hull.
+/// Upright, bent, crouching, seated, kneeling, crawling and lying poses in several directions,
+/// about the centre of the hull: start poses for a search without a good proposal. The first twelve
+/// are upright, bent and crouching in four directions each; the others are left out if the hull is
+/// too high or too low for them. Empty for an empty hull.
 std::vector<ContourPose> defaultPostures(const VisualHull& hull);
 
 }  // namespace markerless_mocap
