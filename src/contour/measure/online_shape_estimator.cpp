@@ -23,8 +23,32 @@ constexpr size_t kMinPoses = 8;
 // The second round starts with the correspondences that the first one has improved.
 constexpr int kRounds = 2;
 
-ShapeParameters estimated(const CameraRig& rig, const ContourOptions& contour,
-                          const ShapePrior& prior, std::vector<ShapeSample> samples) {
+// Poses that differ by less than this from their mean, mean over the joints about the pelvis, show
+// the person from one side only: a chair or a mask then looks like a part of the body. The shape
+// keeps near the mean shape, and only the stature is left free.
+constexpr double kMinVariety = 0.03;     // metres
+constexpr double kStiffDeviation = 0.2;  // factor on the standard deviations of the shape
+
+/// Mean distance of the joints, from the pelvis, from their mean over the samples, metres.
+double varietyOf(const std::vector<ShapeSample>& samples, const ContourBody& body) {
+  std::vector<Eigen::Matrix3Xd> all;
+  for (const ShapeSample& sample : samples) {
+    const Eigen::Matrix3Xd points = body.points(sample.start);
+    all.push_back(points.colwise() - points.col(0));
+  }
+  Eigen::Matrix3Xd mean = Eigen::Matrix3Xd::Zero(3, all.front().cols());
+  for (const Eigen::Matrix3Xd& points : all) mean += points / double(all.size());
+  double variety = 0.0;
+  for (const Eigen::Matrix3Xd& points : all)
+    variety += (points - mean).colwise().norm().mean() / double(all.size());
+  return variety;
+}
+
+ShapeParameters estimated(const CameraRig& rig, const ContourOptions& contour, ShapePrior prior,
+                          std::vector<ShapeSample> samples) {
+  const ContourBody mean_body(prior.shape_statistics.meanShape(prior.stature));
+  if (varietyOf(samples, mean_body) < kMinVariety)
+    prior.shape_statistics.deviation *= kStiffDeviation;
   ShapeParameters shape = prior.shape_statistics.meanShape(prior.stature);
   for (int round = 0; round < kRounds; ++round) {
     const ShapeEstimate estimate = estimateShape(rig, contour, prior, shape, samples, {});
