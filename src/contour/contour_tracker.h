@@ -9,6 +9,7 @@
 #include "contour/measure/online_shape_estimator.h"
 #include "contour/regions/region_search.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
+#include "contour/track/still_contours.h"
 #include "markerless_mocap/contour/contour_options.h"
 #include "markerless_mocap/tracking/body_tracker.h"
 #include "markerless_mocap/tracking/person_options.h"
@@ -32,6 +33,8 @@ class ContourTracker : public BodyTracker {
   const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
 
  private:
+  /// update() with the parts of the masks that are the person's.
+  BodyPose updateFrom(const TrackerInput& now);
   void setBody(std::shared_ptr<const TrackedBody> body);
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
@@ -48,7 +51,7 @@ class ContourTracker : public BodyTracker {
   Search byColor(const TrackerInput& now, Search search) const;
   ActiveTrack reinitialize(const TrackerInput& now, const ActiveTrack& active);
   /// True if a pose that was found by a search may be reported.
-  bool isAccepted(const ContourFit& fit) const;
+  bool isAccepted(const ContourObservation& seen, const ContourFit& fit) const;
   std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
   /// Takes other places of limbs if they agree better with colours and silhouettes.
   void searchLimbs(const TrackerInput& now, RegionObservation& found, ActiveTrack& active);
@@ -67,6 +70,7 @@ class ContourTracker : public BodyTracker {
   InitializerFactory make_initializer_;
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
+  StillContours still_contours_;
   // Of the last frame, see RegionMasks.
   double agreement_ = 1.0;
   std::array<double, ContourLimb::kCount> limb_agreement_{};

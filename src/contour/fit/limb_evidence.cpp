@@ -33,19 +33,23 @@ double square(double value) {
 /// Counts rays and spheres. Returns for each limb how far rays and masks disagree with it, square
 /// metres: mean robust loss of its rays' distances plus mean square distance of its spheres outside
 /// the masks.
-ByLimb tally(const ContourOptions& options, const PoseProblem& problem, ContourFit& fit) {
+ByLimb tally(const ContourObservation& seen, const ContourOptions& options,
+             const PoseProblem& problem, ContourFit& fit) {
   std::array<int, ContourLimb::kCount> rays{}, spheres{};
   ByLimb distances{}, outside{};
-  size_t explained = 0;
-  for (const RayMatch& match : problem.matches()) {
+  double explained = 0.0, all = 0.0;
+  for (size_t i = 0; i < seen.rays.size(); ++i) {
+    const RayMatch& match = problem.matches()[i];
     const size_t l = limbOfCone(match.cone);
     LimbEvidence& limb = fit.limbs[l];
     const double distance = std::abs(double(match.residual));
+    all += seen.rays[i].weight;
     ++rays[l];
     distances[l] += gemanMcClureLoss(distance, options.robust_scale_final);
     if (!(distance < kRayExplained)) continue;
-    ++explained;
+    explained += seen.rays[i].weight;
     ++limb.rays;
+    limb.full_rays += seen.rays[i].weight == 1.0f;
     limb.distance += square(distance);
   }
   for (int c = 0; c < kContourCones; ++c)
@@ -61,7 +65,7 @@ ByLimb tally(const ContourOptions& options, const PoseProblem& problem, ContourF
     limb.outside /= spheres[l];
     disagreement[l] = distances[l] / std::max(1, rays[l]) + outside[l] / spheres[l];
   }
-  fit.rays_explained = double(explained) / double(std::max<size_t>(1, problem.matches().size()));
+  fit.rays_explained = all > 0.0 ? explained / all : 0.0;
   return disagreement;
 }
 
@@ -120,7 +124,8 @@ Square information(const ContourObservation& seen, const ContourOptions& options
   const double one = options.effective_rays / std::max(1.0, double(seen.rays.size()));
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const RayMatch& match = problem.matches()[i];
-    const double weight = ray_weight[i] * one / variance[limbOfCone(match.cone)];
+    const double weight =
+        ray_weight[i] * seen.rays[i].weight * one / variance[limbOfCone(match.cone)];
     addRay(seen.rays[i], match,
            weight * gemanMcClureWeight(match.residual, options.robust_scale_final), sums);
   }
@@ -149,7 +154,7 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
 
 void gatherEvidence(const ContourObservation& seen, const ContourOptions& options,
                     const ContourBody& body, const PoseProblem& problem, ContourFit& fit) {
-  const ByLimb variance = varianceOf(options, tally(options, problem, fit));
+  const ByLimb variance = varianceOf(options, tally(seen, options, problem, fit));
   const Eigen::LLT<Square> inverse(information(seen, options, problem, fit.pose, variance));
   for (int limb = 0; limb < ContourLimb::kCount; ++limb)
     fit.limbs[size_t(limb)].deviation = endDeviation(body, problem.frames(), inverse, limb);

@@ -21,8 +21,8 @@ void PoseProblem::addRays(double outlier) {
   const double one = options_.effective_rays / (options_.ray_sigma * options_.ray_sigma) /
                      std::max(1.0, double(seen_.rays.size()));
   for (size_t i = 0; i < matches_.size(); ++i)
-    addRay(seen_.rays[i], matches_[i], one * gemanMcClureWeight(matches_[i].residual, outlier),
-           sums_);
+    addRay(seen_.rays[i], matches_[i],
+           one * seen_.rays[i].weight * gemanMcClureWeight(matches_[i].residual, outlier), sums_);
 }
 
 void addRay(const ContourRay& ray, const RayMatch& match, double weight,

@@ -22,6 +22,11 @@ constexpr double kLostOverlap = 0.65;
 // pose replaces the current one if it is better by kMinGain. The usual value is smoothed with the
 // rate kUsualRate.
 constexpr double kMaxDrop = 0.015, kMinGain = 0.004;
+
+// Where much of the contours is not the person's, a limb that explains some of them proves little.
+// Another pose must be better by this much more for each ray beyond kUsuallyUnexplained (fractions
+// of all rays) that the current one does not explain.
+constexpr double kGainPerUnexplained = 0.15, kUsuallyUnexplained = 0.1;
 constexpr double kDeviationFactor = 1.5;  // times the usual deviation, which is larger with damaged
                                           // masks
 constexpr double kUsualRate = 0.1;
@@ -48,6 +53,19 @@ constexpr double kMaxTwist = 0.3, kUntwistGain = 0.001;
 constexpr int64_t kUntwistInterval_ns = 60000000;
 
 constexpr RobustSchedule kRetry{10, 0.12, 0.03};
+
+// While rays on still contours count less, a limb is well supported if so many of its rays count
+// fully, as a fraction of all rays. Another place for it must then be better by this much more: it
+// would leave living contours to explain others, such as those of something that is worn.
+constexpr double kWellSupported = 0.01, kGainOfSupported = 0.05;
+
+/// The gain that another place of a limb must bring.
+double gainFor(ContourLimb::Id limb, const ContourObservation& seen, const ContourFit& fit) {
+  const bool reduced = std::any_of(seen.rays.begin(), seen.rays.end(),
+                                   [](const ContourRay& ray) { return ray.weight < 1.0f; });
+  const bool supported = fit.limbs[limb].full_rays > kWellSupported * double(seen.rays.size());
+  return reduced && supported ? kMinGain + kGainOfSupported : kMinGain;
+}
 
 bool any(const std::array<bool, ContourLimb::kCount>& limbs) {
   return std::any_of(limbs.begin(), limbs.end(), [](bool limb) { return limb; });
@@ -112,7 +130,7 @@ ContourFit ContourHypothesisTracker::search(const ContourObservation& seen, cons
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     if (fit.status == ContourFitStatus::kFitted)
       tryPoses(seen, body, limbAlternatives(seen, body, ContourLimb::Id(limb), fit, fit.pose),
-               std::nullopt, kMinGain, fit);
+               std::nullopt, gainFor(ContourLimb::Id(limb), seen, fit), fit);
   return fit;
 }
 
@@ -156,6 +174,7 @@ bool ContourHypothesisTracker::tryPoses(const ContourObservation& seen, const Co
     others[i] = fitter_.fit(seen, body, starts[i], prediction, kRetry);
   });
   bool better = false;
+  gain += kGainPerUnexplained * std::max(0.0, 1.0 - fit.rays_explained - kUsuallyUnexplained);
   for (const ContourFit& other : others) {
     if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + gain))
       continue;
@@ -174,7 +193,7 @@ bool ContourHypothesisTracker::retry(const ContourObservation& seen, const Conto
     if (suspicious(fit)[i])
       better |= tryPoses(seen, body,
                          limbAlternatives(seen, body, ContourLimb::Id(i), fit, prediction.pose),
-                         loose, kMinGain, fit);
+                         loose, gainFor(ContourLimb::Id(i), seen, fit), fit);
   }
   return better;
 }
@@ -194,7 +213,7 @@ bool ContourHypothesisTracker::searchLeastCertainLimb(const ContourObservation& 
   return tryPoses(
       seen, body,
       limbAlternatives(seen, body, ContourLimb::Id(least_certain), fit, prediction.pose), loose,
-      kMinGain, fit);
+      gainFor(ContourLimb::Id(least_certain), seen, fit), fit);
 }
 
 bool ContourHypothesisTracker::untwist(const ContourObservation& seen, const ContourBody& body,

@@ -6,6 +6,7 @@
 
 #include "contour/track/default_postures.h"
 #include "contour/track/pose_from_pose_tree.h"
+#include "contour/track/stray_parts.h"
 #include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
@@ -19,14 +20,15 @@ constexpr int64_t kReconsiderAfterStart_ns = 2000000000;  // after a start
 constexpr int64_t kReconsiderInterval_ns = 200000000;
 
 // A start of lower quality is accepted only if a start on a later frame leads to the same body. The
-// mean shape gives a lower quality than the person's own.
+// mean shape gives a lower quality than the person's own. Furniture confirms itself by standing
+// still, so something must have moved in between.
 constexpr double kMinQuality = 0.90, kMinQualityOfMeanShape = 0.86;
 // A start with a smaller overlap is never accepted. A person in a long dress, with the shape
 // estimated from one frame, gives an overlap of 0.78; a man together with the chair he sits on
 // 0.68.
 constexpr double kMinOverlap = 0.72;
-constexpr double kPoorQuality =
-    0.80;  // default postures are tried if the proposals have a lower quality
+// Default postures are tried if the proposals have a lower quality.
+constexpr double kPoorQuality = 0.86;
 constexpr int64_t kStartInterval_ns = 50000000;
 
 // Colours follow a body wherever they are told to look. Where the background is known, the
@@ -70,7 +72,8 @@ ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
       person_(person),
       make_initializer_(std::move(make_initializer)),
       observer_(rig, options),
-      hypotheses_(rig, options) {
+      hypotheses_(rig, options),
+      still_contours_(rig) {
   setBody(initialBody(resources_, person_.stature));
   if (person_.measure && !body_->shape_estimated)
     shape_estimator_.emplace(rig, options, priorOf(resources_, person_), person_.shape_poses,
@@ -86,6 +89,7 @@ void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
 
 void ContourTracker::reset() {
   hypotheses_.lose();
+  still_contours_.reset();
   reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
   next_limb_search_ns_ = 0;
   initializer_->reset();
@@ -146,6 +150,7 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
   search.poses = proposals(now, search.found.seen);
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
   search = byColor(now, std::move(search));
+  still_contours_.weigh(search.found.seen);
   agreement_ = search.found.agreement;
   limb_agreement_ = search.found.limb_agreement;
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
@@ -158,14 +163,15 @@ ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTr
   Search search{observer_.observe(now), {}};
   search.poses = proposals(now, search.found.seen);
   search = byColor(now, std::move(search));
+  still_contours_.weigh(search.found.seen);
   return hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_, search.poses,
                                   active);
 }
 
-bool ContourTracker::isAccepted(const ContourFit& fit) const {
+bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit& fit) const {
   const bool good = qualityOf(fit) > (shape_estimator_ ? kMinQualityOfMeanShape : kMinQuality);
   return fit.overlap > kMinOverlap && agreement_ > kMinAgreement && hypotheses_.isUnambiguous() &&
-         (good || hypotheses_.isConfirmed());
+         (good || (hypotheses_.isConfirmed() && still_contours_.showLife(seen)));
 }
 
 // A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show
@@ -254,6 +260,8 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
     pose.reason = overlapTooSmall(fit);
   else if (agreement_ <= kMinAgreement)
     pose.reason = "colours show a person where the silhouettes show background";
+  else if (hypotheses_.isUnambiguous() && hypotheses_.isConfirmed())
+    pose.reason = "something like a person was found, but it has not moved yet";
   else if (hypotheses_.isUnambiguous())
     pose.reason = "a person was found, but another frame must confirm the pose";
   else
@@ -278,9 +286,16 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
 }
 
 BodyPose ContourTracker::update(const TrackerInput& now) {
+  const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, now.hull, still_contours_.rig());
+  return updateFrom({now.stamp_ns, masks, now.images, now.hull, now.parts, now.tree});
+}
+
+BodyPose ContourTracker::updateFrom(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   RegionObservation found = observe(now);
+  still_contours_.watch(now.stamp_ns, now.images, now.masks);
+  still_contours_.weigh(found.seen);
   const ContourObservation& seen = found.seen;
   agreement_ = found.agreement;
   limb_agreement_ = found.limb_agreement;
@@ -288,12 +303,12 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
     active = start(now);
-    accepted_ = isAccepted(active.track.fit);
+    accepted_ = isAccepted(seen, active.track.fit);
     next_start_ns_ = now.stamp_ns + kStartInterval_ns;
     reported_ = false;
   } else {
     if (!accepted_) active = reinitialize(now, active);
-    accepted_ = accepted_ || isAccepted(active.track.fit);
+    accepted_ = accepted_ || isAccepted(seen, active.track.fit);
     searchLimbs(now, found, active);
     reconsider(now, seen, active.track);
   }
@@ -301,6 +316,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
     observer_.learn(now, *contour_body_, active.track.fit.pose);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
+  still_contours_.compare(seen, *contour_body_, active.track.fit.pose);
   if (const std::optional<BodyPose> estimating =
           estimateShape(now.stamp_ns, seen, active.track.fit))
     return *estimating;

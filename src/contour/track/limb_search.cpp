@@ -85,9 +85,9 @@ class LimbPoseCost {
     std::array<double, kCosts> energies;
     energies.fill(0.5 * outside / variance + postureEnergy(pose) + armRestEnergy(pose));
     for (size_t cost = 0; cost < kCosts; ++cost)
-      for (const RayMatch& match : matches)
-        energies[cost] +=
-            0.5 * one / variance * gemanMcClureLoss(match.residual, kRobustScales[cost]);
+      for (size_t i = 0; i < rays_.size(); ++i)
+        energies[cost] += 0.5 * one / variance * rays_[i].weight *
+                          gemanMcClureLoss(matches[i].residual, kRobustScales[cost]);
     return energies;
   }
 

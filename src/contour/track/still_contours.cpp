@@ -1,0 +1,140 @@
+#include "contour/track/still_contours.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "contour/fit/ray_match.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kSamplesAcross = 330;
+constexpr int64_t kInterval_ns = 60000000;   // between two frames that are compared
+constexpr int kFirstFrames = 5;              // the first ones are compared without interval
+constexpr int64_t kHistory_ns = 1000000000;  // before anything is called still
+constexpr double kMemory_s = 2.0;
+
+// A sample moves if its temporal deviation is above this factor of the median over the image, and
+// above this number of grey levels. A contour is still if no sample near it moves.
+constexpr double kMovingFactor = 4.0, kMinMoving = 1.0;
+constexpr int kNear = 2;  // samples
+
+constexpr float kStillWeight = 0.05f;
+constexpr double kMinLiving = 0.1;  // fraction of the rays
+
+// Furniture is suspected from the first value on and until the second, fractions of all rays.
+constexpr double kSuspicious = 0.06, kUnsuspicious = 0.02;
+constexpr double kRate = 0.1;
+
+cv::Mat brightnessOf(const cv::Mat& image, int step) {
+  cv::Mat small, grey;
+  cv::resize(image, small, {(image.cols - 1) / step + 1, (image.rows - 1) / step + 1}, 0, 0,
+             cv::INTER_AREA);
+  if (small.channels() == 3)
+    cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
+  else
+    grey = small;
+  cv::GaussianBlur(grey, grey, {3, 3}, 0);
+  cv::Mat out;
+  grey.convertTo(out, CV_32F);
+  return out;
+}
+
+float medianOf(const cv::Mat& values) {
+  std::vector<float> some;
+  for (int y = 0; y < values.rows; y += 4)
+    for (int x = 0; x < values.cols; x += 4) some.push_back(values.at<float>(y, x));
+  std::nth_element(some.begin(), some.begin() + long(some.size() / 2), some.end());
+  return some[some.size() / 2];
+}
+
+}  // namespace
+
+void StillContours::reset() {
+  views_.assign(rig_.size(), {});
+  unexplained_ = 0.0;
+  suspected_ = false;
+}
+
+void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) const {
+  if (view.frames > kFirstFrames && stamp_ns - view.last_ns < kInterval_ns) return;
+  view.step = std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
+  const cv::Mat now = brightnessOf(image, view.step);
+  if (view.frames == 0 || view.mean.size() != now.size()) {
+    view.mean = now;
+    view.variance = cv::Mat::zeros(now.size(), CV_32F);
+    view.frames = 1;
+    view.first_ns = view.last_ns = stamp_ns;
+    return;
+  }
+  const double rate = std::max(1.0 / ++view.frames,
+                               std::min(1.0, 1e-9 * double(stamp_ns - view.last_ns) / kMemory_s));
+  view.last_ns = stamp_ns;
+  const cv::Mat off = now - view.mean;
+  view.mean += rate * off;
+  view.variance = (1.0 - rate) * (view.variance + rate * off.mul(off));
+  const double moving =
+      std::max(kMinMoving, kMovingFactor * std::sqrt(double(medianOf(view.variance))));
+  cv::Mat still = view.variance < moving * moving;
+  cv::erode(still, view.still, cv::Mat::ones(2 * kNear + 1, 2 * kNear + 1, CV_8U));
+}
+
+void StillContours::watch(int64_t stamp_ns, const std::vector<cv::Mat>& images,
+                          const std::vector<cv::Mat>& masks) {
+  tbb::parallel_for(size_t(0), views_.size(), [&](size_t i) {
+    const cv::Mat image = i < images.size() && !images[i].empty() ? images[i] : masks[i];
+    if (!image.empty()) add(stamp_ns, image, views_[i]);
+  });
+}
+
+bool StillContours::moves(const ContourRay& ray) const {
+  const View& view = views_[size_t(ray.camera)];
+  if (view.still.empty()) return false;
+  const int x = std::clamp(int(ray.pixel.x()) / view.step, 0, view.still.cols - 1);
+  const int y = std::clamp(int(ray.pixel.y()) / view.step, 0, view.still.rows - 1);
+  return !view.still.at<uchar>(y, x);
+}
+
+bool StillContours::isStill(const ContourRay& ray) const {
+  const View& view = views_[size_t(ray.camera)];
+  return view.last_ns - view.first_ns > kHistory_ns && !moves(ray);
+}
+
+bool StillContours::showLife(const ContourObservation& seen) const {
+  const auto living = std::count_if(seen.rays.begin(), seen.rays.end(),
+                                    [&](const ContourRay& ray) { return moves(ray); });
+  return double(living) > kMinLiving * double(seen.rays.size());
+}
+
+void StillContours::weigh(ContourObservation& seen) const {
+  if (!suspected_) return;
+  for (ContourRay& ray : seen.rays)
+    if (isStill(ray)) ray.weight = kStillWeight;
+}
+
+void StillContours::compare(const ContourObservation& seen, const ContourBody& body,
+                            const ContourPose& pose) {
+  std::vector<ContourRay> still;
+  for (const ContourRay& ray : seen.rays)
+    if (isStill(ray)) still.push_back(ray);
+  double unexplained = 0.0;
+  if (double(still.size()) > kUnsuspicious * double(seen.rays.size())) {
+    ContourFrames frames;
+    ContourWorldCones cones;
+    body.place(pose, frames);
+    body.place(frames, cones);
+    std::vector<RayMatch> matches;
+    matchRays(PackedContourCones(cones), still, matches);
+    unexplained = double(std::count_if(
+                      matches.begin(), matches.end(),
+                      [](const RayMatch& m) { return std::abs(m.residual) > kRayExplained; })) /
+                  double(seen.rays.size());
+  }
+  unexplained_ += kRate * (unexplained - unexplained_);
+  suspected_ = unexplained_ > (suspected_ ? kUnsuspicious : kSuspicious);
+}
+
+}  // namespace markerless_mocap
