@@ -11,15 +11,14 @@ namespace {
 /// Mean fraction of the image in which something moves. Empty rooms have 0, the least that a person
 /// had in twelve views is 0.055.
 constexpr double kMotionFraction = 0.005;
-/// Fraction of the image of the largest region that has changed.
+/// Fraction of the image of a region that counts.
 constexpr double kLeftFraction = 0.002;
 constexpr float kChange = 25;           ///< grey levels
 constexpr float kConstantShare = 0.8f;  ///< of the later images
 constexpr size_t kFewest = 4;           ///< later images to decide by
 constexpr int kOpen = 3;
-// Around what has left, at most some pixels of the later images are not constant.
-constexpr int kAround = 7;  ///< pixels
-constexpr double kQuietAround = 0.8;
+constexpr int kRing = 7;               ///< width of the ring around a region, px
+constexpr float kConstantRing = 0.8f;  ///< fraction of the ring that is constant later
 
 std::vector<PixelCandidates> candidatesOf(const std::vector<cv::Mat>& images,
                                           const cv::Mat& reference) {
@@ -32,22 +31,56 @@ std::vector<PixelCandidates> candidatesOf(const std::vector<cv::Mat>& images,
   return findCandidates(samples);
 }
 
-/// True if there is a large region of `changed` that nothing moves around.
-bool hasQuietRegion(const cv::Mat& changed, const cv::Mat& constant) {
-  cv::Mat labels, stats, centers;
-  const int n = cv::connectedComponentsWithStats(changed, labels, stats, centers);
-  const cv::Mat element =
-      cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kAround + 1, 2 * kAround + 1});
-  for (int label = 1; label < n; ++label) {
-    if (stats.at<int>(label, cv::CC_STAT_AREA) <= kLeftFraction * double(changed.total())) continue;
-    const cv::Mat region = labels == label;
-    cv::Mat around;
-    cv::dilate(region, around, element);
-    around.setTo(0, region);
-    const int quiet = cv::countNonZero(around & constant);
-    if (quiet > kQuietAround * cv::countNonZero(around)) return true;
-  }
-  return false;
+/// The most frequent colours, and where they are constant.
+struct Scene {
+  cv::Mat color;     ///< CV_8UC3
+  cv::Mat constant;  ///< CV_8UC1
+};
+
+Scene sceneOf(const std::vector<PixelCandidates>& candidates, const cv::Size& size) {
+  Scene scene{cv::Mat(size, CV_8UC3), cv::Mat(size, CV_8UC1)};
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const ColorCandidate& mode = candidates[size_t(y) * size.width + x].colors[0];
+      scene.color.at<cv::Vec3b>(y, x) = mode.color;
+      scene.constant.at<uint8_t>(y, x) = mode.share >= kConstantShare ? 255 : 0;
+    }
+  return scene;
+}
+
+/// Magnitude of the gradient, summed over channels.
+cv::Mat edgesOf(const cv::Mat& color) {
+  cv::Mat dx, dy, edges;
+  cv::Sobel(color, dx, CV_32F, 1, 0);
+  cv::Sobel(color, dy, CV_32F, 0, 1);
+  edges = cv::abs(dx) + cv::abs(dy);
+  cv::transform(edges, edges, cv::Matx13f(1, 1, 1));
+  return edges;
+}
+
+cv::Mat changedPixels(const Scene& before, const Scene& after) {
+  cv::Mat difference, squares;
+  cv::subtract(before.color, after.color, difference, cv::noArray(), CV_32F);
+  cv::multiply(difference, difference, difference);
+  cv::transform(difference, squares, cv::Matx13f(1, 1, 1));
+  cv::Mat changed = (squares > kChange * kChange) & after.constant;
+  const cv::Mat element = cv::getStructuringElement(cv::MORPH_ELLIPSE, {kOpen, kOpen});
+  cv::morphologyEx(changed, changed, cv::MORPH_OPEN, element);
+  return changed;
+}
+
+/// Whether the region is the outline of something in the first images, and nothing moves around it
+/// later: around a person who stays on the spot something always does, and what was brought in has
+/// its outline later.
+bool hasLeft(const cv::Mat& region, const Scene& before, const Scene& after) {
+  const cv::Mat element = cv::getStructuringElement(cv::MORPH_ELLIPSE, {kRing, kRing});
+  cv::Mat outer, inner;
+  cv::dilate(region, outer, element);
+  cv::erode(region, inner, element);
+  const cv::Mat around = outer & ~region, outline = outer & ~inner;
+  if (cv::countNonZero(around & after.constant) < kConstantRing * cv::countNonZero(around))
+    return false;
+  return cv::mean(edgesOf(before.color), outline)[0] > cv::mean(edgesOf(after.color), outline)[0];
 }
 
 }  // namespace
@@ -60,18 +93,16 @@ bool showMotion(const SceneSamples& samples) {
 
 bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& later) {
   if (later.size() < kFewest) return false;
-  const std::vector<PixelCandidates> before = findCandidates(first);
-  const std::vector<PixelCandidates> after = candidatesOf(later, first.colors[0]);
-  cv::Mat changed(first.size, CV_8UC1), constant(first.size, CV_8UC1);
-  for (size_t i = 0; i < before.size(); ++i) {
-    const ColorCandidate& now = after[i].colors[0];
-    const bool differs = cv::norm(now.color - before[i].colors[0].color) > kChange;
-    constant.data[i] = now.share >= kConstantShare ? 255 : 0;
-    changed.data[i] = differs ? constant.data[i] : 0;
-  }
-  const cv::Mat element = cv::getStructuringElement(cv::MORPH_ELLIPSE, {kOpen, kOpen});
-  cv::morphologyEx(changed, changed, cv::MORPH_OPEN, element);
-  return hasQuietRegion(changed, constant);
+  const Scene before = sceneOf(findCandidates(first), first.size);
+  const Scene after = sceneOf(candidatesOf(later, first.colors[0]), first.size);
+  cv::Mat labels, stats, centers;
+  const cv::Mat changed = changedPixels(before, after);
+  const int n = cv::connectedComponentsWithStats(changed, labels, stats, centers);
+  for (int label = 1; label < n; ++label)
+    if (stats.at<int>(label, cv::CC_STAT_AREA) > kLeftFraction * first.size.area() &&
+        hasLeft(labels == label, before, after))
+      return true;
+  return false;
 }
 
 }  // namespace markerless_mocap

@@ -10,9 +10,8 @@ namespace markerless_mocap {
 /// Whether something as large as a person moves in the images.
 bool showMotion(const SceneSamples& samples);
 
-/// Whether something stood in the first images that later is gone: a region which is constant
-/// later on, as is what surrounds it, but differs from the first images. Somebody who comes later
-/// and stays in one place leaves such a region, too, but moves around it.
+/// Whether something stood still in the first images that later is gone: a region with an outline
+/// in the first images, of another constant colour later, and constant around it, too.
 /// \param later CV_8UC3 of the samples' size
 bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& later);
 
