@@ -138,6 +138,18 @@ TEST_F(PipelineTest, WrongNumberOfFramesIsRefused) {
             "pipeline got 0 frames, the rig has 4 cameras");
 }
 
+TEST_F(PipelineTest, GivenBackgroundsNeedNoEmptyRoom) {
+  RecordingLearner learner(options_.silhouette, 2);
+  for (int i = 0; i < 2; ++i) learner.add(empty()[0].image);
+  Pipeline pipeline = this->pipeline();
+  EXPECT_EQ(errorTextOf([&] { pipeline.useBackgrounds({learner.learn()}); }),
+            "pipeline got 1 backgrounds, the rig has 4 cameras");
+  pipeline.useBackgrounds(std::vector<SharedBackground>(kCameras, learner.learn()));
+  EXPECT_FALSE(pipeline.process(0, empty()).learning);
+  pipeline.useBackgrounds(std::vector<SharedBackground>(kCameras));
+  EXPECT_TRUE(pipeline.process(0, empty()).learning) << "no background: the first images";
+}
+
 TEST_F(PipelineTest, WatchSeesEveryStageInOrder) {
   Pipeline pipeline = this->pipeline();
   std::vector<std::string> seen;

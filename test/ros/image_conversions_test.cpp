@@ -134,6 +134,11 @@ TEST(ImageConversions, AMessageTellsWhetherItsBackgroundIsUnknown) {
   EXPECT_FALSE(hasUnknownBackground(messageFromMat(colorPixels(), header())));
 }
 
+TEST(ImageConversions, UnknownPixelsOfAMaskStayUnknown) {
+  const cv::Mat mask(2, 2, CV_8UC1, cv::Scalar(128));
+  EXPECT_EQ(cv::countNonZero(maskFromMessage(messageFromMat(mask, header())) != 128), 0);
+}
+
 TEST(ImageConversions, ColourImageIsNoMask) {
   EXPECT_THROW(maskFromMessage(messageFromMat(colorPixels(), header())), std::invalid_argument);
 }
