@@ -183,6 +183,15 @@ TEST(RecordingLearner, NeedsOnlyAPartOfALongRecording) {
   }
 }
 
+TEST(RecordingLearner, RecordingShorterThanTheFirstImagesIsOccupiedIfSomethingMoves) {
+  const cv::Mat scene = makeScene(3);
+  RecordingLearner still({}, 1), moving({}, 20);
+  still.add(scene);
+  for (int i = 0; i < 20; ++i) moving.add(walkerImage(scene, i));
+  EXPECT_FALSE(still.isOccupiedAtFirst());
+  EXPECT_TRUE(moving.isOccupiedAtFirst());
+}
+
 TEST(RecordingLearner, BadInputIsRefused) {
   RecordingLearner learner({}, 10);
   EXPECT_THROW(learner.learn(), std::invalid_argument) << "no images";
