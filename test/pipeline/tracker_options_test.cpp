@@ -107,6 +107,8 @@ TEST(TrackerNeeds, EachMethodSaysWhatItReads) {
   EXPECT_TRUE(needsOf("contour").masks && !needsOf("contour").images);
   EXPECT_TRUE(!needsOf("hsiao").masks && !needsOf("hsiao").images);
   EXPECT_TRUE(needsOf("fleischmann").masks && needsOf("fleischmann").images);
+  EXPECT_TRUE(needsOf("contour").colors);
+  EXPECT_TRUE(!needsOf("hsiao").colors && !needsOf("fleischmann").colors);
   EXPECT_EQ(errorTextOf([] { needsOf("guess"); }), "there is no method guess");
 }
 
