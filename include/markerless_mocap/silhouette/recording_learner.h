@@ -38,7 +38,8 @@ class RecordingLearner {
   ///   std::invalid_argument if its type is another, or if size or type change.
   void add(const cv::Mat& image);
   /// Whether somebody is in the first `background_frames` images: something moves in them, or was
-  /// there and is gone later. True if option `background` is `recording`.
+  /// there and is gone later. Motion shows in four images or more. True if option `background` is
+  /// `recording`.
   bool isOccupiedAtFirst() const;
   /// Throws std::invalid_argument if no image was added.
   SharedBackground learn() const;
