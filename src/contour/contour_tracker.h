@@ -77,7 +77,7 @@ class ContourTracker : public BodyTracker {
   bool accepted_ = false;  ///< the pose has been accepted since the last start
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
-  int64_t next_limb_search_ns_ = 0;
+  int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0;
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> contour_body_;        ///< with the shape of body_

@@ -54,7 +54,7 @@ class SelfCalibrationRun : public ToolTest {
     truth_ = Recording(run_.input, run_.recording).rig();
   }
 
-  /// Two fifths of every silhouette become unknown, in blocks that stay where they are.
+  /// A fifth of every silhouette becomes unknown, in blocks that stay where they are.
   void forgetBackground() {
     const std::string known = run_.input;
     run_.input = path("unknown.bag");
@@ -70,7 +70,7 @@ class SelfCalibrationRun : public ToolTest {
       const int camera = entry.getTopic().at(4) - '0';  // of /cam0/silhouette
       for (int y = 0; y < mask.rows / kBlock; ++y)
         for (int x = 0; x < mask.cols / kBlock; ++x)
-          if ((7 * y + 3 * x + camera) % 5 < 2)
+          if ((7 * y + 3 * x + camera) % 5 == 0)
             mask(cv::Rect(x * kBlock, y * kBlock, kBlock, kBlock)).setTo(128);
       to.write(entry.getTopic(), entry.getTime(), messageFromMat(mask, image->header));
     }

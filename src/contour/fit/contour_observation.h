@@ -55,8 +55,8 @@ class ContourObserver {
 
   /// \param masks one per camera, CV_8UC1, 0 background, 128 unknown, other values person, of the
   ///   size of the camera's image, or empty if missing; else throws std::invalid_argument. A mask
-  ///   without person or without background is not used, see ContourView::status. The result does not depend on the number of
-  ///   threads.
+  ///   without person or without background is not used, see ContourView::status. The result does
+  ///   not depend on the number of threads.
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
 
  private:

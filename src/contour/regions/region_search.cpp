@@ -12,6 +12,8 @@ namespace {
 // Expected errors of the body's outline in the rounds of a search, metres.
 const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
 
+// Worse poses are not worth a search for their limbs.
+constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
 
 bool isFitted(const RegionFit& one) {
@@ -96,7 +98,8 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
     RegionFit one = followed(observer, tracker, now, body, pose, kFirstRounds);
-    if (!isFitted(one)) continue;
+    if (!isFitted(one) || one.fit.overlap < kMinOverlap || one.found.agreement < kMinAgreement)
+      continue;
     if (auto better = searchLimbsByColor(observer, tracker, now, body, one))
       one = std::move(*better);
     out.push_back(std::move(one));

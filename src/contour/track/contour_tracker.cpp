@@ -30,6 +30,8 @@ constexpr double kMinOverlap = 0.72;
 // Default postures are tried if the proposals have a lower quality.
 constexpr double kPoorQuality = 0.86;
 constexpr int64_t kStartInterval_ns = 50000000;
+// A search by colour takes longer.
+constexpr int64_t kColorStartInterval_ns = 200000000;
 
 // Colours follow a body wherever they are told to look. Where the background is known, the
 // silhouettes must show the person, too: this fraction of what colours found, to accept a start and
@@ -91,7 +93,7 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   still_contours_.reset();
   reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
-  next_limb_search_ns_ = 0;
+  next_limb_search_ns_ = next_color_start_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
@@ -144,6 +146,8 @@ ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search s
 }
 
 ActiveTrack ContourTracker::start(const TrackerInput& now) {
+  if (observer_.needsColor(now) && now.stamp_ns < next_color_start_ns_) return {};
+  next_color_start_ns_ = now.stamp_ns + kColorStartInterval_ns;
   observer_.reset();
   Search search{observer_.observe(now), {}};
   if (search.found.seen.usableViews() < 2) return {};
@@ -158,7 +162,8 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
 
 ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTrack& active) {
   if (now.stamp_ns < next_start_ns_) return active;
-  next_start_ns_ = now.stamp_ns + kStartInterval_ns;
+  next_start_ns_ =
+      now.stamp_ns + (observer_.needsColor(now) ? kColorStartInterval_ns : kStartInterval_ns);
   initializer_->reset();  // the proposal must depend on this frame only
   Search search{observer_.observe(now), {}};
   search.poses = proposals(now, search.found.seen);
