@@ -1,0 +1,63 @@
+#include "contour/track/stray_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "contour/drawn_body.h"
+
+namespace markerless_mocap {
+namespace {
+
+const cv::Rect kStray(5, 5, 30, 30);  ///< pixels
+
+class StrayPartsTest : public testing::Test {
+ protected:
+  StrayPartsTest() {
+    hull.lattice.origin = Eigen::Vector3d(-0.2, -0.2, 0.0);
+    hull.lattice.pitch = 0.1;
+    hull.lattice.size = {4, 4, 17};
+    hull.voxels.resize(hull.lattice.count());
+    for (uint32_t i = 0; i < hull.lattice.count(); ++i) hull.voxels[i].index = i;
+    for (const Camera& camera : rig) {
+      masks.push_back(cv::Mat::zeros(camera.height(), camera.width(), CV_8UC1));
+      const Eigen::Vector2d middle = *camera.project({0, 0, 0.9});
+      cv::rectangle(masks.back(), cv::Rect(int(middle.x()) - 20, int(middle.y()) - 50, 40, 100),
+                    255, cv::FILLED);
+    }
+  }
+  bool same(const std::vector<cv::Mat>& cleaned) const {
+    for (size_t i = 0; i < masks.size(); ++i)
+      if (cleaned[i].data != masks[i].data) return false;
+    return true;
+  }
+
+  CameraRig rig = drawnRig(2);
+  VisualHull hull;
+  std::vector<cv::Mat> masks;
+};
+
+TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
+  const cv::Mat person = masks[0].clone();
+  masks[0](kStray) = 255;
+  const std::vector<cv::Mat> cleaned = withoutStrayParts(masks, hull, rig);
+  EXPECT_EQ(cv::norm(cleaned[0], person, cv::NORM_INF), 0.0);
+  EXPECT_EQ(masks[0].at<uchar>(kStray.tl()), 255) << "the masks given are not changed";
+  EXPECT_EQ(cleaned[1].data, masks[1].data);
+}
+
+TEST_F(StrayPartsTest, SpecksAndAMissingHullChangeNothing) {
+  masks[0](cv::Rect(5, 5, 3, 3)) = 255;
+  EXPECT_TRUE(same(withoutStrayParts(masks, hull, rig)));
+  masks[0](kStray) = 255;
+  EXPECT_TRUE(same(withoutStrayParts(masks, VisualHull{}, rig)));
+}
+
+TEST_F(StrayPartsTest, NothingIsRemovedWhereTheBackgroundIsUnknown) {
+  masks[0](kStray) = 255;
+  masks[0](cv::Rect(200, 5, 20, 20)) = 128;
+  EXPECT_TRUE(same(withoutStrayParts(masks, hull, rig)));
+}
+
+}  // namespace
+}  // namespace markerless_mocap
