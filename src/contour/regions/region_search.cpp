@@ -12,6 +12,9 @@ namespace {
 // Expected errors of the body's outline in the rounds of a search, metres.
 const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
 
+// Image width divided by the width of what counts as a speck or a gap.
+constexpr int kWidthPerDisk = 120;
+
 // Worse poses are not worth a search for their limbs.
 constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
@@ -36,7 +39,8 @@ double overlapOf(const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& 
 /// Those candidates that touch the person or each other: a limb is attached to the body.
 cv::Mat attached(const cv::Mat& person, const cv::Mat& candidates) {
   if (person.empty() || candidates.empty()) return candidates;
-  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  const int across = std::max(5, person.cols / kWidthPerDisk | 1);
+  const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across});
   cv::Mat found, all, labels;
   cv::morphologyEx(candidates, found, cv::MORPH_OPEN, disk);
   cv::dilate(found | person, all, disk);
