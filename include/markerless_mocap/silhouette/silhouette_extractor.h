@@ -31,8 +31,9 @@ struct SilhouetteResult {
 /// Not thread-safe; one object per camera.
 class SilhouetteExtractor {
  public:
-  /// Throws std::invalid_argument as SilhouetteOptions::validate(), and with a message that names the
-  /// file if the network cannot be loaded or gives an output of another shape than the options say.
+  /// Throws std::invalid_argument as SilhouetteOptions::validate(), and with a message that names
+  /// the file if the network cannot be loaded or gives an output of another shape than the options
+  /// say.
   explicit SilhouetteExtractor(const SilhouetteOptions& options);
   ~SilhouetteExtractor();
   SilhouetteExtractor(SilhouetteExtractor&&) noexcept;

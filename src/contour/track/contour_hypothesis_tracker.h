@@ -29,8 +29,8 @@ class ContourHypothesisTracker {
   /// Throws std::invalid_argument if an option is out of range.
   ContourHypothesisTracker(const CameraRig& rig, const ContourOptions& options);
 
-  /// The best fit from a pose that may be wrong by tenths of a radian and decimetres. Other positions
-  /// of its limbs are tried, too.
+  /// The best fit from a pose that may be wrong by tenths of a radian and decimetres. Other
+  /// positions of its limbs are tried, too.
   ContourFit search(const ContourObservation& seen, const ContourBody& body,
                     const ContourPose& pose) const;
   /// (Re)starts at a pose that may be wrong by tenths of a radian and decimetres. Other positions
