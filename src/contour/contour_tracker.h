@@ -33,8 +33,13 @@ class ContourTracker : public BodyTracker {
   const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
 
  private:
-  /// update() with the parts of the masks that are the person's.
+  /// update() with the parts of the masks that are the person's, and imagesWhereUnknown().
   BodyPose updateFrom(const TrackerInput& now);
+  /// Continues the pose of the last frame or starts. \param found replaced if colours show other
+  /// places of limbs
+  ActiveTrack follow(const TrackerInput& now, RegionObservation& found);
+  /// What the pose of this frame comes from.
+  void take(const RegionObservation& found);
   void setBody(std::shared_ptr<const TrackedBody> body);
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
@@ -61,7 +66,6 @@ class ContourTracker : public BodyTracker {
   /// reported before.
   std::optional<BodyPose> estimateShape(int64_t stamp_ns, const ContourObservation& seen,
                                         const ContourFit& fit);
-  BodyPose lost(const ContourObservation& seen, const ContourTrackingResult& track) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
 

@@ -16,8 +16,10 @@ namespace markerless_mocap {
 class OrientationSampler {
  public:
   /// \param rig that may be wrong \param body of the poses
+  /// \param max_samples at least 2; when there are so many, every second one is removed
   /// Throws std::invalid_argument as RegionObserver.
-  OrientationSampler(const CameraRig& rig, const ContourOptions& contour, const TrackedBody& body);
+  OrientationSampler(const CameraRig& rig, const ContourOptions& contour, const TrackedBody& body,
+                     size_t max_samples = 48);
 
   /// \param now frames in the order of time \param pose of the person in this frame; may be lost
   void add(const TrackerInput& now, const BodyPose& pose);
@@ -31,7 +33,7 @@ class OrientationSampler {
   ContourUrdfConverter converter_;
   ContourBody body_;
   Eigen::Matrix3Xd last_;  ///< points of the body in the last posture that counted
-  size_t postures_ = 0, stride_ = 1;
+  size_t max_samples_, postures_ = 0, stride_ = 1;
   std::vector<OrientationSample> samples_;
 };
 

@@ -7,6 +7,15 @@ const char* toString(PartLabel label) {
   return kNames[size_t(label)];
 }
 
+std::string unseenParts(const std::array<bool, kPartCount>& seen) {
+  constexpr const char* kNames[kPartCount] = {"torso",     "head",     "left arm",
+                                              "right arm", "left leg", "right leg"};
+  std::string names;
+  for (size_t part = 0; part < seen.size(); ++part)
+    if (!seen[part]) names += (names.empty() ? "" : ", ") + std::string(kNames[part]);
+  return names.empty() ? "" : names + " not seen";
+}
+
 const char* toString(SegmentationStatus status) {
   switch (status) {
     case SegmentationStatus::kOk:

@@ -149,7 +149,6 @@ class RegionSegmenter::Impl {
  public:
   explicit Impl(int parts) : colors_(size_t(parts)) {}
 
-  bool hasColors() const { return has_colors_; }
   void reset() {
     colors_.assign(colors_.size(), {});
     has_colors_ = false;
@@ -169,10 +168,10 @@ class RegionSegmenter::Impl {
     const BodyDrawing drawing = draw(image, body);
     if (drawing.box.area() == 0) return out;
     const cv::Mat bins = ColorBins::instance().of(image(drawing.box));
-    std::vector<PartColors> colors = colors_;
-    if (!has_colors_)
-      learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
-    cv::Mat log_odds = colorLogOdds(bins, drawing, body.sigma, colors), band;
+    cv::Mat log_odds = has_colors_
+                           ? colorLogOdds(bins, drawing, body.sigma, colors_)
+                           : colorLogOdds(bins, drawing, body.sigma, colorsOf(bins, drawing, body)),
+            band;
     if (!known.empty()) addKnown(known(drawing.box), log_odds);
     addShape(drawing, body.sigma, log_odds, band);
     cv::Mat mask = bandCut(image(drawing.box), log_odds, band);
@@ -189,7 +188,8 @@ class RegionSegmenter::Impl {
     const BodyDrawing drawing = drawBody(body, int(colors_.size()), image.size(), reach);
     if (drawing.box.area() == 0) return out;
     const cv::Mat bins = ColorBins::instance().of(image(drawing.box));
-    cv::Mat colored = personColored(bins, has_colors_ ? colors_ : colorsOf(image, body));
+    cv::Mat colored =
+        has_colors_ ? personColored(bins, colors_) : personColored(bins, colorsOf(image, body));
     cv::morphologyEx(colored, colored, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
     if (!known.empty()) colored |= known(drawing.box) == kPersonPixel;
     const cv::Mat near = drawing.distance < reach;
@@ -198,12 +198,16 @@ class RegionSegmenter::Impl {
   }
 
  private:
-  std::vector<PartColors> colorsOf(const cv::Mat& image, const ProjectedBody& body) const {
+  /// The colours in one image.
+  std::vector<PartColors> colorsOf(const cv::Mat& bins, const BodyDrawing& drawing,
+                                   const ProjectedBody& body) const {
     std::vector<PartColors> colors(colors_.size());
-    const BodyDrawing drawing = draw(image, body);
-    learnColors(ColorBins::instance().of(image(drawing.box)), drawing, body.sigma, kPersonRate,
-                kSurroundingsRate, colors);
+    learnColors(bins, drawing, body.sigma, kPersonRate, kSurroundingsRate, colors);
     return colors;
+  }
+  std::vector<PartColors> colorsOf(const cv::Mat& image, const ProjectedBody& body) const {
+    const BodyDrawing drawing = draw(image, body);
+    return colorsOf(ColorBins::instance().of(image(drawing.box)), drawing, body);
   }
   BodyDrawing draw(const cv::Mat& image, const ProjectedBody& body) const {
     return drawBody(body, int(colors_.size()), image.size(), kMargin_sigmas * body.sigma + kMargin);
@@ -217,9 +221,6 @@ RegionSegmenter::RegionSegmenter(int parts) : impl_(std::make_unique<Impl>(parts
 RegionSegmenter::~RegionSegmenter() = default;
 RegionSegmenter::RegionSegmenter(RegionSegmenter&&) noexcept = default;
 RegionSegmenter& RegionSegmenter::operator=(RegionSegmenter&&) noexcept = default;
-bool RegionSegmenter::hasColors() const {
-  return impl_->hasColors();
-}
 void RegionSegmenter::reset() {
   impl_->reset();
 }

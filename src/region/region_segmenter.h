@@ -45,8 +45,6 @@ class RegionSegmenter {
   RegionSegmenter(RegionSegmenter&&) noexcept;
   RegionSegmenter& operator=(RegionSegmenter&&) noexcept;
 
-  /// True if learn() has been called since the last reset.
-  bool hasColors() const;
   /// Forgets the colours.
   void reset();
 

@@ -178,8 +178,8 @@ TEST(RecordingLearner, NeedsOnlyAPartOfALongRecording) {
       learner.add(wants ? withNoise(image, i) : cv::Mat());
     }
     EXPECT_EQ(learner.isOccupiedAtFirst(), occupied);
-    EXPECT_GT(wanted, occupied ? 200 : 40);
-    EXPECT_LT(wanted, occupied ? 350 : 60);
+    EXPECT_GT(wanted, occupied ? 200 : 20);
+    EXPECT_LT(wanted, occupied ? 350 : 40);
   }
 }
 

@@ -14,6 +14,10 @@ enum class PartLabel : uint8_t { kTorso = 0, kHead, kArm1, kArm2, kLeg1, kLeg2 }
 constexpr int kPartCount = 6;
 const char* toString(PartLabel label);
 
+/// The parts that are not seen as words, for example "head, left arm not seen"; empty if all are.
+/// \param seen of a pose, by PartLabel; limb 1 is the left one
+std::string unseenParts(const std::array<bool, kPartCount>& seen);
+
 /// One segmented part: the curve through its voxels, and how much of the part was found.
 struct PartCurve {
   bool seen = false;

@@ -5,8 +5,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMaxSamples = 48;  // some thirty are left after every second one is removed
-
 // A posture differs if the mean displacement of the joints is larger than this. Repeated postures
 // would only give more weight to the errors of the body shape.
 constexpr double kMinPostureChange = 0.04;  // metres
@@ -16,16 +14,21 @@ constexpr double kPoseError = 0.04;  // metres, of the outline of a fitted body,
 }  // namespace
 
 OrientationSampler::OrientationSampler(const CameraRig& rig, const ContourOptions& contour,
-                                       const TrackedBody& body)
-    : observer_(rig, contour), converter_(body.model), body_(body.shape) {}
+                                       const TrackedBody& body, size_t max_samples)
+    : observer_(rig, contour),
+      converter_(body.model),
+      body_(body.shape),
+      max_samples_(max_samples) {}
 
 void OrientationSampler::add(const TrackerInput& now, const BodyPose& found) {
   if (found.status == PoseStatus::kLost) return;
   const ContourPose pose = converter_.poseOf(found.T_world_body, found.angles);
   if (!isAnotherPosture(pose) || postures_++ % stride_ != 0) return;
-  observer_.learn(now, body_, pose);
-  samples_.push_back({observer_.observeNear(now, body_, pose, kPoseError).seen, pose});
-  if (samples_.size() > kMaxSamples) thinOut();
+  const std::vector<cv::Mat> images = imagesWhereUnknown(now.images, now.masks);
+  const TrackerInput seen{now.stamp_ns, now.masks, images, now.hull, now.parts, now.tree};
+  observer_.learn(seen, body_, pose);
+  samples_.push_back({observer_.observeNear(seen, body_, pose, kPoseError).seen, pose});
+  if (samples_.size() > max_samples_) thinOut();
 }
 
 bool OrientationSampler::isAnotherPosture(const ContourPose& pose) {

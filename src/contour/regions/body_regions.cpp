@@ -108,23 +108,17 @@ void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
 
 }  // namespace
 
-const cv::Mat& imageOf(const std::vector<cv::Mat>& images, size_t camera) {
-  static const cv::Mat kNone;
-  return camera < images.size() ? images[camera] : kNone;
-}
-
-bool needsRegions(const cv::Mat& image, const cv::Mat& mask) {
-  if (image.empty() || image.type() != CV_8UC3) return false;
-  return hasUnknownBackground(mask);
+std::vector<cv::Mat> imagesWhereUnknown(const std::vector<cv::Mat>& images,
+                                        const std::vector<cv::Mat>& masks) {
+  std::vector<cv::Mat> out(masks.size());
+  for (size_t i = 0; i < std::min(images.size(), masks.size()); ++i)
+    if (!images[i].empty() && images[i].type() == CV_8UC3 && hasUnknownBackground(masks[i]))
+      out[i] = images[i];
+  return out;
 }
 
 BodyRegions::BodyRegions(const CameraRig& rig) : rig_(rig) {
   for (size_t i = 0; i < rig.size(); ++i) segmenters_.emplace_back(int(ContourSegment::kCount));
-}
-
-bool BodyRegions::hasColors() const {
-  return std::any_of(segmenters_.begin(), segmenters_.end(),
-                     [](const RegionSegmenter& one) { return one.hasColors(); });
 }
 
 void BodyRegions::reset() {
@@ -138,9 +132,9 @@ RegionMasks BodyRegions::segment(const std::vector<cv::Mat>& images,
   out.masks = masks;
   std::vector<RegionMask> found(rig_.size());
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(imageOf(images, i), masks[i])) return;
+    if (images[i].empty()) return;
     const int step = stepOf(rig_[i]);
-    const cv::Mat known = masks[i].empty() ? cv::Mat() : sampled(masks[i], step, cv::INTER_NEAREST);
+    const cv::Mat known = sampled(masks[i], step, cv::INTER_NEAREST);
     found[i] = segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
                                       projected(rig_[i], step, body, pose, error_m), known);
     out.masks[i] = enlarged(found[i].mask, step, images[i]);
@@ -155,7 +149,7 @@ std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
                                              const ContourPose& pose) const {
   std::vector<cv::Mat> out = masks;
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(imageOf(images, i), masks[i])) return;
+    if (images[i].empty()) return;
     const int step = stepOf(rig_[i]);
     const ProjectedBody at = projected(rig_[i], step, body, pose, kCandidateError);
     const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
@@ -167,10 +161,10 @@ std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
   return out;
 }
 
-void BodyRegions::learn(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
-                        const ContourBody& body, const ContourPose& pose, double error_m) {
+void BodyRegions::learn(const std::vector<cv::Mat>& images, const ContourBody& body,
+                        const ContourPose& pose, double error_m) {
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (!needsRegions(imageOf(images, i), masks[i])) return;
+    if (images[i].empty()) return;
     const int step = stepOf(rig_[i]);
     segmenters_[i].learn(sampled(images[i], step, cv::INTER_AREA),
                          projected(rig_[i], step, body, pose, error_m));

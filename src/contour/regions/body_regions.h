@@ -10,13 +10,13 @@
 
 namespace markerless_mocap {
 
-/// Image of a camera; empty if there is none.
-const cv::Mat& imageOf(const std::vector<cv::Mat>& images, size_t camera);
-
-/// True if colours must decide in a view: its background is not known where it matters, and there
-/// is a colour image.
-/// \param mask CV_8UC1 0 | 128 unknown | 255, or empty
-bool needsRegions(const cv::Mat& image, const cv::Mat& mask);
+/// The images of those views where colours must decide, as the background is not known where it
+/// matters; empty for other views and where there is no colour image.
+/// \param images by camera; missing ones may be empty or left out at the end
+/// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, or empty
+/// \return as many as masks
+std::vector<cv::Mat> imagesWhereUnknown(const std::vector<cv::Mat>& images,
+                                        const std::vector<cv::Mat>& masks);
 
 /// Masks of all cameras, and how well background subtraction agrees with them. Only views where
 /// colours decided count, and of them only samples with a known background.
@@ -36,24 +36,24 @@ struct RegionMasks {
 class BodyRegions {
  public:
   explicit BodyRegions(const CameraRig& rig);
-  bool hasColors() const;
   /// Forgets the colours of the person.
   void reset();
 
-  /// \param images by camera, CV_8UC3 BGR; others are not used
+  /// \param images by camera, as imagesWhereUnknown(); colours decide where there is one
   /// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, or empty
   /// \param error_m expected error of the body's outline, metres
-  /// \return a view that needs no regions has its mask
+  /// \return a view without image has its mask
   RegionMasks segment(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
                       const ContourBody& body, const ContourPose& pose, double error_m) const;
-  /// Where the person is or may be: a view that needs no regions has its mask, others show samples
+  /// Where the person is or may be: a view without image has its mask, others show samples
   /// near the body that background subtraction sees as person, or that have colours of the person.
   std::vector<cv::Mat> candidates(const std::vector<cv::Mat>& images,
                                   const std::vector<cv::Mat>& masks, const ContourBody& body,
                                   const ContourPose& pose) const;
   /// Learns the colours of the person and of the surroundings from a pose that is believed.
-  void learn(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
-             const ContourBody& body, const ContourPose& pose, double error_m);
+  /// \param images as for segment()
+  void learn(const std::vector<cv::Mat>& images, const ContourBody& body, const ContourPose& pose,
+             double error_m);
 
  private:
   CameraRig rig_;

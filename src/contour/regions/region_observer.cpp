@@ -1,7 +1,6 @@
 #include "contour/regions/region_observer.h"
 
 #include <algorithm>
-#include <opencv2/core.hpp>
 
 namespace markerless_mocap {
 namespace {
@@ -22,9 +21,8 @@ RegionObservation RegionObserver::observe(const TrackerInput& now) const {
 }
 
 bool RegionObserver::needsColor(const TrackerInput& now) const {
-  for (size_t i = 0; i < now.masks.size(); ++i)
-    if (needsRegions(imageOf(now.images, i), now.masks[i])) return true;
-  return false;
+  return std::any_of(now.images.begin(), now.images.end(),
+                     [](const cv::Mat& image) { return !image.empty(); });
 }
 
 RegionObservation RegionObserver::observeNear(const TrackerInput& now, const ContourBody& body,
@@ -45,7 +43,7 @@ ContourObservation RegionObserver::observe(const std::vector<cv::Mat>& masks) co
 
 void RegionObserver::learn(const TrackerInput& now, const ContourBody& body,
                            const ContourPose& pose) {
-  regions_.learn(now.images, now.masks, body, pose, kLearningError);
+  regions_.learn(now.images, body, pose, kLearningError);
 }
 
 }  // namespace markerless_mocap

@@ -18,7 +18,8 @@ struct RegionObservation {
 };
 
 /// Converts masks to the data that a body is fitted to. Where background subtraction left samples
-/// unknown, colours around a pose decide. Not thread-safe.
+/// unknown, colours around a pose decide: in those views that have an image, see
+/// imagesWhereUnknown(). Not thread-safe.
 class RegionObserver {
  public:
   /// Throws std::invalid_argument as ContourObserver.
@@ -26,8 +27,7 @@ class RegionObserver {
 
   /// What the masks show; unknown samples are no evidence.
   RegionObservation observe(const TrackerInput& now) const;
-  /// True if the background of a view is so little known that colours are needed, and if there are
-  /// images.
+  /// True if colours decide in a view.
   bool needsColor(const TrackerInput& now) const;
   /// As observe(), but colours around `pose` decide in views with an unknown background.
   /// \param error_m expected error of the outline of the body in `pose`, metres

@@ -1,20 +1,16 @@
 #include "contour/contour_tracker.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "contour/track/default_postures.h"
 #include "contour/track/pose_from_pose_tree.h"
+#include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
 #include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
 namespace {
-
-// A limb counts as seen if the standard deviation of its end is below the first value (posture
-// priors alone give an arm 0.1) and if it lies outside the masks by less than the second.
-constexpr double kMaxSeenDeviation = 0.08, kMaxSeenOutside = 0.10;  // metres
 
 constexpr int64_t kReconsiderAfterStart_ns = 2000000000;  // after a start
 constexpr int64_t kReconsiderInterval_ns = 200000000;
@@ -37,32 +33,12 @@ constexpr int64_t kColorStartInterval_ns = 200000000;
 // silhouettes must show the person, too: this fraction of what colours found, to accept a start and
 // to go on.
 constexpr double kMinAgreement = 0.6, kLostAgreement = 0.4;
-// The same of one limb; with less it is not seen, and is searched for elsewhere.
-constexpr double kMinLimbAgreement = 0.6;
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
 
 ShapePrior priorOf(const PersonResources& resources, const PersonOptions& person) {
   return {resources.shape_statistics, person.stature, person.stature_sigma};
-}
-
-/// The limb of a body part.
-ContourLimb::Id limbOf(int part) {
-  constexpr ContourLimb::Id kLimbs[kPartCount] = {ContourLimb::kTrunk,   ContourLimb::kHead,
-                                                  ContourLimb::kLeftArm, ContourLimb::kRightArm,
-                                                  ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
-  return kLimbs[part];
-}
-
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string overlapTooSmall(const ContourFit& fit) {
-  return "no pose covers the silhouettes, the best overlap is " + number("%.2f", fit.overlap);
 }
 
 }  // namespace
@@ -155,8 +131,7 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
   search = byColor(now, std::move(search));
   still_contours_.weigh(search.found.seen);
-  agreement_ = search.found.agreement;
-  limb_agreement_ = search.found.limb_agreement;
+  take(search.found);
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
 }
 
@@ -169,8 +144,10 @@ ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTr
   search.poses = proposals(now, search.found.seen);
   search = byColor(now, std::move(search));
   still_contours_.weigh(search.found.seen);
-  return hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_, search.poses,
-                                  active);
+  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen,
+                                                    *contour_body_, search.poses, active);
+  if (best.switched) take(search.found);
+  return best;
 }
 
 bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit& fit) const {
@@ -245,17 +222,12 @@ bool ContourTracker::useEstimatedShape() {
   return true;
 }
 
-BodyPose ContourTracker::lost(const ContourObservation& seen,
-                              const ContourTrackingResult& track) const {
+BodyPose ContourTracker::reported(const ActiveTrack& active) {
   BodyPose pose;
-  if (seen.usableViews() < 2)
-    pose.reason = "the person is visible in " + std::to_string(seen.usableViews()) +
-                  " silhouettes, at least 2 are needed";
-  else if (track.fit.status != ContourFitStatus::kFitted)
-    pose.reason =
-        initializer_error_.empty() ? "no pose covers the silhouettes" : initializer_error_;
-  else
-    pose.reason = overlapTooSmall(track.fit);
+  pose.status = active.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
+  reported_ = true;
+  converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
+  reportEvidence(active.track.fit, limb_agreement_, pose);
   return pose;
 }
 
@@ -265,67 +237,59 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
     pose.reason = overlapTooSmall(fit);
   else if (agreement_ <= kMinAgreement)
     pose.reason = "colours show a person where the silhouettes show background";
-  else if (hypotheses_.isUnambiguous() && hypotheses_.isConfirmed())
-    pose.reason = "something like a person was found, but it has not moved yet";
-  else if (hypotheses_.isUnambiguous())
-    pose.reason = "a person was found, but another frame must confirm the pose";
   else
-    pose.reason = "a person was found, but front and back cannot be distinguished yet";
+    pose.reason = whyUncertain(hypotheses_);
   return pose;
 }
 
-BodyPose ContourTracker::reported(const ActiveTrack& active) {
-  BodyPose pose;
-  pose.status = active.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
-  reported_ = true;
-  converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
-  pose.silhouette_overlap = active.track.fit.overlap;
-  for (int part = 0; part < kPartCount; ++part) {
-    const LimbEvidence& limb = active.track.fit.limbs[limbOf(part)];
-    pose.part_sigma_m[size_t(part)] = limb.deviation;
-    pose.part_seen[size_t(part)] = limb.deviation < kMaxSeenDeviation &&
-                                   limb.outside < kMaxSeenOutside &&
-                                   limb_agreement_[limbOf(part)] >= kMinLimbAgreement;
+void ContourTracker::take(const RegionObservation& found) {
+  agreement_ = found.agreement;
+  limb_agreement_ = found.limb_agreement;
+}
+
+ActiveTrack ContourTracker::follow(const TrackerInput& now, RegionObservation& found) {
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_);
+  if (active.track.status == ContourTrackingStatus::kLost) {
+    active = start(now);
+    accepted_ = isAccepted(found.seen, active.track.fit);
+    next_start_ns_ = now.stamp_ns + kStartInterval_ns;
+    reported_ = false;
+    return active;
   }
-  return pose;
+  if (!accepted_) active = reinitialize(now, active);
+  accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
+  searchLimbs(now, found, active);
+  reconsider(now, found.seen, active.track);
+  return active;
 }
 
 BodyPose ContourTracker::update(const TrackerInput& now) {
+  if (stamp_ && now.stamp_ns <= *stamp_) reset();
+  stamp_ = now.stamp_ns;
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, now.hull, still_contours_.rig());
-  return updateFrom({now.stamp_ns, masks, now.images, now.hull, now.parts, now.tree});
+  const std::vector<cv::Mat> images = imagesWhereUnknown(now.images, masks);
+  still_contours_.watch(now.stamp_ns, now.images, masks);
+  return updateFrom({now.stamp_ns, masks, images, now.hull, now.parts, now.tree});
 }
 
 BodyPose ContourTracker::updateFrom(const TrackerInput& now) {
-  if (stamp_ && now.stamp_ns <= *stamp_) reset();
-  stamp_ = now.stamp_ns;
   RegionObservation found = observe(now);
-  still_contours_.watch(now.stamp_ns, now.images, now.masks);
   still_contours_.weigh(found.seen);
-  const ContourObservation& seen = found.seen;
-  agreement_ = found.agreement;
-  limb_agreement_ = found.limb_agreement;
+  take(found);
   if (agreement_ < kLostAgreement) hypotheses_.lose();
-  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, *contour_body_);
-  if (active.track.status == ContourTrackingStatus::kLost) {
-    active = start(now);
-    accepted_ = isAccepted(seen, active.track.fit);
-    next_start_ns_ = now.stamp_ns + kStartInterval_ns;
-    reported_ = false;
-  } else {
-    if (!accepted_) active = reinitialize(now, active);
-    accepted_ = accepted_ || isAccepted(seen, active.track.fit);
-    searchLimbs(now, found, active);
-    reconsider(now, seen, active.track);
-  }
-  if (active.track.status != ContourTrackingStatus::kLost)
-    observer_.learn(now, *contour_body_, active.track.fit.pose);
+  const ActiveTrack active = follow(now, found);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
-  if (active.track.status == ContourTrackingStatus::kLost) return lost(seen, active.track);
-  still_contours_.compare(seen, *contour_body_, active.track.fit.pose);
-  if (const std::optional<BodyPose> estimating =
-          estimateShape(now.stamp_ns, seen, active.track.fit))
+  const ContourFit& fit = active.track.fit;
+  if (active.track.status == ContourTrackingStatus::kLost) {
+    BodyPose lost;
+    lost.reason = whyLost(found.seen, fit, initializer_error_);
+    return lost;
+  }
+  observer_.learn(now, *contour_body_, fit.pose);
+  still_contours_.compare(found.seen, *contour_body_, fit.pose);
+  if (const std::optional<BodyPose> estimating = estimateShape(now.stamp_ns, found.seen, fit))
     return *estimating;
-  return accepted_ ? reported(active) : unaccepted(active.track.fit);
+  return accepted_ ? reported(active) : unaccepted(fit);
 }
 
 }  // namespace markerless_mocap

@@ -11,8 +11,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kSamplesAcross = 330;
-constexpr int64_t kInterval_ns = 60000000;   // between two frames that are compared
+constexpr int kSamplesAcross = 165;
+constexpr int64_t kInterval_ns = 200000000;  // between two frames that are compared
 constexpr int kFirstFrames = 5;              // the first ones are compared without interval
 constexpr int64_t kHistory_ns = 1000000000;  // before anything is called still
 constexpr double kMemory_s = 2.0;
@@ -20,7 +20,7 @@ constexpr double kMemory_s = 2.0;
 // A sample moves if its temporal deviation is above this factor of the median over the image, and
 // above this number of grey levels. A contour is still if no sample near it moves.
 constexpr double kMovingFactor = 4.0, kMinMoving = 1.0;
-constexpr int kNear = 2;  // samples
+constexpr int kNear = 1;  // samples
 
 constexpr float kStillWeight = 0.05f;
 constexpr double kMinLiving = 0.1;  // fraction of the rays
@@ -31,8 +31,9 @@ constexpr double kRate = 0.1;
 
 cv::Mat brightnessOf(const cv::Mat& image, int step) {
   cv::Mat small, grey;
+  // The mean of four pixels; that of all would take longer.
   cv::resize(image, small, {(image.cols - 1) / step + 1, (image.rows - 1) / step + 1}, 0, 0,
-             cv::INTER_AREA);
+             cv::INTER_LINEAR);
   if (small.channels() == 3)
     cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
   else

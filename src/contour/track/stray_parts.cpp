@@ -3,12 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr uchar kUnknown = 128;    // of a mask
 constexpr int kWidthPerCell = 80;  // image width divided by the edge of a cell
 
 // A mask is changed only if the stray parts have this fraction of the area of the others.
@@ -31,34 +33,55 @@ cv::Mat cellsOfHull(const VisualHull& hull, const Camera& camera, int cell) {
   return cells;
 }
 
-/// For each label, whether one of its pixels lies in a cell of the hull.
-std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat& cells, int cell) {
+/// For each label, whether one of its cells is a cell of the hull.
+std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat& cells) {
   std::vector<bool> inside(size_t(count), false);
-  for (int y = 0; y < labels.rows; ++y) {
-    const int* label = labels.ptr<int>(y);
-    const uchar* row = cells.ptr<uchar>(y / cell);
+  for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x)
-      if (label[x] && row[x / cell]) inside[size_t(label[x])] = true;
-  }
+      if (labels.at<int>(y, x) && cells.at<uchar>(y, x))
+        inside[size_t(labels.at<int>(y, x))] = true;
   return inside;
 }
 
+/// One pixel of each cell: 0 | 255. Parts are told apart by cells: whole images would cost too much.
+cv::Mat cellsOfMask(const cv::Mat& mask, int cell) {
+  cv::Mat cells((mask.rows - 1) / cell + 1, (mask.cols - 1) / cell + 1, CV_8UC1);
+  for (int y = 0; y < cells.rows; ++y) {
+    const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
+    uchar* to = cells.ptr<uchar>(y);
+    for (int x = 0; x < cells.cols; ++x)
+      to[x] = row[std::min(x * cell + cell / 2, mask.cols - 1)] ? 255 : 0;
+  }
+  return cells;
+}
+
+/// Number of cells of each label but 0, the background.
+std::vector<int> areasOf(const cv::Mat& labels, int count) {
+  std::vector<int> areas(size_t(count), 0);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) ++areas[size_t(labels.at<int>(y, x))];
+  areas[0] = 0;
+  return areas;
+}
+
 cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
-  if (cv::countNonZero(mask == kUnknown) > 0) return mask;
-  cv::Mat labels, areas, middles;
-  const int count = cv::connectedComponentsWithStats(mask, labels, areas, middles, 8, CV_32S);
-  if (count < 3) return mask;  // the background and one part
   const int cell = cellOf(mask);
-  const std::vector<bool> inside =
-      labelsInCells(labels, count, cellsOfHull(hull, camera, cell), cell);
-  double kept = 0, stray = 0;
-  for (int i = 1; i < count; ++i)
-    (inside[size_t(i)] ? kept : stray) += areas.at<int>(i, cv::CC_STAT_AREA);
-  if (kept == 0 || stray < kMinStray * kept) return mask;
+  cv::Mat joined, labels;
+  cv::dilate(cellsOfMask(mask, cell), joined, cv::Mat());
+  const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
+  const std::vector<int> areas = areasOf(labels, count);
+  const int all = std::accumulate(areas.begin(), areas.end(), 0);
+  const int largest = *std::max_element(areas.begin(), areas.end());
+  if (all - largest < kMinStray * largest || hasUnknownPixels(mask)) return mask;
+  const std::vector<bool> inside = labelsInCells(labels, count, cellsOfHull(hull, camera, cell));
+  int kept = 0;
+  for (int label = 1; label < count; ++label)
+    if (inside[size_t(label)]) kept += areas[size_t(label)];
+  if (kept == 0 || all - kept < kMinStray * kept) return mask;
   cv::Mat cleaned = mask.clone();
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x)
-      if (!inside[size_t(labels.at<int>(y, x))]) cleaned.at<uchar>(y, x) = 0;
+      if (!inside[size_t(labels.at<int>(y / cell, x / cell))]) cleaned.at<uchar>(y, x) = 0;
   return cleaned;
 }
 

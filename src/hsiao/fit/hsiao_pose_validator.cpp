@@ -9,21 +9,12 @@ namespace markerless_mocap {
 namespace {
 
 constexpr std::array<bool, kPartCount> kAllParts = {true, true, true, true, true, true};
-constexpr std::array<const char*, kPartCount> kPartNames = {"torso",     "head",     "left arm",
-                                                            "right arm", "left leg", "right leg"};
 
 std::string percent(double fraction) {
   return std::to_string(std::lround(100 * fraction)) + " %";
 }
 std::string millimetres(double m) {
   return std::to_string(std::lround(1000 * m)) + " mm";
-}
-
-std::string unseenParts(const std::array<bool, kPartCount>& seen) {
-  std::string names;
-  for (int part = 0; part < kPartCount; ++part)
-    if (!seen[part]) names += (names.empty() ? "" : ", ") + std::string(kPartNames[part]);
-  return names.empty() ? "" : names + " not seen";
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ double unknownFraction(const Background& background) {
 class RecordingLearner::Impl {
  public:
   Impl(const SilhouetteOptions& options, int expected_images)
-      : options_(options), stride_(std::max(1, expected_images / kSamples)), sampler_(stride_) {
+      : options_(options),
+        stride_(std::max(1, expected_images / kSamples)),
+        sampler_(stride_) {
     options_.validate();
     if (!canLearnFromRecording(options_))
       throw std::invalid_argument(
@@ -37,13 +39,14 @@ class RecordingLearner::Impl {
   }
 
   bool wantsNext() const {
-    if (seen_ < options_.background_frames) return true;
+    if (seen_ < options_.background_frames && first_.wantsNext()) return true;
     return is_quiet_ ? isLaterNext() : sampler_.wantsNext();
   }
 
   void add(const cv::Mat& image) {
     check(image);
-    if (seen_ < options_.background_frames) first_.add(image);
+    if (seen_ < options_.background_frames)
+      first_.add(first_.wantsNext() ? image : cv::Mat());
     if (is_quiet_ && isLaterNext() && !image.empty()) later_.push_back(smallCopy(image));
     sampler_.add(sampler_.wantsNext() ? image : cv::Mat());
     if (++seen_ == options_.background_frames) closeFirst();

@@ -16,8 +16,8 @@ constexpr int kMaxPixels = 160000;
 constexpr int kSamples = 36;
 constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are kept
 /// An image is compared with those so many frames before and after it.
-constexpr std::array<int, 2> kApart = {3, 8};
-constexpr int kReach = 8;
+constexpr std::array<int, 2> kApart = {SceneSampler::kStep, 3 * SceneSampler::kStep};
+constexpr int kReach = 3 * SceneSampler::kStep;
 constexpr double kMotion = 12;  ///< grey levels
 constexpr int kSmooth = 5, kClose = 9, kDilate = 5;
 

@@ -25,8 +25,12 @@ cv::Mat smallCopy(const cv::Mat& image);
 /// Collects samples from a stream of images.
 class SceneSampler {
  public:
-  /// \param stride one image in so many becomes a sample; doubled whenever there are too many
-  explicit SceneSampler(int stride = 1) : stride_(stride) {}
+  /// One image in so many is looked at: images that follow each other hardly differ.
+  static constexpr int kStep = 3;
+
+  /// \param stride one image in so many becomes a sample; rounded up to a multiple of kStep, and
+  /// doubled whenever there are too many
+  explicit SceneSampler(int stride = kStep) : stride_((stride + kStep - 1) / kStep * kStep) {}
 
   /// Whether the next image is needed, for a sample or for what moves in one.
   bool wantsNext() const;

@@ -145,7 +145,7 @@ void Recording::readMessage() {
   ++messages_read_;
 }
 
-std::optional<FrameSet> Recording::next(bool decode) {
+std::optional<FrameSet> Recording::next() {
   if (!view_) startReading();
   while (ready_.empty() && message_ != view_->end()) readMessage();
   if (ready_.empty())
@@ -154,7 +154,17 @@ std::optional<FrameSet> Recording::next(bool decode) {
   if (ready_.empty()) return std::nullopt;
   const Assembler::FrameSet frame_set = std::move(ready_.front());
   ready_.pop_front();
-  return frameSetOf(frame_set, decode);
+  return frameSetOf(frame_set);
+}
+
+void Recording::skip(int frame_sets) {
+  if (frame_sets <= 0) return;
+  if (!view_) startReading();
+  for (; frame_sets > 0 && !ready_.empty(); --frame_sets) ready_.pop_front();
+  if (frame_sets == 0) return;
+  assembler_ = std::make_unique<Assembler>(streams_.size(), offlineAssembly());
+  size_t messages = size_t(frame_sets) * streams_.size();
+  for (; messages > 0 && message_ != view_->end(); --messages, ++messages_read_) ++message_;
 }
 
 int Recording::expectedFrameSets() {
@@ -166,13 +176,13 @@ double Recording::fractionRead() const {
   return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
 }
 
-FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set, bool decode) {
+FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
   FrameSet out;
   out.stamp_ns = frame_set.stamp_ns;
   out.frames.resize(cameras_.size());
   out.owner = frame_set.items;
   for (size_t i = 0; i < streams_.size(); ++i) {
-    if (!decode || !frame_set.present[i]) continue;
+    if (!frame_set.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];
     try {
       (streams_[i].is_mask ? frame.mask : frame.image) =

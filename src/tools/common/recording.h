@@ -58,8 +58,10 @@ class Recording {
 
   /// The next frame set in the order of time; empty after the last one. Missing frames are empty.
   /// Throws std::runtime_error if there are no images after the start, or if the bag is damaged.
-  /// \param decode false: the images are left out
-  std::optional<FrameSet> next(bool decode = true);
+  std::optional<FrameSet> next();
+  /// Passes over about so many frame sets without reading them: one more or less where images are
+  /// missing. The next frame set may then lack images.
+  void skip(int frame_sets);
   /// About as many frame sets as the recording has; 0 if it has none.
   int expectedFrameSets();
   /// Fraction of the recording that has been read, 0 to 1.
@@ -83,7 +85,7 @@ class Recording {
   void listStreams();
   void startReading();
   void readMessage();
-  FrameSet frameSetOf(const Assembler::FrameSet& frame_set, bool decode);
+  FrameSet frameSetOf(const Assembler::FrameSet& frame_set);
 
   RecordingOptions options_;
   rosbag::Bag bag_;

@@ -11,6 +11,7 @@ namespace {
 // their uncertainty, too.
 constexpr double kMinTurn = 0.15 * M_PI / 180.0, kMinPixels = 1.5;
 constexpr double kMinDeviations = 4.0;
+constexpr size_t kSamples = 16;  // enough to notice a turn
 
 bool isRotated(const OrientationCorrection& camera) {
   const double pixels = camera.pixels.norm();
@@ -31,7 +32,7 @@ CalibrationCheck::CalibrationCheck(const Pipeline& pipeline, const TrackerOption
     : rig_(pipeline.rig()), options_(options.contour) {
   if (options.method != "contour" || !pipeline.body()->shape_estimated) return;
   body_.emplace(pipeline.body()->shape);
-  sampler_.emplace(rig_, options_, *pipeline.body());
+  sampler_.emplace(rig_, options_, *pipeline.body(), kSamples);
 }
 
 void CalibrationCheck::add(const FrameSet& frame_set, const PipelineResult& result) {

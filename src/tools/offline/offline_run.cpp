@@ -55,11 +55,10 @@ void saveBody(const OfflineOptions& options, const TrackedBody& body) {
 
 }  // namespace
 
-std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording,
-                                     bool decode) {
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording) {
   if (options.interrupted())
     throw std::runtime_error("interrupted, " + options.output + " is not written");
-  return recording->next(decode);
+  return recording->next();
 }
 
 void measureBody(const OfflineOptions& options, const std::vector<SharedBackground>& backgrounds,

@@ -27,10 +27,9 @@ struct OfflineOptions {
   std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set
 };
 
-/// The next frame set of the recording, with or without its images. Throws as Recording::next(),
-/// and std::runtime_error if the run was interrupted.
-std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording,
-                                     bool decode = true);
+/// The next frame set of the recording. Throws as Recording::next(), and std::runtime_error if the
+/// run was interrupted.
+std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* recording);
 
 /// Processes the first seconds of a recording until the shape of the body is estimated, so that the
 /// whole recording can be processed with it. Throws as runOffline().

@@ -13,10 +13,21 @@ bool anyWantsNext(const std::vector<RecordingLearner>& learners) {
                      [](const RecordingLearner& learner) { return learner.wantsNext(); });
 }
 
+/// Passes over the frame sets that nobody needs, but for the last: the one after a gap may lack
+/// images.
+void skipUnneeded(Recording* recording, std::vector<RecordingLearner>* learners) {
+  int unneeded = 0;
+  for (; !anyWantsNext(*learners); ++unneeded)
+    for (RecordingLearner& learner : *learners) learner.add({});
+  recording->skip(unneeded - 1);
+  if (unneeded > 0) recording->next();
+}
+
 void readAll(const OfflineOptions& options, Recording* recording,
              std::vector<RecordingLearner>* learners) {
   for (;;) {
-    const auto frame_set = nextFrameSet(options, recording, anyWantsNext(*learners));
+    skipUnneeded(recording, learners);
+    const auto frame_set = nextFrameSet(options, recording);
     if (!frame_set) return;
     tbb::parallel_for(size_t(0), learners->size(),
                       [&](size_t i) { (*learners)[i].add(frame_set->frames[i].image); });

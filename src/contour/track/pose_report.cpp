@@ -1,0 +1,58 @@
+#include "contour/track/pose_report.h"
+
+#include <cstdio>
+
+namespace markerless_mocap {
+namespace {
+
+// A limb counts as seen if the standard deviation of its end is below the first value (posture
+// priors alone give an arm 0.1) and if it lies outside the masks by less than the second.
+constexpr double kMaxSeenDeviation = 0.08, kMaxSeenOutside = 0.10;  // metres
+
+/// The limb of a body part.
+ContourLimb::Id limbOf(int part) {
+  constexpr ContourLimb::Id kLimbs[kPartCount] = {ContourLimb::kTrunk,   ContourLimb::kHead,
+                                                  ContourLimb::kLeftArm, ContourLimb::kRightArm,
+                                                  ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
+  return kLimbs[part];
+}
+
+}  // namespace
+
+void reportEvidence(const ContourFit& fit,
+                    const std::array<double, ContourLimb::kCount>& limb_agreement, BodyPose& pose) {
+  pose.silhouette_overlap = fit.overlap;
+  for (int part = 0; part < kPartCount; ++part) {
+    const LimbEvidence& limb = fit.limbs[limbOf(part)];
+    pose.part_sigma_m[size_t(part)] = limb.deviation;
+    pose.part_seen[size_t(part)] = limb.deviation < kMaxSeenDeviation &&
+                                   limb.outside < kMaxSeenOutside &&
+                                   limb_agreement[limbOf(part)] >= kMinLimbAgreement;
+  }
+  pose.reason = unseenParts(pose.part_seen);
+}
+
+std::string overlapTooSmall(const ContourFit& fit) {
+  char overlap[32];
+  std::snprintf(overlap, sizeof overlap, "%.2f", fit.overlap);
+  return std::string("no pose covers the silhouettes, the best overlap is ") + overlap;
+}
+
+std::string whyLost(const ContourObservation& seen, const ContourFit& fit,
+                    const std::string& initializer_error) {
+  if (seen.usableViews() < 2)
+    return "the person is visible in " + std::to_string(seen.usableViews()) +
+           " silhouettes, at least 2 are needed";
+  if (fit.status == ContourFitStatus::kFitted) return overlapTooSmall(fit);
+  return initializer_error.empty() ? "no pose covers the silhouettes" : initializer_error;
+}
+
+std::string whyUncertain(const ContourMultiHypothesisTracker& hypotheses) {
+  if (!hypotheses.isUnambiguous())
+    return "a person was found, but front and back cannot be distinguished yet";
+  return hypotheses.isConfirmed()
+             ? "something like a person was found, but it has not moved yet"
+             : "a person was found, but another frame must confirm the pose";
+}
+
+}  // namespace markerless_mocap
