@@ -33,34 +33,43 @@ class ContourTracker : public BodyTracker {
   const std::shared_ptr<const TrackedBody>& body() const override { return body_; }
 
  private:
-  /// update() with the parts of the masks that are the person's, and imagesWhereUnknown().
-  BodyPose updateFrom(const TrackerInput& now);
+  /// A frame set; its masks show those parts only that are the person's.
+  struct Frame {
+    int64_t stamp_ns;
+    const VisualHull& hull;
+    const BodyParts& parts;
+    const PoseTree& tree;
+    RegionFrame regions;
+  };
+  BodyPose updateFrom(const Frame& now);
   /// Continues the pose of the last frame or starts. \param found replaced if colours show other
   /// places of limbs
-  ActiveTrack follow(const TrackerInput& now, RegionObservation& found);
+  ActiveTrack follow(const Frame& now, RegionObservation& found);
+  /// Learns the colours at the pose.
+  void learn(const Frame& now, const ActiveTrack& active);
   /// What the pose of this frame comes from.
   void take(const RegionObservation& found);
   void setBody(std::shared_ptr<const TrackedBody> body);
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
   void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
-  ActiveTrack start(const TrackerInput& now);
+  ActiveTrack start(const Frame& now);
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {
     RegionObservation found;
     std::vector<ContourPose> poses;
   };
   /// The masks, or colours around the predicted pose.
-  RegionObservation observe(const TrackerInput& now) const;
+  RegionObservation observe(const Frame& now) const;
   /// Where the background is not known: colours around the most promising pose, and that pose.
-  Search byColor(const TrackerInput& now, Search search) const;
-  ActiveTrack reinitialize(const TrackerInput& now, const ActiveTrack& active);
+  Search byColor(const Frame& now, Search search) const;
+  ActiveTrack reinitialize(const Frame& now, const ActiveTrack& active);
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourObservation& seen, const ContourFit& fit) const;
-  std::vector<ContourPose> proposals(const TrackerInput& now, const ContourObservation& seen);
+  std::vector<ContourPose> proposals(const Frame& now, const ContourObservation& seen);
   /// Takes other places of limbs if they agree better with colours and silhouettes.
-  void searchLimbs(const TrackerInput& now, RegionObservation& found, ActiveTrack& active);
-  void reconsider(const TrackerInput& now, const ContourObservation& seen,
+  void searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active);
+  void reconsider(const Frame& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
   /// Returns a pose without estimate as long as the body shape is being estimated: no pose is
   /// reported before.
@@ -81,7 +90,7 @@ class ContourTracker : public BodyTracker {
   bool accepted_ = false;  ///< the pose has been accepted since the last start
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
-  int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0;
+  int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0, next_learning_ns_ = 0;
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> contour_body_;        ///< with the shape of body_

@@ -24,10 +24,9 @@ void OrientationSampler::add(const TrackerInput& now, const BodyPose& found) {
   if (found.status == PoseStatus::kLost) return;
   const ContourPose pose = converter_.poseOf(found.T_world_body, found.angles);
   if (!isAnotherPosture(pose) || postures_++ % stride_ != 0) return;
-  const std::vector<cv::Mat> images = imagesWhereUnknown(now.images, now.masks);
-  const TrackerInput seen{now.stamp_ns, now.masks, images, now.hull, now.parts, now.tree};
-  observer_.learn(seen, body_, pose);
-  samples_.push_back({observer_.observeNear(seen, body_, pose, kPoseError).seen, pose});
+  const RegionFrame frame(now.images, now.masks);
+  observer_.learn(frame, body_, pose);
+  samples_.push_back({observer_.observeNear(frame, body_, pose, kPoseError).seen, pose});
   if (samples_.size() > max_samples_) thinOut();
 }
 

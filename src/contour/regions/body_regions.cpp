@@ -18,8 +18,8 @@ constexpr double kCandidateError = 0.04;
 constexpr float kCandidateReach = 0.5f;
 constexpr float kMinSigma = 0.7f;  // samples
 
-int stepOf(const Camera& camera) {
-  return std::max(1, (camera.width() + kSamplesAcross - 1) / kSamplesAcross);
+int stepOf(const cv::Mat& image) {
+  return std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
 }
 
 /// The part of the image that whole samples cover.
@@ -62,9 +62,9 @@ ProjectedBody projected(const Camera& camera, int step, const ContourBody& body,
 }
 
 /// The mask at the samples, enlarged to the image with smooth borders.
-cv::Mat enlarged(const cv::Mat& samples, int step, const cv::Mat& image) {
+cv::Mat enlarged(const cv::Mat& samples, int step, const cv::Size& image) {
   if (step == 1) return samples;
-  cv::Mat out = cv::Mat::zeros(image.size(), CV_8UC1), smooth;
+  cv::Mat out = cv::Mat::zeros(image, CV_8UC1), smooth;
   const cv::Rect box = cv::boundingRect(samples);
   if (box.area() == 0) return out;
   const cv::Rect wide =
@@ -108,13 +108,20 @@ void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
 
 }  // namespace
 
-std::vector<cv::Mat> imagesWhereUnknown(const std::vector<cv::Mat>& images,
-                                        const std::vector<cv::Mat>& masks) {
-  std::vector<cv::Mat> out(masks.size());
-  for (size_t i = 0; i < std::min(images.size(), masks.size()); ++i)
-    if (!images[i].empty() && images[i].type() == CV_8UC3 && hasUnknownBackground(masks[i]))
-      out[i] = images[i];
-  return out;
+RegionFrame::RegionFrame(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks)
+    : masks(masks), views(masks.size()) {
+  tbb::parallel_for(size_t(0), std::min(images.size(), masks.size()), [&](size_t i) {
+    if (images[i].empty() || images[i].type() != CV_8UC3 || !hasUnknownBackground(masks[i])) return;
+    RegionView& view = views[i];
+    view.step = stepOf(images[i]);
+    view.colors = sampled(images[i], view.step, cv::INTER_AREA);
+    view.known = sampled(masks[i], view.step, cv::INTER_NEAREST);
+  });
+}
+
+bool RegionFrame::needsColors() const {
+  return std::any_of(views.begin(), views.end(),
+                     [](const RegionView& view) { return !view.colors.empty(); });
 }
 
 BodyRegions::BodyRegions(const CameraRig& rig) : rig_(rig) {
@@ -125,49 +132,43 @@ void BodyRegions::reset() {
   for (RegionSegmenter& segmenter : segmenters_) segmenter.reset();
 }
 
-RegionMasks BodyRegions::segment(const std::vector<cv::Mat>& images,
-                                 const std::vector<cv::Mat>& masks, const ContourBody& body,
+RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& body,
                                  const ContourPose& pose, double error_m) const {
   RegionMasks out;
-  out.masks = masks;
+  out.masks = frame.masks;
   std::vector<RegionMask> found(rig_.size());
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (images[i].empty()) return;
-    const int step = stepOf(rig_[i]);
-    const cv::Mat known = sampled(masks[i], step, cv::INTER_NEAREST);
-    found[i] = segmenters_[i].segment(sampled(images[i], step, cv::INTER_AREA),
-                                      projected(rig_[i], step, body, pose, error_m), known);
-    out.masks[i] = enlarged(found[i].mask, step, images[i]);
+    const RegionView& view = frame.views[i];
+    if (view.colors.empty()) return;
+    found[i] = segmenters_[i].segment(
+        view.colors, projected(rig_[i], view.step, body, pose, error_m), view.known);
+    out.masks[i] = enlarged(found[i].mask, view.step, frame.masks[i].size());
   });
   measureAgreement(found, out);
   return out;
 }
 
-std::vector<cv::Mat> BodyRegions::candidates(const std::vector<cv::Mat>& images,
-                                             const std::vector<cv::Mat>& masks,
-                                             const ContourBody& body,
+std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const ContourBody& body,
                                              const ContourPose& pose) const {
-  std::vector<cv::Mat> out = masks;
+  std::vector<cv::Mat> out = frame.masks;
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (images[i].empty()) return;
-    const int step = stepOf(rig_[i]);
-    const ProjectedBody at = projected(rig_[i], step, body, pose, kCandidateError);
+    const RegionView& view = frame.views[i];
+    if (view.colors.empty()) return;
+    const ProjectedBody at = projected(rig_[i], view.step, body, pose, kCandidateError);
     const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
-    const cv::Mat found = segmenters_[i].candidates(sampled(images[i], step, cv::INTER_AREA), at,
-                                                    sampled(masks[i], step, cv::INTER_NEAREST),
+    const cv::Mat found = segmenters_[i].candidates(view.colors, at, view.known,
                                                     kCandidateReach * samples_per_metre);
-    out[i] = enlarged(found, step, images[i]);
+    out[i] = enlarged(found, view.step, frame.masks[i].size());
   });
   return out;
 }
 
-void BodyRegions::learn(const std::vector<cv::Mat>& images, const ContourBody& body,
-                        const ContourPose& pose, double error_m) {
+void BodyRegions::learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
+                        double error_m) {
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
-    if (images[i].empty()) return;
-    const int step = stepOf(rig_[i]);
-    segmenters_[i].learn(sampled(images[i], step, cv::INTER_AREA),
-                         projected(rig_[i], step, body, pose, error_m));
+    const RegionView& view = frame.views[i];
+    if (view.colors.empty()) return;
+    segmenters_[i].learn(view.colors, projected(rig_[i], view.step, body, pose, error_m));
   });
 }
 

@@ -10,13 +10,25 @@
 
 namespace markerless_mocap {
 
-/// The images of those views where colours must decide, as the background is not known where it
-/// matters; empty for other views and where there is no colour image.
-/// \param images by camera; missing ones may be empty or left out at the end
-/// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, or empty
-/// \return as many as masks
-std::vector<cv::Mat> imagesWhereUnknown(const std::vector<cv::Mat>& images,
-                                        const std::vector<cv::Mat>& masks);
+/// What one camera shows, sampled for the search by colour.
+struct RegionView {
+  int step = 1;    ///< pixels between samples
+  cv::Mat colors;  ///< CV_8UC3 BGR, samples; empty: colours need not decide here
+  cv::Mat known;   ///< the mask at the samples; empty as `colors`
+};
+
+/// The masks of one frame set, and colours where masks alone do not tell: where the background is
+/// not known where it matters, and there is a colour image.
+struct RegionFrame {
+  std::vector<cv::Mat> masks;     ///< by camera, CV_8UC1 0 | 128 unknown | 255, or empty
+  std::vector<RegionView> views;  ///< by camera
+
+  RegionFrame() = default;
+  /// \param images by camera; missing ones may be empty or left out at the end
+  RegionFrame(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks);
+  /// True if colours decide in a view.
+  bool needsColors() const;
+};
 
 /// Masks of all cameras, and how well background subtraction agrees with them. Only views where
 /// colours decided count, and of them only samples with a known background.
@@ -39,20 +51,16 @@ class BodyRegions {
   /// Forgets the colours of the person.
   void reset();
 
-  /// \param images by camera, as imagesWhereUnknown(); colours decide where there is one
-  /// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, or empty
   /// \param error_m expected error of the body's outline, metres
-  /// \return a view without image has its mask
-  RegionMasks segment(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
-                      const ContourBody& body, const ContourPose& pose, double error_m) const;
-  /// Where the person is or may be: a view without image has its mask, others show samples
+  /// \return a view without colours has its mask
+  RegionMasks segment(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
+                      double error_m) const;
+  /// Where the person is or may be: a view without colours has its mask, others show samples
   /// near the body that background subtraction sees as person, or that have colours of the person.
-  std::vector<cv::Mat> candidates(const std::vector<cv::Mat>& images,
-                                  const std::vector<cv::Mat>& masks, const ContourBody& body,
+  std::vector<cv::Mat> candidates(const RegionFrame& frame, const ContourBody& body,
                                   const ContourPose& pose) const;
   /// Learns the colours of the person and of the surroundings from a pose that is believed.
-  /// \param images as for segment()
-  void learn(const std::vector<cv::Mat>& images, const ContourBody& body, const ContourPose& pose,
+  void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
              double error_m);
 
  private:

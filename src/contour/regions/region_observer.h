@@ -1,10 +1,7 @@
 #pragma once
 
-#include <optional>
-
 #include "contour/fit/contour_observation.h"
 #include "contour/regions/body_regions.h"
-#include "markerless_mocap/tracking/body_tracker.h"
 
 namespace markerless_mocap {
 
@@ -18,27 +15,24 @@ struct RegionObservation {
 };
 
 /// Converts masks to the data that a body is fitted to. Where background subtraction left samples
-/// unknown, colours around a pose decide: in those views that have an image, see
-/// imagesWhereUnknown(). Not thread-safe.
+/// unknown, colours around a pose decide. Not thread-safe.
 class RegionObserver {
  public:
   /// Throws std::invalid_argument as ContourObserver.
   RegionObserver(const CameraRig& rig, const ContourOptions& options);
 
   /// What the masks show; unknown samples are no evidence.
-  RegionObservation observe(const TrackerInput& now) const;
-  /// True if colours decide in a view.
-  bool needsColor(const TrackerInput& now) const;
+  RegionObservation observe(const RegionFrame& frame) const;
   /// As observe(), but colours around `pose` decide in views with an unknown background.
   /// \param error_m expected error of the outline of the body in `pose`, metres
-  RegionObservation observeNear(const TrackerInput& now, const ContourBody& body,
+  RegionObservation observeNear(const RegionFrame& frame, const ContourBody& body,
                                 const ContourPose& pose, double error_m) const;
   /// Where the person is or may be, see BodyRegions::candidates().
-  std::vector<cv::Mat> candidates(const TrackerInput& now, const ContourBody& body,
+  std::vector<cv::Mat> candidates(const RegionFrame& frame, const ContourBody& body,
                                   const ContourPose& pose) const;
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
-  void learn(const TrackerInput& now, const ContourBody& body, const ContourPose& pose);
+  void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.
   void reset() { regions_.reset(); }
 

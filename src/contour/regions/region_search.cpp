@@ -56,12 +56,12 @@ cv::Mat attached(const cv::Mat& person, const cv::Mat& candidates) {
 }
 
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                   const TrackerInput& now, const ContourBody& body, const ContourPose& pose,
+                   const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
                    const std::vector<double>& errors_m) {
   RegionFit out;
   ContourPose at = pose;
   for (const double error_m : errors_m) {
-    out.found = observer.observeNear(now, body, at, error_m);
+    out.found = observer.observeNear(frame, body, at, error_m);
     out.fit = tracker.bestFit(out.found.seen, body, {at});
     if (!isFitted(out)) break;
     at = out.fit.pose;
@@ -77,9 +77,9 @@ double RegionFit::score() const {
 
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
                                             const ContourMultiHypothesisTracker& tracker,
-                                            const TrackerInput& now, const ContourBody& body,
+                                            const RegionFrame& frame, const ContourBody& body,
                                             const RegionFit& first) {
-  std::vector<cv::Mat> wide = observer.candidates(now, body, first.fit.pose);
+  std::vector<cv::Mat> wide = observer.candidates(frame, body, first.fit.pose);
   std::vector<cv::Mat> all(wide.size());
   for (size_t i = 0; i < wide.size(); ++i) {
     wide[i] = attached(first.found.masks[i], wide[i]);
@@ -87,7 +87,7 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
   }
   const ContourFit moved = tracker.search(observer.observe(all), body, first.fit.pose);
   if (moved.status != ContourFitStatus::kFitted) return std::nullopt;
-  RegionFit second = followed(observer, tracker, now, body, moved.pose, kRoundsAfterLimbs);
+  RegionFit second = followed(observer, tracker, frame, body, moved.pose, kRoundsAfterLimbs);
   if (!isFitted(second)) return std::nullopt;
   const double gain = qualityOf(second.fit) - qualityOf(first.fit) +
                       overlapOf(second.found.masks, wide) - overlapOf(first.found.masks, wide);
@@ -97,14 +97,14 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
 
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
-                                     const TrackerInput& now, const ContourBody& body,
+                                     const RegionFrame& frame, const ContourBody& body,
                                      const std::vector<ContourPose>& poses) {
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
-    RegionFit one = followed(observer, tracker, now, body, pose, kFirstRounds);
+    RegionFit one = followed(observer, tracker, frame, body, pose, kFirstRounds);
     if (!isFitted(one) || one.fit.overlap < kMinOverlap || one.found.agreement < kMinAgreement)
       continue;
-    if (auto better = searchLimbsByColor(observer, tracker, now, body, one))
+    if (auto better = searchLimbsByColor(observer, tracker, frame, body, one))
       one = std::move(*better);
     out.push_back(std::move(one));
   }

@@ -14,6 +14,10 @@ namespace {
 
 constexpr int64_t kReconsiderAfterStart_ns = 2000000000;  // after a start
 constexpr int64_t kReconsiderInterval_ns = 200000000;
+// A search for limbs by colour takes longer.
+constexpr int64_t kLimbSearchInterval_ns = 200000000;
+// Colours change slowly.
+constexpr int64_t kLearningInterval_ns = 100000000;
 
 // A start of lower quality is accepted only if a start on a later frame leads to the same body. The
 // mean shape gives a lower quality than the person's own. Furniture confirms itself by standing
@@ -69,13 +73,13 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   still_contours_.reset();
   reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
-  next_limb_search_ns_ = next_color_start_ns_ = 0;
+  next_limb_search_ns_ = next_color_start_ns_ = next_learning_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
 }
 
-std::vector<ContourPose> ContourTracker::proposals(const TrackerInput& now,
+std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
                                                    const ContourObservation& seen) {
   std::vector<ContourPose> poses;
   const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
@@ -103,29 +107,29 @@ void ContourTracker::initializeStature(const ContourObservation& seen,
   shape_estimator_->setStature(best_stature);
 }
 
-RegionObservation ContourTracker::observe(const TrackerInput& now) const {
+RegionObservation ContourTracker::observe(const Frame& now) const {
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
-  if (!predicted) return observer_.observe(now);
-  return observer_.observeNear(now, *contour_body_, predicted->pose, kPredictionError_m);
+  if (!predicted) return observer_.observe(now.regions);
+  return observer_.observeNear(now.regions, *contour_body_, predicted->pose, kPredictionError_m);
 }
 
-ContourTracker::Search ContourTracker::byColor(const TrackerInput& now, Search search) const {
-  if (!observer_.needsColor(now)) return search;
+ContourTracker::Search ContourTracker::byColor(const Frame& now, Search search) const {
+  if (!now.regions.needsColors()) return search;
   std::vector<ContourPose> starts;
   for (const ContourFit& fit :
        hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
     starts.push_back(fit.pose);
   const std::vector<RegionFit> fits =
-      searchByColor(observer_, hypotheses_, now, *contour_body_, starts);
+      searchByColor(observer_, hypotheses_, now.regions, *contour_body_, starts);
   if (fits.empty()) return search;
   return {fits.front().found, {fits.front().fit.pose}};
 }
 
-ActiveTrack ContourTracker::start(const TrackerInput& now) {
-  if (observer_.needsColor(now) && now.stamp_ns < next_color_start_ns_) return {};
+ActiveTrack ContourTracker::start(const Frame& now) {
+  if (now.regions.needsColors() && now.stamp_ns < next_color_start_ns_) return {};
   next_color_start_ns_ = now.stamp_ns + kColorStartInterval_ns;
   observer_.reset();
-  Search search{observer_.observe(now), {}};
+  Search search{observer_.observe(now.regions), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
@@ -135,12 +139,12 @@ ActiveTrack ContourTracker::start(const TrackerInput& now) {
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
 }
 
-ActiveTrack ContourTracker::reinitialize(const TrackerInput& now, const ActiveTrack& active) {
+ActiveTrack ContourTracker::reinitialize(const Frame& now, const ActiveTrack& active) {
   if (now.stamp_ns < next_start_ns_) return active;
   next_start_ns_ =
-      now.stamp_ns + (observer_.needsColor(now) ? kColorStartInterval_ns : kStartInterval_ns);
+      now.stamp_ns + (now.regions.needsColors() ? kColorStartInterval_ns : kStartInterval_ns);
   initializer_->reset();  // the proposal must depend on this frame only
-  Search search{observer_.observe(now), {}};
+  Search search{observer_.observe(now.regions), {}};
   search.poses = proposals(now, search.found.seen);
   search = byColor(now, std::move(search));
   still_contours_.weigh(search.found.seen);
@@ -158,14 +162,14 @@ bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit
 
 // A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show
 // it elsewhere.
-void ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& found,
+void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found,
                                  ActiveTrack& active) {
   const double least = *std::min_element(found.limb_agreement.begin(), found.limb_agreement.end());
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
-  if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !observer_.needsColor(now)) return;
-  next_limb_search_ns_ = now.stamp_ns + kReconsiderInterval_ns;
+  if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
+  next_limb_search_ns_ = now.stamp_ns + kLimbSearchInterval_ns;
   auto better =
-      searchLimbsByColor(observer_, hypotheses_, now, *contour_body_, {found, active.track.fit});
+      searchLimbsByColor(observer_, hypotheses_, now.regions, *contour_body_, {found, active.track.fit});
   if (!better) return;
   found = std::move(better->found);
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);
@@ -173,7 +177,7 @@ void ContourTracker::searchLimbs(const TrackerInput& now, RegionObservation& fou
 
 // A valid pose tree is nearly always right, so it becomes the alternative if it contradicts the
 // pose. While the pose is uncertain, an invalid tree and exchanged sides are tried, too.
-void ContourTracker::reconsider(const TrackerInput& now, const ContourObservation& seen,
+void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen,
                                 const ContourTrackingResult& track) {
   const bool started = now.stamp_ns < reconsider_until_ns_;
   const bool uncertain = started || track.status == ContourTrackingStatus::kLimbLost;
@@ -247,7 +251,13 @@ void ContourTracker::take(const RegionObservation& found) {
   limb_agreement_ = found.limb_agreement;
 }
 
-ActiveTrack ContourTracker::follow(const TrackerInput& now, RegionObservation& found) {
+void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
+  if (now.stamp_ns < next_learning_ns_ && !active.switched) return;
+  next_learning_ns_ = now.stamp_ns + kLearningInterval_ns;
+  observer_.learn(now.regions, *contour_body_, active.track.fit.pose);
+}
+
+ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
     active = start(now);
@@ -267,12 +277,11 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, now.hull, still_contours_.rig());
-  const std::vector<cv::Mat> images = imagesWhereUnknown(now.images, masks);
   still_contours_.watch(now.stamp_ns, now.images, masks);
-  return updateFrom({now.stamp_ns, masks, images, now.hull, now.parts, now.tree});
+  return updateFrom({now.stamp_ns, now.hull, now.parts, now.tree, {now.images, masks}});
 }
 
-BodyPose ContourTracker::updateFrom(const TrackerInput& now) {
+BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
   still_contours_.weigh(found.seen);
   take(found);
@@ -285,7 +294,7 @@ BodyPose ContourTracker::updateFrom(const TrackerInput& now) {
     lost.reason = whyLost(found.seen, fit, initializer_error_);
     return lost;
   }
-  observer_.learn(now, *contour_body_, fit.pose);
+  learn(now, active);
   still_contours_.compare(found.seen, *contour_body_, fit.pose);
   if (const std::optional<BodyPose> estimating = estimateShape(now.stamp_ns, found.seen, fit))
     return *estimating;

@@ -14,6 +14,7 @@ namespace {
 constexpr int kMaxPixels = 160000;
 /// Samples; twice as many are kept before every second one is dropped.
 constexpr int kSamples = 36;
+constexpr size_t kMedianSamples = 15;
 constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are kept
 /// An image is compared with those so many frames before and after it.
 constexpr std::array<int, 2> kApart = {SceneSampler::kStep, 3 * SceneSampler::kStep};
@@ -38,8 +39,11 @@ int wholeImageStride(const cv::Mat& image) {
   return int((all + kMaxBytes - 1) / kMaxBytes);
 }
 
-/// Median of each pixel and channel.
-cv::Mat medianOf(const std::vector<cv::Mat>& images) {
+/// Median of each pixel and channel over some of the images.
+cv::Mat medianOf(const std::vector<cv::Mat>& all) {
+  const size_t stride = (all.size() + kMedianSamples - 1) / kMedianSamples;
+  std::vector<cv::Mat> images;
+  for (size_t i = 0; i < all.size(); i += stride) images.push_back(all[i]);
   cv::Mat median(images[0].size(), CV_8UC3);
   std::vector<uint8_t> values(images.size());
   for (int y = 0; y < median.rows; ++y)
