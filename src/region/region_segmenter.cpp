@@ -191,7 +191,10 @@ class RegionSegmenter::Impl {
     cv::Mat colored =
         has_colors_ ? personColored(bins, colors_) : personColored(bins, colorsOf(image, body));
     cv::morphologyEx(colored, colored, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
-    if (!known.empty()) colored |= known(drawing.box) == kPersonPixel;
+    if (!known.empty()) {
+      colored.setTo(0, known(drawing.box) == kBackgroundPixel);
+      colored |= known(drawing.box) == kPersonPixel;
+    }
     const cv::Mat near = drawing.distance < reach;
     colored.copyTo(out(drawing.box), near);
     return out;

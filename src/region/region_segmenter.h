@@ -61,7 +61,7 @@ class RegionSegmenter {
   RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const;
 
   /// Where else the person may be: samples near the body that background subtraction sees as
-  /// person, or that have colours of the person.
+  /// person, or that have colours of the person where the background is not known.
   /// \param reach distance from the projected body, samples
   /// \return CV_8UC1, 0 | 255
   cv::Mat candidates(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known,

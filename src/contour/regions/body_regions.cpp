@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/model/contour_kinematics.h"
+#include "contour/regions/hull_cells.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
@@ -148,7 +149,8 @@ RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& bo
   return out;
 }
 
-std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const ContourBody& body,
+std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const VisualHull& hull,
+                                             const ContourBody& body,
                                              const ContourPose& pose) const {
   std::vector<cv::Mat> out = frame.masks;
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
@@ -156,9 +158,10 @@ std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const Con
     if (view.colors.empty()) return;
     const ProjectedBody at = projected(rig_[i], view.step, body, pose, kCandidateError);
     const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
-    const cv::Mat found = segmenters_[i].candidates(view.colors, at, view.known,
-                                                    kCandidateReach * samples_per_metre);
+    const cv::Mat found =
+        segmenters_[i].candidates(view.colors, at, view.known, kCandidateReach * samples_per_metre);
     out[i] = enlarged(found, view.step, frame.masks[i].size());
+    if (!hull.voxels.empty()) out[i] &= hullPixels(hull, rig_[i]);
   });
   return out;
 }

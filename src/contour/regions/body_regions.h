@@ -6,6 +6,7 @@
 
 #include "contour/model/contour_body.h"
 #include "markerless_mocap/camera/camera.h"
+#include "markerless_mocap/products/visual_hull.h"
 #include "region/region_segmenter.h"
 
 namespace markerless_mocap {
@@ -55,10 +56,12 @@ class BodyRegions {
   /// \return a view without colours has its mask
   RegionMasks segment(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
                       double error_m) const;
-  /// Where the person is or may be: a view without colours has its mask, others show samples
-  /// near the body that background subtraction sees as person, or that have colours of the person.
-  std::vector<cv::Mat> candidates(const RegionFrame& frame, const ContourBody& body,
-                                  const ContourPose& pose) const;
+  /// Where the person is or may be: a view without colours has its mask, others show samples near
+  /// the body that background subtraction sees as person, or that have colours of the person where
+  /// the background is unknown. Of them those that the hull projects into: other views agree.
+  /// \param hull of the same frame set; an empty one excludes nothing
+  std::vector<cv::Mat> candidates(const RegionFrame& frame, const VisualHull& hull,
+                                  const ContourBody& body, const ContourPose& pose) const;
   /// Learns the colours of the person and of the surroundings from a pose that is believed.
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
              double error_m);

@@ -25,9 +25,10 @@ RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const Co
           found.limb_agreement};
 }
 
-std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const ContourBody& body,
+std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const VisualHull& hull,
+                                                const ContourBody& body,
                                                 const ContourPose& pose) const {
-  return regions_.candidates(frame, body, pose);
+  return regions_.candidates(frame, hull, body, pose);
 }
 
 ContourObservation RegionObserver::observe(const std::vector<cv::Mat>& masks) const {

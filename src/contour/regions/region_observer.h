@@ -28,8 +28,8 @@ class RegionObserver {
   RegionObservation observeNear(const RegionFrame& frame, const ContourBody& body,
                                 const ContourPose& pose, double error_m) const;
   /// Where the person is or may be, see BodyRegions::candidates().
-  std::vector<cv::Mat> candidates(const RegionFrame& frame, const ContourBody& body,
-                                  const ContourPose& pose) const;
+  std::vector<cv::Mat> candidates(const RegionFrame& frame, const VisualHull& hull,
+                                  const ContourBody& body, const ContourPose& pose) const;
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);

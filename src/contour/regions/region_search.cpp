@@ -77,9 +77,9 @@ double RegionFit::score() const {
 
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
                                             const ContourMultiHypothesisTracker& tracker,
-                                            const RegionFrame& frame, const ContourBody& body,
-                                            const RegionFit& first) {
-  std::vector<cv::Mat> wide = observer.candidates(frame, body, first.fit.pose);
+                                            const RegionFrame& frame, const VisualHull& hull,
+                                            const ContourBody& body, const RegionFit& first) {
+  std::vector<cv::Mat> wide = observer.candidates(frame, hull, body, first.fit.pose);
   std::vector<cv::Mat> all(wide.size());
   for (size_t i = 0; i < wide.size(); ++i) {
     wide[i] = attached(first.found.masks[i], wide[i]);
@@ -97,14 +97,15 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
 
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
-                                     const RegionFrame& frame, const ContourBody& body,
+                                     const RegionFrame& frame, const VisualHull& hull,
+                                     const ContourBody& body,
                                      const std::vector<ContourPose>& poses) {
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
     RegionFit one = followed(observer, tracker, frame, body, pose, kFirstRounds);
     if (!isFitted(one) || one.fit.overlap < kMinOverlap || one.found.agreement < kMinAgreement)
       continue;
-    if (auto better = searchLimbsByColor(observer, tracker, frame, body, one))
+    if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
       one = std::move(*better);
     out.push_back(std::move(one));
   }

@@ -24,14 +24,15 @@ struct RegionFit {
 /// \return one result per pose, best first; poses that cannot be fitted are left out
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
-                                     const RegionFrame& frame, const ContourBody& body,
+                                     const RegionFrame& frame, const VisualHull& hull,
+                                     const ContourBody& body,
                                      const std::vector<ContourPose>& poses);
 
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
 /// \return empty if they are not better
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
                                             const ContourMultiHypothesisTracker& tracker,
-                                            const RegionFrame& frame, const ContourBody& body,
-                                            const RegionFit& first);
+                                            const RegionFrame& frame, const VisualHull& hull,
+                                            const ContourBody& body, const RegionFit& first);
 
 }  // namespace markerless_mocap

@@ -120,7 +120,7 @@ ContourTracker::Search ContourTracker::byColor(const Frame& now, Search search) 
        hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
     starts.push_back(fit.pose);
   const std::vector<RegionFit> fits =
-      searchByColor(observer_, hypotheses_, now.regions, *contour_body_, starts);
+      searchByColor(observer_, hypotheses_, now.regions, now.hull, *contour_body_, starts);
   if (fits.empty()) return search;
   return {fits.front().found, {fits.front().fit.pose}};
 }
@@ -148,8 +148,8 @@ ActiveTrack ContourTracker::reinitialize(const Frame& now, const ActiveTrack& ac
   search.poses = proposals(now, search.found.seen);
   search = byColor(now, std::move(search));
   still_contours_.weigh(search.found.seen);
-  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen,
-                                                    *contour_body_, search.poses, active);
+  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
+                                                    search.poses, active);
   if (best.switched) take(search.found);
   return best;
 }
@@ -162,14 +162,13 @@ bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit
 
 // A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show
 // it elsewhere.
-void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found,
-                                 ActiveTrack& active) {
+void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active) {
   const double least = *std::min_element(found.limb_agreement.begin(), found.limb_agreement.end());
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
   next_limb_search_ns_ = now.stamp_ns + kLimbSearchInterval_ns;
-  auto better =
-      searchLimbsByColor(observer_, hypotheses_, now.regions, *contour_body_, {found, active.track.fit});
+  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions, now.hull, *contour_body_,
+                                   {found, active.track.fit});
   if (!better) return;
   found = std::move(better->found);
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);

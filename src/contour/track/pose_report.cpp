@@ -50,9 +50,8 @@ std::string whyLost(const ContourObservation& seen, const ContourFit& fit,
 std::string whyUncertain(const ContourMultiHypothesisTracker& hypotheses) {
   if (!hypotheses.isUnambiguous())
     return "a person was found, but front and back cannot be distinguished yet";
-  return hypotheses.isConfirmed()
-             ? "something like a person was found, but it has not moved yet"
-             : "a person was found, but another frame must confirm the pose";
+  return hypotheses.isConfirmed() ? "something like a person was found, but it has not moved yet"
+                                  : "a person was found, but another frame must confirm the pose";
 }
 
 }  // namespace markerless_mocap

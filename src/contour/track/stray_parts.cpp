@@ -6,32 +6,14 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "contour/regions/hull_cells.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr int kWidthPerCell = 80;  // image width divided by the edge of a cell
-
 // A mask is changed only if the stray parts have this fraction of the area of the others.
 constexpr double kMinStray = 0.03;
-
-/// Edge of the cells that a mask and the projected hull are compared in, pixels.
-int cellOf(const cv::Mat& mask) {
-  return std::max(2, mask.cols / kWidthPerCell);
-}
-
-/// CV_8UC1: the cells of the image that a voxel of the hull projects into, and their neighbours.
-cv::Mat cellsOfHull(const VisualHull& hull, const Camera& camera, int cell) {
-  cv::Mat cells =
-      cv::Mat::zeros((camera.height() - 1) / cell + 1, (camera.width() - 1) / cell + 1, CV_8UC1);
-  for (const HullVoxel& voxel : hull.voxels)
-    if (const auto pixel = camera.projectInside(hull.lattice.center(voxel.index)))
-      cells.at<uchar>(std::clamp(int(pixel->y() + 0.5) / cell, 0, cells.rows - 1),
-                      std::clamp(int(pixel->x() + 0.5) / cell, 0, cells.cols - 1)) = 255;
-  cv::dilate(cells, cells, cv::Mat());
-  return cells;
-}
 
 /// For each label, whether one of its cells is a cell of the hull.
 std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat& cells) {
@@ -43,7 +25,8 @@ std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat&
   return inside;
 }
 
-/// One pixel of each cell: 0 | 255. Parts are told apart by cells: whole images would cost too much.
+/// One pixel of each cell: 0 | 255. Parts are told apart by cells: whole images would cost too
+/// much.
 cv::Mat cellsOfMask(const cv::Mat& mask, int cell) {
   cv::Mat cells((mask.rows - 1) / cell + 1, (mask.cols - 1) / cell + 1, CV_8UC1);
   for (int y = 0; y < cells.rows; ++y) {
@@ -65,7 +48,7 @@ std::vector<int> areasOf(const cv::Mat& labels, int count) {
 }
 
 cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
-  const int cell = cellOf(mask);
+  const int cell = hullCellEdge(mask.cols);
   cv::Mat joined, labels;
   cv::dilate(cellsOfMask(mask, cell), joined, cv::Mat());
   const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
@@ -73,7 +56,7 @@ cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Cam
   const int all = std::accumulate(areas.begin(), areas.end(), 0);
   const int largest = *std::max_element(areas.begin(), areas.end());
   if (all - largest < kMinStray * largest || hasUnknownPixels(mask)) return mask;
-  const std::vector<bool> inside = labelsInCells(labels, count, cellsOfHull(hull, camera, cell));
+  const std::vector<bool> inside = labelsInCells(labels, count, hullCells(hull, camera, cell));
   int kept = 0;
   for (int label = 1; label < count; ++label)
     if (inside[size_t(label)]) kept += areas[size_t(label)];
