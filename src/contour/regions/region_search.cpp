@@ -85,14 +85,22 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
     wide[i] = attached(first.found.masks[i], wide[i]);
     if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
   }
-  const ContourFit moved = tracker.search(observer.observe(all), body, first.fit.pose);
-  if (moved.status != ContourFitStatus::kFitted) return std::nullopt;
-  RegionFit second = followed(observer, tracker, frame, body, moved.pose, kRoundsAfterLimbs);
-  if (!isFitted(second)) return std::nullopt;
-  const double gain = qualityOf(second.fit) - qualityOf(first.fit) +
-                      overlapOf(second.found.masks, wide) - overlapOf(first.found.masks, wide);
-  if (gain <= kMinGain) return std::nullopt;
-  return second;
+  const ContourObservation seen = observer.observe(all);
+  RegionFit best = first;
+  bool better = false;
+  for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb) {
+    const auto moved = tracker.searchLimb(seen, body, best.fit.pose, ContourLimb::Id(limb));
+    if (!moved) continue;
+    RegionFit other = followed(observer, tracker, frame, body, *moved, kRoundsAfterLimbs);
+    if (!isFitted(other)) continue;
+    const double gain = qualityOf(other.fit) - qualityOf(best.fit) +
+                        overlapOf(other.found.masks, wide) - overlapOf(best.found.masks, wide);
+    if (gain <= kMinGain) continue;
+    best = std::move(other);
+    better = true;
+  }
+  if (!better) return std::nullopt;
+  return best;
 }
 
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,

@@ -134,6 +134,18 @@ ContourFit ContourHypothesisTracker::search(const ContourObservation& seen, cons
   return fit;
 }
 
+std::optional<ContourPose> ContourHypothesisTracker::searchLimb(const ContourObservation& seen,
+                                                                const ContourBody& body,
+                                                                const ContourPose& pose,
+                                                                ContourLimb::Id limb) const {
+  ContourFit fit = fitter_.fit(seen, body, pose, std::nullopt, kRetry);
+  if (fit.status != ContourFitStatus::kFitted ||
+      !tryPoses(seen, body, limbAlternatives(seen, body, limb, fit, pose), std::nullopt,
+                gainFor(limb, seen, fit), fit))
+    return std::nullopt;
+  return fit.pose;
+}
+
 ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
                                                       const ContourObservation& seen,
                                                       const ContourBody& body,

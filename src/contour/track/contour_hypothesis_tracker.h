@@ -33,6 +33,9 @@ class ContourHypothesisTracker {
   /// positions of its limbs are tried, too.
   ContourFit search(const ContourObservation& seen, const ContourBody& body,
                     const ContourPose& pose) const;
+  /// Another place of one limb that fits better; empty if there is none. \param pose a fitted one
+  std::optional<ContourPose> searchLimb(const ContourObservation& seen, const ContourBody& body,
+                                        const ContourPose& pose, ContourLimb::Id limb) const;
   /// (Re)starts at a pose that may be wrong by tenths of a radian and decimetres. Other positions
   /// of its limbs are tried, too. The status is kTracked or, if the overlap is too small, kLost.
   ContourTrackingResult start(int64_t stamp_ns, const ContourObservation& seen,

@@ -38,10 +38,10 @@ class ContourMultiHypothesisTracker {
   /// Takes the best of several poses as alternative, unless there is one already.
   void proposeAlternative(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                           const std::vector<ContourPose>& poses);
-  /// See ContourHypothesisTracker::search().
-  ContourFit search(const ContourObservation& seen, const ContourBody& body,
-                    const ContourPose& pose) const {
-    return active_.search(seen, body, pose);
+  /// See ContourHypothesisTracker::searchLimb().
+  std::optional<ContourPose> searchLimb(const ContourObservation& seen, const ContourBody& body,
+                                        const ContourPose& pose, ContourLimb::Id limb) const {
+    return active_.searchLimb(seen, body, pose, limb);
   }
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
