@@ -166,6 +166,16 @@ std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const Vis
   return out;
 }
 
+std::vector<cv::Mat> BodyRegions::largest(const RegionFrame& frame, const VisualHull& hull) const {
+  std::vector<cv::Mat> out = frame.masks;
+  tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
+    if (frame.views[i].colors.empty()) return;
+    out[i] = frame.masks[i] > 0;
+    if (!hull.voxels.empty()) out[i] &= hullPixels(hull, rig_[i]);
+  });
+  return out;
+}
+
 void BodyRegions::learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
                         double error_m) {
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {

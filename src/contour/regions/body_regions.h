@@ -62,6 +62,10 @@ class BodyRegions {
   /// \param hull of the same frame set; an empty one excludes nothing
   std::vector<cv::Mat> candidates(const RegionFrame& frame, const VisualHull& hull,
                                   const ContourBody& body, const ContourPose& pose) const;
+  /// The largest that the person can be: a view without colours has its mask, others show all
+  /// pixels that are not known background and that the hull projects into. \param hull of the same
+  /// frame set; an empty one excludes nothing
+  std::vector<cv::Mat> largest(const RegionFrame& frame, const VisualHull& hull) const;
   /// Learns the colours of the person and of the surroundings from a pose that is believed.
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
              double error_m);

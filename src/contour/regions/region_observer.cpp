@@ -18,6 +18,11 @@ RegionObservation RegionObserver::observe(const RegionFrame& frame) const {
   return out;
 }
 
+RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
+                                                 const VisualHull& hull) const {
+  return observe({{}, regions_.largest(frame, hull)});
+}
+
 RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const ContourBody& body,
                                               const ContourPose& pose, double error_m) const {
   const RegionMasks found = regions_.segment(frame, body, pose, error_m);

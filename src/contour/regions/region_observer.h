@@ -23,6 +23,8 @@ class RegionObserver {
 
   /// What the masks show; unknown samples are no evidence.
   RegionObservation observe(const RegionFrame& frame) const;
+  /// What the largest silhouettes show that the person can have, see BodyRegions::largest().
+  RegionObservation observeLargest(const RegionFrame& frame, const VisualHull& hull) const;
   /// As observe(), but colours around `pose` decide in views with an unknown background.
   /// \param error_m expected error of the outline of the body in `pose`, metres
   RegionObservation observeNear(const RegionFrame& frame, const ContourBody& body,

@@ -129,7 +129,7 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   if (now.regions.needsColors() && now.stamp_ns < next_color_start_ns_) return {};
   next_color_start_ns_ = now.stamp_ns + kColorStartInterval_ns;
   observer_.reset();
-  Search search{observer_.observe(now.regions), {}};
+  Search search{observer_.observeLargest(now.regions, now.hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
@@ -144,7 +144,7 @@ ActiveTrack ContourTracker::reinitialize(const Frame& now, const ActiveTrack& ac
   next_start_ns_ =
       now.stamp_ns + (now.regions.needsColors() ? kColorStartInterval_ns : kStartInterval_ns);
   initializer_->reset();  // the proposal must depend on this frame only
-  Search search{observer_.observe(now.regions), {}};
+  Search search{observer_.observeLargest(now.regions, now.hull), {}};
   search.poses = proposals(now, search.found.seen);
   search = byColor(now, std::move(search));
   still_contours_.weigh(search.found.seen);
