@@ -88,6 +88,7 @@ BodyPose FleischmannTracker::reported(const FleischmannEstimate& found, PoseStat
   pose.silhouette_overlap = found.fitness.silhouette;
   for (size_t part = 0; part < kPartCones.size(); ++part)
     pose.part_seen[part] = isSeen(tracker_.fitness().evidence(found.v.data(), kPartCones[part]));
+  pose.reason = unseenParts(pose.part_seen);
   return pose;
 }
 
