@@ -91,6 +91,7 @@ class ContourTracker : public BodyTracker {
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_start_ns_ = 0;
   int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0, next_learning_ns_ = 0;
+  int64_t limb_search_interval_ns_ = 0;  ///< to the next search if this one has no success
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> contour_body_;        ///< with the shape of body_

@@ -15,7 +15,8 @@ namespace {
 constexpr int64_t kReconsiderAfterStart_ns = 2000000000;  // after a start
 constexpr int64_t kReconsiderInterval_ns = 200000000;
 // A search for limbs by colour takes longer.
-constexpr int64_t kLimbSearchInterval_ns = 200000000;
+// It doubles after each search without success, up to the second value.
+constexpr int64_t kLimbSearchInterval_ns = 200000000, kMaxLimbSearchInterval_ns = 1600000000;
 // Colours change slowly.
 constexpr int64_t kLearningInterval_ns = 100000000;
 
@@ -73,7 +74,7 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   still_contours_.reset();
   reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
-  next_limb_search_ns_ = next_color_start_ns_ = next_learning_ns_ = 0;
+  next_limb_search_ns_ = limb_search_interval_ns_ = next_color_start_ns_ = next_learning_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
@@ -90,21 +91,6 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
   if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
     for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
   return poses;
-}
-
-// The shape estimate converges only from nearby, so it starts with the stature of best quality.
-void ContourTracker::initializeStature(const ContourObservation& seen,
-                                       const std::vector<ContourPose>& poses) {
-  double best_stature = person_.stature, best_quality = 0.0;
-  for (const double stature : {1.5, 1.6, 1.7, 1.8, 1.9, person_.stature}) {
-    const ContourBody body(resources_.shape_statistics.meanShape(stature));
-    const double quality = qualityOf(hypotheses_.bestFit(seen, body, poses));
-    if (quality <= best_quality) continue;
-    best_quality = quality;
-    best_stature = stature;
-  }
-  setBody(initialBody(resources_, best_stature));
-  shape_estimator_->setStature(best_stature);
 }
 
 RegionObservation ContourTracker::observe(const Frame& now) const {
@@ -165,10 +151,14 @@ bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit
 void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active) {
   const double least = *std::min_element(found.limb_agreement.begin(), found.limb_agreement.end());
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
+  if (!doubtful) limb_search_interval_ns_ = 0;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
-  next_limb_search_ns_ = now.stamp_ns + kLimbSearchInterval_ns;
   auto better = searchLimbsByColor(observer_, hypotheses_, now.regions, now.hull, *contour_body_,
                                    {found, active.track.fit});
+  limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
+                                    : std::clamp(2 * limb_search_interval_ns_,
+                                                 kLimbSearchInterval_ns, kMaxLimbSearchInterval_ns);
+  next_limb_search_ns_ = now.stamp_ns + limb_search_interval_ns_;
   if (!better) return;
   found = std::move(better->found);
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);
@@ -193,36 +183,6 @@ void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen
   if (others.empty()) return;
   next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
   hypotheses_.proposeAlternative(now.stamp_ns, seen, *contour_body_, others);
-}
-
-std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
-                                                      const ContourObservation& seen,
-                                                      const ContourFit& fit) {
-  if (!shape_estimator_) return std::nullopt;
-  BodyPose pose;
-  if (accepted_ && hypotheses_.isUnambiguous())
-    shape_estimator_->add(stamp_ns, seen, *contour_body_, fit);
-  if (useEstimatedShape()) {
-    pose.reason = "the body has just been measured";  // the pose belongs to the old body
-    return pose;
-  }
-  pose.reason = "the body is being measured, " + std::to_string(shape_estimator_->poses()) +
-                " of " + std::to_string(person_.shape_poses) + " different poses have been seen";
-  return pose;
-}
-
-void ContourTracker::estimateShapeNow() {
-  if (!shape_estimator_) return;
-  shape_estimator_->estimateNow();
-  useEstimatedShape();
-}
-
-bool ContourTracker::useEstimatedShape() {
-  const std::optional<ShapeParameters> shape = shape_estimator_->shape();
-  if (!shape) return false;
-  setBody(bodyFromShape(resources_, *shape));
-  shape_estimator_.reset();
-  return true;
 }
 
 BodyPose ContourTracker::reported(const ActiveTrack& active) {
