@@ -10,6 +10,9 @@
 #include "silhouette/boundary/boundary_matting.h"
 #include "silhouette/boundary/clean_mask.h"
 #include "silhouette/boundary/hole_filling.h"
+#include "silhouette/changes/kept_texture.h"
+#include "silhouette/changes/light_switch.h"
+#include "silhouette/changes/still_objects.h"
 
 namespace markerless_mocap {
 namespace {
@@ -52,10 +55,13 @@ class ModelSubtractor : public Subtractor {
     static thread_local PixelTest test;
     static thread_local BoundaryMatting matting;
     Extraction found;
-    if (options_.compensate_flicker) found.light_gain = estimateLightGain(image, background_).gain;
+    if (options_.compensate_flicker) found.light_gain = followLight(image);
     const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
-    found.mask = cleaned(classes.foreground);
+    BitMask foreground = classes.foreground;
+    if (options_.remove_shadows)
+      kept_texture_.removeFrom(image, background_, found.light_gain, &foreground);
+    found.mask = cleaned(foreground);
     const BitMask unrefined = nearUnknown(found.mask);
     matting.refine(image, background_, found.light_gain, classes, &found.mask);
     // This comes last, as the new boundary has pinholes and specks.
@@ -63,6 +69,9 @@ class ModelSubtractor : public Subtractor {
     if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
     updateBackground(image, found.light_gain, found.mask, classes.shadow);
+    if (!background_.hasUnknown())
+      still_objects_.update(image, found.light_gain, &background_, &found.mask);
+    last_mask_ = found.mask;
     return found;
   }
 
@@ -70,6 +79,7 @@ class ModelSubtractor : public Subtractor {
 
  private:
   void setThreshold();
+  double followLight(const cv::Mat& image);
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
   void restoreUnknown(const BitMask& unrefined, Extraction* found) const;
@@ -80,7 +90,11 @@ class ModelSubtractor : public Subtractor {
   BackgroundLearner learner_;
   Background background_;
   BitMask near_unknown_;  ///< where the boundary is not refined; only if something is unknown
-  int next_row_ = 0;      ///< first row that the next image updates
+  BitMask last_mask_;
+  LightSwitch light_switch_;
+  KeptTexture kept_texture_;
+  StillObjects still_objects_;
+  int next_row_ = 0;  ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
 };
@@ -88,6 +102,15 @@ class ModelSubtractor : public Subtractor {
 void ModelSubtractor::setThreshold() {
   background_.setThreshold(options_.threshold_sigmas, options_.min_sigma);
   if (background_.hasUnknown()) near_unknown_ = dilated(background_.unknown(), kUnrefinedReach);
+}
+
+/// The gain of the image, after the background has followed a switch of the light.
+double ModelSubtractor::followLight(const cv::Mat& image) {
+  const LightGain light = estimateLightGain(image, background_);
+  if (background_.hasUnknown() || !light_switch_.update(image, light, last_mask_, &background_))
+    return light.gain;
+  still_objects_.clear();
+  return estimateLightGain(image, background_).gain;
 }
 
 /// Unknown pixels count as foreground in the morphology, so that the person is not eroded there,

@@ -1,0 +1,174 @@
+#include "silhouette/changes/light_switch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "silhouette/bits/bit_morphology.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// So many fewer pixels than usual must agree with one gain.
+constexpr double kDrop = 0.12;
+/// How fast the usual fraction follows, per image.
+constexpr double kFollow = 0.05;
+constexpr int kSide = 16;  ///< of a block, px
+/// The person may have moved this far since the mask, px.
+constexpr int kMoved = 12;
+constexpr int kFewestPixels = 64;
+constexpr int kDarkest = 8, kBrightest = 250;
+/// Fraction of the blocks in which light must explain the image.
+constexpr double kExplainedBlocks = 0.7;
+/// Difference that light leaves, mean over channels: grey levels, and relative.
+constexpr float kLeftOver = 6, kRelativeLeftOver = 0.08f;
+/// Where light has an edge, it differs from that of the block by up to this fraction.
+constexpr float kEdge = 0.4f;
+
+/// For each block the light by channel, 0 where too little of the background is seen.
+cv::Mat blockLight(const cv::Mat& image, const BitMask& person, const Background& background) {
+  const int channels = image.channels();
+  const cv::Size blocks((image.cols + kSide - 1) / kSide, (image.rows + kSide - 1) / kSide);
+  cv::Mat now(blocks, CV_32FC3, cv::Scalar::all(0)), before = now.clone();
+  cv::Mat count(blocks, CV_32S, cv::Scalar(0));
+  for (int y = 0; y < image.rows; ++y) {
+    const ModeRow mode = background.quantised(0, y);
+    for (int x = 0; x < image.cols; ++x) {
+      if (person.at(x, y)) continue;
+      const uint8_t* pixel = image.ptr(y) + x * channels;
+      bool reliable = true;
+      for (int c = 0; c < channels; ++c)
+        reliable = reliable && mode.mean[c][x] >= kDarkest &&
+                   std::max(mode.mean[c][x], pixel[c]) <= kBrightest;
+      if (!reliable) continue;
+      for (int c = 0; c < channels; ++c) {
+        now.at<cv::Vec3f>(y / kSide, x / kSide)[c] += pixel[c];
+        before.at<cv::Vec3f>(y / kSide, x / kSide)[c] += mode.mean[c][x];
+      }
+      ++count.at<int>(y / kSide, x / kSide);
+    }
+  }
+  cv::Mat light;
+  cv::divide(now, before, light);
+  light.setTo(cv::Scalar::all(0), count < kFewestPixels);
+  return light;
+}
+
+/// Fills blocks without light with the mean of their neighbours, from outside inwards.
+void fillBlocks(cv::Mat* light) {
+  for (bool is_filled = false; !is_filled;) {
+    is_filled = true;
+    bool is_changed = false;
+    const cv::Mat before = light->clone();
+    for (int y = 0; y < before.rows; ++y)
+      for (int x = 0; x < before.cols; ++x) {
+        if (before.at<cv::Vec3f>(y, x)[0] > 0) continue;
+        cv::Vec3f sum(0, 0, 0);
+        int n = 0;
+        for (int v = std::max(0, y - 1); v <= std::min(before.rows - 1, y + 1); ++v)
+          for (int u = std::max(0, x - 1); u <= std::min(before.cols - 1, x + 1); ++u)
+            if (before.at<cv::Vec3f>(v, u)[0] > 0) sum += before.at<cv::Vec3f>(v, u), ++n;
+        is_filled = false;
+        if (n == 0) continue;
+        light->at<cv::Vec3f>(y, x) = sum / float(n);
+        is_changed = true;
+      }
+    if (!is_changed) return;
+  }
+}
+
+/// Light of each pixel, CV_32FC3.
+cv::Mat pixelLight(const cv::Mat& blocks, const cv::Size& size) {
+  cv::Mat light;
+  cv::resize(blocks, light, blocks.size() * kSide, 0, 0, cv::INTER_LINEAR);
+  return light(cv::Rect({0, 0}, size));
+}
+
+/// Mean difference of a pixel from what the light makes of the background, and whether it is small.
+struct LeftOver {
+  float difference = 0, grey = 0;
+  bool isSmall() const { return difference < kLeftOver + kRelativeLeftOver * grey; }
+};
+
+LeftOver leftOver(const uint8_t* pixel, const ModeRow& mode, int x, const cv::Vec3f& light,
+                  int channels) {
+  LeftOver left;
+  for (int c = 0; c < channels; ++c) {
+    const float lit = std::min(255.0f, mode.mean[c][x] * light[c]);
+    left.difference += std::abs(float(pixel[c]) - lit) / float(channels);
+    left.grey += lit / float(channels);
+  }
+  return left;
+}
+
+bool isExplained(const cv::Mat& image, const BitMask& person, const Background& background,
+                 const cv::Mat& light) {
+  int seen = 0, explained = 0;
+  for (int y = kSide / 2; y < image.rows; y += kSide / 2) {
+    const ModeRow mode = background.quantised(0, y);
+    for (int x = kSide / 2; x < image.cols; x += kSide / 2) {
+      if (person.at(x, y)) continue;
+      ++seen;
+      explained += leftOver(image.ptr(y) + x * image.channels(), mode, x, light.at<cv::Vec3f>(y, x),
+                            image.channels())
+                       .isSmall();
+    }
+  }
+  return explained > kExplainedBlocks * seen;
+}
+
+}  // namespace
+
+bool relight(const cv::Mat& image, const BitMask& person, Background* background) {
+  const BitMask hidden = dilated(person, kMoved);
+  cv::Mat blocks = blockLight(image, hidden, *background);
+  fillBlocks(&blocks);
+  const cv::Mat light = pixelLight(blocks, image.size());
+  if (!isExplained(image, hidden, *background, light)) return false;
+  const int channels = image.channels();
+  for (int y = 0; y < image.rows; ++y) {
+    const ModeRow mode = background->quantised(0, y);
+    for (int x = 0; x < image.cols; ++x) {
+      const cv::Vec3f& lit = light.at<cv::Vec3f>(y, x);
+      const uint8_t* pixel = image.ptr(y) + x * channels;
+      const LeftOver left = leftOver(pixel, mode, x, lit, channels);
+      // Edges of the light between two blocks are taken from the image.
+      const bool is_edge =
+          !hidden.at(x, y) && !left.isSmall() && left.difference < kEdge * left.grey;
+      for (int c = 0; c < channels; ++c) {
+        uint16_t& mean = background->mean(0, y, c)[x];
+        const float seen = is_edge ? float(pixel[c]) * Background::kMeanScale : mean * lit[c];
+        mean = uint16_t(std::min(255.0f * Background::kMeanScale, seen));
+      }
+    }
+    background->updateQuantised(0, y);
+  }
+  return true;
+}
+
+bool LightSwitch::update(const cv::Mat& image, const LightGain& light, const BitMask& person,
+                         Background* background) {
+  const double agreeing = light.inlier_fraction;
+  if (usual_ < 0) usual_ = agreeing;
+  if (agreeing > usual_ - kDrop || person.rows() == 0) {
+    usual_ += kFollow * (agreeing - usual_);
+    return false;
+  }
+  bool is_changed = useOtherLight(image, background);
+  if (!is_changed) {
+    Background before = *background;
+    is_changed = relight(image, person, background);
+    if (is_changed) other_ = std::move(before);
+  }
+  usual_ = is_changed ? estimateLightGain(image, *background).inlier_fraction : agreeing;
+  return is_changed;
+}
+
+bool LightSwitch::useOtherLight(const cv::Mat& image, Background* background) {
+  if (!other_) return false;
+  if (estimateLightGain(image, *other_).inlier_fraction < usual_ - kDrop / 2) return false;
+  std::swap(*other_, *background);
+  return true;
+}
+
+}  // namespace markerless_mocap

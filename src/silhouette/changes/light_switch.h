@@ -1,0 +1,35 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+#include "silhouette/background/background.h"
+#include "silhouette/background/light_gain.h"
+#include "silhouette/bits/bit_mask.h"
+
+namespace markerless_mocap {
+
+/// Notices that a lamp was switched: many pixels change from one image to the next, each place by a
+/// factor of its own. The background is then lit anew. The light before is remembered, as lamps are
+/// also switched back.
+class LightSwitch {
+ public:
+  /// \param light of the image relative to the background
+  /// \param person mask of the image before
+  /// \returns whether the background was changed
+  bool update(const cv::Mat& image, const LightGain& light, const BitMask& person,
+              Background* background);
+
+ private:
+  bool useOtherLight(const cv::Mat& image, Background* background);
+
+  double usual_ = -1;  ///< fraction of pixels that one gain explains; below 0: no image yet
+  std::optional<Background> other_;  ///< in the light before
+};
+
+/// The background in the light of an image. Its light is estimated in blocks; nearby blocks give it
+/// where the person is. Returns false, and changes nothing, if light does not explain the image.
+/// \param person the image does not show the background here
+bool relight(const cv::Mat& image, const BitMask& person, Background* background);
+
+}  // namespace markerless_mocap

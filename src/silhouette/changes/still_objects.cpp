@@ -1,0 +1,182 @@
+#include "silhouette/changes/still_objects.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "silhouette/bits/bit_morphology.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// One image in this many is looked at; a component is an object after kChecks of them.
+constexpr int kStep = 5;
+constexpr size_t kChecks = 4;
+/// Squared difference of two images, over all channels, that noise hardly reaches, in variances.
+constexpr double kNoiseVariances = 42;
+/// A component is still if fewer of its pixels have changed, and moves if more have.
+constexpr double kStillFraction = 0.01, kMovingFraction = 0.05;
+constexpr int kStillPixels = 3;
+/// Minimum area of a component that counts as moving, px.
+constexpr int kMinMoving = 400;
+/// A still component this near a moving one belongs to it, px.
+constexpr int kNear = 8;
+/// Blur spreads an object over this many pixels around its part of the mask.
+constexpr int kBlur = 3;
+/// Fraction of an object's pixels that must show what was behind it before it is gone.
+constexpr double kUncovered = 0.15;
+/// Fraction of a component that must have been still before.
+constexpr double kSamePlace = 0.9;
+
+double squaredDistance(const uint8_t* a, double gain_a, const uint8_t* b, double gain_b,
+                       int channels) {
+  double sum = 0;
+  for (int c = 0; c < channels; ++c) {
+    const double off = a[c] / gain_a - b[c] / gain_b;
+    sum += off * off;
+  }
+  return sum;
+}
+
+bool touches(const std::vector<MaskRun>& component, const BitMask& mask) {
+  for (const MaskRun& run : component)
+    for (int x = run.first; x <= run.last; ++x)
+      if (mask.at(x, run.y)) return true;
+  return false;
+}
+
+}  // namespace
+
+void StillObjects::clear() {
+  objects_.clear();
+  still_.clear();
+  previous_.release();
+}
+
+void StillObjects::update(const cv::Mat& image, double gain, Background* background,
+                          BitMask* mask) {
+  if (images_++ % kStep != 0) return;
+  noise_ = background->noise();
+  if (!objects_.empty()) restoreUncovered(image, gain, background);
+  const std::vector<Component> components = findBlobs(std::numeric_limits<int>::max(), *mask);
+  BitMask still(background->size()), moving(background->size());
+  std::vector<const Component*> candidates;
+  if (!previous_.empty())
+    for (const Component& component : components) {
+      const Motion motion = motionOf(component, image, gain);
+      if (motion.changed <= kStillPixels + kStillFraction * motion.area) {
+        fillRuns(component, &still);
+        if (still_.size() + 1 == kChecks && wasStill(component)) candidates.push_back(&component);
+      } else if (motion.area >= kMinMoving && motion.changed >= kMovingFraction * motion.area) {
+        fillRuns(component, &moving);
+      }
+    }
+  if (!candidates.empty() && moving.count() > 0) {
+    const BitMask near = dilated(moving, kNear);
+    for (const Component* component : candidates) {
+      if (touches(*component, near)) continue;
+      BitMask place(background->size());
+      fillRuns(*component, &place);
+      for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
+      place = dilated(place, kBlur);
+      for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
+      absorb(place, image, gain, background);
+    }
+  }
+  if (components.empty()) {
+    previous_.release();
+    still_.clear();
+    return;
+  }
+  if (!previous_.empty()) still_.push_back(std::move(still));
+  if (still_.size() >= kChecks) still_.pop_front();
+  image.copyTo(previous_);
+  previous_gain_ = gain;
+}
+
+StillObjects::Motion StillObjects::motionOf(const Component& component, const cv::Mat& image,
+                                            double gain) const {
+  const int channels = image.channels();
+  const double limit = kNoiseVariances * noise_ * noise_;
+  Motion motion;
+  for (const MaskRun& run : component) {
+    motion.area += run.last - run.first + 1;
+    const int first = std::max(0, run.first - 1), last = std::min(image.cols - 1, run.last + 1);
+    const uint8_t* now = image.ptr(run.y);
+    const uint8_t* then = previous_.ptr(run.y);
+    for (int x = first; x <= last; ++x)
+      motion.changed += squaredDistance(now + x * channels, gain, then + x * channels,
+                                        previous_gain_, channels) > limit;
+  }
+  return motion;
+}
+
+bool StillObjects::wasStill(const Component& component) const {
+  for (const BitMask& still : still_) {
+    int area = 0, same = 0;
+    for (const MaskRun& run : component)
+      for (int x = run.first; x <= run.last; ++x, ++area) same += still.at(x, run.y);
+    if (same < kSamePlace * area) return false;
+  }
+  return true;
+}
+
+void StillObjects::absorb(const BitMask& place, const cv::Mat& image, double gain,
+                          Background* background) {
+  const int channels = image.channels();
+  Object object;
+  for (int y = 0; y < image.rows; ++y) {
+    const size_t before = object.size();
+    for (int i = 0; i < place.rowWords(); ++i)
+      forEachBit(place.row(y)[i], 64 * i, [&](int x) {
+        Pixel pixel{x, y, {}};
+        for (int c = 0; c < channels; ++c) {
+          uint16_t& mean = background->mean(0, y, c)[x];
+          pixel.before[c] = mean;
+          const double seen = (image.ptr(y)[x * channels + c] / gain +
+                               previous_.ptr(y)[x * channels + c] / previous_gain_) /
+                              2;
+          mean = uint16_t(std::min(255.0, seen) * Background::kMeanScale + 0.5);
+        }
+        object.push_back(pixel);
+      });
+    if (object.size() > before) background->updateQuantised(0, y);
+  }
+  objects_.push_back(std::move(object));
+}
+
+void StillObjects::restoreUncovered(const cv::Mat& image, double gain, Background* background) {
+  const int channels = image.channels();
+  const double limit = kNoiseVariances / 2 * noise_ * noise_;
+  const auto isGone = [&](const Object& object) {
+    size_t clear = 0, uncovered = 0;
+    for (const Pixel& pixel : object) {
+      double to_before = 0, apart = 0;
+      for (int c = 0; c < channels; ++c) {
+        const double now = image.ptr(pixel.y)[pixel.x * channels + c] / gain;
+        const double before = pixel.before[c] / double(Background::kMeanScale);
+        const double object_color =
+            background->mean(0, pixel.y, c)[pixel.x] / double(Background::kMeanScale);
+        to_before += (now - before) * (now - before);
+        apart += (object_color - before) * (object_color - before);
+      }
+      if (apart < 4 * limit) continue;
+      ++clear;
+      uncovered += to_before < limit;
+    }
+    return clear > 0 && uncovered > kUncovered * clear;
+  };
+  const auto restore = [&](const Object& object) {
+    for (const Pixel& pixel : object)
+      for (int c = 0; c < channels; ++c) background->mean(0, pixel.y, c)[pixel.x] = pixel.before[c];
+    for (size_t i = 0; i < object.size(); ++i)
+      if (i == 0 || object[i].y != object[i - 1].y) background->updateQuantised(0, object[i].y);
+  };
+  const auto gone = std::stable_partition(objects_.begin(), objects_.end(),
+                                          [&](const Object& object) { return !isGone(object); });
+  // The last comes first, as an object may lie on one that was there before.
+  std::for_each(std::make_reverse_iterator(objects_.end()), std::make_reverse_iterator(gone),
+                restore);
+  objects_.erase(gone, objects_.end());
+}
+
+}  // namespace markerless_mocap
