@@ -38,6 +38,7 @@ void PixelTest::prepare(const Background& background) {
   const size_t stride = background.stride();
   classes_.foreground.resize(size);
   classes_.shadow.resize(size);
+  classes_.lit = BitMask();
   classes_.ratio.resize(size.height * stride);
   blocks_.resize(size);
   now_.resize(3 * stride);
@@ -46,8 +47,8 @@ void PixelTest::prepare(const Background& background) {
   other_.resize(stride);
 }
 
-const PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const cv::Mat& image,
-                                        const Background& background, double gain) {
+PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const cv::Mat& image,
+                                  const Background& background, double gain) {
   options_ = options;
   prepare(background);
   findChanged(image, background, gain);

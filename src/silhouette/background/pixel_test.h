@@ -16,6 +16,8 @@ struct PixelClasses {
   BitMask shadow;      ///< a shadow: a darker version of the background
   /// For pixels of `shadow`: brightness relative to the background's, 255 = 1.
   std::vector<uint8_t> ratio;
+  /// Background in another light than its model's, brighter or darker; without rows: none.
+  BitMask lit = BitMask();
   size_t changed = 0;  ///< number of pixels that differ from the background, without specks
 };
 
@@ -25,8 +27,8 @@ class PixelTest {
  public:
   /// \param gain light of the image relative to the background's. The result is valid until the
   ///   next call.
-  const PixelClasses& classify(const SilhouetteOptions& options, const cv::Mat& image,
-                               const Background& background, double gain);
+  PixelClasses& classify(const SilhouetteOptions& options, const cv::Mat& image,
+                         const Background& background, double gain);
 
  private:
   void prepare(const Background& background);

@@ -56,12 +56,11 @@ class ModelSubtractor : public Subtractor {
     static thread_local BoundaryMatting matting;
     Extraction found;
     if (options_.compensate_flicker) found.light_gain = followLight(image);
-    const PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
+    PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
-    BitMask foreground = classes.foreground;
     if (options_.remove_shadows)
-      kept_texture_.removeFrom(image, background_, found.light_gain, &foreground);
-    found.mask = cleaned(foreground);
+      kept_texture_.findLit(image, background_, found.light_gain, &classes);
+    found.mask = cleaned(classes.foreground);
     const BitMask unrefined = nearUnknown(found.mask);
     matting.refine(image, background_, found.light_gain, classes, &found.mask);
     // This comes last, as the new boundary has pinholes and specks.

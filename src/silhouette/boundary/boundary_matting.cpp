@@ -41,6 +41,19 @@ BlockBits validBits(const cv::Mat& image, int x, int y) {
   return BlockBits((15u >> beyond_x) * 0x1111u & (0xffffu >> (kSide * beyond_y)));
 }
 
+/// Brightness of a pixel relative to the background's, 255 for 1. Sums over a block and its
+/// neighbours fit into 16 bits.
+int litRatio(const cv::Mat& image, const Background& background, float gain, int x, int y) {
+  constexpr int kLargest = 446;
+  const ModeRow mode = background.quantised(0, y);
+  int now = 0, expected = 0;
+  for (int c = 0; c < image.channels(); ++c) {
+    now += image.ptr(y)[x * image.channels() + c];
+    expected += mode.mean[c][x];
+  }
+  return int(std::min(float(kLargest), 255 * float(now) / (gain * float(std::max(expected, 1)))));
+}
+
 /// Calls `visit(x, y)` for each of such a block's pixels.
 template <class VisitT>
 void forEachPixel(BlockBits bits, int x, int y, const VisitT& visit) {
@@ -131,6 +144,11 @@ void BoundaryMatting::sumBlock(const Scene& scene, int column, int row) {
   forEachPixel(shadow, x0, y0, [&](int x, int y) {
     sums.light += scene.classes.ratio[size_t(y) * scene.background.stride() + x];
   });
+  if (scene.classes.lit.rows() > 0)
+    forEachPixel(outside & blockOf(scene.classes.lit, x0, y0), x0, y0, [&](int x, int y) {
+      sums.light =
+          uint16_t(sums.light + litRatio(scene.image, scene.background, scene.gain, x, y) - 255);
+    });
   if (!inside) return;
   if (canUseKernels(scene, x0, y0))
     addColors(colorBlock(scene, x0, y0), inside, sums.color);

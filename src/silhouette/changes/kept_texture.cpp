@@ -45,15 +45,15 @@ void KeptTexture::Sums::add(const Sums& other) {
   }
 }
 
-void KeptTexture::removeFrom(const cv::Mat& image, const Background& background, double gain,
-                             BitMask* foreground) {
+void KeptTexture::findLit(const cv::Mat& image, const Background& background, double gain,
+                          PixelClasses* classes) {
   ++images_;
   const bool is_seen = last_found_ >= 0 && images_ - last_found_ <= kKeepSearching;
   if (!is_seen && images_ % kSearchStep != 0) return;
   squared_noise_ = float(background.noise() * background.noise());
-  sumBlocks(image, background, float(gain), *foreground);
+  sumBlocks(image, background, float(gain), classes->foreground);
   if (relateBlocks(image.channels()) >= kFewestBlocks) last_found_ = images_;
-  if (is_seen || last_found_ == images_) removeLit(image, background, float(gain), foreground);
+  if (is_seen || last_found_ == images_) moveLit(image, background, float(gain), classes);
 }
 
 int KeptTexture::relateBlocks(int channels) {
@@ -186,8 +186,10 @@ bool KeptTexture::isLit(const float* now, const float* expected, int channels, b
   return false;
 }
 
-void KeptTexture::removeLit(const cv::Mat& image, const Background& background, float gain,
-                            BitMask* foreground) const {
+void KeptTexture::moveLit(const cv::Mat& image, const Background& background, float gain,
+                          PixelClasses* classes) const {
+  classes->lit.resize(image.size());
+  BitMask* foreground = &classes->foreground;
   const int channels = image.channels();
   for (int y = 0; y < image.rows; ++y) {
     const ModeRow mode = background.quantised(0, y);
@@ -206,6 +208,7 @@ void KeptTexture::removeLit(const cv::Mat& image, const Background& background, 
           lit |= uint64_t(1) << bit;
       });
       foreground->row(y)[k] &= ~lit;
+      classes->lit.row(y)[k] = lit;
     }
   }
 }

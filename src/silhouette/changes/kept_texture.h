@@ -3,8 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "silhouette/background/background.h"
-#include "silhouette/bits/bit_mask.h"
+#include "silhouette/background/pixel_test.h"
 
 namespace markerless_mocap {
 
@@ -13,11 +12,10 @@ namespace markerless_mocap {
 /// person covers it. Plain surfaces cannot be told.
 class KeptTexture {
  public:
-  /// Removes from the foreground what shows the background's texture.
+  /// Makes foreground that shows the background's texture `lit`.
   /// \param gain light of the image relative to the background's
-  /// \param foreground what differs from the background and is no shadow
-  void removeFrom(const cv::Mat& image, const Background& background, double gain,
-                  BitMask* foreground);
+  void findLit(const cv::Mat& image, const Background& background, double gain,
+               PixelClasses* classes);
 
  private:
   /// Sums over pixels: of the background (m), of the image (i), and of their products.
@@ -43,8 +41,8 @@ class KeptTexture {
   /// The same for one relation. \param most of the change that it describes
   bool explains(const Relation& relation, const float* now, const float* expected, int channels,
                 float most) const;
-  void removeLit(const cv::Mat& image, const Background& background, float gain,
-                 BitMask* foreground) const;
+  void moveLit(const cv::Mat& image, const Background& background, float gain,
+               PixelClasses* classes) const;
 
   int images_ = 0;
   int last_found_ = -1;  ///< image in which such light was seen last; -1: never
