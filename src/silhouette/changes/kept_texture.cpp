@@ -59,18 +59,14 @@ void KeptTexture::findLit(const cv::Mat& image, const Background& background, do
 int KeptTexture::relateBlocks(int channels) {
   int sure = 0;
   for (int side = 0; side < 2; ++side) {
-    relations_[side].assign(sums_[side].size(), Relation());
     Sums lit;
-    for (int row = 0; row < rows_; ++row)
-      for (int column = 0; column < columns_; ++column) {
-        const size_t block = size_t(row) * columns_ + column;
-        if (sums_[side][block].n[0] == 0) continue;
-        const Sums sums = around(sums_[side], column, row);
-        relations_[side][block] = relationOf(sums, channels);
-        if (!relations_[side][block].is_sure) continue;
-        ++sure;
-        if (std::abs(sums.i[0] / sums.m[0] - 1) > kClearLight) lit.add(sums);
-      }
+    for (const int block : filled_[side]) {
+      const Sums sums = around(sums_[side], block % columns_, block / columns_);
+      relations_[side][block] = relationOf(sums, channels);
+      if (!relations_[side][block].is_sure) continue;
+      ++sure;
+      if (std::abs(sums.i[0] / sums.m[0] - 1) > kClearLight) lit.add(sums);
+    }
     if (lit.n[0] < kFewestLit) continue;
     light_[side].is_sure = true;
     for (int c = 0; c < channels; ++c) light_[side].slope[c] = lit.i[c] / std::max(lit.m[c], 1.0f);
@@ -82,11 +78,23 @@ int KeptTexture::relateBlocks(int channels) {
   return sure;
 }
 
+void KeptTexture::clearBlocks() {
+  for (int side = 0; side < 2; ++side) {
+    for (const int block : filled_[side]) {
+      sums_[side][block] = Sums();
+      relations_[side][block] = Relation();
+    }
+    filled_[side].clear();
+    sums_[side].resize(size_t(columns_) * rows_);
+    relations_[side].resize(size_t(columns_) * rows_);
+  }
+}
+
 void KeptTexture::sumBlocks(const cv::Mat& image, const Background& background, float gain,
                             const BitMask& foreground) {
   columns_ = (image.cols + kSide - 1) / kSide;
   rows_ = (image.rows + kSide - 1) / kSide;
-  for (std::vector<Sums>& sums : sums_) sums.assign(size_t(columns_) * rows_, Sums());
+  clearBlocks();
   const int channels = image.channels();
   for (int y = 0; y < image.rows; ++y) {
     const ModeRow mode = background.quantised(0, y);
@@ -100,7 +108,10 @@ void KeptTexture::sumBlocks(const cv::Mat& image, const Background& background, 
           m[c] = gain * mode.mean[c][x];
           brighter += i[c] - m[c];
         }
-        Sums& sums = sums_[brighter > 0][first + x / kSide];
+        const size_t block = first + x / kSide;
+        Sums& sums = sums_[brighter > 0][block];
+        if (!sums.is_filled) filled_[brighter > 0].push_back(int(block));
+        sums.is_filled = true;
         for (int c = 0; c < channels; ++c) {
           if (i[c] > kClipped || m[c] > kClipped) continue;
           ++sums.n[c];

@@ -20,6 +20,7 @@ class KeptTexture {
  private:
   /// Sums over pixels: of the background (m), of the image (i), and of their products.
   struct Sums {
+    bool is_filled = false;
     float n[3] = {}, m[3] = {}, i[3] = {}, mm[3] = {}, mi[3] = {}, ii[3] = {};
     void add(const Sums& other);
   };
@@ -31,6 +32,7 @@ class KeptTexture {
 
   /// Finds the blocks that surely show the texture, and remembers their light. Returns how many.
   int relateBlocks(int channels);
+  void clearBlocks();
   void sumBlocks(const cv::Mat& image, const Background& background, float gain,
                  const BitMask& foreground);
   Sums around(const std::vector<Sums>& blocks, int column, int row) const;
@@ -50,6 +52,7 @@ class KeptTexture {
   float squared_noise_ = 0;
   std::vector<Sums> sums_[2];           ///< by block; of pixels darker and brighter than expected
   std::vector<Relation> relations_[2];  ///< the same
+  std::vector<int> filled_[2];          ///< blocks with pixels, the same
   Relation light_[2];                   ///< mean change of light, the same
 };
 

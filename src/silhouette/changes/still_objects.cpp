@@ -27,14 +27,27 @@ constexpr double kUncovered = 0.15;
 /// Fraction of a component that must have been still before.
 constexpr double kSamePlace = 0.9;
 
-double squaredDistance(const uint8_t* a, double gain_a, const uint8_t* b, double gain_b,
-                       int channels) {
-  double sum = 0;
+/// \param per_gain_a,per_gain_b the colours are multiplied by these
+float squaredDistance(const uint8_t* a, float per_gain_a, const uint8_t* b, float per_gain_b,
+                      int channels) {
+  float sum = 0;
   for (int c = 0; c < channels; ++c) {
-    const double off = a[c] / gain_a - b[c] / gain_b;
+    const float off = a[c] * per_gain_a - b[c] * per_gain_b;
     sum += off * off;
   }
   return sum;
+}
+
+/// Copies the rows of the components, and those that blur reaches.
+void copyRows(const std::vector<std::vector<MaskRun>>& components, const cv::Mat& image,
+              cv::Mat* copy) {
+  int first = image.rows, last = 0;
+  for (const std::vector<MaskRun>& component : components) {
+    first = std::min(first, component.front().y);
+    last = std::max(last, component.back().y);
+  }
+  const cv::Range rows(std::max(0, first - kBlur), std::min(image.rows, last + kBlur + 1));
+  image.rowRange(rows).copyTo(copy->rowRange(rows));
 }
 
 bool touches(const std::vector<MaskRun>& component, const BitMask& mask) {
@@ -89,14 +102,16 @@ void StillObjects::update(const cv::Mat& image, double gain, Background* backgro
   }
   if (!previous_.empty()) still_.push_back(std::move(still));
   if (still_.size() >= kChecks) still_.pop_front();
-  image.copyTo(previous_);
+  if (previous_.empty()) previous_ = cv::Mat::zeros(image.size(), image.type());
+  copyRows(components, image, &previous_);
   previous_gain_ = gain;
 }
 
 StillObjects::Motion StillObjects::motionOf(const Component& component, const cv::Mat& image,
                                             double gain) const {
   const int channels = image.channels();
-  const double limit = kNoiseVariances * noise_ * noise_;
+  const float limit = float(kNoiseVariances * noise_ * noise_);
+  const float per_gain = float(1 / gain), per_gain_then = float(1 / previous_gain_);
   Motion motion;
   for (const MaskRun& run : component) {
     motion.area += run.last - run.first + 1;
@@ -104,8 +119,8 @@ StillObjects::Motion StillObjects::motionOf(const Component& component, const cv
     const uint8_t* now = image.ptr(run.y);
     const uint8_t* then = previous_.ptr(run.y);
     for (int x = first; x <= last; ++x)
-      motion.changed += squaredDistance(now + x * channels, gain, then + x * channels,
-                                        previous_gain_, channels) > limit;
+      motion.changed += squaredDistance(now + x * channels, per_gain, then + x * channels,
+                                        per_gain_then, channels) > limit;
   }
   return motion;
 }

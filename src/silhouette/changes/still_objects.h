@@ -41,7 +41,7 @@ class StillObjects {
 
   int images_ = 0;
   double noise_ = 0;
-  cv::Mat previous_;           ///< image of the last check
+  cv::Mat previous_;           ///< image of the last check, in the rows of the foreground
   double previous_gain_ = 1;   ///< its light
   std::deque<BitMask> still_;  ///< still components of the last checks
   std::vector<Object> objects_;
