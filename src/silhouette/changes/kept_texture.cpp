@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kSide = 8;  ///< of a block, px
 /// While no such light is seen, one image in this many is searched for it.
-constexpr int kSearchStep = 8;
-/// All images are searched for so many after it was seen.
+constexpr int kSearchStep = 12;
+/// All images are searched at first, and for so many after it was seen.
 constexpr int kKeepSearching = 24;
 /// Number of blocks that must show the texture, as a few may by chance.
 constexpr int kFewestBlocks = 8;
@@ -34,6 +34,18 @@ constexpr float kNoiseDeviations = 4, kRelative = 0.06f;
 
 }  // namespace
 
+void KeptTexture::Sums::add(const float* expected, const float* now, int channels) {
+  for (int c = 0; c < channels; ++c) {
+    if (now[c] > kClipped || expected[c] > kClipped) continue;
+    ++n[c];
+    m[c] += expected[c];
+    i[c] += now[c];
+    mm[c] += expected[c] * expected[c];
+    mi[c] += expected[c] * now[c];
+    ii[c] += now[c] * now[c];
+  }
+}
+
 void KeptTexture::Sums::add(const Sums& other) {
   for (int c = 0; c < 3; ++c) {
     n[c] += other.n[c];
@@ -49,7 +61,7 @@ void KeptTexture::findLit(const cv::Mat& image, const Background& background, do
                           PixelClasses* classes) {
   ++images_;
   const bool is_seen = last_found_ >= 0 && images_ - last_found_ <= kKeepSearching;
-  if (!is_seen && images_ % kSearchStep != 0) return;
+  if (!is_seen && images_ > kKeepSearching && images_ % kSearchStep != 0) return;
   squared_noise_ = float(background.noise() * background.noise());
   sumBlocks(image, background, float(gain), classes->foreground);
   if (relateBlocks(image.channels()) >= kFewestBlocks) last_found_ = images_;
@@ -112,15 +124,7 @@ void KeptTexture::sumBlocks(const cv::Mat& image, const Background& background, 
         Sums& sums = sums_[brighter > 0][block];
         if (!sums.is_filled) filled_[brighter > 0].push_back(int(block));
         sums.is_filled = true;
-        for (int c = 0; c < channels; ++c) {
-          if (i[c] > kClipped || m[c] > kClipped) continue;
-          ++sums.n[c];
-          sums.m[c] += m[c];
-          sums.i[c] += i[c];
-          sums.mm[c] += m[c] * m[c];
-          sums.mi[c] += m[c] * i[c];
-          sums.ii[c] += i[c] * i[c];
-        }
+        sums.add(m, i, channels);
       });
   }
 }

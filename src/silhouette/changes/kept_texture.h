@@ -22,6 +22,7 @@ class KeptTexture {
   struct Sums {
     bool is_filled = false;
     float n[3] = {}, m[3] = {}, i[3] = {}, mm[3] = {}, mi[3] = {}, ii[3] = {};
+    void add(const float* expected, const float* now, int channels);
     void add(const Sums& other);
   };
   /// Image as a function of the background, around one block.

@@ -17,6 +17,8 @@ constexpr int kSide = 16;  ///< of a block, px
 /// The person may have moved this far since the mask, px.
 constexpr int kMoved = 12;
 constexpr int kFewestPixels = 64;
+/// Darker blocks show nothing, relative to the background.
+constexpr float kDarkestLight = 0.04f;
 constexpr int kDarkest = 8, kBrightest = 250;
 /// Fraction of the blocks in which light must explain the image.
 constexpr double kExplainedBlocks = 0.7;
@@ -24,6 +26,14 @@ constexpr double kExplainedBlocks = 0.7;
 constexpr float kLeftOver = 6, kRelativeLeftOver = 0.08f;
 /// Where light has an edge, it differs from that of the block by up to this fraction.
 constexpr float kEdge = 0.4f;
+
+/// Whether a pixel is neither black, nor clipped in background or image.
+bool isReliable(const uint8_t* pixel, const ModeRow& mode, int x, int channels) {
+  for (int c = 0; c < channels; ++c)
+    if (mode.mean[c][x] < kDarkest || std::max(mode.mean[c][x], pixel[c]) > kBrightest)
+      return false;
+  return true;
+}
 
 /// For each block the light by channel, 0 where too little of the background is seen.
 cv::Mat blockLight(const cv::Mat& image, const BitMask& person, const Background& background) {
@@ -34,13 +44,8 @@ cv::Mat blockLight(const cv::Mat& image, const BitMask& person, const Background
   for (int y = 0; y < image.rows; ++y) {
     const ModeRow mode = background.quantised(0, y);
     for (int x = 0; x < image.cols; ++x) {
-      if (person.at(x, y)) continue;
       const uint8_t* pixel = image.ptr(y) + x * channels;
-      bool reliable = true;
-      for (int c = 0; c < channels; ++c)
-        reliable = reliable && mode.mean[c][x] >= kDarkest &&
-                   std::max(mode.mean[c][x], pixel[c]) <= kBrightest;
-      if (!reliable) continue;
+      if (person.at(x, y) || !isReliable(pixel, mode, x, channels)) continue;
       for (int c = 0; c < channels; ++c) {
         now.at<cv::Vec3f>(y / kSide, x / kSide)[c] += pixel[c];
         before.at<cv::Vec3f>(y / kSide, x / kSide)[c] += mode.mean[c][x];
@@ -54,27 +59,35 @@ cv::Mat blockLight(const cv::Mat& image, const BitMask& person, const Background
   return light;
 }
 
-/// Fills blocks without light with the mean of their neighbours, from outside inwards.
-void fillBlocks(cv::Mat* light) {
-  for (bool is_filled = false; !is_filled;) {
-    is_filled = true;
-    bool is_changed = false;
+bool isFilled(const cv::Mat& light, int x, int y) {
+  return light.at<cv::Vec3f>(y, x)[0] > kDarkestLight;
+}
+
+/// Mean of the blocks around one that have light; 0 if there are none.
+cv::Vec3f lightAround(const cv::Mat& light, int x, int y) {
+  cv::Vec3f sum(0, 0, 0);
+  int n = 0;
+  for (int v = std::max(0, y - 1); v <= std::min(light.rows - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(light.cols - 1, x + 1); ++u)
+      if (isFilled(light, u, v)) sum += light.at<cv::Vec3f>(v, u), ++n;
+  return n > 0 ? sum / float(n) : sum;
+}
+
+/// Fills blocks without light with the mean of their neighbours, step by step. Returns false if no
+/// block has light.
+bool fillBlocks(cv::Mat* light) {
+  for (int step = 0; step <= light->rows + light->cols; ++step) {
     const cv::Mat before = light->clone();
+    int missing = 0;
     for (int y = 0; y < before.rows; ++y)
       for (int x = 0; x < before.cols; ++x) {
-        if (before.at<cv::Vec3f>(y, x)[0] > 0) continue;
-        cv::Vec3f sum(0, 0, 0);
-        int n = 0;
-        for (int v = std::max(0, y - 1); v <= std::min(before.rows - 1, y + 1); ++v)
-          for (int u = std::max(0, x - 1); u <= std::min(before.cols - 1, x + 1); ++u)
-            if (before.at<cv::Vec3f>(v, u)[0] > 0) sum += before.at<cv::Vec3f>(v, u), ++n;
-        is_filled = false;
-        if (n == 0) continue;
-        light->at<cv::Vec3f>(y, x) = sum / float(n);
-        is_changed = true;
+        if (isFilled(before, x, y)) continue;
+        ++missing;
+        light->at<cv::Vec3f>(y, x) = lightAround(before, x, y);
       }
-    if (!is_changed) return;
+    if (missing == 0) return true;
   }
+  return false;
 }
 
 /// Light of each pixel, CV_32FC3.
@@ -117,32 +130,34 @@ bool isExplained(const cv::Mat& image, const BitMask& person, const Background& 
   return explained > kExplainedBlocks * seen;
 }
 
+void relightRow(const cv::Mat& image, const BitMask& hidden, const cv::Mat& light, int y,
+                Background* background) {
+  const int channels = image.channels();
+  const ModeRow mode = background->quantised(0, y);
+  for (int x = 0; x < image.cols; ++x) {
+    const cv::Vec3f& lit = light.at<cv::Vec3f>(y, x);
+    const uint8_t* pixel = image.ptr(y) + x * channels;
+    const LeftOver left = leftOver(pixel, mode, x, lit, channels);
+    // Edges of the light between two blocks are taken from the image.
+    const bool is_edge = !hidden.at(x, y) && !left.isSmall() && left.difference < kEdge * left.grey;
+    for (int c = 0; c < channels; ++c) {
+      uint16_t& mean = background->mean(0, y, c)[x];
+      const float seen = is_edge ? float(pixel[c]) * Background::kMeanScale : float(mean) * lit[c];
+      mean = uint16_t(std::min(255.0f * Background::kMeanScale, seen));
+    }
+  }
+  background->updateQuantised(0, y);
+}
+
 }  // namespace
 
 bool relight(const cv::Mat& image, const BitMask& person, Background* background) {
   const BitMask hidden = dilated(person, kMoved);
   cv::Mat blocks = blockLight(image, hidden, *background);
-  fillBlocks(&blocks);
+  if (!fillBlocks(&blocks)) return false;
   const cv::Mat light = pixelLight(blocks, image.size());
   if (!isExplained(image, hidden, *background, light)) return false;
-  const int channels = image.channels();
-  for (int y = 0; y < image.rows; ++y) {
-    const ModeRow mode = background->quantised(0, y);
-    for (int x = 0; x < image.cols; ++x) {
-      const cv::Vec3f& lit = light.at<cv::Vec3f>(y, x);
-      const uint8_t* pixel = image.ptr(y) + x * channels;
-      const LeftOver left = leftOver(pixel, mode, x, lit, channels);
-      // Edges of the light between two blocks are taken from the image.
-      const bool is_edge =
-          !hidden.at(x, y) && !left.isSmall() && left.difference < kEdge * left.grey;
-      for (int c = 0; c < channels; ++c) {
-        uint16_t& mean = background->mean(0, y, c)[x];
-        const float seen = is_edge ? float(pixel[c]) * Background::kMeanScale : mean * lit[c];
-        mean = uint16_t(std::min(255.0f * Background::kMeanScale, seen));
-      }
-    }
-    background->updateQuantised(0, y);
-  }
+  for (int y = 0; y < image.rows; ++y) relightRow(image, hidden, light, y, background);
   return true;
 }
 

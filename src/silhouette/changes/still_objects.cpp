@@ -9,8 +9,8 @@ namespace markerless_mocap {
 namespace {
 
 /// One image in this many is looked at; a component is an object after kChecks of them.
-constexpr int kStep = 5;
-constexpr size_t kChecks = 4;
+constexpr int kStep = 10;
+constexpr size_t kChecks = 2;
 /// Squared difference of two images, over all channels, that noise hardly reaches, in variances.
 constexpr double kNoiseVariances = 42;
 /// A component is still if fewer of its pixels have changed, and moves if more have.
@@ -57,6 +57,16 @@ bool touches(const std::vector<MaskRun>& component, const BitMask& mask) {
   return false;
 }
 
+/// Removes a component from the mask. Returns its pixels, with those to which blur spreads it.
+BitMask takeOut(const std::vector<MaskRun>& component, BitMask* mask) {
+  BitMask place({mask->cols(), mask->rows()});
+  fillRuns(component, &place);
+  for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
+  place = dilated(place, kBlur);
+  for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
+  return place;
+}
+
 }  // namespace
 
 void StillObjects::clear() {
@@ -71,40 +81,39 @@ void StillObjects::update(const cv::Mat& image, double gain, Background* backgro
   noise_ = background->noise();
   if (!objects_.empty()) restoreUncovered(image, gain, background);
   const std::vector<Component> components = findBlobs(std::numeric_limits<int>::max(), *mask);
-  BitMask still(background->size()), moving(background->size());
-  std::vector<const Component*> candidates;
-  if (!previous_.empty())
-    for (const Component& component : components) {
-      const Motion motion = motionOf(component, image, gain);
-      if (motion.changed <= kStillPixels + kStillFraction * motion.area) {
-        fillRuns(component, &still);
-        if (still_.size() + 1 == kChecks && wasStill(component)) candidates.push_back(&component);
-      } else if (motion.area >= kMinMoving && motion.changed >= kMovingFraction * motion.area) {
-        fillRuns(component, &moving);
-      }
-    }
-  if (!candidates.empty() && moving.count() > 0) {
-    const BitMask near = dilated(moving, kNear);
-    for (const Component* component : candidates) {
-      if (touches(*component, near)) continue;
-      BitMask place(background->size());
-      fillRuns(*component, &place);
-      for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
-      place = dilated(place, kBlur);
-      for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
-      absorb(place, image, gain, background);
-    }
-  }
-  if (components.empty()) {
+  if (components.size() < 2) {
     previous_.release();
     still_.clear();
     return;
   }
-  if (!previous_.empty()) still_.push_back(std::move(still));
-  if (still_.size() >= kChecks) still_.pop_front();
-  if (previous_.empty()) previous_ = cv::Mat::zeros(image.size(), image.type());
+  if (previous_.empty())
+    previous_ = cv::Mat::zeros(image.size(), image.type());
+  else
+    compare(components, image, gain, background, mask);
   copyRows(components, image, &previous_);
   previous_gain_ = gain;
+}
+
+void StillObjects::compare(const std::vector<Component>& components, const cv::Mat& image,
+                           double gain, Background* background, BitMask* mask) {
+  BitMask still(background->size()), moving(background->size());
+  std::vector<const Component*> candidates;
+  for (const Component& component : components) {
+    const Motion motion = motionOf(component, image, gain);
+    if (motion.changed <= kStillPixels + kStillFraction * motion.area) {
+      fillRuns(component, &still);
+      if (wasStill(component)) candidates.push_back(&component);
+    } else if (motion.area >= kMinMoving && motion.changed >= kMovingFraction * motion.area) {
+      fillRuns(component, &moving);
+    }
+  }
+  if (!candidates.empty() && moving.count() > 0) {
+    const BitMask near = dilated(moving, kNear);
+    for (const Component* component : candidates)
+      if (!touches(*component, near)) absorb(takeOut(*component, mask), image, gain, background);
+  }
+  still_.push_back(std::move(still));
+  if (still_.size() >= kChecks) still_.pop_front();
 }
 
 StillObjects::Motion StillObjects::motionOf(const Component& component, const cv::Mat& image,
@@ -126,6 +135,7 @@ StillObjects::Motion StillObjects::motionOf(const Component& component, const cv
 }
 
 bool StillObjects::wasStill(const Component& component) const {
+  if (still_.size() + 1 < kChecks) return false;
   for (const BitMask& still : still_) {
     int area = 0, same = 0;
     for (const MaskRun& run : component)
@@ -159,38 +169,42 @@ void StillObjects::absorb(const BitMask& place, const cv::Mat& image, double gai
   objects_.push_back(std::move(object));
 }
 
-void StillObjects::restoreUncovered(const cv::Mat& image, double gain, Background* background) {
+bool StillObjects::isGone(const Object& object, const cv::Mat& image, double gain,
+                          const Background& background) const {
   const int channels = image.channels();
   const double limit = kNoiseVariances / 2 * noise_ * noise_;
-  const auto isGone = [&](const Object& object) {
-    size_t clear = 0, uncovered = 0;
-    for (const Pixel& pixel : object) {
-      double to_before = 0, apart = 0;
-      for (int c = 0; c < channels; ++c) {
-        const double now = image.ptr(pixel.y)[pixel.x * channels + c] / gain;
-        const double before = pixel.before[c] / double(Background::kMeanScale);
-        const double object_color =
-            background->mean(0, pixel.y, c)[pixel.x] / double(Background::kMeanScale);
-        to_before += (now - before) * (now - before);
-        apart += (object_color - before) * (object_color - before);
-      }
-      if (apart < 4 * limit) continue;
-      ++clear;
-      uncovered += to_before < limit;
+  size_t clear = 0, uncovered = 0;
+  for (const Pixel& pixel : object) {
+    double to_before = 0, apart = 0;
+    for (int c = 0; c < channels; ++c) {
+      const double now = image.ptr(pixel.y)[pixel.x * channels + c] / gain;
+      const double before = pixel.before[c] / double(Background::kMeanScale);
+      const double covered =
+          background.mean(0, pixel.y, c)[pixel.x] / double(Background::kMeanScale);
+      to_before += (now - before) * (now - before);
+      apart += (covered - before) * (covered - before);
     }
-    return clear > 0 && uncovered > kUncovered * clear;
-  };
-  const auto restore = [&](const Object& object) {
-    for (const Pixel& pixel : object)
-      for (int c = 0; c < channels; ++c) background->mean(0, pixel.y, c)[pixel.x] = pixel.before[c];
-    for (size_t i = 0; i < object.size(); ++i)
-      if (i == 0 || object[i].y != object[i - 1].y) background->updateQuantised(0, object[i].y);
-  };
-  const auto gone = std::stable_partition(objects_.begin(), objects_.end(),
-                                          [&](const Object& object) { return !isGone(object); });
+    if (apart < 4 * limit) continue;  // the object looks like what is behind it
+    ++clear;
+    uncovered += to_before < limit;
+  }
+  return clear > 0 && uncovered > kUncovered * clear;
+}
+
+void StillObjects::restore(const Object& object, Background* background) {
+  for (const Pixel& pixel : object)
+    for (int c = 0; c < background->channels(); ++c)
+      background->mean(0, pixel.y, c)[pixel.x] = pixel.before[c];
+  for (size_t i = 0; i < object.size(); ++i)
+    if (i == 0 || object[i].y != object[i - 1].y) background->updateQuantised(0, object[i].y);
+}
+
+void StillObjects::restoreUncovered(const cv::Mat& image, double gain, Background* background) {
+  const auto gone = std::stable_partition(
+      objects_.begin(), objects_.end(),
+      [&](const Object& object) { return !isGone(object, image, gain, *background); });
   // The last comes first, as an object may lie on one that was there before.
-  std::for_each(std::make_reverse_iterator(objects_.end()), std::make_reverse_iterator(gone),
-                restore);
+  for (auto object = objects_.end(); object != gone;) restore(*--object, background);
   objects_.erase(gone, objects_.end());
 }
 

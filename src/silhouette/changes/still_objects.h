@@ -34,9 +34,18 @@ class StillObjects {
   struct Motion {
     int area = 0, changed = 0;
   };
+  /// Compares the image with that of the last check.
+  void compare(const std::vector<Component>& components, const cv::Mat& image, double gain,
+               Background* background, BitMask* mask);
   Motion motionOf(const Component& component, const cv::Mat& image, double gain) const;
+  /// At the last checks.
   bool wasStill(const Component& component) const;
+  /// Makes the place background as the image shows it.
   void absorb(const BitMask& place, const cv::Mat& image, double gain, Background* background);
+  /// Whether some of what was behind the object shows.
+  bool isGone(const Object& object, const cv::Mat& image, double gain,
+              const Background& background) const;
+  static void restore(const Object& object, Background* background);
   void restoreUncovered(const cv::Mat& image, double gain, Background* background);
 
   int images_ = 0;
