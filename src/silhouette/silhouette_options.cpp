@@ -33,6 +33,11 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
           "brightness of the darkest cast shadow, as a fraction of the background's");
   v.field("shadow_chroma_tolerance", shadow_chroma_tolerance, 0, 1,
           "largest relative difference between the mean colours of a shadow and of its background");
+  v.field(
+      "follow_changes", follow_changes,
+      "foreground that is a patch of sun, a reflection, the light of a switched lamp or a thing "
+      "that stands still beside a moving person counts as background; gaussian and mean_shift, "
+      "where all of the background is known");
   v.field("open_radius_px", open_radius_px, 0, 20,
           "radius of the morphological opening that removes specks, px");
   v.field("close_radius_px", close_radius_px, 0, 20,

@@ -54,6 +54,17 @@ TEST(ChangedLight, PatchOfSunIsNoPerson) {
   }
 }
 
+TEST(ChangedLight, IsForegroundIfChangesAreNotFollowed) {
+  const cv::Mat floor = makeFloor();
+  SilhouetteOptions options;
+  options.follow_changes = false;
+  SilhouetteExtractor extractor = learned(floor, options);
+  const cv::Mat lit = withLight(floor, kFloorPatch, {1.5, 1.6, 1.7});
+  cv::Mat mask;
+  for (int i = 0; i < 5; ++i) mask = extractor.update(withNoise(withWalker(lit, i), 100 + i)).mask;
+  EXPECT_GT(cv::countNonZero(mask(kFloorPatch)), 0.9 * kFloorPatch.area());
+}
+
 TEST(ChangedLight, PatchOfSunThatLeavesIsNoPerson) {
   const cv::Mat floor = makeFloor();
   SilhouetteExtractor extractor = learned(withLight(floor, kFloorPatch, {1.5, 1.6, 1.7}));

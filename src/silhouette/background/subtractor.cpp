@@ -58,8 +58,7 @@ class ModelSubtractor : public Subtractor {
     if (options_.compensate_flicker) found.light_gain = followLight(image);
     PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
-    if (options_.remove_shadows && !background_.hasUnknown())
-      kept_texture_.findLit(image, background_, found.light_gain, &classes);
+    if (followsChanges()) kept_texture_.findLit(image, background_, found.light_gain, &classes);
     found.mask = cleaned(classes.foreground);
     const BitMask unrefined = nearUnknown(found.mask);
     matting.refine(image, background_, found.light_gain, classes, &found.mask);
@@ -68,8 +67,7 @@ class ModelSubtractor : public Subtractor {
     if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
     updateBackground(image, found.light_gain, found.mask, classes.shadow);
-    if (!background_.hasUnknown())
-      still_objects_.update(image, found.light_gain, &background_, &found.mask);
+    if (followsChanges()) still_objects_.update(image, found.light_gain, &background_, &found.mask);
     last_mask_ = found.mask;
     return found;
   }
@@ -79,6 +77,7 @@ class ModelSubtractor : public Subtractor {
  private:
   void setThreshold();
   double followLight(const cv::Mat& image);
+  bool followsChanges() const { return options_.follow_changes && !background_.hasUnknown(); }
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
   void restoreUnknown(const BitMask& unrefined, Extraction* found) const;
@@ -106,7 +105,7 @@ void ModelSubtractor::setThreshold() {
 /// The gain of the image, after the background has followed a switch of the light.
 double ModelSubtractor::followLight(const cv::Mat& image) {
   const LightGain light = estimateLightGain(image, background_);
-  if (background_.hasUnknown() || !light_switch_.update(image, light, last_mask_, &background_))
+  if (!followsChanges() || !light_switch_.update(image, light, last_mask_, &background_))
     return light.gain;
   still_objects_.clear();
   return estimateLightGain(image, background_).gain;
