@@ -145,10 +145,13 @@ TEST(ChangedLight, TurnedCameraIsNoChangeOfLight) {
   const uint16_t mean = background.mean(0, 50, 1)[70];
   cv::Mat turned;
   cv::flip(floor, turned, 1);
-  EXPECT_FALSE(relight(turned, BitMask(kRoom), &background));
+  EXPECT_FALSE(relight(turned, 1, BitMask(kRoom), &background));
+  EXPECT_FALSE(relight(0.6 * floor, 0.6, BitMask(kRoom), &background)) << "a gain is enough";
   EXPECT_EQ(background.mean(0, 50, 1)[70], mean);
-  EXPECT_TRUE(relight(0.6 * floor, BitMask(kRoom), &background));
-  EXPECT_NEAR(background.mean(0, 50, 1)[70], 0.6 * mean, 3 * Background::kMeanScale);
+  const cv::Mat lit = litByLamp(floor, 1);
+  EXPECT_TRUE(relight(lit, 1, BitMask(kRoom), &background));
+  EXPECT_NEAR(background.mean(0, 50, 1)[70], lit.at<cv::Vec3b>(50, 70)[1] * Background::kMeanScale,
+              4 * Background::kMeanScale);
 }
 
 class StillObject : public testing::Test {

@@ -20,8 +20,9 @@ constexpr int kFewestPixels = 64;
 /// Darker blocks show nothing, relative to the background.
 constexpr float kDarkestLight = 0.04f;
 constexpr int kDarkest = 8, kBrightest = 250;
-/// Fraction of the blocks in which light must explain the image.
-constexpr double kExplainedBlocks = 0.7;
+/// Fraction of the background that light must explain, and how much more than an even change of
+/// light does: a person who comes near hides as much as a lamp changes.
+constexpr double kExplained = 0.7, kGained = 0.04;
 /// Difference that light leaves, mean over channels: grey levels, and relative.
 constexpr float kLeftOver = 6, kRelativeLeftOver = 0.08f;
 /// Where light has an edge, it differs from that of the block by up to this fraction.
@@ -114,8 +115,9 @@ LeftOver leftOver(const uint8_t* pixel, const ModeRow& mode, int x, const cv::Ve
   return left;
 }
 
-bool isExplained(const cv::Mat& image, const BitMask& person, const Background& background,
-                 const cv::Mat& light) {
+/// Fraction of the visible background that has the light's colours.
+double explainedFraction(const cv::Mat& image, const BitMask& person, const Background& background,
+                         const cv::Mat& light) {
   int seen = 0, explained = 0;
   for (int y = kSide / 2; y < image.rows; y += kSide / 2) {
     const ModeRow mode = background.quantised(0, y);
@@ -127,7 +129,7 @@ bool isExplained(const cv::Mat& image, const BitMask& person, const Background& 
                        .isSmall();
     }
   }
-  return explained > kExplainedBlocks * seen;
+  return explained / std::max(1.0, double(seen));
 }
 
 void relightRow(const cv::Mat& image, const BitMask& hidden, const cv::Mat& light, int y,
@@ -151,12 +153,15 @@ void relightRow(const cv::Mat& image, const BitMask& hidden, const cv::Mat& ligh
 
 }  // namespace
 
-bool relight(const cv::Mat& image, const BitMask& person, Background* background) {
+bool relight(const cv::Mat& image, double gain, const BitMask& person, Background* background) {
   const BitMask hidden = dilated(person, kMoved);
   cv::Mat blocks = blockLight(image, hidden, *background);
   if (!fillBlocks(&blocks)) return false;
   const cv::Mat light = pixelLight(blocks, image.size());
-  if (!isExplained(image, hidden, *background, light)) return false;
+  const cv::Mat even(image.size(), CV_32FC3, cv::Scalar::all(gain));
+  const double explained = explainedFraction(image, hidden, *background, light);
+  const double before = explainedFraction(image, hidden, *background, even);
+  if (explained < kExplained || explained < before + kGained) return false;
   for (int y = 0; y < image.rows; ++y) relightRow(image, hidden, light, y, background);
   return true;
 }
@@ -172,7 +177,7 @@ bool LightSwitch::update(const cv::Mat& image, const LightGain& light, const Bit
   bool is_changed = useOtherLight(image, background);
   if (!is_changed) {
     Background before = *background;
-    is_changed = relight(image, person, background);
+    is_changed = relight(image, light.gain, person, background);
     if (is_changed) other_ = std::move(before);
   }
   usual_ = is_changed ? estimateLightGain(image, *background).inlier_fraction : agreeing;

@@ -28,8 +28,9 @@ class LightSwitch {
 };
 
 /// The background in the light of an image. Its light is estimated in blocks; nearby blocks give it
-/// where the person is. Returns false, and changes nothing, if light does not explain the image.
+/// where the person is. Returns false, and changes nothing, if light does not explain the image, or
+/// if one gain explains it as well. \param gain light of the image relative to the background's
 /// \param person the image does not show the background here
-bool relight(const cv::Mat& image, const BitMask& person, Background* background);
+bool relight(const cv::Mat& image, double gain, const BitMask& person, Background* background);
 
 }  // namespace markerless_mocap
