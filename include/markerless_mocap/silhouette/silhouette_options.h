@@ -36,8 +36,8 @@ struct SilhouetteOptions {
   /// largest relative difference between the mean colours of a shadow and of its background
   double shadow_chroma_tolerance = 0.018;
   /// foreground that is a patch of sun, a reflection, the light of a switched lamp or a thing that
-  /// stands still beside a moving person counts as background; gaussian and mean_shift, where all of
-  /// the background is known
+  /// stands still beside a moving person counts as background; gaussian and mean_shift, lamps and
+  /// things only where all of the background is known
   bool follow_changes = true;
   /// radius of the morphological opening that removes specks, px
   int open_radius_px = 1;
