@@ -37,7 +37,7 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
       "follow_changes", follow_changes,
       "foreground that is a patch of sun, a reflection, the light of a switched lamp or a thing "
       "that stands still beside a moving person counts as background; gaussian and mean_shift, "
-      "where all of the background is known");
+      "lamps and things only where all of the background is known");
   v.field("open_radius_px", open_radius_px, 0, 20,
           "radius of the morphological opening that removes specks, px");
   v.field("close_radius_px", close_radius_px, 0, 20,
