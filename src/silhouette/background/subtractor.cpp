@@ -58,7 +58,7 @@ class ModelSubtractor : public Subtractor {
     if (options_.compensate_flicker) found.light_gain = followLight(image);
     PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
-    if (options_.follow_changes)
+    if (options_.follow_changes && options_.remove_shadows)
       kept_texture_.findLit(image, background_, found.light_gain, &classes);
     found.mask = cleaned(classes.foreground);
     const BitMask unrefined = nearUnknown(found.mask);
