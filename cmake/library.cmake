@@ -1,10 +1,11 @@
-# What other projects link: the room pipeline and all rooms below it as one shared library
+# What other projects link: the rooms pipeline and formats and all rooms below as one shared library
 # markerless_mocap::markerless_mocap, with the headers under include/. Everything else is private.
 include(GNUInstallDirs)
 set(MOCAP_CMAKE_DESTINATION share/${PROJECT_NAME}/cmake)  # where catkin installs its configuration, too
 
 set(objects "")
 get_target_property(rooms mocap_pipeline MOCAP_ROOMS)
+list(APPEND rooms formats)
 foreach(room ${rooms})
   get_target_property(type mocap_${room} TYPE)
   if(type STREQUAL STATIC_LIBRARY)
@@ -17,7 +18,7 @@ set_target_properties(markerless_mocap PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 # The rooms' objects are all there already: from mocap_pipeline come the libraries they need.
 target_link_libraries(markerless_mocap
-  PRIVATE mocap_pipeline INTERFACE Eigen3::Eigen opencv_core yaml-cpp)
+  PRIVATE mocap_pipeline mocap_formats INTERFACE Eigen3::Eigen opencv_core yaml-cpp)
 target_include_directories(markerless_mocap INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(markerless_mocap INTERFACE cxx_std_17)

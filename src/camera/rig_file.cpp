@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+
+#include "camera/number_text.h"
 
 namespace markerless_mocap {
 namespace {
@@ -26,18 +27,9 @@ constexpr const char* kHead =
   throw std::invalid_argument(where + ": " + what);
 }
 
-/// The shortest text that is read as the same number.
-std::string text(double number) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  return {buffer.data(), end};
-}
-
 template <class Numbers>
 std::string list(const Numbers& numbers) {
-  std::string out;
-  for (const double number : numbers) out += (out.empty() ? "" : ", ") + text(number);
-  return '[' + out + ']';
+  return '[' + numbersText(numbers) + ']';
 }
 
 std::string quoted(const std::string& name) {
@@ -71,7 +63,7 @@ std::string cameraText(const CameraCalibration& c) {
                                                     {"cx", c.K(0, 2)},
                                                     {"cy", c.K(1, 2)},
                                                     {"skew", c.K(0, 1)}};
-  for (const auto& [key, value] : pinhole) out << "  " << key << ": " << text(value) << '\n';
+  for (const auto& [key, value] : pinhole) out << "  " << key << ": " << numberText(value) << '\n';
   out << "  distortion: " << list(c.D) << "\n  position: " << list(std::array{t.x(), t.y(), t.z()})
       << "\n  orientation: " << list(std::array{q.x(), q.y(), q.z(), q.w()}) << '\n';
   return out.str();
@@ -140,7 +132,7 @@ class StrictMap {
 int pixelsOf(double value, const StrictMap& camera) {
   if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
     throwError(camera.where(),
-               "'size' holds " + text(value) + ", allowed are whole numbers from 1 to 65536");
+               "'size' holds " + numberText(value) + ", allowed are whole numbers from 1 to 65536");
   return int(value);
 }
 
@@ -150,7 +142,7 @@ Eigen::Quaterniond orientationIn(StrictMap& camera) {
   const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
   const double length = q.norm();
   if (!(std::abs(length - 1.0) <= kTolerance))
-    throwError(camera.where(), "'orientation' is a quaternion of length " + text(length) +
+    throwError(camera.where(), "'orientation' is a quaternion of length " + numberText(length) +
                                    ", allowed are rotations, whose length is 1");
   return q.normalized();
 }

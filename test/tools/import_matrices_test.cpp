@@ -129,39 +129,6 @@ TEST_F(ImportMatrices, PatternWithoutNumberOrFilesIsTold) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }), "no file matches " + input_.matrices);
 }
 
-class ProjectionFile : public ToolTest {};
-
-TEST_F(ProjectionFile, PlainTextTagsAndOpenCvSayTheSame) {
-  const std::string numbers = "1 2 3 4\n5 6 7 8\n9 10 11 12.5";
-  writeText("plain.txt", numbers);
-  writeText("tag.xml", "<?xml version=\"1.0\" ?>\n<camera>\n" + numbers + "\n</camera>");
-  writeText("cv.xml",
-            "<?xml version=\"1.0\"?>\n<opencv_storage><P type_id=\"opencv-matrix\"><rows>3</rows>"
-            "<cols>4</cols><dt>d</dt><data>" +
-                numbers + "</data></P></opencv_storage>");
-  writeText("cv.yml",
-            "%YAML:1.0\n---\nP: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 1., "
-            "2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12.5 ]\n");
-  Eigen::Matrix<double, 3, 4> wanted;
-  wanted << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12.5;
-  for (const char* name : {"plain.txt", "tag.xml", "cv.xml", "cv.yml"})
-    EXPECT_EQ(readProjection(path(name)), wanted) << name;
-}
-
-TEST_F(ProjectionFile, WrongContentIsToldWithTheFile) {
-  writeText("short.txt", "1 2 3");
-  writeText("words.txt", "1 2 3 4 5 6 7 8 9 10 11 twelve");
-  writeText("other.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</a></opencv_storage>");
-  writeText("broken.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><a>1</b>");
-  for (const char* name : {"short.txt", "words.txt"})
-    EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path(name)); }),
-              path(name) + " does not hold the twelve numbers of a 3x4 matrix");
-  EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path("other.xml")); }),
-            path("other.xml") + " has no 3x4 matrix");
-  EXPECT_EQ(errorTextOf<std::exception>([&] { readProjection(path("broken.xml")); }),
-            path("broken.xml") + " is not well-formed");
-}
-
 TEST(WorldTransform, UpAxisGoesToZWithoutMirroring) {
   for (const char* up : {"x", "-x", "y", "-y", "z", "-z"}) {
     const WorldTransform change{1.0, up};

@@ -2,6 +2,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "markerless_mocap/formats/calibration_files.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/common/progress.h"
@@ -69,12 +70,7 @@ cv::Mat readImage(const std::string& path, int flags) {
 }
 
 CameraCalibration calibrationOf(const CameraFiles& files, const WorldTransform& world) {
-  CameraCalibration calibration;
-  try {
-    calibration = decomposeProjection(readProjection(files.matrix));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(files.matrix + ": " + error.what());
-  }
+  CameraCalibration calibration = readCameraCalibration(files.matrix);
   const cv::Mat first = readImage(files.first(), cv::IMREAD_COLOR);
   calibration.name = files.name;
   calibration.width = first.cols;

@@ -1,9 +1,10 @@
 #include "tools/import/import_recording.h"
 
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
+
+#include "tools/common/camera_table.h"
 
 namespace markerless_mocap {
 namespace {
@@ -30,18 +31,8 @@ int64_t ImportOptions::stampOf(int frame_set, double frame_sets_per_second) cons
 
 void print(const ImportResult& result, std::ostream& out) {
   out << result.cameras.size() << " cameras, " << result.frame_sets << " frame sets at "
-      << result.fps << " per second\n"
-      << std::fixed << std::setprecision(2);
-  for (const CameraCalibration& camera : result.cameras) {
-    const Eigen::Vector3d position = camera.T_world_camera.translation();
-    const Eigen::Vector3d forward = camera.T_world_camera.linear().col(2);
-    out << "  " << std::left << std::setw(10) << camera.name << std::right << camera.width << " x "
-        << camera.height << "  at " << std::setw(6) << position.x() << ' ' << std::setw(6)
-        << position.y() << ' ' << std::setw(6) << position.z() << " m, direction " << std::setw(5)
-        << forward.x() << ' ' << std::setw(5) << forward.y() << ' ' << std::setw(5) << forward.z()
-        << '\n';
-  }
-  out << std::defaultfloat << std::setprecision(6);
+      << result.fps << " per second\n";
+  printCameras(result.cameras, out);
   for (const std::string& remark : result.warnings) out << "note: " << remark << '\n';
 }
 

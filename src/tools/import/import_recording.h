@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "tools/import/world_transform.h"
+#include "markerless_mocap/formats/world_transform.h"
 
 namespace markerless_mocap {
 
@@ -25,7 +25,7 @@ struct ImportOptions {
   int64_t stampOf(int frame_set, double frame_sets_per_second) const;
 };
 
-/// Images or masks of numbered cameras, with a 3x4 projection matrix each; see filesByCamera() for
+/// Images or masks of numbered cameras, with a calibration file each; see filesByCamera() for
 /// the patterns. The k-th file of each camera, sorted by name, belongs to the k-th frame set.
 struct MatricesInput {
   std::string matrices;  ///< pattern; it determines the cameras
@@ -33,12 +33,12 @@ struct MatricesInput {
   std::string masks;     ///< pattern, or empty; black = background
 };
 
-/// One folder per camera with a video and an OpenCV calibration file.
+/// One folder per camera with a video and a calibration file.
 struct VideosInput {
   std::string folder;               ///< contains one folder per camera, named like the camera
   std::string video = "video.avi";  ///< in each folder
   std::string background;           ///< video of the empty scene, used before `video`; or empty
-  std::string calibration = "config.xml";  ///< see readCalibration()
+  std::string calibration = "config.xml";  ///< see readCameraCalibration()
   /// Rig file in metres with z up, which replaces the calibration files; or empty.
   std::string rig;
   int background_frames = 30;  ///< number of frames from the background video

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
+#include "markerless_mocap/formats/calibration_files.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/common/progress.h"
-#include "tools/import/camera_files.h"
 #include "tools/import/import_recording.h"
 
 namespace markerless_mocap {
@@ -87,7 +87,7 @@ CameraCalibration fromRig(const std::vector<CameraCalibration>& rig, const Camer
 CameraCalibration calibrationOf(const fs::path& folder, const VideosInput& input,
                                 const CameraVideos& videos, const WorldTransform& world) {
   if (!input.rig.empty()) return fromRig(readRig(input.rig), videos, input.rig);
-  CameraCalibration calibration = readCalibration((folder / input.calibration).string());
+  CameraCalibration calibration = readCameraCalibration((folder / input.calibration).string());
   calibration.name = videos.name();
   calibration.width = videos.width();
   calibration.height = videos.height();

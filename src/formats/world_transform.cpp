@@ -1,7 +1,8 @@
-#include "tools/import/world_transform.h"
+#include "markerless_mocap/formats/world_transform.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kMaxRig = 50.0, kMinRig = 0.2;  // metres
+constexpr double kMaxRigInMetres = 100.0;        // units; more are millimetres
+constexpr double kClearUp = 0.5;                 // of the mean direction, per axis
 
 /// Unit vector of "x", "-x" ...; zero if the text is not an axis.
 Eigen::Vector3d axisNamed(const std::string& name) {
@@ -20,7 +23,58 @@ Eigen::Vector3d axisNamed(const std::string& name) {
   return Eigen::Vector3d::Zero();
 }
 
+double largestDistance(const std::vector<CameraCalibration>& cameras) {
+  double furthest = 0.0;
+  for (const CameraCalibration& a : cameras)
+    for (const CameraCalibration& b : cameras)
+      furthest = std::max(furthest,
+                          (a.T_world_camera.translation() - b.T_world_camera.translation()).norm());
+  return furthest;
+}
+
+Eigen::Vector3d meanImageUp(const std::vector<CameraCalibration>& cameras) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const CameraCalibration& camera : cameras) sum -= camera.T_world_camera.linear().col(1);
+  return sum / double(std::max<size_t>(cameras.size(), 1));
+}
+
+void guessUnit(const CalibrationSet& set, WorldGuess* guess) {
+  std::ostringstream reason;
+  if (set.metres_per_unit) {
+    guess->world.scale_to_metres = *set.metres_per_unit;
+    reason << "the format's";
+  } else {
+    const double distance = largestDistance(set.cameras);
+    guess->world.scale_to_metres = distance > kMaxRigInMetres ? 0.001 : 1.0;
+    reason << "guessed, the cameras are up to " << std::fixed
+           << std::setprecision(distance < 100.0 ? 1 : 0) << distance << " units apart";
+  }
+  guess->unit_reason = reason.str();
+}
+
+void guessUp(const std::vector<CameraCalibration>& cameras, WorldGuess* guess) {
+  const Eigen::Vector3d up = meanImageUp(cameras);
+  Eigen::Index axis = 0;
+  const double clear = up.cwiseAbs().maxCoeff(&axis);
+  if (clear < kClearUp) {
+    guess->up_reason = "assumed, the images' up directions agree on no axis";
+    return;
+  }
+  guess->world.up = (up[axis] < 0.0 ? "-" : "") + std::string(1, "xyz"[axis]);
+  std::ostringstream reason;
+  reason << "guessed, on average the images' up is " << std::fixed << std::setprecision(2) << up.x()
+         << ' ' << up.y() << ' ' << up.z();
+  guess->up_reason = reason.str();
+}
+
 }  // namespace
+
+WorldGuess guessWorld(const CalibrationSet& set) {
+  WorldGuess guess;
+  guessUnit(set, &guess);
+  guessUp(set.cameras, &guess);
+  return guess;
+}
 
 void WorldTransform::validate() const {
   if (!(scale_to_metres > 0.0 && scale_to_metres <= 1000.0)) {
