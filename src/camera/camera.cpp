@@ -130,6 +130,7 @@ void validatePose(const CameraCalibration& c) {
 void CameraCalibration::validate() const {
   validateIntrinsics(*this);
   validatePose(*this);
+  if (!std::isfinite(time_offset)) throwError(name, "the time offset is not finite");
 }
 
 Camera::Camera(CameraCalibration calibration) : calibration_(std::move(calibration)) {

@@ -1,5 +1,6 @@
 #include "markerless_mocap/camera/frame_set_assembler.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace markerless_mocap {
@@ -23,6 +24,30 @@ void AssemblerOptions::validate(size_t streams) const {
   checkRange("max_jump", max_jump, deadline, 86400.0);
   checkRange("min_streams", min_streams, 1, int(streams));
   checkRange("max_pending", max_pending, 1, 1000);
+  checkRange("max_drift", max_drift, 0.0, 60.0);
+  if (!offsets.empty() && offsets.size() != streams)
+    throw std::invalid_argument("assembler/offsets has " + std::to_string(offsets.size()) +
+                                " values, allowed is one for each of the " +
+                                std::to_string(streams) + " streams");
+  for (const double offset : offsets) checkRange("offsets", offset, -86400.0, 86400.0);
+}
+
+void LagEstimate::add(size_t stream, double lag_ns) {
+  constexpr uint64_t kAveraged = 100;  // items
+  const uint64_t count = std::min(++counts_[stream], kAveraged);
+  lags_ns_[stream] += (lag_ns - lags_ns_[stream]) / double(count);
+}
+
+void LagEstimate::centre() {
+  std::vector<double> sorted = lags_ns_;
+  std::sort(sorted.begin(), sorted.end());
+  const double median = (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2.0;
+  for (double& lag : lags_ns_) lag -= median;
+}
+
+void LagEstimate::reset() {
+  std::fill(lags_ns_.begin(), lags_ns_.end(), 0.0);
+  std::fill(counts_.begin(), counts_.end(), 0);
 }
 
 }  // namespace markerless_mocap

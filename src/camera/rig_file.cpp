@@ -21,7 +21,8 @@ constexpr const char* kHead =
     "# World: metres, z up, floor at z = 0. A camera's optical frame: x right, y down, z forward.\n"
     "# size: width and height, pixels. fx fy cx cy skew: pixels; integer coordinates are pixel\n"
     "# centres. distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6]], [] for none.\n"
-    "# position and orientation: of the optical frame in the world, m and quaternion x y z w.\n";
+    "# position and orientation: of the optical frame in the world, m and quaternion x y z w.\n"
+    "# time_offset: s, added to the camera's stamps; without it 0.\n";
 
 [[noreturn]] void throwError(const std::string& where, const std::string& what) {
   throw std::invalid_argument(where + ": " + what);
@@ -66,6 +67,7 @@ std::string cameraText(const CameraCalibration& c) {
   for (const auto& [key, value] : pinhole) out << "  " << key << ": " << numberText(value) << '\n';
   out << "  distortion: " << list(c.D) << "\n  position: " << list(std::array{t.x(), t.y(), t.z()})
       << "\n  orientation: " << list(std::array{q.x(), q.y(), q.z(), q.w()}) << '\n';
+  if (c.time_offset != 0.0) out << "  time_offset: " << numberText(c.time_offset) << '\n';
   return out.str();
 }
 
@@ -167,6 +169,8 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
   const auto t = camera.numbers("position", 3, "x y z, m");
   c.T_world_camera.translation() << t[0], t[1], t[2];
   c.T_world_camera.linear() = orientationIn(camera).toRotationMatrix();
+  if (const YAML::Node offset = camera.optional("time_offset"))
+    c.time_offset = camera.numberIn(offset, "time_offset");
   camera.finish();
   return c;
 }

@@ -30,6 +30,16 @@ RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_f
   if (!spare.empty()) unused_cameras_ = rig_file + " also has " + spare + ", which is not used";
 }
 
+std::vector<double> RigCollector::timeOffsets() const {
+  std::vector<double> offsets;
+  bool any = false;
+  for (const Camera& camera : file_.value_or(CameraRig())) {
+    offsets.push_back(camera.calibration().time_offset);
+    any = any || offsets.back() != 0.0;
+  }
+  return any ? offsets : std::vector<double>();
+}
+
 bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
   if (file_) return false;
   std::optional<sensor_msgs::CameraInfo>& known = infos_.at(camera);

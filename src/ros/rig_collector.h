@@ -26,6 +26,8 @@ class RigCollector {
   bool isFromFile() const { return file_.has_value(); }
   /// Message about cameras of the file that are not in `cameras`; empty if there are none.
   const std::string& unusedCameras() const { return unused_cameras_; }
+  /// Time offset of each camera in the rig file, s; empty without a file or without offsets.
+  std::vector<double> timeOffsets() const;
   /// Stores the message; returns true if it changes the rig.
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "camera/timing_remarks.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -170,6 +172,106 @@ TEST(FrameSetAssembler, BadInputIsRefused) {
   AssemblerOptions options;
   options.deadline = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Assembler(2, options), std::invalid_argument);
+}
+
+AssemblerOptions withOffsets(std::vector<double> offsets, double max_drift = 0.0) {
+  AssemblerOptions options;
+  options.offsets = std::move(offsets);
+  options.max_drift = max_drift;
+  return options;
+}
+
+TEST(FrameSetAssembler, OffsetsAreAddedToTheStampsOfTheirStream) {
+  Assembler assembler(2, withOffsets({0.0, -0.25}));
+  assembler.add(0, kSecond, 1);
+  const Instants out = assembler.add(1, kSecond + 252 * kMs, 2);
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_EQ(out[0].stamp_ns, kSecond);
+  EXPECT_EQ(out[0].stamps_ns, (std::vector<int64_t>{kSecond, kSecond + 2 * kMs}));
+  EXPECT_EQ(out[0].items, (std::vector<int>{1, 2}));
+  EXPECT_TRUE(assembler.add(1, 2 * kSecond, 3).empty());
+  EXPECT_EQ(assembler.add(0, 2 * kSecond - 250 * kMs, 4)[0].stamp_ns, 2 * kSecond - 250 * kMs);
+}
+
+/// Frame sets with all streams of 3600 at 30 per second, of which the last drifts by 300 ppm: 36 ms
+/// in the end.
+uint64_t completeWithDrift(Assembler* assembler) {
+  for (int k = 0; k < 3600; ++k) {
+    const int64_t stamp = kSecond + k * (kSecond / 30);
+    assembler->add(0, stamp, k);
+    assembler->add(1, stamp + kMs, k);
+    assembler->add(2, stamp + int64_t(3e-4 * double(k) / 30.0 * 1e9), k);
+  }
+  return assembler->counts().complete;
+}
+
+TEST(FrameSetAssembler, DriftIsFollowedAndSaid) {
+  Assembler following(3, withOffsets({}, 0.1)), rigid(3, withOffsets({}));
+  EXPECT_EQ(completeWithDrift(&following), 3600u);
+  EXPECT_NEAR(following.timing(2).lag, 0.036, 0.003);
+  EXPECT_EQ(following.timing(2).left_out, 0u);
+  EXPECT_LT(completeWithDrift(&rigid), 1300u);  // 500, and 670 that meet the next frames
+}
+
+TEST(FrameSetAssembler, DriftIsFollowedNoFurtherThanAllowed) {
+  Assembler assembler(3, withOffsets({}, 0.01));
+  const uint64_t complete = completeWithDrift(&assembler);
+  EXPECT_GT(complete, 1500u);  // 10 ms and the tolerance behind stream 1 are reached after 1600
+  EXPECT_LT(complete, 1650u);
+  EXPECT_GT(assembler.timing(2).left_out, 1000u);
+}
+
+TEST(FrameSetAssembler, AStreamThatLagsIsMeasuredAndOneThatIsLeftOutIsTold) {
+  Assembler assembler = makeAssembler(4);
+  for (int k = 0; k < 200; ++k) {
+    const int64_t stamp = kSecond + k * (kSecond / 10);
+    assembler.add(0, stamp, k);
+    assembler.add(1, stamp, k);
+    assembler.add(2, stamp + 4 * kMs, k);
+    assembler.add(3, stamp + 20 * kMs, k);
+  }
+  EXPECT_NEAR(assembler.timing(0).lag, 0.0, 1e-9);
+  EXPECT_NEAR(assembler.timing(2).lag, 0.004, 1e-9);
+  EXPECT_EQ(assembler.timing(2).left_out, 0u);
+  EXPECT_GE(assembler.timing(3).left_out, 198u);
+  EXPECT_NEAR(assembler.timing(3).nearest.value(), 0.02, 1e-9);
+  EXPECT_THROW(assembler.timing(4), std::out_of_range);
+  assembler.reset();
+  EXPECT_EQ(assembler.timing(3).left_out, 0u);
+  EXPECT_EQ(assembler.timing(2).lag, 0.0);
+}
+
+TEST(FrameSetAssembler, StampsComeOutAsTheyWereWithoutOffsets) {
+  Assembler assembler = makeAssembler(2);
+  for (int k = 0; k < 300; ++k) {
+    const int64_t stamp = kSecond + k * (kSecond / 30);
+    assembler.add(0, stamp, k);
+    const Instants out = assembler.add(1, stamp + 4 * kMs, k);
+    ASSERT_EQ(out.size(), 1u);
+    ASSERT_EQ(out[0].stamp_ns, stamp);
+    ASSERT_EQ(out[0].stamps_ns[1], stamp + 4 * kMs);
+  }
+}
+
+TEST(FrameSetAssembler, WrongOffsetsAreRefused) {
+  EXPECT_THROW(Assembler(3, withOffsets({0.0, 0.1})), std::invalid_argument);
+  EXPECT_THROW(Assembler(1, withOffsets({std::numeric_limits<double>::quiet_NaN()})),
+               std::invalid_argument);
+  EXPECT_THROW(Assembler(2, withOffsets({}, -1.0)), std::invalid_argument);
+}
+
+TEST(TimingRemarks, SayWhichCameraAndHowMuch) {
+  AssemblerOptions options;
+  EXPECT_EQ(lagRemark("cam2", {0.0024, 0, {}}, options), "");
+  EXPECT_EQ(lagRemark("cam2", {0.0031, 0, {}}, options),
+            "cam2's stamps are 3.1 ms later than the others', allowed are 5.0 ms");
+  options.max_drift = 0.1;
+  EXPECT_EQ(lagRemark("cam2", {-0.0031, 0, {}}, options), "");
+  EXPECT_EQ(lagRemark("cam2", {-0.06, 0, {}}, options),
+            "cam2's stamps are 60.0 ms earlier than the others', drift is followed up to 100.0 ms");
+  EXPECT_EQ(missRemark("cam3", {0.0, 1, 0.041}),
+            "cam3 is left out, its nearest stamp is 41.0 ms later");
+  EXPECT_EQ(missRemark("cam3", {0.0, 1, {}}), "cam3 is left out, nothing comes from it");
 }
 
 }  // namespace

@@ -71,6 +71,17 @@ TEST(RigFileTest, aRigOnceReadKeepsEveryBit) {
   }
 }
 
+TEST(RigFileTest, aTimeOffsetIsKeptAndWrittenOnlyWhereThereIsOne) {
+  auto rig = twoCameras();
+  EXPECT_EQ(rigText(rig).find("  time_offset"), std::string::npos);
+  rig[1].time_offset = -0.0125;
+  const auto again = rigFromText(rigText(rig), "rig.yaml");
+  EXPECT_EQ(again[0].time_offset, 0.0);
+  EXPECT_EQ(again[1].time_offset, -0.0125);
+  EXPECT_EQ(errorForCamera("fx: 70", "time_offset: soon\n  fx: 70"),
+            "rig.yaml, camera 'a': 'time_offset' holds soon, allowed are finite numbers");
+}
+
 TEST(RigFileTest, theFormatIsThatOfTheManual) {
   const auto rig = rigFromText(std::string("cameras:\n") + kCamera, "rig.yaml");
   EXPECT_EQ(rig[0].K, (Eigen::Matrix3d() << 70, 0, 39.5, 0, 72, 29.5, 0, 0, 1).finished());
@@ -100,7 +111,7 @@ TEST(RigFileTest, faultsAreNamed) {
             "rig.yaml, camera 'a': key 'cy' is repeated");
   EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  zoom: 3"),
             "rig.yaml, camera 'a': key 'zoom' is unknown, allowed are cx, cy, distortion, fx, fy, "
-            "name, orientation, position, size, skew");
+            "name, orientation, position, size, skew, time_offset");
 }
 
 TEST(RigFileTest, valuesThatAreNoCameraAreNamed) {

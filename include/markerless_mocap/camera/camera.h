@@ -18,9 +18,11 @@ struct CameraCalibration {
   std::vector<double> D;
   /// Optical frame (x right, y down, z forward; REP-103) to world, metres.
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  double time_offset = 0.0;  ///< s, to be added to the camera's stamps for the rig's common time
 
   /// Throws std::invalid_argument on an empty size, a zero or non-finite K, a D of a wrong length,
-  /// or a pose that is not a rigid transform. The message names the camera.
+  /// a pose that is not a rigid transform, or a time offset that is not finite. The message names
+  /// the camera.
   void validate() const;
 };
 

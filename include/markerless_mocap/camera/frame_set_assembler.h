@@ -27,14 +27,47 @@ struct AssemblerOptions {
   double max_jump = 5.0;     ///< a stamp further ahead than this is not accepted at first
   int min_streams = 2;
   int max_pending = 16;  ///< maximum number of frame sets that wait
+  /// Added to the stamps of each stream, for streams with other clocks; empty: nothing.
+  std::vector<double> offsets;
+  /// Lags up to this are followed, as of clocks that drift; 0: they are measured, no more.
+  double max_drift = 0.0;
 
-  /// Throws std::invalid_argument if a value is out of range or `min_streams` is above `streams`.
+  /// Throws std::invalid_argument if a value is out of range `min_streams` is above `streams`, or
+  /// there is another number of offsets than of streams.
   void validate(size_t streams) const;
+};
+
+/// How one stream's stamps lie to those of the others.
+struct StreamTiming {
+  double lag = 0.0;       ///< s, behind the median of the streams; a mean over some 100 frame sets
+  uint64_t left_out = 0;  ///< frame sets that were returned without this stream
+  /// s, from the last of those to the stream's nearest item since; empty if there was none.
+  std::optional<double> nearest;
+};
+
+/// The lags of streams, slowly averaged.
+class LagEstimate {
+ public:
+  explicit LagEstimate(size_t streams) : lags_ns_(streams, 0.0), counts_(streams, 0) {}
+
+  /// \param lag_ns of one item of the stream
+  void add(size_t stream, double lag_ns);
+  double lag_ns(size_t stream) const { return lags_ns_[stream]; }
+  /// Measures all lags from their median.
+  void centre();
+  void reset();
+
+ private:
+  std::vector<double> lags_ns_;
+  std::vector<uint64_t> counts_;
 };
 
 /// Joins the items of N streams into frame sets by their stamps. It uses no clock: time is given by
 /// the stamps. Items of one stream come in the order of their stamps, so a complete frame set
 /// closes the older ones.
+///
+/// Streams with other clocks have offsets. If clocks drift as well, each stream's lag is followed:
+/// its mean so far is taken off the stamps, so that only what is left must be within the tolerance.
 ///
 /// A stamp that is far ahead, or older than the deadline, is not accepted at first. If more streams
 /// send such stamps (twice in a row) than plausible ones, time has jumped: a bag loops, or a clock
@@ -46,9 +79,10 @@ template <class Item>
 class FrameSetAssembler {
  public:
   struct FrameSet {
-    int64_t stamp_ns = 0;     ///< of the first item that arrived
+    int64_t stamp_ns = 0;     ///< of the first item that arrived, with offset and without lag
     std::vector<Item> items;  ///< one per stream; default-constructed where missing
     std::vector<bool> present;
+    std::vector<int64_t> stamps_ns;  ///< one per stream, with offset and without lag; 0: missing
   };
 
   /// Throws std::invalid_argument as AssemblerOptions::validate().
@@ -62,6 +96,9 @@ class FrameSetAssembler {
   /// Discards all state and sets the counts to 0.
   void reset();
   const AssemblerCounts& counts() const { return counts_; }
+  /// Lag with the stream's offset applied, and how often it was left out since the construction or
+  /// the last reset(). Throws std::out_of_range if there is no such stream.
+  StreamTiming timing(size_t stream) const;
 
  private:
   using Pending = std::map<int64_t, FrameSet>;
@@ -76,6 +113,11 @@ class FrameSetAssembler {
     Item item;
   };
 
+  /// With the offset and without the lag that is followed.
+  int64_t commonTime(size_t stream, int64_t stamp_ns) const;
+  int64_t followedLag(size_t stream) const;
+  void measureLags(const FrameSet& frame_set);
+  void noteMissing(const FrameSet& frame_set);
   StampCheck checkStamp(int64_t stamp_ns) const;
   void remember(Arrival arrival);
   /// Adds the item to its frame set, or counts it as dropped.
@@ -94,7 +136,11 @@ class FrameSetAssembler {
   size_t streams_;
   AssemblerOptions options_;
   int64_t tolerance_ns_, deadline_ns_, max_jump_ns_;
+  std::vector<int64_t> offsets_ns_;
   AssemblerCounts counts_;
+  std::vector<uint64_t> left_out_;
+  std::vector<std::optional<double>> nearest_;
+  LagEstimate lags_;
   Pending pending_;
   std::optional<int64_t> newest_ns_;
   std::optional<int64_t> last_out_ns_;

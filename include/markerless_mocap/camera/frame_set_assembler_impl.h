@@ -13,11 +13,18 @@ namespace markerless_mocap {
 
 template <class Item>
 FrameSetAssembler<Item>::FrameSetAssembler(size_t streams, const AssemblerOptions& options)
-    : streams_(streams), options_(options) {
+    : streams_(streams),
+      options_(options),
+      offsets_ns_(streams, 0),
+      left_out_(streams, 0),
+      nearest_(streams),
+      lags_(streams) {
   options_.validate(streams);
   tolerance_ns_ = std::llround(options.tolerance * 1e9);
   deadline_ns_ = std::llround(options.deadline * 1e9);
   max_jump_ns_ = std::llround(options.max_jump * 1e9);
+  for (size_t i = 0; i < options.offsets.size(); ++i)
+    offsets_ns_[i] = std::llround(options.offsets[i] * 1e9);
 }
 
 template <class Item>
@@ -26,15 +33,16 @@ auto FrameSetAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
   if (stream >= streams_)
     throw std::invalid_argument("assembler: stream " + std::to_string(stream) + " of " +
                                 std::to_string(streams_) + " does not exist");
-  const StampCheck check = checkStamp(stamp_ns);
+  const int64_t time_ns = commonTime(stream, stamp_ns);
+  const StampCheck check = checkStamp(time_ns);
   if (check != StampCheck::kPlausible) {
     ++(check == StampCheck::kTooOld ? counts_.late : counts_.far_future);
     remember({stream, check, stamp_ns, std::move(item)});
     return timeHasJumped(check) ? restartAtJump(check) : std::vector<FrameSet>();
   }
   remember({stream, check, stamp_ns, Item()});
-  newest_ns_ = std::max(newest_ns_.value_or(stamp_ns), stamp_ns);
-  insert(stream, stamp_ns, std::move(item));
+  newest_ns_ = std::max(newest_ns_.value_or(time_ns), time_ns);
+  insert(stream, time_ns, std::move(item));
   return takeReady();
 }
 
@@ -49,6 +57,54 @@ template <class Item>
 void FrameSetAssembler<Item>::reset() {
   forget();
   counts_ = {};
+  left_out_.assign(streams_, 0);
+  nearest_.assign(streams_, std::nullopt);
+}
+
+template <class Item>
+StreamTiming FrameSetAssembler<Item>::timing(size_t stream) const {
+  const uint64_t left_out = left_out_.at(stream);
+  return {1e-9 * lags_.lag_ns(stream), left_out, nearest_[stream]};
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::noteMissing(const FrameSet& frame_set) {
+  for (size_t i = 0; i < streams_; ++i) {
+    if (frame_set.present[i]) continue;
+    ++left_out_[i];
+    nearest_[i].reset();
+    for (const Arrival& arrival : recent_) {
+      const double distance = 1e-9 * double(commonTime(i, arrival.stamp_ns) - frame_set.stamp_ns);
+      if (arrival.stream == i && !(nearest_[i] && std::abs(*nearest_[i]) <= std::abs(distance)))
+        nearest_[i] = distance;
+    }
+  }
+}
+
+template <class Item>
+int64_t FrameSetAssembler<Item>::followedLag(size_t stream) const {
+  const double most = 1e9 * options_.max_drift;
+  return std::llround(std::clamp(lags_.lag_ns(stream), -most, most));
+}
+
+template <class Item>
+int64_t FrameSetAssembler<Item>::commonTime(size_t stream, int64_t stamp_ns) const {
+  return stamp_ns + offsets_ns_[stream] - followedLag(stream);
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::measureLags(const FrameSet& frame_set) {
+  std::vector<int64_t> times;
+  for (size_t i = 0; i < streams_; ++i)
+    if (frame_set.present[i]) times.push_back(frame_set.stamps_ns[i]);
+  if (times.size() < 2) return;
+  std::sort(times.begin(), times.end());
+  const int64_t low = times[(times.size() - 1) / 2], high = times[times.size() / 2];
+  const int64_t median = low + (high - low) / 2;
+  for (size_t i = 0; i < streams_; ++i)
+    if (frame_set.present[i])
+      lags_.add(i, double(frame_set.stamps_ns[i] - median + followedLag(i)));
+  if (options_.max_drift > 0.0) lags_.centre();
 }
 
 template <class Item>
@@ -59,7 +115,8 @@ void FrameSetAssembler<Item>::insert(size_t stream, int64_t stamp_ns, Item item)
       ++(wasInLastFrameSet(stream, stamp_ns) ? counts_.duplicate : counts_.late);
       return;
     }
-    FrameSet frame_set{stamp_ns, std::vector<Item>(streams_), std::vector<bool>(streams_, false)};
+    FrameSet frame_set{stamp_ns, std::vector<Item>(streams_), std::vector<bool>(streams_, false),
+                       std::vector<int64_t>(streams_, 0)};
     found = pending_.emplace(stamp_ns, std::move(frame_set)).first;
   }
   FrameSet& frame_set = found->second;
@@ -69,6 +126,7 @@ void FrameSetAssembler<Item>::insert(size_t stream, int64_t stamp_ns, Item item)
   }
   frame_set.items[stream] = std::move(item);
   frame_set.present[stream] = true;
+  frame_set.stamps_ns[stream] = stamp_ns;
 }
 
 template <class Item>
@@ -120,6 +178,8 @@ void FrameSetAssembler<Item>::closeOldest(std::vector<FrameSet>* out) {
   ++(present == streams_ ? counts_.complete : counts_.incomplete);
   last_out_ns_ = frame_set.stamp_ns;
   last_out_present_ = frame_set.present;
+  noteMissing(frame_set);
+  measureLags(frame_set);
   out->push_back(std::move(frame_set));
 }
 
@@ -173,6 +233,7 @@ void FrameSetAssembler<Item>::forget() {
   last_out_ns_.reset();
   last_out_present_.clear();
   recent_.clear();
+  lags_.reset();
 }
 
 }  // namespace markerless_mocap

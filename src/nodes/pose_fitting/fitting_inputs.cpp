@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "camera/timing_remarks.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 
@@ -40,6 +41,8 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       tf_listener_(tf_),
       collector_(options.cameras, options.world_frame, options.rig_file),
       assembler_(needs.masks ? 4 : 3, joinOptions(needs)),
+      offsets_(collector_.timeOffsets()),
+      lags_(options.cameras.size()),
       masks_(options.cameras.size(), kMaxViews),
       images_(options.cameras.size(), kMaxViews),
       pending_(kMaxWaiting),
@@ -136,12 +139,26 @@ void FittingInputs::dispatchReady() {
 
 bool FittingInputs::waitsForViews(const FittingMessages& input) const {
   if (!needs_.masks) return false;
-  const int64_t stamp_ns = nanosecondsOf(input.header.stamp), tolerance = stampTolerance();
-  for (size_t i = 0; i < options_.cameras.size(); ++i)
+  const int64_t hull_ns = nanosecondsOf(input.header.stamp), tolerance = stampTolerance();
+  for (size_t i = 0; i < options_.cameras.size(); ++i) {
+    const int64_t stamp_ns = stampOfCamera(i, hull_ns);
     if (masks_.mayStillCome(i, stamp_ns, tolerance, kMaxDelay) ||
         (colors_ && colors_->mayStillCome(i, stamp_ns, tolerance, kMaxDelay)))
       return true;
+  }
   return false;
+}
+
+int64_t FittingInputs::stampOfCamera(size_t camera, int64_t hull_stamp_ns) const {
+  if (offsets_.empty()) return hull_stamp_ns;
+  return hull_stamp_ns - std::llround(1e9 * offsets_[camera] - lags_.lag_ns(camera));
+}
+
+// The hull's stamp has the lags taken off that visual_hull follows; here they are found anew.
+void FittingInputs::followLag(size_t camera, int64_t mask_stamp_ns, int64_t hull_stamp_ns) {
+  if (offsets_.empty()) return;
+  const double lag = double(mask_stamp_ns - hull_stamp_ns) + 1e9 * offsets_[camera];
+  if (std::abs(lag) <= 1e9 * kFollowedDrift) lags_.add(camera, lag);
 }
 
 int64_t FittingInputs::stampTolerance() const {
@@ -149,10 +166,12 @@ int64_t FittingInputs::stampTolerance() const {
 }
 
 void FittingInputs::addViews(FittingMessages* input) {
-  const int64_t stamp_ns = nanosecondsOf(input->header.stamp);
+  const int64_t hull_ns = nanosecondsOf(input->header.stamp);
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
-    const Mask mask = masks_.take(i, stamp_ns, stampTolerance());
-    if (!mask.message)
+    const Mask mask = masks_.take(i, stampOfCamera(i, hull_ns), stampTolerance());
+    if (mask.message)
+      followLag(i, nanosecondsOf(mask.message->header.stamp), hull_ns);
+    else
       status_->count("frame sets without the silhouette of " + options_.cameras[i]);
     input->masks.push_back(mask.message);
     if (needs_.images || needs_.colors) input->images.push_back(takeImage(i, mask));

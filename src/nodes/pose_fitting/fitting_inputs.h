@@ -73,6 +73,9 @@ class FittingInputs {
   void dispatchReady();
   bool waitsForViews(const FittingMessages& input) const;
   int64_t stampTolerance() const;  ///< nanoseconds
+  /// The stamp that a camera's silhouette of this hull has by the camera's own clock.
+  int64_t stampOfCamera(size_t camera, int64_t hull_stamp_ns) const;
+  void followLag(size_t camera, int64_t mask_stamp_ns, int64_t hull_stamp_ns);
   void addViews(FittingMessages* input);
   CameraImage takeImage(size_t camera, const Mask& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
@@ -88,6 +91,8 @@ class FittingInputs {
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;
+  std::vector<double> offsets_;  ///< s, of the cameras' clocks; empty: they agree
+  LagEstimate lags_;             ///< of clocks that do not agree
   StampCache<Mask> masks_;
   StampCache<CameraImage> images_;
   HoldingQueue<FittingMessages> pending_;  ///< joined, but without views

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "camera/timing_remarks.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
@@ -20,11 +21,13 @@ constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
 constexpr double kMarkerDepth = 0.5;
 
-AssemblerOptions assemblerOptions(const HullNodeOptions& node) {
+AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
   AssemblerOptions options;
   options.tolerance = node.stamp_tolerance;
   options.deadline = node.deadline;
   options.min_streams = 1;  // the reason is published even if a frame set has too few cameras
+  options.offsets = rig.timeOffsets();
+  if (!options.offsets.empty()) options.max_drift = kFollowedDrift;
   return options;
 }
 
@@ -49,7 +52,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       node_options_(node_options),
       tf_listener_(tf_),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
-      assembler_(node_options.cameras.size(), assemblerOptions(node_options)),
+      assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
       images_(node_options.cameras.size(), kMaxImages),
       waiting_(kMaxWaiting),
       status_(handle, private_handle, "visual hull"),
@@ -136,7 +139,7 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
     prepareCarver(header);
     const std::vector<CameraImage> images = takeImages(frame_set);
     hull = carver_->carve(viewsOf(frame_set, images));
-    reportHull(hull);
+    reportHull(hull, timingRemarks(frame_set));
   } catch (const std::exception& error) {
     hull = VisualHull();
     status_.problem(error.what());
@@ -144,15 +147,28 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
   publishShared(points_, messageFromHull(hull, header));
 }
 
-void HullStage::reportHull(const VisualHull& hull) {
+std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
+  const AssemblerOptions options = assemblerOptions(node_options_, rig_);
+  std::string remarks;
+  for (size_t i = 0; i < frame_set.present.size(); ++i) {
+    const std::string& camera = node_options_.cameras[i];
+    const StreamTiming timing = assembler_.timing(i);
+    const std::string remark =
+        frame_set.present[i] ? lagRemark(camera, timing, options) : missRemark(camera, timing);
+    if (!remark.empty()) remarks += "; " + remark;
+  }
+  return remarks;
+}
+
+void HullStage::reportHull(const VisualHull& hull, const std::string& timing) {
   for (const LeftOutCamera& camera : hull.cameras_left_out)
     status_.count("frame sets without camera " + camera.name);
   if (hull.status != HullStatus::kOk)
     status_.problem(hull.reason);
-  else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost)
+  else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost && timing.empty())
     status_.ok(messageFor(hull));
   else
-    status_.waiting(messageFor(hull));
+    status_.waiting(messageFor(hull) + timing);
 }
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {
@@ -205,6 +221,9 @@ void HullStage::reportCounts() {
   status_.set("masks far in the future", counts.far_future);
   status_.set("frame sets dropped from a full queue", counts.overflow);
   status_.set("time went back", counts.time_jumps_back);
+  for (size_t i = 0; i < node_options_.cameras.size(); ++i)
+    status_.set("frame sets without the mask of " + node_options_.cameras[i],
+                assembler_.timing(i).left_out);
 }
 
 }  // namespace markerless_mocap

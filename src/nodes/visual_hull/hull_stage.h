@@ -36,7 +36,9 @@ class HullStage {
   bool waitsForImages(const Assembler::FrameSet& frame_set) const;
   void process(const Assembler::FrameSet& frame_set);
   /// Reports the result for a frame set, and which cameras were left out.
-  void reportHull(const VisualHull& hull);
+  void reportHull(const VisualHull& hull, const std::string& timing);
+  /// What is said of cameras that lag or are missing, each after "; "; empty: nothing.
+  std::string timingRemarks(const Assembler::FrameSet& frame_set) const;
   void prepareBeforehand(const ros::Time& stamp);
   /// Makes the carver as soon as rig and transforms are known; throws the reason if they are not.
   void prepareCarver(const std_msgs::Header& header);

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "camera/timing_remarks.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "ros/camera_conversions.h"
@@ -17,8 +18,12 @@ namespace markerless_mocap {
 namespace {
 
 /// In a recording, a late camera can be waited for longer than in real time.
-AssemblerOptions offlineAssembly() {
+AssemblerOptions offlineAssembly(double tolerance, const std::vector<double>& offsets) {
   AssemblerOptions options;
+  options.tolerance = tolerance;
+  options.offsets = offsets;
+  for (const double offset : offsets)
+    if (offset != 0.0) options.max_drift = kFollowedDrift;
   options.deadline = 0.5;
   options.max_pending = 1000;  // limited by the deadline instead; no overflow
   return options;
@@ -133,7 +138,34 @@ void Recording::startReading() {
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topics), first,
                                          first + ros::Duration(seconds));
   message_ = view_->begin();
-  assembler_ = std::make_unique<Assembler>(streams_.size(), offlineAssembly());
+  startJoining();
+}
+
+void Recording::startJoining() {
+  assembler_ = std::make_unique<Assembler>(streams_.size(),
+                                           offlineAssembly(options_.stamp_tolerance, offsets()));
+}
+
+std::vector<double> Recording::offsets() const {
+  std::vector<double> offsets;
+  for (const Stream& stream : streams_)
+    offsets.push_back(rig_[stream.camera].calibration().time_offset);
+  return offsets;
+}
+
+std::vector<std::string> Recording::timingRemarks() const {
+  std::vector<std::string> remarks;
+  if (!assembler_) return remarks;
+  const AssemblerOptions options = offlineAssembly(options_.stamp_tolerance, offsets());
+  for (size_t i = 0; i < streams_.size(); ++i) {
+    const StreamTiming timing = assembler_->timing(i);
+    const std::string lag = lagRemark(streams_[i].topic, timing, options);
+    if (!lag.empty()) remarks.push_back(lag);
+    if (timing.left_out > 0)
+      remarks.push_back(std::to_string(timing.left_out) + " frame sets lack " + streams_[i].topic +
+                        "; in the last, " + missRemark(cameras_[streams_[i].camera].name, timing));
+  }
+  return remarks;
 }
 
 void Recording::readMessage() {
@@ -162,7 +194,7 @@ void Recording::skip(int frame_sets) {
   if (!view_) startReading();
   for (; frame_sets > 0 && !ready_.empty(); --frame_sets) ready_.pop_front();
   if (frame_sets == 0) return;
-  assembler_ = std::make_unique<Assembler>(streams_.size(), offlineAssembly());
+  startJoining();
   size_t messages = size_t(frame_sets) * streams_.size();
   for (; messages > 0 && message_ != view_->end(); --messages, ++messages_read_) ++message_;
 }

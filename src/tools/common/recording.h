@@ -29,7 +29,8 @@ struct RecordingOptions {
   std::string world_frame = "world";
   /// Rig file that replaces camera_info and tf; empty: none.
   std::string rig;
-  double start = 0.0;                                         ///< seconds after the first image
+  double stamp_tolerance = 0.005;  ///< stamps closer than this belong to one frame set, s
+  double start = 0.0;              ///< seconds after the first image
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
 
@@ -68,6 +69,8 @@ class Recording {
   double fractionRead() const;
 
   const AssemblerCounts& counts() const { return counts_; }
+  /// Sentences about cameras that lag or were left out of frame sets.
+  std::vector<std::string> timingRemarks() const;
   /// Number of images that could not be decoded; they are missing in their frame sets.
   int unreadable() const { return unreadable_; }
   const std::string& firstUnreadable() const { return first_unreadable_; }
@@ -84,6 +87,8 @@ class Recording {
   void useRigFile();
   void listStreams();
   void startReading();
+  void startJoining();
+  std::vector<double> offsets() const;  ///< of the streams' clocks, s
   void readMessage();
   FrameSet frameSetOf(const Assembler::FrameSet& frame_set);
 

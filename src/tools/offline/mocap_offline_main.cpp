@@ -42,6 +42,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--save-body", run.save_body, "file for the estimated body shape of the person");
   app.add_option("--urdf-template", run.urdf_template,
                  "URDF template, replaces that of the package");
+  app.add_option("--stamp-tolerance", run.recording.stamp_tolerance,
+                 "stamps closer than this belong to one frame set, s")
+      ->capture_default_str();
   app.add_option("--start", run.recording.start, "start this many seconds after the first image")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--duration", run.recording.duration, "seconds to process")

@@ -36,6 +36,7 @@ void remarkOn(const Recording& recording, std::ostream& notes) {
   const AssemblerCounts& counts = recording.counts();
   if (counts.incomplete > 0)
     notes << counts.incomplete << " frame sets lack the image of a camera\n";
+  for (const std::string& remark : recording.timingRemarks()) notes << remark << '\n';
   if (const uint64_t dropped = counts.abandoned + counts.late + counts.duplicate)
     notes << dropped
           << " images were not used: no other camera at that time, too late or duplicate\n";

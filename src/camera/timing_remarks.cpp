@@ -1,0 +1,37 @@
+#include "camera/timing_remarks.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace markerless_mocap {
+namespace {
+
+std::string milliseconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", 1e3 * std::abs(seconds));
+  return text;
+}
+
+const char* direction(double seconds) {
+  return seconds > 0.0 ? "later" : "earlier";
+}
+
+}  // namespace
+
+std::string lagRemark(const std::string& camera, const StreamTiming& timing,
+                      const AssemblerOptions& options) {
+  const bool followed = options.max_drift > 0.0;
+  const double allowed = followed ? options.max_drift : options.tolerance;
+  if (!(std::abs(timing.lag) > allowed / 2.0)) return "";
+  return camera + "'s stamps are " + milliseconds(timing.lag) + ' ' + direction(timing.lag) +
+         " than the others', " + (followed ? "drift is followed up to " : "allowed are ") +
+         milliseconds(allowed);
+}
+
+std::string missRemark(const std::string& camera, const StreamTiming& timing) {
+  if (!timing.nearest) return camera + " is left out, nothing comes from it";
+  return camera + " is left out, its nearest stamp is " + milliseconds(*timing.nearest) + ' ' +
+         direction(*timing.nearest);
+}
+
+}  // namespace markerless_mocap
