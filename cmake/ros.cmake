@@ -34,12 +34,13 @@ mocap_room(ros DEPENDS tracking LIBRARIES opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # One executable per stage, named as the node, hosts the stage's nodelet.
-set(stages silhouette visual_hull body_segmentation pose_tree pose_fitting virtual_studio)
+set(stages silhouette visual_hull body_segmentation pose_tree pose_fitting virtual_studio usb_cameras)
 file(GLOB_RECURSE node_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/nodes/*.cpp)
 list(FILTER node_sources EXCLUDE REGEX "_main\\.cpp$")
 add_library(markerless_mocap_nodelets SHARED ${node_sources})
 target_include_directories(markerless_mocap_nodelets PRIVATE ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(markerless_mocap_nodelets PUBLIC mocap_ros mocap_pipeline mocap_capture)
+target_link_libraries(markerless_mocap_nodelets PUBLIC mocap_ros mocap_pipeline mocap_capture
+  opencv_videoio)
 mocap_use_ros(markerless_mocap_nodelets)
 if(hri_msgs_FOUND)
   target_compile_definitions(markerless_mocap_nodelets PRIVATE MOCAP_WITH_HRI_MSGS)

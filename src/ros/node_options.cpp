@@ -134,4 +134,38 @@ void StudioNodeOptions::validate() const {
   checkBodyId(kStage, body_id);
 }
 
+void UsbCameraOptions::visit(OptionVisitor& v) {
+  v.field("cameras", cameras,
+          "names of the cameras; the topics of camera c are c/image_raw and, with a rig file, "
+          "c/camera_info");
+  v.field("sources", sources,
+          "for each camera its device such as /dev/video0, the device's number, or a video file");
+  v.field("rig_file", rig_file, {}, "rig file whose camera_info and tf are published; empty: none");
+  v.field("world_frame", world_frame, {}, "frame that the rig stands in");
+  v.field("width", width, 16, 16384, "width of the images of devices, px");
+  v.field("height", height, 16, 16384, "height of the images of devices, px");
+  v.field("fps", fps, 0.1, 1000.0, "images of a device per second");
+  v.field("pixel_format", pixel_format, {},
+          "four letters of the format that devices send; MJPG lets several cameras share a USB "
+          "bus");
+  v.field("exposure", exposure, 0, 1000000,
+          "exposure of devices in the driver's unit, mostly 0.1 ms; 0: automatic");
+  v.field("white_balance", white_balance, 0, 20000,
+          "white balance of devices, kelvin; 0: automatic");
+  v.field("loop", loop, "whether video files begin again at their end");
+}
+
+void UsbCameraOptions::validate() const {
+  checkFields(*this);
+  checkCameras(kStage, cameras, 1);
+  checkWorldFrame(kStage, world_frame);
+  if (sources.size() != cameras.size())
+    throw std::invalid_argument("usb_cameras/sources lists " + std::to_string(sources.size()) +
+                                " sources, allowed is one for each of the " +
+                                std::to_string(cameras.size()) + " cameras");
+  if (pixel_format.size() != 4)
+    throw std::invalid_argument("usb_cameras/pixel_format is \"" + pixel_format +
+                                "\", allowed are four letters such as MJPG or YUYV");
+}
+
 }  // namespace markerless_mocap

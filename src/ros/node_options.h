@@ -97,4 +97,35 @@ struct StudioNodeOptions {
   void validate() const;
 };
 
+/// Options of the node `usb_cameras`.
+struct UsbCameraOptions {
+  static constexpr const char* kStage = "usb_cameras";
+  /// names of the cameras; the topics of camera c are c/image_raw and, with a rig file,
+  /// c/camera_info
+  std::vector<std::string> cameras;
+  /// for each camera its device such as /dev/video0, the device's number, or a video file
+  std::vector<std::string> sources;
+  /// rig file whose camera_info and tf are published; empty: none
+  std::string rig_file;
+  /// frame that the rig stands in
+  std::string world_frame = "world";
+  /// width of the images of devices, px
+  int width = 1280;
+  /// height of the images of devices, px
+  int height = 720;
+  /// images of a device per second
+  double fps = 30.0;
+  /// four letters of the format that devices send; MJPG lets several cameras share a USB bus
+  std::string pixel_format = "MJPG";
+  /// exposure of devices in the driver's unit, mostly 0.1 ms; 0: automatic
+  int exposure = 100;
+  /// white balance of devices, kelvin; 0: automatic
+  int white_balance = 4500;
+  /// whether video files begin again at their end
+  bool loop = false;
+
+  void visit(OptionVisitor& v);
+  void validate() const;
+};
+
 }  // namespace markerless_mocap

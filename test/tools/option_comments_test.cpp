@@ -108,6 +108,7 @@ TEST_F(OptionComments, AreTheMeaningsThatTheLoaderGives) {
   expectSame<HullNodeOptions>("HullNodeOptions");
   expectSame<FittingNodeOptions>("FittingNodeOptions");
   expectSame<StudioNodeOptions>("StudioNodeOptions");
+  expectSame<UsbCameraOptions>("UsbCameraOptions");
   for (const auto& entry : optionsOf(HsiaoLimits::fromThesis()))  // a key per angle, two arrays
     EXPECT_EQ(structs_["HsiaoLimits"]["lower, upper"], entry.meaning) << entry.path;
   seen_.insert("HsiaoLimits");

@@ -38,7 +38,8 @@ std::string parameterPage() {
       "Beside the above, in the same private namespace; the launch files set them, a configuration "
       "file does\nnot hold them.\n";
   return page + nodeTable<SilhouetteNodeOptions>() + nodeTable<HullNodeOptions>() +
-         nodeTable<FittingNodeOptions>() + nodeTable<StudioNodeOptions>();
+         nodeTable<FittingNodeOptions>() + nodeTable<StudioNodeOptions>() +
+         nodeTable<UsbCameraOptions>();
 }
 
 std::string allOptionsPage() {

@@ -15,7 +15,7 @@ struct ImportOptions {
   std::string output;   ///< bag to write
   std::string rig_out;  ///< rig file to write, or empty
   WorldTransform world;
-  double fps = 0.0;          ///< frame sets per second; 0: the rate of the videos, 25 for images
+  double fps = 0.0;  ///< frame sets per second; 0: the rate of the (slowest) video, 25 for images
   double start_stamp = 1.0;  ///< seconds
   int jpeg_quality = 0;      ///< 1 to 100; 0: raw images
 
@@ -44,6 +44,17 @@ struct VideosInput {
   int background_frames = 30;  ///< number of frames from the background video
 };
 
+/// A folder with a video or a folder of images for each camera, and one calibration. They belong
+/// together by name or by the number in it.
+struct FilmsInput {
+  std::string folder;
+  std::vector<std::string> calibration;  ///< see readCalibration()
+  std::string masks;                     ///< folder like `folder`, black = background; or empty
+  std::string timestamps;                ///< see readFrameTimes(); or empty: the containers' times
+  bool guess_unit = true;                ///< as guessWorld(), in place of ImportOptions::world
+  bool guess_up = true;
+};
+
 /// Summary of an import.
 struct ImportResult {
   std::vector<CameraCalibration> cameras;  ///< in metres, z up
@@ -52,7 +63,7 @@ struct ImportResult {
   std::vector<std::string> warnings;  ///< warnings about units and axes, omitted frames
 };
 
-/// Both functions write a bag with the topics of CameraBagWriter. It appears only if the import
+/// These functions write a bag with the topics of CameraBagWriter. It appears only if the import
 /// succeeds. They throw std::runtime_error or std::invalid_argument if files are missing or
 /// unreadable, or differ in number or size between cameras.
 /// \param notes stream for the progress; nullptr: none
@@ -61,6 +72,11 @@ ImportResult importMatrices(const MatricesInput& input, const ImportOptions& opt
                             std::ostream* notes, bool terminal);
 ImportResult importVideos(const VideosInput& input, const ImportOptions& options,
                           std::ostream* notes, bool terminal);
+/// Films of any rates and containers; the frame sets are at the times of the slowest film, see
+/// FilmJoin. Time offsets of a rig file are applied to the stamps, so the cameras of the result
+/// have none.
+ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, std::ostream* notes,
+                         bool terminal);
 
 /// Cameras with positions and directions, number of frame sets, warnings.
 void print(const ImportResult& result, std::ostream& out);

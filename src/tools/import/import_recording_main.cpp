@@ -13,6 +13,7 @@ using namespace markerless_mocap;
 struct Arguments {
   MatricesInput matrices;
   VideosInput videos;
+  FilmsInput films;
   ImportOptions options;
   bool quiet = false;
 };
@@ -80,6 +81,28 @@ CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
   return command;
 }
 
+CLI::App* describeFilms(CLI::App& app, Arguments* arguments) {
+  CLI::App* command = app.add_subcommand(
+      "films",
+      "a folder with a video or a folder of images per camera, of any rates, and one calibration");
+  FilmsInput& input = arguments->films;
+  command->add_option("output", arguments->options.output, "bag to write")->required();
+  command->add_option("folder", input.folder, "folder that contains the films")->required();
+  command
+      ->add_option("--calibration", input.calibration,
+                   "files or folders of any format that convert_calibration reads; cameras and "
+                   "films belong together by name, or by the number in it")
+      ->required();
+  command->add_option(
+      "--masks", input.masks,
+      "folder with a film of masks per camera; white = person, value 128 = unknown");
+  command->add_option("--timestamps", input.timestamps,
+                      "CSV file with the columns cam_id and frame_time (s), in place of the films' "
+                      "own times");
+  describeCommon(command, arguments);
+  return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,14 +110,22 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments arguments;
   const CLI::App* matrices = describeMatrices(app, &arguments);
+  const CLI::App* films = describeFilms(app, &arguments);
   describeVideos(app, &arguments);
   CLI11_PARSE(app, argc, argv);
   return runTool("import_recording", [&] {
     std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
     const bool terminal = isStderrTerminal();
-    const ImportResult result =
-        matrices->parsed() ? importMatrices(arguments.matrices, arguments.options, notes, terminal)
-                           : importVideos(arguments.videos, arguments.options, notes, terminal);
+    ImportResult result;
+    if (films->parsed()) {
+      arguments.films.guess_unit = films->count("--scale-to-metres") == 0;
+      arguments.films.guess_up = films->count("--up") == 0;
+      result = importFilms(arguments.films, arguments.options, notes, terminal);
+    } else if (matrices->parsed()) {
+      result = importMatrices(arguments.matrices, arguments.options, notes, terminal);
+    } else {
+      result = importVideos(arguments.videos, arguments.options, notes, terminal);
+    }
     if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
     if (notes) print(result, *notes);
   });

@@ -1,0 +1,157 @@
+#include "tools/import/film.h"
+
+#include <string.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool hasEnding(const fs::path& path, const std::vector<std::string>& endings) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+bool isVideo(const fs::path& path) {
+  return fs::is_regular_file(path) &&
+         hasEnding(path, {".mp4", ".avi", ".mov", ".mkv", ".webm", ".m4v", ".mpg", ".mts", ".wmv"});
+}
+
+bool isImage(const fs::path& path) {
+  return fs::is_regular_file(path) && hasEnding(path, {".png", ".jpg", ".jpeg", ".bmp", ".tif",
+                                                       ".tiff", ".pgm", ".pbm", ".ppm", ".webp"});
+}
+
+template <class Accepts>
+std::vector<fs::path> sortedEntries(const fs::path& folder, const Accepts& accepts) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (accepts(entry.path())) entries.push_back(entry.path());
+  if (error) throw std::runtime_error("cannot read the folder " + folder.string());
+  std::sort(entries.begin(), entries.end(), [](const fs::path& a, const fs::path& b) {
+    return strverscmp(a.c_str(), b.c_str()) < 0;
+  });
+  return entries;
+}
+
+}  // namespace
+
+struct Film::Source {
+  cv::VideoCapture video;
+  std::vector<fs::path> images;
+
+  explicit Source(const fs::path& path) {
+    if (fs::is_directory(path))
+      images = sortedEntries(path, isImage);
+    else
+      video.open(path.string());
+  }
+  double time() const { return 1e-3 * video.get(cv::CAP_PROP_POS_MSEC); }
+  cv::Mat read(size_t index) {
+    cv::Mat image;
+    if (images.empty())
+      video.read(image);
+    else if (index < images.size()) {
+      image = cv::imread(images[index].string(), cv::IMREAD_COLOR);
+      if (image.empty())
+        throw std::runtime_error("cannot read the image " + images[index].string());
+    }
+    return image;
+  }
+};
+
+Film::Film(const std::string& path, double fps)
+    : path_(path), source_(std::make_unique<Source>(path)) {
+  const bool video = source_->images.empty();
+  if (video && !source_->video.isOpened()) throw std::runtime_error("cannot read the film " + path);
+  fps_ = video ? source_->video.get(cv::CAP_PROP_FPS) : fps;
+  Source beginning(path);
+  const cv::Mat first = beginning.read(0);
+  if (first.empty()) throw std::runtime_error("the film " + path + " has no frames");
+  size_ = first.size();
+  start_ = video ? beginning.time() : 0.0;
+}
+
+Film::~Film() = default;
+Film::Film(Film&&) noexcept = default;
+
+int Film::frames() const {
+  if (!source_->images.empty()) return int(source_->images.size());
+  return std::max(0, int(source_->video.get(cv::CAP_PROP_FRAME_COUNT)));
+}
+
+int Film::turned() const {
+  return source_->images.empty() ? int(source_->video.get(cv::CAP_PROP_ORIENTATION_META)) : 0;
+}
+
+void Film::doNotTurn() {
+  source_->video.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
+  if (turned() % 180 != 0) size_ = {size_.height, size_.width};
+}
+
+void Film::addMasks(const std::string& path) {
+  if (Source(path).read(0).empty()) throw std::runtime_error("there are no masks in " + path);
+  masks_ = std::make_unique<Source>(path);
+}
+
+// The median interval: a film that dropped frames is no slower.
+void Film::setTimes(std::vector<double> times) {
+  times_ = std::move(times);
+  std::vector<double> intervals;
+  for (size_t i = 1; i < times_->size(); ++i) intervals.push_back((*times_)[i] - (*times_)[i - 1]);
+  if (intervals.empty()) return;
+  const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  if (*middle > 0.0) fps_ = 1.0 / *middle;
+}
+
+double Film::ownTime() {
+  if (!source_->images.empty()) return double(next_) / fps_;
+  double time = source_->time() - start_;
+  // The last frames of a decoder that looks ahead come without a time.
+  if (next_ > 0 && !(time > last_time_)) time = last_time_ + 1.0 / std::max(fps_, 1.0);
+  last_time_ = time;
+  return time;
+}
+
+std::optional<FilmFrame> Film::next() {
+  FilmFrame frame;
+  frame.image = source_->read(next_);
+  if (frame.image.empty()) return std::nullopt;
+  if (times_ && next_ >= times_->size()) {
+    ++without_time_;
+    return std::nullopt;
+  }
+  frame.time = times_ ? (*times_)[next_] : ownTime();
+  if (masks_) {
+    frame.mask = masks_->read(next_);
+    if (frame.mask.empty())
+      throw std::runtime_error("the masks of " + path_ + " end after " + std::to_string(next_) +
+                               " frames");
+  }
+  ++next_;
+  return frame;
+}
+
+std::vector<NamedFilm> filmsIn(const std::string& folder) {
+  std::vector<NamedFilm> films;
+  const auto is_film = [](const fs::path& path) {
+    return isVideo(path) || (fs::is_directory(path) && !sortedEntries(path, isImage).empty());
+  };
+  for (const fs::path& path : sortedEntries(folder, is_film))
+    films.push_back(
+        {fs::is_directory(path) ? path.filename().string() : path.stem().string(), path.string()});
+  if (films.empty())
+    throw std::runtime_error("the folder " + folder + " has no videos and no folders with images");
+  return films;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace markerless_mocap {
+
+/// Times of the frames of each camera, seconds, ascending: a CSV file with a head line and the
+/// columns cam_id (or port, or camera) and frame_time; others are ignored. Throws
+/// std::runtime_error if the file cannot be read, and std::invalid_argument with the line if it is
+/// something else.
+std::map<std::string, std::vector<double>> readFrameTimes(const std::string& path);
+
+/// The names of `wanted` among `names`, each one once: the same name, or else the one with the same
+/// number ("cam_0" and "0", "cam01" and "Camera_001"). Throws std::invalid_argument with both lists
+/// if a name has none.
+/// \param what such as "camera of the calibration", for the message
+std::vector<std::string> matchNames(const std::vector<std::string>& wanted,
+                                    const std::vector<std::string>& names, const std::string& what);
+
+}  // namespace markerless_mocap

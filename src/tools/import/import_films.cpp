@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "markerless_mocap/formats/calibration_files.h"
+#include "markerless_mocap/products/silhouette_mask.h"
+#include "tools/common/camera_bag_writer.h"
+#include "tools/common/progress.h"
+#include "tools/import/film.h"
+#include "tools/import/film_calibration.h"
+#include "tools/import/film_join.h"
+#include "tools/import/film_times.h"
+#include "tools/import/import_recording.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kImagesFps = 25.0;
+
+std::vector<std::string> namesOf(const std::vector<CameraCalibration>& cameras) {
+  std::vector<std::string> names;
+  for (const CameraCalibration& camera : cameras) names.push_back(camera.name);
+  return names;
+}
+
+std::vector<std::string> namesOf(const std::vector<NamedFilm>& films) {
+  std::vector<std::string> names;
+  for (const NamedFilm& film : films) names.push_back(film.name);
+  return names;
+}
+
+template <class T>
+const T& named(const std::vector<T>& things, const std::string& name) {
+  return *std::find_if(things.begin(), things.end(),
+                       [&](const T& thing) { return thing.name == name; });
+}
+
+/// The calibration in metres with z up.
+CalibrationSet calibrationIn(const FilmsInput& input, const ImportOptions& options,
+                             std::vector<std::string>* notes) {
+  CalibrationSet set = readCalibration(input.calibration);
+  const WorldGuess guess = guessWorld(set);
+  WorldTransform world = options.world;
+  if (input.guess_unit) world.scale_to_metres = guess.world.scale_to_metres;
+  if (input.guess_up) world.up = guess.world.up;
+  for (CameraCalibration& camera : set.cameras) camera = world.apply(camera);
+  std::ostringstream said;
+  said << "the calibration is " << titleOf(set.format) << ", its unit " << world.scale_to_metres
+       << " m (" << (input.guess_unit ? guess.unit_reason : "as given") << "), up is " << world.up
+       << " (" << (input.guess_up ? guess.up_reason : "as given") << ")";
+  notes->push_back(said.str());
+  notes->insert(notes->end(), set.remarks.begin(), set.remarks.end());
+  return set;
+}
+
+/// Films with their cameras, in one order.
+struct Cast {
+  std::vector<CameraCalibration> cameras;
+  std::vector<Film> films;
+  std::vector<double> offsets;  ///< s
+};
+
+void setTimes(const FilmsInput& input, const std::vector<NamedFilm>& named_films, Cast* cast) {
+  if (input.timestamps.empty()) return;
+  const auto times = readFrameTimes(input.timestamps);
+  std::vector<std::string> known;
+  for (const auto& entry : times) known.push_back(entry.first);
+  const auto matched = matchNames(namesOf(named_films), known, "camera of " + input.timestamps);
+  for (size_t i = 0; i < cast->films.size(); ++i) cast->films[i].setTimes(times.at(matched[i]));
+}
+
+void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast* cast) {
+  const std::vector<NamedFilm> masks = filmsIn(input.masks);
+  const auto matched = matchNames(namesOf(films), namesOf(masks), "film of masks");
+  for (size_t i = 0; i < films.size(); ++i) cast->films[i].addMasks(named(masks, matched[i]).path);
+}
+
+Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult* result) {
+  const double fps = options.fps > 0.0 ? options.fps : kImagesFps;
+  const CalibrationSet set = calibrationIn(input, options, &result->warnings);
+  const std::vector<NamedFilm> films = filmsIn(input.folder);
+  const auto cameras =
+      matchNames(namesOf(films), namesOf(set.cameras), "camera of the calibration");
+  Cast cast;
+  for (size_t i = 0; i < films.size(); ++i) {
+    cast.films.emplace_back(films[i].path, fps);
+    cast.cameras.push_back(named(set.cameras, cameras[i]));
+    agreeInSize(&cast.cameras.back(), &cast.films.back(), &result->warnings);
+    cast.offsets.push_back(cast.cameras.back().time_offset);
+    cast.cameras.back().time_offset = 0.0;  // it is in the stamps
+  }
+  if (!input.masks.empty()) addMasks(input, films, &cast);
+  setTimes(input, films, &cast);
+  return cast;
+}
+
+std::string noteOf(const std::string& camera, const JoinStatistics& counts) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1) << camera << ": " << counts.used << " frames used, "
+      << 1e3 * counts.sum / std::max(counts.used, 1) << " ms from their frame sets on average, "
+      << 1e3 * counts.largest << " ms at most";
+  if (counts.left_out > 0) out << "; " << counts.left_out << " left out";
+  if (counts.missing > 0) out << "; missing in " << counts.missing << " frame sets";
+  return out.str();
+}
+
+cv::Mat maskFrom(const cv::Mat& image) {
+  if (image.empty()) return {};
+  cv::Mat grey;
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  return maskOfThreeValues(grey);
+}
+
+}  // namespace
+
+ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, std::ostream* notes,
+                         bool terminal) {
+  options.validate();
+  ImportResult result;
+  Cast cast = castOf(input, options, &result);
+  result.cameras = cast.cameras;
+  FilmJoin films(std::move(cast.films), cast.offsets, options.fps);
+  result.fps = films.fps();
+  const auto warnings = calibrationWarnings(result.cameras);
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+
+  CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
+  Progress progress("import_recording", notes, terminal);
+  bag.writeTransforms(options.stampOf(0, result.fps));
+  std::optional<double> first;
+  while (const auto joined = films.next()) {
+    if (!first) first = joined->time;
+    const int64_t stamp =
+        options.stampOf(0, result.fps) + std::llround(1e9 * (joined->time - *first));
+    for (size_t i = 0; i < joined->frames.size(); ++i)
+      if (const FilmFrame& frame = joined->frames[i]; !frame.image.empty())
+        bag.write(stamp, i, frame.image, maskFrom(frame.mask));
+    ++result.frame_sets;
+    progress.update(double(result.frame_sets) / std::max(films.expectedFrameSets(), 1));
+  }
+  progress.finish();
+  if (result.frame_sets == 0)
+    throw std::runtime_error("the films have no time in common, or no frames");
+  for (size_t i = 0; i < result.cameras.size(); ++i)
+    result.warnings.push_back(noteOf(result.cameras[i].name, films.statistics()[i]));
+  bag.commit();
+  return result;
+}
+
+}  // namespace markerless_mocap
