@@ -54,10 +54,11 @@ class UsbCameras(unittest.TestCase):
             rig.write('cameras:\n' + CAMERA % 'a' + CAMERA % 'b')
 
     def start(self, sources):
-        return subprocess.Popen(
-            ['rosrun', 'markerless_mocap', 'usb_cameras', '_cameras:=[a, b]',
-             '_sources:=[' + ', '.join(sources) + ']', '_rig_file:=' + self.path('rig.yaml')],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        rospy.set_param('/usb_cameras', {'cameras': ['a', 'b'], 'sources': sources,
+                                         'rig_file': self.path('rig.yaml')})
+        return subprocess.Popen(['rosrun', 'markerless_mocap', 'usb_cameras'],
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True)
 
     def test_films_are_played_by_their_own_times(self):
         self.write()
@@ -92,4 +93,4 @@ class UsbCameras(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('markerless_mocap', 'usb_cameras', UsbCameras)
+    rostest.rosrun('markerless_mocap', 'usb_cameras_films', UsbCameras)

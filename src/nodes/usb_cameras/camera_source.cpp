@@ -38,13 +38,11 @@ int64_t stampOf(const cv::VideoCapture& capture) {
 
 }  // namespace
 
-CameraSource::CameraSource(std::string name, std::string source, const UsbCameraOptions& options,
-                           int64_t start_ns)
+CameraSource::CameraSource(std::string name, std::string source, const UsbCameraOptions& options)
     : name_(std::move(name)),
       source_(std::move(source)),
       options_(options),
-      device_(isNumber(source_) || source_.rfind("/dev/", 0) == 0),
-      start_ns_(start_ns) {
+      device_(isNumber(source_) || source_.rfind("/dev/", 0) == 0) {
   if (!open())
     throw std::runtime_error("usb_cameras: " + source_ + " of camera " + name_ +
                              " cannot be opened" +
@@ -77,7 +75,8 @@ bool CameraSource::open() {
   return true;
 }
 
-void CameraSource::start(Sink sink, Trouble trouble) {
+void CameraSource::start(int64_t start_ns, Sink sink, Trouble trouble) {
+  start_ns_ = start_ns;
   sink_ = std::move(sink);
   trouble_ = std::move(trouble);
   thread_ = std::thread([this] { run(); });

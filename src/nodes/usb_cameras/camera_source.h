@@ -21,15 +21,15 @@ class CameraSource {
   using Trouble = std::function<void(const std::string& reason)>;
 
   /// \param source device such as /dev/video0, its number, or a video file
-  /// \param start_ns stamp of the first image of a video file
   /// Throws std::runtime_error if it cannot be opened.
-  CameraSource(std::string name, std::string source, const UsbCameraOptions& options,
-               int64_t start_ns);
+  CameraSource(std::string name, std::string source, const UsbCameraOptions& options);
   ~CameraSource();
   CameraSource(const CameraSource&) = delete;
   CameraSource& operator=(const CameraSource&) = delete;
 
-  void start(Sink sink, Trouble trouble);
+  /// \param start_ns stamp of the first image of a video file
+  void start(int64_t start_ns, Sink sink, Trouble trouble);
+  bool isDevice() const { return device_; }
 
  private:
   bool open();
@@ -42,7 +42,7 @@ class CameraSource {
   std::string name_, source_;
   UsbCameraOptions options_;
   bool device_;
-  int64_t start_ns_;
+  int64_t start_ns_ = 0;
   cv::VideoCapture capture_;
   Sink sink_;
   Trouble trouble_;

@@ -12,7 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int64_t kDelay = 500'000'000;  // ns, until video files start
+constexpr int64_t kDelay = 200'000'000;  // ns, until video files start together
 
 }  // namespace
 
@@ -20,18 +20,33 @@ UsbCameraStage::UsbCameraStage(ros::NodeHandle& handle, const ros::NodeHandle& p
                                const UsbCameraOptions& options)
     : options_(options), status_(handle, private_handle, "usb cameras") {
   if (!options_.rig_file.empty()) readRigFile();
-  const int64_t start_ns = nanosecondsOf(ros::Time(ros::WallTime::now().toSec())) + kDelay;
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
     const std::string& name = options_.cameras[i];
     images_.push_back(handle.advertise<sensor_msgs::Image>(name + "/image_raw", kPublisherQueue));
     if (!rig_.empty())
       infos_.push_back(
           handle.advertise<sensor_msgs::CameraInfo>(name + "/camera_info", kPublisherQueue));
-    sources_.push_back(
-        std::make_unique<CameraSource>(name, options_.sources[i], options_, start_ns));
+    sources_.push_back(std::make_unique<CameraSource>(name, options_.sources[i], options_));
   }
+  timer_ = handle.createWallTimer(
+      ros::WallDuration(0.1),
+      gate_.guarded([this](const ros::WallTimerEvent&) { startWhenAwaited(); }));
+}
+
+bool UsbCameraStage::isAwaited() const {
+  for (size_t i = 0; i < sources_.size(); ++i)
+    if (!sources_[i]->isDevice() && images_[i].getNumSubscribers() == 0) return false;
+  return true;
+}
+
+void UsbCameraStage::startWhenAwaited() {
+  if (!isAwaited()) return status_.waiting("video files wait until all images are subscribed to");
+  timer_.stop();
+  const ros::WallTime now = ros::WallTime::now();
+  const int64_t start_ns = int64_t(now.sec) * 1'000'000'000 + now.nsec + kDelay;
   for (size_t i = 0; i < sources_.size(); ++i)
     sources_[i]->start(
+        start_ns,
         [this, i](int64_t stamp_ns, const cv::Mat& image) { publish(i, stamp_ns, image); },
         [this](const std::string& reason) { status_.problem(reason); });
 }
