@@ -224,5 +224,34 @@ TEST_F(RecordingTest, cameraThatTheRigFileLacksIsNamed) {
             options.rig + ": the rig lacks cam3, its cameras are cam0, cam1, cam2");
 }
 
+TEST_F(RecordingTest, timeOffsetsOfTheRigFileJoinCamerasWithOtherClocks) {
+  CameraBagWriter bag(path("in.bag"), ringOfFour(), 0);
+  bag.writeTransforms(kSecond);
+  for (int k = 0; k < 10; ++k)
+    for (int i = 0; i < 4; ++i)
+      bag.write(kSecond + k * kSecond / 10 + (i == 1 ? 13 * kSecond / 20 : 0), i, smallImage(true),
+                cv::Mat());
+  bag.commit();
+  auto ring = ringOfFour();
+  writeRig(path("rig.yaml"), ring);
+  RecordingOptions options;
+  options.rig = path("rig.yaml");
+  Recording without(path("in.bag"), options);
+  for (const FrameSet& frame_set : allOf(without)) EXPECT_TRUE(frame_set.frames[1].image.empty());
+  ASSERT_EQ(without.timingRemarks().size(), 1u);
+  EXPECT_EQ(without.timingRemarks()[0].substr(0, 62),
+            "10 frame sets lack /cam1/image_raw; in the last, cam1 is left ");
+  ring[1].time_offset = -0.65;
+  writeRig(path("rig.yaml"), ring);
+  Recording with(path("in.bag"), options);
+  const auto frame_sets = allOf(with);
+  ASSERT_EQ(frame_sets.size(), 10u);
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_EQ(frame_sets[k].stamp_ns, kSecond + k * kSecond / 10);
+    for (const CameraFrame& frame : frame_sets[k].frames) EXPECT_FALSE(frame.image.empty());
+  }
+  EXPECT_TRUE(with.timingRemarks().empty());
+}
+
 }  // namespace
 }  // namespace markerless_mocap

@@ -24,7 +24,12 @@ AssemblerOptions offlineAssembly(double tolerance, const std::vector<double>& of
   options.offsets = offsets;
   for (const double offset : offsets)
     if (offset != 0.0) options.max_drift = kFollowedDrift;
-  options.deadline = 0.5;
+  // A bag that was written by stamps has the images of another clock that much earlier or later.
+  const double apart = offsets.empty() ? 0.0
+                                       : *std::max_element(offsets.begin(), offsets.end()) -
+                                             *std::min_element(offsets.begin(), offsets.end());
+  options.deadline = 0.5 + apart;
+  options.max_jump += apart;
   options.max_pending = 1000;  // limited by the deadline instead; no overflow
   return options;
 }
