@@ -1,0 +1,81 @@
+#pragma once
+
+#include <ceres/rotation.h>
+
+#include <Eigen/Core>
+
+namespace markerless_mocap {
+
+/// A rotation vector (rad) and a translation (m).
+using PoseVector = Eigen::Matrix<double, 6, 1>;
+
+/// Pixel of a point in the camera's frame; the lens model of Camera.
+template <class T>
+void projectPoint(const T* intrinsics, const T* p, T* pixel) {
+  const T x = p[0] / p[2], y = p[1] / p[2], s = x * x + y * y;
+  const T* k = intrinsics + 4;
+  const T radial =
+      (T(1) + s * (k[0] + s * (k[1] + s * k[4]))) / (T(1) + s * (k[5] + s * (k[6] + s * k[7])));
+  pixel[0] = intrinsics[0] * (x * radial + T(2) * k[2] * x * y + k[3] * (s + T(2) * x * x)) +
+             intrinsics[2];
+  pixel[1] = intrinsics[1] * (y * radial + k[2] * (s + T(2) * y * y) + T(2) * k[3] * x * y) +
+             intrinsics[3];
+}
+
+template <class T>
+void transformPoint(const T* pose, const T* point, T* out) {
+  ceres::AngleAxisRotatePoint(pose, point, out);
+  for (int i = 0; i < 3; ++i) out[i] += pose[3 + i];
+}
+
+/// How a corner moves in the image around the time of its view.
+struct CornerMotion {
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();      ///< pixels/s
+  Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();  ///< pixels/s^2
+};
+
+/// A corner of a board seen by a camera; the corner is moved to the time of the board's pose.
+struct CornerResidual {
+  Eigen::Vector2d place;  ///< m, on the board
+  Eigen::Vector2d pixel;
+  CornerMotion motion;
+  double lag = 0.0;  ///< s: time of the board's pose minus the camera's clock at the view
+
+  /// \param offset s, to be added to the camera's clock
+  template <class T>
+  bool operator()(const T* intrinsics, const T* camera_world, const T* world_board, const T* offset,
+                  T* residual) const {
+    const T on_board[3] = {T(place.x()), T(place.y()), T(0)};
+    T world[3], in_camera[3], projected[2];
+    transformPoint(world_board, on_board, world);
+    transformPoint(camera_world, world, in_camera);
+    if (!(in_camera[2] > T(1e-6))) return false;
+    projectPoint(intrinsics, in_camera, projected);
+    const T after = T(lag) - offset[0];
+    for (int i = 0; i < 2; ++i)
+      residual[i] =
+          projected[i] -
+          (T(pixel[i]) + after * (T(motion.velocity[i]) + T(0.5 * motion.acceleration[i]) * after));
+    return true;
+  }
+};
+
+/// A known point of the world seen by a camera.
+struct PointResidual {
+  Eigen::Vector3d position;
+  Eigen::Vector2d pixel;
+  double weight = 1.0;
+
+  template <class T>
+  bool operator()(const T* intrinsics, const T* camera_world, T* residual) const {
+    const T world[3] = {T(position.x()), T(position.y()), T(position.z())};
+    T in_camera[3], projected[2];
+    transformPoint(camera_world, world, in_camera);
+    if (!(in_camera[2] > T(1e-6))) return false;
+    projectPoint(intrinsics, in_camera, projected);
+    for (int i = 0; i < 2; ++i) residual[i] = T(weight) * (projected[i] - T(pixel[i]));
+    return true;
+  }
+};
+
+}  // namespace markerless_mocap

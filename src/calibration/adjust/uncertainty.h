@@ -1,0 +1,27 @@
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "calibration/adjust/rig_state.h"
+
+namespace markerless_mocap {
+
+/// Standard deviations of a camera's estimate.
+struct CameraUncertainty {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< m, along x y z of the camera
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< rad, about x y z of the camera
+  Eigen::Vector2d focal = Eigen::Vector2d::Zero();      ///< pixels, fx fy
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();     ///< pixels, cx cy
+  double time_offset = 0.0;                             ///< s
+};
+
+/// Standard deviations from the covariance of the adjustment (normal equations without the boards'
+/// poses). The scatter of the residuals of whole instants gives their scale, so that errors which a
+/// view's corners share count. Without known points the world is free: then positions and
+/// directions are relative to the mean of all cameras. \param offsets whether time offsets were
+/// estimated
+std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigState& state,
+                                               const std::set<size_t>& held, bool offsets);
+
+}  // namespace markerless_mocap

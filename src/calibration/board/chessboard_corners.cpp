@@ -1,0 +1,86 @@
+#include "calibration/board/chessboard_corners.h"
+
+#include <algorithm>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace markerless_mocap {
+namespace {
+
+using Points = std::vector<cv::Point2f>;
+
+/// A chessboard's inner corners by rows; empty if it is not there.
+Points findRows(const cv::Mat& grey, cv::Size inner) {
+  Points found;
+  if (cv::findChessboardCornersSB(grey, inner, found,
+                                  cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY))
+    return found;
+  const int flags =
+      cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK;
+  if (!cv::findChessboardCorners(grey, inner, found, flags)) return {};
+  double side = 1e9;
+  for (size_t i = 1; i < size_t(inner.width); ++i)
+    side = std::min(side, cv::norm(found[i] - found[i - 1]));
+  const int window = std::clamp(int(side / 3), 2, 8);
+  cv::cornerSubPix(grey, found, {window, window}, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
+  return found;
+}
+
+/// Rows from the bottom of the page, columns from its left. Only the front can be seen, so x to y
+/// turns left, which is right in an image with y down.
+void orderAsPrinted(cv::Size inner, Points* found) {
+  const cv::Point2f across = (*found)[inner.width - 1] - found->front();
+  const cv::Point2f along = (*found)[inner.width * (inner.height - 1)] - found->front();
+  if (across.cross(along) < 0) return;
+  for (int y = 0; y < inner.height / 2; ++y)
+    std::swap_ranges(found->begin() + y * inner.width, found->begin() + (y + 1) * inner.width,
+                     found->begin() + (inner.height - 1 - y) * inner.width);
+}
+
+/// Mean grey of the middle of the square whose lower left corner is inner corner (x, y).
+double greyOfSquare(const cv::Mat& grey, const Points& found, int width, int x, int y) {
+  const cv::Point2f corners[] = {found[y * width + x], found[y * width + x + 1],
+                                 found[(y + 1) * width + x + 1], found[(y + 1) * width + x]};
+  const cv::Point2f centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+  std::vector<cv::Point> inside;
+  for (const cv::Point2f& corner : corners) inside.emplace_back(centre + 0.6 * (corner - centre));
+  const cv::Rect box = cv::boundingRect(inside) & cv::Rect(0, 0, grey.cols, grey.rows);
+  if (box.empty()) return 0;
+  cv::Mat mask = cv::Mat::zeros(box.size(), CV_8UC1);
+  for (cv::Point& p : inside) p -= box.tl();
+  cv::fillConvexPoly(mask, inside, 255);
+  return cv::mean(grey(box), mask)[0];
+}
+
+/// Positive if the squares that should be dark are darker than the others. There are as many dark
+/// ones as others on a board that looks different when it is turned.
+double colourAgreement(const Board& board, const cv::Mat& grey, const Points& found,
+                       cv::Size inner) {
+  double sum = 0;
+  for (int y = 0; y + 1 < inner.height; ++y)
+    for (int x = 0; x + 1 < inner.width; ++x) {
+      const bool dark = board.isDark(board.options().rows - 2 - y, x + 1);
+      sum += (dark ? -1 : 1) * greyOfSquare(grey, found, inner.width, x, y);
+    }
+  return sum;
+}
+
+}  // namespace
+
+BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey) {
+  const cv::Size inner(board.options().columns - 1, board.options().rows - 1);
+  Points found = findRows(grey, inner);
+  if (found.empty()) return {};
+  orderAsPrinted(inner, &found);
+  if (!board.looksSameTurned() && colourAgreement(board, grey, found, inner) < 0)
+    std::reverse(found.begin(), found.end());
+  BoardCorners out;
+  for (size_t i = 0; i < found.size(); ++i) {
+    out.ids.push_back(int(i));
+    out.pixels.emplace_back(found[i].x, found[i].y);
+  }
+  return out;
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,251 @@
+#include "calibration/calibrate.h"
+
+#include <tbb/parallel_for.h>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "calibration/adjust/bundle.h"
+#include "calibration/adjust/lens_choice.h"
+#include "calibration/adjust/uncertainty.h"
+#include "calibration/check/findings.h"
+#include "calibration/check/loose_cameras.h"
+#include "calibration/origin/world_frame.h"
+#include "calibration/start/camera_start.h"
+#include "calibration/start/pose_graph.h"
+#include "calibration/time/instants.h"
+#include "calibration/time/offset_search.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kLeastViews = 5;
+
+std::vector<const BoardView*> viewsOf(const CalibrationInput& input, size_t camera) {
+  std::vector<const BoardView*> views;
+  for (const BoardView& view : input.views)
+    if (view.camera == camera) views.push_back(&view);
+  return views;
+}
+
+/// The steps of one calibration.
+class Calibrator {
+ public:
+  Calibrator(const CalibrationInput& input, const std::function<void(double)>& progress)
+      : input_(input), progress_(progress), board_(input.board), views_(input.views) {
+    if (input_.cameras.empty()) throw std::invalid_argument("there is no camera to calibrate");
+    state_.cameras.resize(input_.cameras.size());
+    state_.points = input_.points;
+    trials_.resize(input_.cameras.size());
+  }
+
+  RigCalibration run() {
+    checkViews();
+    startLenses();
+    done(0.4);
+    if (board_.looksSameTurned())
+      keepTurns(int(board_.corners().size()), state_.cameras.size(), &views_);
+    estimatePosesOfViews();
+    startOffsets();
+    startPoses();
+    done(0.5);
+    adjust();
+    done(0.8);
+    leaveOutLooseParts();
+    chooseWorld();
+    done(0.95);
+    return result();
+  }
+
+ private:
+  void done(double part) const {
+    if (progress_) progress_(part);
+  }
+
+  void checkViews() const {
+    for (size_t i = 0; i < input_.cameras.size(); ++i) {
+      const size_t count = viewsOf(input_, i).size();
+      if (input_.cameras[i].given || count >= kLeastViews) continue;
+      throw std::invalid_argument(
+          "the board was found in " + std::to_string(count) + " pictures of " +
+          input_.cameras[i].name + ", its lens needs at least " + std::to_string(kLeastViews) +
+          ": is the board described rightly (squares are counted, not inner corners)?");
+    }
+  }
+
+  void startLens(size_t i) {
+    CameraState& camera = state_.cameras[i];
+    if (const auto& given = input_.cameras[i].given) {
+      camera.intrinsics = intrinsicsOf(*given);
+      camera.intrinsics_fixed = true;
+      camera.lens = given->D.size() == 8   ? LensModel::kRational
+                    : given->D.size() == 5 ? LensModel::kPlumbBob
+                    : given->D.size() == 4 ? LensModel::kTangential
+                                           : LensModel::kNone;
+      return;
+    }
+    const std::vector<const BoardView*> views = viewsOf(input_, i);
+    const Intrinsics start = startIntrinsics(board_, input_.cameras[i], views);
+    if (input_.lens) {
+      camera.lens = *input_.lens;
+    } else {
+      const LensChoice choice = chooseLens(board_, views, start);
+      camera.lens = choice.lens;
+      for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
+    }
+    constexpr size_t kViews = 60;
+    std::vector<const BoardView*> different;
+    for (const size_t k : differentViews(board_, views, kViews)) different.push_back(views[k]);
+    camera.intrinsics = adjustIntrinsics(board_, different, start, camera.lens);
+  }
+
+  void startLenses() {
+    tbb::parallel_for(size_t(0), state_.cameras.size(), [&](size_t i) { startLens(i); });
+  }
+
+  void estimatePosesOfViews() {
+    poses_.resize(views_.size());
+    tbb::parallel_for(size_t(0), views_.size(), [&](size_t i) {
+      poses_[i] = boardPose(board_, views_[i].corners, state_.cameras[views_[i].camera].intrinsics);
+    });
+  }
+
+  void startOffsets() {
+    std::vector<double> offsets(state_.cameras.size(), 0.0);
+    if (input_.estimate_offsets)
+      offsets = searchOffsets(board_, state_.cameras.size(), views_, poses_, input_.largest_offset);
+    std::string lacking;
+    for (size_t i = 0; i < offsets.size(); ++i) {
+      if (!std::isfinite(offsets[i]))
+        lacking += (lacking.empty() ? "" : ", ") + input_.cameras[i].name;
+      state_.cameras[i].time_offset = offsets[i];
+    }
+    if (!lacking.empty())
+      throw std::invalid_argument(
+          "the time offset of " + lacking +
+          " cannot be found: too little of the board's motion is seen together with other cameras");
+  }
+
+  void regroup() {
+    std::vector<double> offsets;
+    for (const CameraState& camera : state_.cameras) offsets.push_back(camera.time_offset);
+    state_.instants = groupInstants(views_, cornerMotions(views_, state_.cameras.size()), offsets);
+  }
+
+  void startPoses() {
+    regroup();
+    pairs_ = cameraPairs(board_, state_, poses_);
+    groups_ = placeCameras(board_, pairs_, poses_, &state_);
+    if (!state_.points.empty()) placeByPoints(groups_, &state_);
+    if (input_.locate) checkLocated();
+    for (size_t i = 0; i < groups_.size(); ++i)
+      if (state_.points.empty() && isRoot(i)) held_.insert(i);
+  }
+
+  /// The camera at the origin of its group.
+  bool isRoot(size_t i) const { return state_.cameras[i].camera_world.isZero(0.0); }
+
+  void checkLocated() const {
+    std::string apart, joined;
+    for (size_t i = 0; i < groups_.size(); ++i) {
+      std::string& list = state_.cameras[i].located ? joined : apart;
+      list += (list.empty() ? "" : ", ") + input_.cameras[i].name;
+    }
+    if (apart.empty()) return;
+    throw std::invalid_argument("no picture joins " + apart + " to " +
+                                (joined.empty() ? "the known points" : joined) +
+                                ": show the board where both see it at the same time");
+  }
+
+  BundleOptions options() const {
+    BundleOptions options;
+    options.estimate_offsets = input_.estimate_offsets;
+    options.held = held_;
+    options.threads = input_.threads;
+    return options;
+  }
+
+  /// Robustly, then without outliers.
+  void adjust() {
+    adjustBundle(board_, options(), &state_);
+    if (input_.estimate_offsets) regroupAndAdjust();
+    outliers_ = markOutliers(board_, outlierLimit(), &state_);
+    adjustBundle(board_, options(), &state_);
+  }
+
+  double outlierLimit() const { return std::max(1.0, 6.0 * robustSigma(board_, state_)); }
+
+  /// Better offsets may group other views.
+  void regroupAndAdjust() {
+    regroup();
+    relocateBoards();
+    adjustBundle(board_, options(), &state_);
+  }
+
+  /// Poses of the boards from the cameras as they are.
+  void relocateBoards() { placeBoards(board_, poses_, &state_); }
+
+  void leaveOutLooseParts() {
+    for (size_t round = 0; round < state_.cameras.size(); ++round) {
+      const std::optional<LooseCamera> loose = loosestCamera(board_, state_);
+      if (!loose) return;
+      loose_.push_back(*loose);
+      leaveOut(*loose, &state_);
+      adjust();
+    }
+  }
+
+  void chooseWorld() {
+    sigmas_ = uncertaintiesOf(board_, state_, held_, input_.estimate_offsets);
+    if (!input_.locate || !state_.points.empty()) return;
+    if (input_.floor)
+      putFloorUnderBoard(input_.floor->camera, input_.floor->time, input_.floor->thickness,
+                         &state_);
+    else
+      guessFloor(board_, &state_);
+  }
+
+  RigCalibration result() const {
+    RigCalibration result = summarise(board_, input_, state_);
+    for (size_t i = 0; i < state_.cameras.size(); ++i) {
+      CalibratedCamera& camera = result.cameras[i];
+      camera.lens_trials = trials_[i];
+      camera.position_sigma = sigmas_[i].position;
+      camera.direction_sigma = sigmas_[i].direction;
+      camera.focal_sigma = sigmas_[i].focal;
+      camera.centre_sigma = sigmas_[i].centre;
+      camera.time_sigma = sigmas_[i].time_offset;
+    }
+    for (const CameraPair& pair : pairs_)
+      result.pairs.push_back({pair.a, pair.b, pair.shared, pair.agreeing});
+    for (const LooseCamera& loose : loose_)
+      result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
+    result.outliers = outliers_;
+    writeVerdict(input_, &result);
+    return result;
+  }
+
+  const CalibrationInput& input_;
+  const std::function<void(double)>& progress_;
+  Board board_;
+  std::vector<BoardView> views_;
+  RigState state_;
+  std::vector<std::vector<LensTry>> trials_;
+  std::vector<BoardPose> poses_;
+  std::vector<CameraPair> pairs_;
+  std::vector<size_t> groups_;
+  std::set<size_t> held_;
+  std::vector<LooseCamera> loose_;
+  std::vector<CameraUncertainty> sigmas_;
+  int outliers_ = 0;
+};
+
+}  // namespace
+
+RigCalibration calibrateRig(const CalibrationInput& input,
+                            const std::function<void(double)>& progress) {
+  return Calibrator(input, progress).run();
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "calibration/check/findings.h"
+
+namespace markerless_mocap {
+namespace {
+
+template <class... Args>
+std::string text(const char* format, Args... args) {
+  char buffer[400];
+  std::snprintf(buffer, sizeof buffer, format, args...);
+  return buffer;
+}
+
+std::string clockTime(double seconds) {
+  const int whole = int(std::floor(seconds));
+  if (whole < 60) return text("%.1f s", seconds);
+  return text("%d:%02d", whole / 60, whole % 60);
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+std::string looseSentence(const CalibratedCamera& camera) {
+  const char* name = camera.calibration.name.c_str();
+  const std::string when = clockTime(camera.loose->time);
+  const double pixels = camera.loose->pixels;
+  if (camera.loose->later_part)
+    return text(
+        "%s is loose: its views disagree from %s on, by %.1f pixels. Those were left out; "
+        "its place is the one before. Fasten it and calibrate again.",
+        name, when.c_str(), pixels);
+  return text(
+      "%s is loose: its views before %s disagree with the later ones, by %.1f pixels. Those "
+      "were left out; its place is the later one. Fasten it and calibrate again.",
+      name, when.c_str(), pixels);
+}
+
+class Verdict {
+ public:
+  Verdict(const CalibrationInput& input, RigCalibration* result)
+      : input_(input), result_(*result) {}
+
+  void write() {
+    for (const CalibratedCamera& camera : result_.cameras) judge(camera);
+    judgeRig();
+    const char* summary =
+        result_.good ? "The calibration is good: %zu cameras, corners are met to %.2f pixels."
+                     : "Look at this calibration before you use it: %zu cameras, corners "
+                       "are met to %.2f pixels.";
+    result_.verdict.insert(result_.verdict.begin(),
+                           text(summary, result_.cameras.size(), result_.rms));
+  }
+
+ private:
+  void doubt(const std::string& sentence) {
+    result_.good = false;
+    result_.verdict.push_back(sentence);
+  }
+
+  void judge(const CalibratedCamera& camera) {
+    if (camera.loose) doubt(looseSentence(camera));
+    judgeResiduals(camera);
+    judgeCertainty(camera);
+  }
+
+  void judgeResiduals(const CalibratedCamera& camera) {
+    std::vector<double> all;
+    for (const CalibratedCamera& other : result_.cameras) all.push_back(other.rms);
+    const char* name = camera.calibration.name.c_str();
+    if (camera.rms > std::max(1.0, 2.5 * medianOf(all)))
+      doubt(
+          text("%s meets corners only to %.1f pixels, most cameras to %.1f: is it out of focus, "
+               "badly timed, or does its lens need another model?",
+               name, camera.rms, medianOf(all)));
+    else if (camera.rms > 2.0)
+      doubt(
+          text("%s meets corners only to %.1f pixels: is the board flat and its size right, and "
+               "do the cameras show the same instants?",
+               name, camera.rms));
+  }
+
+  void judgeCertainty(const CalibratedCamera& camera) {
+    constexpr double kFar = 0.01, kTurned = 0.2 * M_PI / 180;
+    const char* name = camera.calibration.name.c_str();
+    const double far = camera.position_sigma.norm(), turned = camera.direction_sigma.norm();
+    if (input_.locate && far > kFar)
+      doubt(
+          text("The place of %s is known only to %.0f mm: show it the board more often together "
+               "with other cameras, near and far, tilted.",
+               name, 1e3 * far));
+    else if (input_.locate && turned > kTurned)
+      doubt(text("The direction of %s is known only to %.2f degrees: show it the board more often.",
+                 name, turned * 180 / M_PI));
+    const double focal = camera.focal_sigma.maxCoeff() / camera.calibration.K(0, 0);
+    if (focal > 0.01)
+      doubt(
+          text("The focal length of %s is known only to %.1f %%: show it the board tilted, nearer "
+               "and farther.",
+               name, 100 * focal));
+    if (camera.coverage < 0.25 && focal > 0)
+      result_.verdict.push_back(
+          text("%s saw the board in %.0f %% of its image only: its lens is a guess outside.", name,
+               100 * camera.coverage));
+  }
+
+  void judgeRig() {
+    if (!input_.locate) return;
+    if (!result_.floor_known)
+      result_.verdict.push_back(
+          "Nothing tells where the floor is: up is the cameras' mean upward direction and z = 0 "
+          "the "
+          "lowest place of the board. Lay the board on the floor and name that picture.");
+    if (result_.points_rms > 5.0)
+      doubt(text("The known points are met only to %.1f pixels: are their places and pixels right?",
+                 result_.points_rms));
+    if (result_.turned_guessed)
+      doubt(
+          "The board looks the same turned by half a turn and was seen in one place only, so that "
+          "each camera may stand on the other side of it: move the board, or use one with an even "
+          "number of squares on one side and an odd number on the other.");
+  }
+
+  const CalibrationInput& input_;
+  RigCalibration& result_;
+};
+
+}  // namespace
+
+void writeVerdict(const CalibrationInput& input, RigCalibration* result) {
+  Verdict(input, result).write();
+}
+
+}  // namespace markerless_mocap

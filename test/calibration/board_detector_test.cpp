@@ -1,0 +1,178 @@
+#include "calibration/board_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <opencv2/imgproc.hpp>
+
+#include "calibration/board_drawing.h"
+#include "error_text_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kPixelsPerMetre = 1600, kMargin = 0.03;
+
+BoardOptions charuco() {
+  BoardOptions options;
+  options.columns = 7;
+  options.rows = 5;
+  return options;
+}
+
+/// The board as a camera sees it, and where its corners are then.
+struct Picture {
+  cv::Mat image;
+  std::vector<Eigen::Vector2d> corners;
+};
+
+/// \param turn of the board in the image, degrees
+Picture pictureOf(const Board& board, double turn = 20) {
+  const cv::Mat flat = boardImage(board, kPixelsPerMetre, kMargin);
+  const cv::Point2f centre(flat.cols / 2.0f, flat.rows / 2.0f);
+  const cv::Mat flat_turn = cv::getRotationMatrix2D(centre, turn, 1.0);
+  cv::Matx33d H(flat_turn.at<double>(0, 0), flat_turn.at<double>(0, 1),
+                flat_turn.at<double>(0, 2) + 300, flat_turn.at<double>(1, 0),
+                flat_turn.at<double>(1, 1), flat_turn.at<double>(1, 2) + 300, 0, 0, 1);
+  H = cv::Matx33d(1, 0.1, 0, -0.05, 0.9, 0, 1.5e-4, 2e-4, 1) * H;
+  Picture picture;
+  const int ground = board.options().inverted ? 40 : 190;
+  cv::Mat soft;
+  cv::GaussianBlur(flat, soft, {0, 0}, 1.0);
+  cv::warpPerspective(soft * 0.7 + 30, picture.image, H, {960, 800}, cv::INTER_AREA,
+                      cv::BORDER_CONSTANT, cv::Scalar(ground));
+  const double height = board.size().y();
+  for (const Eigen::Vector2d& corner : board.corners()) {
+    const cv::Vec3d p = H * cv::Vec3d((kMargin + corner.x()) * kPixelsPerMetre - 0.5,
+                                      (kMargin + height - corner.y()) * kPixelsPerMetre - 0.5, 1);
+    picture.corners.emplace_back(p[0] / p[2], p[1] / p[2]);
+  }
+  return picture;
+}
+
+void expectFound(const BoardOptions& options, size_t least, double turn = 20,
+                 double tolerance = 0.35) {
+  const Board board(options);
+  const Picture picture = pictureOf(board, turn);
+  const auto found = BoardDetector(board).detect(picture.image);
+  ASSERT_TRUE(found);
+  EXPECT_GE(found->ids.size(), least);
+  for (size_t i = 0; i < found->ids.size(); ++i)
+    EXPECT_LT((found->pixels[i] - picture.corners[found->ids[i]]).norm(), tolerance)
+        << "corner " << found->ids[i];
+}
+
+TEST(BoardDetector, CornersBetweenMarkers) {
+  expectFound(charuco(), 24);
+}
+
+TEST(BoardDetector, WhiteOnBlack) {
+  BoardOptions options = charuco();
+  options.inverted = true;
+  expectFound(options, 24);
+}
+
+TEST(BoardDetector, EvenRowsBeginBlackOrWhite) {
+  BoardOptions options = charuco();
+  options.rows = 6;
+  expectFound(options, 30);
+  options.white_first = true;
+  expectFound(options, 30);
+  // Read as the other kind, the markers stand in the wrong squares.
+  const Picture picture = pictureOf(Board(options));
+  options.white_first = false;
+  const auto found = BoardDetector(Board(options)).detect(picture.image);
+  double error = found ? 0 : 1e3;
+  for (size_t i = 0; found && i < found->ids.size(); ++i)
+    error = std::max(error, (found->pixels[i] - picture.corners[found->ids[i]]).norm());
+  EXPECT_GT(error, 10.0);
+}
+
+TEST(BoardDetector, CoveredBoardIsFoundInPart) {
+  const Board board(charuco());
+  Picture picture = pictureOf(board);
+  picture.image.colRange(0, 480) = 120;
+  const auto found = BoardDetector(board).detect(picture.image);
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->ids.size(), 24u);
+  for (size_t i = 0; i < found->ids.size(); ++i)
+    EXPECT_LT((found->pixels[i] - picture.corners[found->ids[i]]).norm(), 0.5);
+}
+
+TEST(BoardDetector, AprilTagGrid) {
+  BoardOptions options;
+  options.kind = "markers";
+  options.columns = 5;
+  options.rows = 4;
+  options.square = 0.06;
+  options.marker = 0.045;
+  options.dictionary = "DICT_APRILTAG_36h11";
+  expectFound(options, 76, 20, 0.6);
+  options.border_bits = 2;
+  expectFound(options, 76, 20, 0.6);
+}
+
+TEST(BoardDetector, ChessboardLiesAsItsColoursTell) {
+  BoardOptions options;
+  options.kind = "chessboard";
+  options.columns = 8;
+  options.rows = 5;
+  for (const double turn : {0.0, 20.0, 100.0, 180.0, 250.0}) expectFound(options, 28, turn);
+}
+
+TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {
+  BoardOptions options;
+  options.kind = "chessboard";
+  options.columns = 7;
+  options.rows = 5;
+  ASSERT_TRUE(Board(options).looksSameTurned());
+  const Board board(options);
+  const Picture picture = pictureOf(board, 170);
+  const auto found = BoardDetector(board).detect(picture.image);
+  ASSERT_TRUE(found);
+  double same = 0, turned = 0;
+  for (size_t i = 0; i < found->ids.size(); ++i) {
+    same = std::max(same, (found->pixels[i] - picture.corners[i]).norm());
+    turned =
+        std::max(turned, (found->pixels[i] - picture.corners[found->ids.size() - 1 - i]).norm());
+  }
+  EXPECT_LT(std::min(same, turned), 0.35);
+}
+
+TEST(BoardDetector, NothingInAnEmptyPicture) {
+  const cv::Mat grey(480, 640, CV_8UC1, cv::Scalar(90));
+  EXPECT_FALSE(BoardDetector(Board(charuco())).detect(grey));
+  BoardOptions options;
+  options.kind = "chessboard";
+  EXPECT_FALSE(BoardDetector(Board(options)).detect(grey).has_value());
+}
+
+TEST(BoardOptions, WhatIsWrongIsNamed) {
+  BoardOptions options = charuco();
+  options.marker = 0.05;
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
+            "board: marker is 0.050000 m, it must be smaller than square, 0.040000 m");
+  options = charuco();
+  options.columns = 20;
+  options.rows = 20;
+  EXPECT_EQ(errorTextOf([&] { options.validate(); }),
+            "board: it needs the markers 0 to 199, dictionary DICT_4X4_50 has 50");
+  options.kind = "chessboard";
+  EXPECT_NE(errorTextOf([&] { options.validate(); }), "");
+}
+
+TEST(BoardOptions, BoardFileIsReadBack) {
+  BoardOptions options = charuco();
+  options.inverted = true;
+  options.square = 0.0537;
+  options.marker = 0.75 * options.square;
+  const std::string path = ::testing::TempDir() + "board.yaml";
+  std::ofstream(path) << boardText(options);
+  EXPECT_EQ(boardText(readBoard(path)), boardText(options));
+  std::ofstream(path) << "columns: 7\nrow: 5\n";
+  EXPECT_NE(errorTextOf([&] { readBoard(path); }).find("row"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
