@@ -54,8 +54,8 @@ class BoardScene {
   /// Pose of the board, which turns to all sides while it is carried about.
   static Eigen::Isometry3d boardAt(double t) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    T.translation() << 1.2 * std::sin(0.61 * t), 1.2 * std::cos(0.47 * t),
-        0.9 + 0.6 * std::sin(0.83 * t);
+    T.translation() << 1.8 * std::sin(0.61 * t), 1.8 * std::cos(0.47 * t),
+        1.0 + 0.8 * std::sin(0.83 * t);
     T.linear() = (Eigen::AngleAxisd(0.55 * t, Eigen::Vector3d::UnitZ()) *
                   Eigen::AngleAxisd(0.6 + 0.5 * std::sin(0.9 * t), Eigen::Vector3d::UnitX()) *
                   Eigen::AngleAxisd(0.5 * std::sin(0.7 * t), Eigen::Vector3d::UnitZ()))

@@ -12,6 +12,7 @@
 namespace markerless_mocap {
 namespace {
 
+using PriorCost = ceres::AutoDiffCostFunction<DistortionPrior, 8, 12>;
 using PointCost = ceres::AutoDiffCostFunction<PointResidual, 2, 12, 6>;
 
 bool contributes(const Instant& instant) {
@@ -55,6 +56,8 @@ class Bundle {
  private:
   void addCamera(CameraState* camera) {
     problem_->AddParameterBlock(camera->intrinsics.data(), 12);
+    problem_->AddResidualBlock(new PriorCost(new DistortionPrior), nullptr,
+                               camera->intrinsics.data());
     problem_->AddParameterBlock(camera->camera_world.data(), 6);
     problem_->AddParameterBlock(&camera->time_offset, 1);
     ordering_->AddElementToGroup(camera->intrinsics.data(), 1);

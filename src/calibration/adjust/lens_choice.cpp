@@ -77,18 +77,6 @@ double meanOf(const std::vector<double>& values) {
   return sum / double(values.size());
 }
 
-/// Whether errors are larger than the least ones by no more than a standard error.
-bool asGoodAs(const std::vector<double>& errors, const std::vector<double>& least) {
-  if (errors.size() != least.size()) return false;
-  std::vector<double> more;
-  for (size_t i = 0; i < errors.size(); ++i) more.push_back(errors[i] - least[i]);
-  const double mean = meanOf(more);
-  double square = 0;
-  for (const double value : more) square += (value - mean) * (value - mean);
-  const double n = double(more.size());
-  return mean <= std::sqrt(square / (n * (n - 1)));
-}
-
 }  // namespace
 
 Intrinsics adjustIntrinsics(const Board& board, const std::vector<const BoardView*>& views,
@@ -100,22 +88,19 @@ Intrinsics adjustIntrinsics(const Board& board, const std::vector<const BoardVie
 
 LensChoice chooseLens(const Board& board, const std::vector<const BoardView*>& views,
                       const Intrinsics& start) {
-  constexpr size_t kViews = 40;
+  constexpr size_t kViews = 40, kManyViews = 15;
   std::vector<const BoardView*> chosen;
   for (const size_t i : differentViews(board, views, kViews)) chosen.push_back(views[i]);
   LensChoice choice;
-  std::vector<std::vector<double>> errors;
-  size_t least = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (const LensModel lens : kLensModels) {
-    errors.push_back(errorsOnViewsLeftOut(board, chosen, start, lens));
-    choice.trials.push_back({lens, std::sqrt(meanOf(errors.back()))});
-    if (choice.trials.back().rms < choice.trials[least].rms) least = errors.size() - 1;
+    const double error = std::sqrt(meanOf(errorsOnViewsLeftOut(board, chosen, start, lens)));
+    choice.trials.push_back({lens, error});
+    if (views.size() >= kManyViews && coefficientsOf(lens) < 4) continue;
+    if (!(error < 0.999 * least)) continue;
+    least = error;
+    choice.lens = lens;
   }
-  for (size_t i = 0; i < errors.size(); ++i)
-    if (i == least || asGoodAs(errors[i], errors[least])) {
-      choice.lens = kLensModels[i];
-      break;
-    }
   return choice;
 }
 

@@ -13,9 +13,10 @@ struct LensTrial {
   double rms = 0.0;  ///< pixels, on views left out
 };
 
-/// The simplest lens model that predicts views left out as well as the best one, within one
-/// standard error of the difference, and what each model reached. Source: Hastie, Tibshirani and
-/// Friedman, The Elements of Statistical Learning, 7.10.
+/// The lens model that predicts views left out best, and what each model reached. Of models that
+/// differ by less than a thousandth, the simplest. With fifteen views and more, p1 and p2 are
+/// always estimated: the views of one camera alone hardly show them, but they turn the camera
+/// within the rig.
 struct LensChoice {
   LensModel lens = LensModel::kPlumbBob;
   std::vector<LensTrial> trials;

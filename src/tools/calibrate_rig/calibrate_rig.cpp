@@ -1,0 +1,132 @@
+#include "tools/calibrate_rig/calibrate_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "markerless_mocap/camera/rig_file.h"
+#include "tools/calibrate_rig/calibration_files.h"
+#include "tools/calibrate_rig/find_boards.h"
+#include "tools/common/progress.h"
+
+namespace markerless_mocap {
+namespace {
+
+FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::ostream* notes,
+                      bool terminal) {
+  const BoardDetector detector(board);
+  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
+  const FrameTimes times = a.times.empty() ? FrameTimes{} : readFrameTimes(a.times, films);
+  Progress progress("boards", notes, terminal);
+  const auto show = [&](double part) { progress.update(part); };
+  FoundBoards boards = findBoards(detector, films, a.most_images, times, show);
+  if (!a.lens_pictures.empty())
+    addLensPictures(findBoards(detector, findFilms(a.lens_pictures, ""), a.most_images, {}, {}),
+                    &boards);
+  progress.finish();
+  return boards;
+}
+
+size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
+                   const std::string& option) {
+  std::string known;
+  for (size_t i = 0; i < cameras.size(); ++i) {
+    if (cameras[i].name == name) return i;
+    known += (known.empty() ? "" : ", ") + cameras[i].name;
+  }
+  throw std::invalid_argument(option + " names the camera " + name + ", there are " + known);
+}
+
+/// The first view of the camera, or the time that is named.
+FloorView floorView(const CalibrateRigArguments& a, const FoundBoards& boards) {
+  const size_t colon = a.floor.rfind(':');
+  FloorView floor;
+  floor.camera = cameraNamed(a.floor.substr(0, colon), boards.cameras, "--floor");
+  floor.thickness = a.floor_thickness;
+  double first = INFINITY;
+  for (const BoardView& view : boards.views)
+    if (view.camera == floor.camera && !view.alone) first = std::min(first, view.time);
+  floor.time = first;
+  if (colon == std::string::npos) return floor;
+  char* end = nullptr;
+  const std::string seconds = a.floor.substr(colon + 1);
+  floor.time = std::strtod(seconds.c_str(), &end);
+  if (seconds.empty() || *end != 0)
+    throw std::invalid_argument("--floor " + a.floor + ": after the colon comes a time in seconds");
+  return floor;
+}
+
+void useLenses(const std::string& path, std::vector<CameraToCalibrate>* cameras) {
+  const std::vector<CameraCalibration> rig = readRig(path);
+  for (CameraToCalibrate& camera : *cameras) {
+    const CameraCalibration given = camerasNamed({camera.name}, rig, path).front();
+    if (given.width != camera.width || given.height != camera.height)
+      throw std::invalid_argument(path + ": " + camera.name + " is " + std::to_string(given.width) +
+                                  " x " + std::to_string(given.height) + " pixels, its film " +
+                                  std::to_string(camera.width) + " x " +
+                                  std::to_string(camera.height));
+    camera.given = given;
+  }
+}
+
+CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
+  CalibrationInput input;
+  input.board = a.board;
+  input.cameras = boards.cameras;
+  input.views = boards.views;
+  if (!a.lenses.empty()) useLenses(a.lenses, &input.cameras);
+  if (!a.points.empty()) input.points = readKnownPoints(a.points, boards.cameras);
+  if (!a.floor.empty()) input.floor = floorView(a, boards);
+  if (a.lens != "auto") input.lens = lensModelNamed(a.lens);
+  input.estimate_offsets = a.unsynchronised;
+  input.largest_offset = a.largest_offset;
+  input.locate = !a.lens_only;
+  return input;
+}
+
+void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
+  std::vector<int> views(boards.cameras.size(), 0);
+  for (const BoardView& view : boards.views) ++views[view.camera];
+  for (size_t i = 0; i < views.size(); ++i)
+    out << boards.cameras[i].name << ": board found in " << views[i] << " pictures, "
+        << boards.images[i] << " images searched in its film\n";
+}
+
+}  // namespace
+
+RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostream* notes,
+                              bool terminal) {
+  const Board board(arguments.board);
+  const FoundBoards boards = searchAll(arguments, board, notes, terminal);
+  if (notes) sayWhatWasFound(boards, *notes);
+  const CalibrationInput input = inputOf(arguments, boards);
+  Progress progress("adjustment", notes, terminal);
+  const RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });
+  progress.finish();
+  if (arguments.lens_only)
+    writeLenses(arguments.output, result);
+  else
+    writeCalibration(arguments.output, result, arguments.world_frame);
+  return result;
+}
+
+void print(const RigCalibration& result, std::ostream& out) {
+  char line[300];
+  std::snprintf(line, sizeof line, "%-12s %6s %9s %9s %16s %10s %12s %16s  %s\n", "camera", "views",
+                "covered", "residual", "focal", "place", "direction", "time offset", "lens");
+  out << line;
+  for (const CalibratedCamera& c : result.cameras) {
+    std::snprintf(line, sizeof line,
+                  "%-12s %6zu %7.0f %% %6.2f px %8.1f +- %.1f px %4.1f mm %8.3f deg %8.1f +- %.1f "
+                  "ms  %s\n",
+                  c.calibration.name.c_str(), c.views.size(), 100 * c.coverage, c.rms,
+                  c.calibration.K(0, 0), c.focal_sigma.x(), 1e3 * c.position_sigma.norm(),
+                  c.direction_sigma.norm() * 180 / M_PI, 1e3 * c.time_offset, 1e3 * c.time_sigma,
+                  nameOf(c.lens).c_str());
+    out << line;
+  }
+  for (const std::string& sentence : result.verdict) out << sentence << '\n';
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "calibration/calibrate.h"
+
+namespace markerless_mocap {
+
+/// Arguments of calibrate_rig.
+struct CalibrateRigArguments {
+  std::string output;                      ///< folder
+  std::vector<std::string> inputs;         ///< films, as findFilms()
+  std::string video;                       ///< file in each camera's folder
+  std::vector<std::string> lens_pictures;  ///< films for the lenses only
+  BoardOptions board;
+  std::string times;  ///< table of times, or empty
+  bool unsynchronised = false;
+  double largest_offset = 5.0;  ///< s
+  std::string lenses;           ///< rig file whose intrinsics are kept, or empty
+  std::string lens = "auto";
+  std::string points;            ///< file of known points, or empty
+  std::string floor;             ///< CAMERA or CAMERA:SECONDS, or empty
+  double floor_thickness = 0.0;  ///< m
+  bool lens_only = false;
+  int most_images = 300;  ///< per film
+  std::string world_frame = "world";
+};
+
+/// Reads films, calibrates, writes the results.
+/// \param notes progress and summary; nullptr: none
+/// Throws std::runtime_error or std::invalid_argument with a sentence for people.
+RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostream* notes,
+                              bool terminal);
+
+/// The verdict and a table of the cameras.
+void print(const RigCalibration& result, std::ostream& out);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "tools/calibrate_rig/calibrate_rig.h"
+#include "tools/common/board_arguments.h"
+#include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+void describe(CLI::App& app, CalibrateRigArguments* a) {
+  app.add_option("output", a->output,
+                 "folder to write: rig.yaml, camera_info/, cameras.launch, report.html")
+      ->required();
+  app.add_option(
+         "films", a->inputs,
+         "a bag; or a folder with a folder of pictures, a folder with a video, or a video for "
+         "each camera; or videos. Cameras are named after topics, folders or videos")
+      ->required();
+  app.add_option("--video", a->video, "video to take from each camera's folder");
+  app.add_option("--lens-pictures", a->lens_pictures,
+                 "pictures of the board for the lenses only, such as close ones: as films");
+  app.add_option("--times", a->times,
+                 "table of the time of every image: columns cam_id and frame_time, s");
+  app.add_flag("--unsynchronised", a->unsynchronised,
+               "the films began at different times: estimate the offset of each camera");
+  app.add_option("--largest-offset", a->largest_offset, "that is searched for, s")
+      ->capture_default_str();
+}
+
+void describeMore(CLI::App& app, CalibrateRigArguments* a) {
+  app.add_option("--floor", a->floor,
+                 "CAMERA:SECONDS at which the board lies on the floor (of pictures: their number, "
+                 "from 0); CAMERA alone: its first view of the board. Gives the origin, z up");
+  app.add_option("--floor-thickness", a->floor_thickness, "of the board that lies there, m")
+      ->capture_default_str();
+  app.add_option("--points", a->points,
+                 "YAML list of known points of the scene with their pixels: they give the world");
+  app.add_option("--lenses", a->lenses, "rig file whose intrinsics are kept");
+  app.add_option(
+         "--lens", a->lens,
+         "auto, none, 'k1', 'k1 k2', 'k1 k2 p1 p2', 'k1 k2 p1 p2 k3' or rational; auto: the "
+         "simplest that predicts views left out")
+      ->capture_default_str();
+  app.add_flag("--lens-only", a->lens_only, "intrinsics only, no places");
+  app.add_option("--most-images", a->most_images, "searched in each film, evenly spread")
+      ->check(CLI::Range(5, 100000))
+      ->capture_default_str();
+  app.add_option("--world", a->world_frame, "name of the world's frame in cameras.launch")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Calibrates cameras from films of a board that is moved about.", "calibrate_rig");
+  CalibrateRigArguments arguments;
+  BoardArguments board;
+  bool quiet = false;
+  describe(app, &arguments);
+  describeBoard(app, &board);
+  describeMore(app, &arguments);
+  app.add_flag("--quiet", quiet, "no progress and no summary");
+  CLI11_PARSE(app, argc, argv);
+  return runTool("calibrate_rig", [&] {
+    arguments.board = boardOf(board);
+    std::ostream* notes = quiet ? nullptr : &std::cerr;
+    const RigCalibration result = calibrateFilms(arguments, notes, isStderrTerminal());
+    if (notes) print(result, *notes);
+  });
+}

@@ -1,0 +1,108 @@
+#include "tools/calibrate_rig/film.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <stdexcept>
+
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "tools/common/bag_io.h"
+
+namespace markerless_mocap {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Video : public Film {
+ public:
+  explicit Video(const std::string& path) : video_(path) {
+    if (!video_.isOpened()) throw std::runtime_error("cannot read the video " + path);
+    rate_ = video_.get(cv::CAP_PROP_FPS);
+    if (!(rate_ > 0)) throw std::runtime_error("the video " + path + " tells no frame rate");
+  }
+  FilmFrame next() override {
+    FilmFrame frame;
+    frame.time = frames_++ / rate_;
+    video_.read(frame.image);
+    return frame;
+  }
+  bool skip() override {
+    ++frames_;
+    return video_.grab();
+  }
+  int count() const override { return std::max(0, int(video_.get(cv::CAP_PROP_FRAME_COUNT))); }
+
+ private:
+  cv::VideoCapture video_;
+  double rate_ = 0.0;
+  int frames_ = 0;
+};
+
+class Pictures : public Film {
+ public:
+  explicit Pictures(const std::string& folder) {
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.is_regular_file()) files_.push_back(entry.path().string());
+    std::sort(files_.begin(), files_.end());
+    files_.erase(std::remove_if(files_.begin(), files_.end(),
+                                [](const std::string& f) { return !cv::haveImageReader(f); }),
+                 files_.end());
+  }
+  FilmFrame next() override {
+    if (next_ >= files_.size()) return {};
+    FilmFrame frame{cv::imread(files_[next_], cv::IMREAD_COLOR), double(next_)};
+    if (frame.image.empty()) throw std::runtime_error("cannot read the picture " + files_[next_]);
+    ++next_;
+    return frame;
+  }
+  bool skip() override { return next_++ < files_.size(); }
+  int count() const override { return int(files_.size()); }
+
+ private:
+  std::vector<std::string> files_;
+  size_t next_ = 0;
+};
+
+class BagTopic : public Film {
+ public:
+  BagTopic(const std::string& path, const std::string& topic) {
+    openForReading(path, bag_);
+    view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topic));
+    message_ = view_->begin();
+  }
+  FilmFrame next() override {
+    if (message_ == view_->end()) return {};
+    const rosbag::MessageInstance& entry = *message_;
+    FilmFrame frame;
+    if (const auto raw = entry.instantiate<sensor_msgs::Image>()) {
+      frame = {matFromMessage(*raw), 1e-9 * double(nanosecondsOf(raw->header.stamp))};
+    } else if (const auto jpeg = entry.instantiate<sensor_msgs::CompressedImage>()) {
+      frame = {matFromMessage(*jpeg), 1e-9 * double(nanosecondsOf(jpeg->header.stamp))};
+    }
+    ++message_;
+    return frame;
+  }
+  bool skip() override {
+    if (message_ == view_->end()) return false;
+    ++message_;
+    return true;
+  }
+  int count() const override { return int(view_->size()); }
+
+ private:
+  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::View> view_;
+  rosbag::View::iterator message_;
+};
+
+}  // namespace
+
+std::unique_ptr<Film> openFilm(const FilmSource& source) {
+  if (!source.topic.empty()) return std::make_unique<BagTopic>(source.path, source.topic);
+  if (fs::is_directory(source.path)) return std::make_unique<Pictures>(source.path);
+  return std::make_unique<Video>(source.path);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,128 @@
+#include "tools/calibrate_rig/find_boards.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+/// The part that is done of several films that are read side by side.
+class SharedProgress {
+ public:
+  SharedProgress(size_t films, const std::function<void(double)>& show)
+      : parts_(films, 0.0), show_(show) {}
+  void update(size_t film, double part) {
+    if (!show_) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    parts_[film] = std::min(1.0, part);
+    double sum = 0;
+    for (const double one : parts_) sum += one;
+    show_(sum / double(parts_.size()));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> parts_;
+  const std::function<void(double)>& show_;
+};
+
+/// Views of one camera.
+struct FilmBoards {
+  CameraToCalibrate camera;
+  std::vector<BoardView> views;
+  int images = 0;
+};
+
+void checkSize(const cv::Mat& image, CameraToCalibrate* camera) {
+  if (camera->width == 0) {
+    camera->width = image.cols;
+    camera->height = image.rows;
+  }
+  if (image.cols != camera->width || image.rows != camera->height)
+    throw std::runtime_error("the images of " + camera->name + " change their size from " +
+                             std::to_string(camera->width) + " x " +
+                             std::to_string(camera->height) + " to " + std::to_string(image.cols) +
+                             " x " + std::to_string(image.rows));
+}
+
+double timeOf(const FilmFrame& frame, size_t number, const FrameTimes& times,
+              const std::string& camera) {
+  const auto own = times.find(camera);
+  if (own == times.end()) return frame.time;
+  if (number >= own->second.size())
+    throw std::runtime_error("the film of " + camera +
+                             " has more images than the table has times, " +
+                             std::to_string(own->second.size()));
+  return own->second[number];
+}
+
+FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, int most_images,
+                      const FrameTimes& times, const std::function<void(double)>& progress) {
+  const std::unique_ptr<Film> film = openFilm(source);
+  const int every = std::max(1, (film->count() + most_images - 1) / most_images);
+  FilmBoards found;
+  found.camera.name = source.camera;
+  for (size_t number = 0;; ++number) {
+    if (number % size_t(every) != 0) {
+      if (!film->skip()) break;
+      continue;
+    }
+    const FilmFrame frame = film->next();
+    if (frame.image.empty()) break;
+    checkSize(frame.image, &found.camera);
+    ++found.images;
+    if (auto corners = detector.detect(frame.image))
+      found.views.push_back({0, timeOf(frame, number, times, source.camera), false, *corners});
+    progress(double(number + 1) / std::max(1, film->count()));
+  }
+  if (found.images == 0) throw std::runtime_error("there are no images in " + source.path);
+  return found;
+}
+
+}  // namespace
+
+FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                       int most_images, const FrameTimes& times,
+                       const std::function<void(double)>& progress) {
+  std::vector<FilmBoards> found(films.size());
+  SharedProgress shared(films.size(), progress);
+  tbb::parallel_for(size_t(0), films.size(), [&](size_t i) {
+    found[i] = searchFilm(detector, films[i], most_images, times,
+                          [&](double part) { shared.update(i, part); });
+  });
+  FoundBoards all;
+  for (size_t i = 0; i < films.size(); ++i) {
+    all.cameras.push_back(found[i].camera);
+    all.images.push_back(found[i].images);
+    for (BoardView& view : found[i].views) {
+      view.camera = i;
+      all.views.push_back(std::move(view));
+    }
+  }
+  return all;
+}
+
+void addLensPictures(const FoundBoards& pictures, FoundBoards* boards) {
+  for (const BoardView& view : pictures.views) {
+    const CameraToCalibrate& of = pictures.cameras[view.camera];
+    const auto camera =
+        std::find_if(boards->cameras.begin(), boards->cameras.end(),
+                     [&](const CameraToCalibrate& one) { return one.name == of.name; });
+    if (camera == boards->cameras.end())
+      throw std::runtime_error("there are lens pictures of " + of.name +
+                               ", which is none of the cameras");
+    if (camera->width != of.width || camera->height != of.height)
+      throw std::runtime_error("the lens pictures of " + of.name + " are " +
+                               std::to_string(of.width) + " x " + std::to_string(of.height) +
+                               " pixels, its film is " + std::to_string(camera->width) + " x " +
+                               std::to_string(camera->height));
+    boards->views.push_back(view);
+    boards->views.back().camera = size_t(camera - boards->cameras.begin());
+    boards->views.back().alone = true;
+  }
+}
+
+}  // namespace markerless_mocap

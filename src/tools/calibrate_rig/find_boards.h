@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "calibration/board_detector.h"
+#include "calibration/views.h"
+#include "tools/calibrate_rig/film.h"
+
+namespace markerless_mocap {
+
+/// What the films of all cameras show.
+struct FoundBoards {
+  std::vector<CameraToCalibrate> cameras;
+  std::vector<BoardView> views;
+  std::vector<int> images;  ///< that were searched, by camera
+};
+
+/// Times of the images of each camera, by its name, s; as read by readFrameTimes().
+using FrameTimes = std::map<std::string, std::vector<double>>;
+
+/// Searches the films for the board, side by side.
+/// \param most_images searched per film; of longer ones every second, third ... image is searched
+/// \param times replace the films' own; a camera that is not named keeps its own
+/// \param progress called with the part that is done, 0 to 1
+/// Throws std::runtime_error if a film has no images, changes its size or has more images than
+/// times.
+FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                       int most_images, const FrameTimes& times,
+                       const std::function<void(double)>& progress);
+
+/// Adds pictures that were taken for the lenses only; their cameras must be among those found.
+void addLensPictures(const FoundBoards& pictures, FoundBoards* boards);
+
+/// Reads a table with the columns cam_id and frame_time (s): the time of every image of every
+/// camera, as caliscope and FreeMoCap write them. A camera is named by its id or by a name that
+/// ends with it. Throws std::runtime_error; the message names the file and the line.
+FrameTimes readFrameTimes(const std::string& path, const std::vector<FilmSource>& films);
+
+/// Reads known points: a YAML list `points`, each with a `name`, a `position` [x, y, z] in metres
+/// and `pixels`, a map of cameras to [u, v]. Throws std::runtime_error or std::invalid_argument.
+std::vector<KnownPoint> readKnownPoints(const std::string& path,
+                                        const std::vector<CameraToCalibrate>& cameras);
+
+}  // namespace markerless_mocap

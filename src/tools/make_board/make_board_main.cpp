@@ -1,0 +1,45 @@
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "tools/common/board_arguments.h"
+#include "tools/common/run_tool.h"
+#include "tools/make_board/board_pdf.h"
+
+namespace {
+
+using namespace markerless_mocap;
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Writes a calibration board as a PDF at true size, and its board file.",
+               "make_board");
+  BoardArguments arguments;
+  std::string output, page = "A4";
+  app.add_option("output", output, "PDF to write; the board file gets the same name with .yaml")
+      ->required();
+  app.add_option("--page", page, "A4, A3, A2, A1, A0, letter, or WIDTHxHEIGHT in mm")
+      ->capture_default_str();
+  describeBoard(app, &arguments);
+  CLI11_PARSE(app, argc, argv);
+  return runTool("make_board", [&] {
+    const Board board(boardOf(arguments));
+    const std::string pdf = boardPdf(board, pageFor(board, page));
+    const std::string stem = output.size() > 4 && output.substr(output.size() - 4) == ".pdf"
+                                 ? output.substr(0, output.size() - 4)
+                                 : output;
+    write(stem + ".pdf", pdf);
+    write(stem + ".yaml", boardText(board.options()));
+    std::cout << "Print " << stem << ".pdf at 100 %, measure its ruler, and glue it to something "
+              << "flat. For calibrate_rig: --board " << stem << ".yaml\n";
+  });
+}
