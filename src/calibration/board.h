@@ -20,9 +20,9 @@ struct BoardOptions {
   /// squares from top to bottom; markers for a grid of markers
   int rows = 5;
   /// side of a square, m; of a grid of markers: from one marker to the next, side and gap together
-  double square = 0.04;
+  double square = 0.035;
   /// side of a marker with its black border, m
-  double marker = 0.03;
+  double marker = 0.026;
   /// marker dictionary by its name in OpenCV
   std::string dictionary = "DICT_4X4_50";
   /// number of the first marker: the upper left one; of a grid of markers the lower left one

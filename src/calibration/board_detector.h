@@ -19,7 +19,8 @@ class BoardDetector {
   const Board& board() const { return board_; }
   /// Corners in an image (CV_8UC1 or CV_8UC3); empty if there are fewer than six or if they lie on
   /// one line. A chessboard that looks the same turned may be found turned by half a turn.
-  std::optional<BoardCorners> detect(const cv::Mat& image) const;
+  /// \param thorough look longer for a plain chessboard that is small or seen at a slant
+  std::optional<BoardCorners> detect(const cv::Mat& image, bool thorough = false) const;
 
  private:
   struct Markers;

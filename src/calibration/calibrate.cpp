@@ -38,6 +38,7 @@ class Calibrator {
     state_.cameras.resize(input_.cameras.size());
     state_.points = input_.points;
     trials_.resize(input_.cameras.size());
+    offsets_free_ = input_.estimate_offsets;
   }
 
   RigCalibration run() {
@@ -50,9 +51,11 @@ class Calibrator {
     startOffsets();
     startPoses();
     done(0.5);
+    leaveOutLooseParts();
+    done(0.6);
     adjust();
     done(0.8);
-    leaveOutLooseParts();
+    checkClocks();
     chooseWorld();
     done(0.95);
     return result();
@@ -160,7 +163,7 @@ class Calibrator {
 
   BundleOptions options() const {
     BundleOptions options;
-    options.estimate_offsets = input_.estimate_offsets;
+    options.estimate_offsets = offsets_free_;
     options.held = held_;
     options.threads = input_.threads;
     return options;
@@ -169,12 +172,39 @@ class Calibrator {
   /// Robustly, then without outliers.
   void adjust() {
     adjustBundle(board_, options(), &state_);
-    if (input_.estimate_offsets) regroupAndAdjust();
+    if (offsets_free_) regroupAndAdjust();
     outliers_ = markOutliers(board_, outlierLimit(), &state_);
     adjustBundle(board_, options(), &state_);
   }
 
   double outlierLimit() const { return std::max(1.0, 6.0 * robustSigma(board_, state_)); }
+
+  /// Cameras whose stamps are late or early meet a moving board badly. Offsets are kept if they are
+  /// clear, and if they let the cameras meet the board clearly better.
+  void checkClocks() {
+    constexpr double kLeast = 0.005, kClear = 4.0, kBetter = 0.9;  // s, standard deviations, part
+    if (offsets_free_ || !input_.check_clocks || state_.cameras.size() < 2) return;
+    const double before = robustSigma(board_, state_);
+    const RigState without = state_;
+    offsets_free_ = true;
+    adjust();
+    const auto sigmas = uncertaintiesOf(board_, state_, held_, true);
+    bool clear = false;
+    for (size_t i = 0; i < sigmas.size(); ++i)
+      clear |= std::abs(state_.cameras[i].time_offset) >
+               std::max(kLeast, kClear * sigmas[i].time_offset);
+    if (clear && robustSigma(board_, state_) < kBetter * before) return;
+    offsets_free_ = false;
+    state_ = without;
+  }
+
+  /// Whether the board was seen in places that differ by half its size.
+  bool boardMoved() const {
+    Eigen::AlignedBox3d places;
+    for (const Instant& instant : state_.instants)
+      if (instant.located) places.extend(instant.world_board.tail<3>());
+    return !places.isEmpty() && places.diagonal().norm() > 0.5 * board_.size().norm();
+  }
 
   /// Better offsets may group other views.
   void regroupAndAdjust() {
@@ -186,24 +216,42 @@ class Calibrator {
   /// Poses of the boards from the cameras as they are.
   void relocateBoards() { placeBoards(board_, poses_, &state_); }
 
+  /// With the lenses that each camera found alone, which know nothing of the others: free ones
+  /// would bend until they meet the views of a camera that moved.
   void leaveOutLooseParts() {
+    BundleOptions fixed = options();
+    fixed.estimate_intrinsics = false;
+    for (const double loss : {BundleOptions().loss_pixels, std::max(0.5, medianViewError())}) {
+      fixed.loss_pixels = loss;
+      adjustBundle(board_, fixed, &state_);
+    }
     for (size_t round = 0; round < state_.cameras.size(); ++round) {
       const std::optional<LooseCamera> loose = loosestCamera(board_, state_);
       if (!loose) return;
       loose_.push_back(*loose);
       leaveOut(*loose, &state_);
-      adjust();
+      adjustBundle(board_, fixed, &state_);
     }
   }
 
   void chooseWorld() {
-    sigmas_ = uncertaintiesOf(board_, state_, held_, input_.estimate_offsets);
+    sigmas_ = uncertaintiesOf(board_, state_, held_, offsets_free_);
     if (!input_.locate || !state_.points.empty()) return;
     if (input_.floor)
       putFloorUnderBoard(input_.floor->camera, input_.floor->time, input_.floor->thickness,
                          &state_);
     else
       guessFloor(board_, &state_);
+  }
+
+  /// Of the views each by itself, pixels: how well the corners were found.
+  double medianViewError() const {
+    std::vector<double> errors;
+    for (const BoardPose& pose : poses_)
+      if (std::isfinite(pose.rms)) errors.push_back(pose.rms);
+    if (errors.empty()) return 0.0;
+    std::nth_element(errors.begin(), errors.begin() + long(errors.size() / 2), errors.end());
+    return errors[errors.size() / 2];
   }
 
   RigCalibration result() const {
@@ -222,6 +270,8 @@ class Calibrator {
     for (const LooseCamera& loose : loose_)
       result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
     result.outliers = outliers_;
+    result.clocks_corrected = offsets_free_ && !input_.estimate_offsets;
+    result.turned_guessed = board_.looksSameTurned() && !boardMoved();
     writeVerdict(input_, &result);
     return result;
   }
@@ -239,6 +289,7 @@ class Calibrator {
   std::vector<LooseCamera> loose_;
   std::vector<CameraUncertainty> sigmas_;
   int outliers_ = 0;
+  bool offsets_free_ = false;
 };
 
 }  // namespace

@@ -93,8 +93,9 @@ struct RigCalibration {
   int instants = 0;  ///< of which the board's pose was estimated
   int outliers = 0;  ///< corners that were left out
   bool floor_known = false;
-  double points_rms = 0.0;      ///< pixels; 0 without points
-  bool turned_guessed = false;  ///< the board looks the same turned and nothing tells how it lay
+  bool clocks_corrected = false;  ///< offsets were estimated though nobody asked for it
+  double points_rms = 0.0;        ///< pixels; 0 without points
+  bool turned_guessed = false;    ///< the board looks the same turned and nothing tells how it lay
   std::vector<std::string> verdict;  ///< sentences for people; the first is the summary
   bool good = true;                  ///< nothing in the verdict speaks against use
 };

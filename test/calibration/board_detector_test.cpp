@@ -18,6 +18,8 @@ BoardOptions charuco() {
   BoardOptions options;
   options.columns = 7;
   options.rows = 5;
+  options.square = 0.04;
+  options.marker = 0.03;
   return options;
 }
 
@@ -118,7 +120,7 @@ TEST(BoardDetector, ChessboardLiesAsItsColoursTell) {
   options.kind = "chessboard";
   options.columns = 8;
   options.rows = 5;
-  for (const double turn : {0.0, 20.0, 100.0, 180.0, 250.0}) expectFound(options, 28, turn);
+  for (const double turn : {0.0, 20.0, 100.0, 180.0, 250.0}) expectFound(options, 28, turn, 0.45);
 }
 
 TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {

@@ -94,7 +94,8 @@ class Bundle {
     CameraState& camera = state_.cameras[index];
     const bool held = options_.held.count(index) > 0;
     if (held) problem_->SetParameterBlockConstant(camera.camera_world.data());
-    if (held || !options_.estimate_offsets)
+    const bool clock_held = held || (options_.held.empty() && index == 0);
+    if (clock_held || !options_.estimate_offsets)
       problem_->SetParameterBlockConstant(&camera.time_offset);
     const std::vector<int> fixed = fixedIntrinsics(camera.lens);
     if (camera.intrinsics_fixed || !options_.estimate_intrinsics)

@@ -10,8 +10,9 @@ namespace markerless_mocap {
 struct BundleOptions {
   bool estimate_intrinsics = true;  ///< except those that are fixed
   bool estimate_offsets = false;    ///< time offsets
-  std::set<size_t> held;            ///< cameras whose pose and time offset are kept
-  double loss_pixels = 2.0;         ///< scale of the robust loss (Cauchy)
+  /// Cameras whose pose and time offset are kept. If there are none, the first camera's offset is.
+  std::set<size_t> held;
+  double loss_pixels = 2.0;  ///< scale of the robust loss (Cauchy)
   int iterations = 60;
   int threads = 1;
 };

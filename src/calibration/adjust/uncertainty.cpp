@@ -151,7 +151,8 @@ std::vector<int> freeParameters(const RigState& state, const std::set<size_t>& h
     if (!camera.intrinsics_fixed)
       for (int k = 0; k < 4 + coefficientsOf(camera.lens); ++k)
         free.push_back(at + kIntrinsics + k);
-    if (offsets && held.count(i) == 0) free.push_back(at + kTime);
+    const bool clock_held = held.count(i) > 0 || (held.empty() && i == 0);
+    if (offsets && !clock_held) free.push_back(at + kTime);
   }
   return free;
 }

@@ -9,21 +9,37 @@ namespace {
 
 using Points = std::vector<cv::Point2f>;
 
-/// A chessboard's inner corners by rows; empty if it is not there.
-Points findRows(const cv::Mat& grey, cv::Size inner) {
-  Points found;
-  if (cv::findChessboardCornersSB(grey, inner, found,
-                                  cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY))
-    return found;
-  const int flags =
-      cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK;
-  if (!cv::findChessboardCorners(grey, inner, found, flags)) return {};
+/// To a fraction of a pixel, by the edges that meet in each corner.
+void refine(const cv::Mat& grey, cv::Size inner, Points* found) {
   double side = 1e9;
   for (size_t i = 1; i < size_t(inner.width); ++i)
-    side = std::min(side, cv::norm(found[i] - found[i - 1]));
+    side = std::min(side, cv::norm((*found)[i] - (*found)[i - 1]));
   const int window = std::clamp(int(side / 3), 2, 8);
-  cv::cornerSubPix(grey, found, {window, window}, {-1, -1},
+  cv::cornerSubPix(grey, *found, {window, window}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
+}
+
+/// A chessboard's inner corners by rows; empty if it is not there.
+Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
+  Points found;
+  const int more = thorough ? cv::CALIB_CB_EXHAUSTIVE : 0;
+  if (cv::findChessboardCornersSB(grey, inner, found,
+                                  cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY | more))
+    return found;
+  const int fast = thorough ? 0 : cv::CALIB_CB_FAST_CHECK;
+  if (!cv::findChessboardCorners(
+          grey, inner, found, cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | fast))
+    return {};
+  refine(grey, inner, &found);
+  return found;
+}
+
+/// As findRows() in a magnified image.
+Points findMagnified(const cv::Mat& grey, cv::Size inner, int times) {
+  cv::Mat large;
+  cv::resize(grey, large, {}, times, times, cv::INTER_CUBIC);
+  Points found = findRows(large, inner, true);
+  for (cv::Point2f& p : found) p = (p + cv::Point2f(0.5f, 0.5f)) / times - cv::Point2f(0.5f, 0.5f);
   return found;
 }
 
@@ -68,9 +84,12 @@ double colourAgreement(const Board& board, const cv::Mat& grey, const Points& fo
 
 }  // namespace
 
-BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey) {
+BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough) {
   const cv::Size inner(board.options().columns - 1, board.options().rows - 1);
-  Points found = findRows(grey, inner);
+  constexpr int kSmall = 1000;  // pixels across
+  Points found = findRows(grey, inner, thorough);
+  for (int times = 2; thorough && found.empty() && grey.cols < kSmall && times <= 3; ++times)
+    found = findMagnified(grey, inner, times);
   if (found.empty()) return {};
   orderAsPrinted(inner, &found);
   if (!board.looksSameTurned() && colourAgreement(board, grey, found, inner) < 0)

@@ -109,7 +109,22 @@ class Verdict {
                100 * camera.coverage));
   }
 
+  /// Offsets against the middle one of all cameras.
+  void judgeClocks() {
+    constexpr double kLeast = 0.005;
+    if (!result_.clocks_corrected) return;
+    std::vector<double> offsets;
+    for (const CalibratedCamera& camera : result_.cameras) offsets.push_back(camera.time_offset);
+    for (const CalibratedCamera& camera : result_.cameras)
+      if (const double late = medianOf(offsets) - camera.time_offset; std::abs(late) > kLeast)
+        doubt(text(
+            "The stamps of %s are %.0f ms too %s, by the motion of the board. That was "
+            "corrected here; correct it in recordings, too.",
+            camera.calibration.name.c_str(), 1e3 * std::abs(late), late > 0 ? "late" : "early"));
+  }
+
   void judgeRig() {
+    judgeClocks();
     if (!input_.locate) return;
     if (!result_.floor_known)
       result_.verdict.push_back(

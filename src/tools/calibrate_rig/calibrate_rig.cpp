@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
@@ -70,11 +71,19 @@ void useLenses(const std::string& path, std::vector<CameraToCalibrate>* cameras)
   }
 }
 
+/// Not pictures, between which the board may have gone anywhere.
+bool areFilms(const CalibrateRigArguments& a) {
+  for (const FilmSource& film : findFilms(a.inputs, a.video))
+    if (std::filesystem::is_directory(film.path)) return false;
+  return true;
+}
+
 CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
   input.cameras = boards.cameras;
   input.views = boards.views;
+  for (BoardView& view : input.views) view.alone |= a.separate || a.lens_only;
   if (!a.lenses.empty()) useLenses(a.lenses, &input.cameras);
   if (!a.points.empty()) input.points = readKnownPoints(a.points, boards.cameras);
   if (!a.floor.empty()) input.floor = floorView(a, boards);
@@ -82,6 +91,7 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   input.estimate_offsets = a.unsynchronised;
   input.largest_offset = a.largest_offset;
   input.locate = !a.lens_only;
+  input.check_clocks = areFilms(a);
   return input;
 }
 

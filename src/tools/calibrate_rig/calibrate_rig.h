@@ -23,6 +23,7 @@ struct CalibrateRigArguments {
   std::string points;            ///< file of known points, or empty
   std::string floor;             ///< CAMERA or CAMERA:SECONDS, or empty
   double floor_thickness = 0.0;  ///< m
+  bool separate = false;         ///< no two images are of one time
   bool lens_only = false;
   int most_images = 300;  ///< per film
   std::string world_frame = "world";

@@ -22,6 +22,10 @@ void describe(CLI::App& app, CalibrateRigArguments* a) {
   app.add_option("--video", a->video, "video to take from each camera's folder");
   app.add_option("--lens-pictures", a->lens_pictures,
                  "pictures of the board for the lenses only, such as close ones: as films");
+  app.add_flag(
+      "--separate", a->separate,
+      "no two images are of one time, as pictures that were taken camera by camera; --points "
+      "then gives the places");
   app.add_option("--times", a->times,
                  "table of the time of every image: columns cam_id and frame_time, s");
   app.add_flag("--unsynchronised", a->unsynchronised,

@@ -62,6 +62,8 @@ double timeOf(const FilmFrame& frame, size_t number, const FrameTimes& times,
 FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, int most_images,
                       const FrameTimes& times, const std::function<void(double)>& progress) {
   const std::unique_ptr<Film> film = openFilm(source);
+  constexpr int kFew = 30;  // images that are worth a longer search
+  const bool thorough = film->count() > 0 && std::min(film->count(), most_images) <= kFew;
   const int every = std::max(1, (film->count() + most_images - 1) / most_images);
   FilmBoards found;
   found.camera.name = source.camera;
@@ -74,7 +76,7 @@ FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, i
     if (frame.image.empty()) break;
     checkSize(frame.image, &found.camera);
     ++found.images;
-    if (auto corners = detector.detect(frame.image))
+    if (auto corners = detector.detect(frame.image, thorough))
       found.views.push_back({0, timeOf(frame, number, times, source.camera), false, *corners});
     progress(double(number + 1) / std::max(1, film->count()));
   }

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kMargin = 8.0, kRulerHeight = 20.0;  // mm
+constexpr double kMargin = 8.0, kRulerHeight = 16.0;  // mm
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -29,13 +29,13 @@ struct NamedPage {
 constexpr NamedPage kPages[] = {{"A4", 297, 210}, {"A3", 420, 297},  {"A2", 594, 420},
                                 {"A1", 841, 594}, {"A0", 1189, 841}, {"letter", 279.4, 215.9}};
 
-/// White around the pattern, of at least half a square for detectors to see its edge.
+/// Around the pattern, for detectors to see its edge, mm.
 double quietZone(const Board& board) {
-  return std::min(10.0, 0.3 * 1e3 * board.options().square);
+  return std::min(kMargin, 0.3 * 1e3 * board.options().square);
 }
 
 Eigen::Vector2d neededSize(const Board& board) {
-  const double around = 2 * std::max(kMargin, quietZone(board));
+  const double around = 2 * kMargin;
   return 1e3 * board.size() + Eigen::Vector2d(around, around + kRulerHeight);
 }
 
