@@ -29,7 +29,10 @@ struct CalibrationInput {
   std::optional<LensModel> lens;   ///< empty: chosen for each camera by cross-validation
   bool estimate_offsets = false;   ///< the cameras' clocks do not agree
   double largest_offset = 5.0;     ///< s, that is searched for
-  bool locate = true;              ///< false: intrinsics only
+  /// The views are films, so that the board's motion tells whether the cameras' clocks agree; if
+  /// they clearly do not, their offsets are estimated and told.
+  bool check_clocks = false;
+  bool locate = true;  ///< false: intrinsics only
   int threads = 2;
 };
 

@@ -17,10 +17,6 @@ TEST(Calibrate, EightCamerasFromNoisyCorners) {
   scene.addRing(8);
   const RigCalibration result = calibrateRig(scene.input(60));
   const RigError error = rigError(result, scene.cameras);
-  std::printf("MM %g %g\n", error.largestPosition(), error.largestDirection() / kDegree);
-  for (auto& c : result.cameras)
-    std::printf("%s %g %g %zu %g\n", nameOf(c.lens).c_str(), c.position_sigma.norm(),
-                c.direction_sigma.norm() / kDegree, c.views.size(), c.coverage);
   EXPECT_LT(error.largestPosition(), 0.002);
   EXPECT_LT(error.largestDirection(), 0.05 * kDegree);
   for (size_t i = 0; i < scene.cameras.size(); ++i) {
@@ -65,11 +61,10 @@ TEST(Calibrate, LooseCameraIsNamedAndItsLaterViewsAreLeftOut) {
   scene.loose = 3;
   scene.loose_from = 26;
   const RigCalibration result = calibrateRig(scene.input(40));
-  for (auto& v : result.cameras[3].views) std::printf("%g:%g%s ", v.time, v.rms, v.used ? "" : "x");
-  for (auto& v : result.verdict) std::printf("%s\n", v.c_str());
   for (int i = 0; i < 5; ++i) EXPECT_EQ(result.cameras[i].loose.has_value(), i == 3) << i;
   ASSERT_TRUE(result.cameras[3].loose);
-  EXPECT_NEAR(result.cameras[3].loose->time, 26.0, 3.0);
+  EXPECT_GT(result.cameras[3].loose->time, 25.0);  // the next views that others share begin later
+  EXPECT_LT(result.cameras[3].loose->time, 32.0);
   EXPECT_TRUE(result.cameras[3].loose->later_part);
   EXPECT_FALSE(result.good);
   EXPECT_EQ(result.verdict[1].substr(0, 13), "cam3 is loose");
@@ -127,6 +122,22 @@ TEST(Calibrate, StampsThatAreNotQuiteTogetherAreKept) {
   for (const CalibratedCamera& camera : result.cameras) EXPECT_EQ(camera.time_offset, 0.0);
 }
 
+TEST(Calibrate, StampsThatAreLateAreFoundAndTold) {
+  BoardScene scene;
+  scene.addRing(4);
+  scene.offsets = {0.0, -0.04, 0.0, 0.0};
+  CalibrationInput input = scene.input(30);
+  input.check_clocks = true;
+  const RigCalibration result = calibrateRig(input);
+  EXPECT_TRUE(result.clocks_corrected);
+  EXPECT_NEAR(result.cameras[1].time_offset - result.cameras[0].time_offset, -0.04, 0.005);
+  EXPECT_EQ(result.verdict[1].substr(0, 34), "The stamps of cam1 are 40 ms too l");
+  scene.offsets[1] = 0.0;
+  input = scene.input(30);
+  input.check_clocks = true;
+  EXPECT_FALSE(calibrateRig(input).clocks_corrected);
+}
+
 TEST(Calibrate, SimplestLensThatPredictsViewsLeftOut) {
   BoardScene scene;
   scene.addRing(2);
@@ -147,8 +158,8 @@ TEST(Calibrate, FloorIsWhereTheBoardLay) {
   floor.translation() << 0.3, -0.2, 0.01;
   floor.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()));
   for (size_t i = 0; i < 3; ++i)
-    if (auto view = scene.viewAt(i, 30.0, floor, &random)) input.views.push_back(*view);
-  input.floor = FloorView{1, 30.0, 0.01};
+    if (auto view = scene.viewAt(i, 60.0, floor, &random)) input.views.push_back(*view);
+  input.floor = FloorView{1, 60.0, 0.01};
   const RigCalibration result = calibrateRig(input);
   EXPECT_TRUE(result.floor_known);
   Eigen::Isometry3d world = floor;

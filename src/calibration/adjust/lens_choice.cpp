@@ -97,7 +97,7 @@ LensChoice chooseLens(const Board& board, const std::vector<const BoardView*>& v
     const double error = std::sqrt(meanOf(errorsOnViewsLeftOut(board, chosen, start, lens)));
     choice.trials.push_back({lens, error});
     if (views.size() >= kManyViews && coefficientsOf(lens) < 4) continue;
-    if (!(error < 0.999 * least)) continue;
+    if (!(error < 0.995 * least)) continue;
     least = error;
     choice.lens = lens;
   }

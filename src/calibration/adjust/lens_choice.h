@@ -14,7 +14,7 @@ struct LensTrial {
 };
 
 /// The lens model that predicts views left out best, and what each model reached. Of models that
-/// differ by less than a thousandth, the simplest. With fifteen views and more, p1 and p2 are
+/// differ by less than half a percent, the simplest. With fifteen views and more, p1 and p2 are
 /// always estimated: the views of one camera alone hardly show them, but they turn the camera
 /// within the rig.
 struct LensChoice {

@@ -1,0 +1,204 @@
+#include "tools/calibrate_rig/calibrate_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "calibration/board_drawing.h"
+#include "markerless_mocap/camera/rig_file.h"
+#include "tools/calibrate_rig/calibration_files.h"
+#include "tools/calibrate_rig/find_boards.h"
+#include "tools/make_board/board_pdf.h"
+#include "tools/tool_fixture.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kPlaces = 12;
+
+class CalibrateRig : public ToolTest {
+ protected:
+  CalibrateRig() {
+    arguments_.board.columns = 6;
+    arguments_.board.rows = 5;
+    arguments_.board.square = 0.1;
+    arguments_.board.marker = 0.075;
+    arguments_.output = path("out");
+    arguments_.inputs = {path("films")};
+  }
+
+  /// Two cameras of 480 x 360 that look down the z axis of the board's room, 0.6 m apart.
+  static std::vector<CameraCalibration> pair() {
+    std::vector<CameraCalibration> cameras(2);
+    for (int i = 0; i < 2; ++i) {
+      cameras[i].name = i == 0 ? "left" : "right";
+      cameras[i].width = 480;
+      cameras[i].height = 360;
+      cameras[i].K << 420, 0, 240, 0, 420, 180, 0, 0, 1;
+      cameras[i].T_world_camera.translation().x() = 0.6 * i;
+      cameras[i].T_world_camera.rotate(Eigen::AngleAxisd(-0.25 * i, Eigen::Vector3d::UnitY()));
+    }
+    return cameras;
+  }
+
+  static Eigen::Isometry3d boardAt(int place) {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.translation() << 0.25 + 0.25 * std::sin(1.3 * place), 0.15 * std::cos(1.7 * place),
+        1.5 + 0.4 * std::sin(0.9 * place);
+    T.linear() =
+        (Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()) *  // printed side to the cameras
+         Eigen::AngleAxisd(0.5 * std::sin(2.1 * place), Eigen::Vector3d::UnitX()) *
+         Eigen::AngleAxisd(0.5 * std::cos(1.1 * place), Eigen::Vector3d::UnitY()))
+            .toRotationMatrix();
+    return T.translate(Eigen::Vector3d(-0.3, -0.25, 0));
+  }
+
+  cv::Mat pictureOf(const CameraCalibration& camera, const Eigen::Isometry3d& world_board) const {
+    constexpr double kPixels = 800, kMargin = 0.05;
+    const Board board(arguments_.board);
+    const cv::Mat flat = boardImage(board, kPixels, kMargin);
+    std::vector<cv::Point2f> from, to;
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.6, 0),
+                                          Eigen::Vector2d(0.6, 0.5), Eigen::Vector2d(0, 0.5)}) {
+      const Eigen::Vector2d pixel =
+          *Camera(camera).project(world_board * Eigen::Vector3d(corner.x(), corner.y(), 0));
+      from.emplace_back((kMargin + corner.x()) * kPixels - 0.5,
+                        (kMargin + board.size().y() - corner.y()) * kPixels - 0.5);
+      to.emplace_back(pixel.x(), pixel.y());
+    }
+    // Drawn large and made small, so that edges are soft as a lens makes them.
+    constexpr int kFine = 3;
+    cv::Matx33d H = cv::getPerspectiveTransform(from, to);
+    H = cv::Matx33d(kFine, 0, (kFine - 1) / 2.0, 0, kFine, (kFine - 1) / 2.0, 0, 0, 1) * H;
+    cv::Mat fine, image;
+    cv::warpPerspective(flat, fine, H, {camera.width * kFine, camera.height * kFine},
+                        cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar(150));
+    cv::resize(fine, image, {camera.width, camera.height}, 0, 0, cv::INTER_AREA);
+    return image;
+  }
+
+  void writePictures() const {
+    for (const CameraCalibration& camera : pair()) {
+      std::filesystem::create_directories(folder_ / "films" / camera.name);
+      for (int place = 0; place < kPlaces; ++place) {
+        const std::string file = (place < 10 ? "0" : "") + std::to_string(place) + ".png";
+        cv::imwrite(path("films/" + camera.name + "/" + file), pictureOf(camera, boardAt(place)));
+      }
+    }
+  }
+
+  CalibrateRigArguments arguments_;
+};
+
+TEST_F(CalibrateRig, PicturesBecomeARig) {
+  writePictures();
+  const RigCalibration result = calibrateFilms(arguments_, nullptr, false);
+  EXPECT_LT(result.rms, 0.5);
+  const auto rig = readRig(path("out/rig.yaml"));
+  ASSERT_EQ(rig.size(), 2u);
+  EXPECT_EQ(rig[0].name, "left");
+  const Eigen::Isometry3d left_right = rig[0].T_world_camera.inverse() * rig[1].T_world_camera;
+  EXPECT_NEAR(left_right.translation().norm(), 0.6, 0.01);
+  EXPECT_NEAR(Eigen::AngleAxisd(left_right.linear()).angle(), 0.25, 0.01);
+  EXPECT_NEAR(rig[0].K(0, 0), 420, 6);
+  EXPECT_NE(bytesOf("out/camera_info/right.yaml").find("camera_name: right"), std::string::npos);
+  EXPECT_NE(bytesOf("out/cameras.launch").find("world left_optical"), std::string::npos);
+  EXPECT_NE(bytesOf("out/report.html").find("Seen together"), std::string::npos);
+}
+
+TEST_F(CalibrateRig, FloorIsTheBoardOfThePictureThatIsNamed) {
+  writePictures();
+  arguments_.floor = "left:3";
+  calibrateFilms(arguments_, nullptr, false);
+  const auto rig = readRig(path("out/rig.yaml"));
+  const Eigen::Vector3d wanted = boardAt(3).inverse() * pair()[0].T_world_camera.translation();
+  EXPECT_LT((rig[0].T_world_camera.translation() - wanted).norm(), 0.03);
+  EXPECT_GT(rig[0].T_world_camera.translation().z(), 1.0);
+}
+
+TEST_F(CalibrateRig, WhatIsMissingIsTold) {
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            "there is no file or folder " + path("films"));
+  writePictures();
+  arguments_.floor = "middle";
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            "--floor names the camera middle, there are left, right");
+  arguments_.floor.clear();
+  arguments_.board.dictionary = "DICT_6X6_50";
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            "the board was found in 0 pictures of left, its lens needs at least 5: is the board "
+            "described rightly (squares are counted, not inner corners)?");
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(CalibrateRig, TimesOfEachCameraAreRead) {
+  writeText("times.csv", "sync_index,cam_id,frame_time\n0,0,5.5\n0,1,5.6\n1,1,5.8\n1,0,5.7\n");
+  const std::vector<FilmSource> films = {{"cam_0", "", ""}, {"cam_1", "", ""}};
+  const FrameTimes times = readFrameTimes(path("times.csv"), films);
+  EXPECT_EQ(times.at("cam_0"), (std::vector<double>{5.5, 5.7}));
+  EXPECT_EQ(times.at("cam_1"), (std::vector<double>{5.6, 5.8}));
+  EXPECT_EQ(errorTextOf<std::exception>([&] {
+              readFrameTimes(path("times.csv"), {{"cam_10", "", ""}});
+            }),
+            path("times.csv") + " has no times of cam_10");
+}
+
+TEST_F(CalibrateRig, PointsNameTheirCameras) {
+  writeText("points.yaml",
+            "points:\n- {name: a, position: [1, 2, 3], pixels: {left: [4, 5], right: [6, 7]}}\n");
+  const std::vector<CameraToCalibrate> cameras = {{"left", 480, 360, {}}, {"right", 480, 360, {}}};
+  const auto points = readKnownPoints(path("points.yaml"), cameras);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(points[0].pixels[1].second, Eigen::Vector2d(6, 7));
+  EXPECT_EQ(errorTextOf<std::exception>([&] {
+              readKnownPoints(path("points.yaml"), {{"left", 480, 360, {}}});
+            }),
+            path("points.yaml") + " names the camera right, of which there is no film");
+}
+
+TEST(CameraInfoText, HasFiveOrEightCoefficients) {
+  CameraCalibration camera;
+  camera.name = "cam";
+  camera.width = 640;
+  camera.height = 480;
+  camera.K << 500, 0, 320, 0, 501, 240, 0, 0, 1;
+  camera.D = {-0.1, 0.2, 0.001, 0.002};
+  const std::string text = cameraInfoText(camera);
+  EXPECT_NE(text.find("distortion_model: plumb_bob\n"), std::string::npos);
+  EXPECT_NE(text.find("data: [-0.1, 0.2, 0.001, 0.002, 0]"), std::string::npos);
+  EXPECT_NE(text.find("data: [500, 0, 320, 0, 0, 501, 240, 0, 0, 0, 1, 0]"), std::string::npos);
+  camera.D.resize(8, 0.5);
+  EXPECT_NE(cameraInfoText(camera).find("distortion_model: rational_polynomial\n"),
+            std::string::npos);
+}
+
+TEST(BoardPdf, HasTheBoardAtTrueSize) {
+  BoardOptions options;
+  const Board board(options);
+  const Page page = pageFor(board, "A4");
+  EXPECT_EQ(page.width, 297);
+  const std::string pdf = boardPdf(board, page);
+  EXPECT_EQ(pdf.substr(0, 8), "%PDF-1.4");
+  EXPECT_NE(pdf.find("/MediaBox [0 0 841.8898 595.2756]"), std::string::npos);
+  // A square of 35 mm is 99.2126 points.
+  EXPECT_NE(pdf.find("99.2126 99.2126 re"), std::string::npos);
+  const size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
+  EXPECT_EQ(pdf.substr(table, 4), "xref");
+}
+
+TEST(BoardPdf, PageThatIsTooSmallIsTold) {
+  BoardOptions options;
+  options.square = 0.06;
+  options.marker = 0.045;
+  const Board board(options);
+  EXPECT_EQ(errorTextOf([&] { pageFor(board, "A4"); }),
+            "the board needs 436 x 332 mm with its margin and ruler, A4 is 297 x 210 mm");
+  EXPECT_EQ(pageFor(board, "A2").width, 594);
+  EXPECT_NE(errorTextOf([&] { pageFor(board, "B7"); }).find("there is no page B7"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
