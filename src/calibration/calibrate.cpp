@@ -221,17 +221,20 @@ class Calibrator {
   void leaveOutLooseParts() {
     BundleOptions fixed = options();
     fixed.estimate_intrinsics = false;
+    fixed.estimate_offsets |= input_.check_clocks;  // a late clock is no loose camera
     for (const double loss : {BundleOptions().loss_pixels, std::max(0.5, medianViewError())}) {
       fixed.loss_pixels = loss;
       adjustBundle(board_, fixed, &state_);
     }
     for (size_t round = 0; round < state_.cameras.size(); ++round) {
       const std::optional<LooseCamera> loose = loosestCamera(board_, state_);
-      if (!loose) return;
+      if (!loose) break;
       loose_.push_back(*loose);
       leaveOut(*loose, &state_);
       adjustBundle(board_, fixed, &state_);
     }
+    if (!offsets_free_)
+      for (CameraState& camera : state_.cameras) camera.time_offset = 0.0;
   }
 
   void chooseWorld() {

@@ -55,12 +55,20 @@ class NormalEquations {
   }
 
  private:
+  static int cornersUsed(const Instant& instant) {
+    int corners = 0;
+    for (const ViewSight& view : instant.views)
+      for (const CornerSight& corner : view.corners) corners += view.used && corner.used;
+    return corners;
+  }
+
   void addInstant(const Instant& instant) {
+    const int corners = cornersUsed(instant);
+    if (corners < 4) return;  // they do not fix the pose of the board
     Eigen::MatrixXd with_board = Eigen::MatrixXd::Zero(size_, 6);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size_);
     Eigen::Matrix<double, 6, 6> board_normal = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> board_gradient = Eigen::Matrix<double, 6, 1>::Zero();
-    int corners = 0;
     for (const ViewSight& view : instant.views)
       for (const CornerSight& corner : view.corners) {
         if (!view.used || !corner.used) continue;
@@ -73,9 +81,7 @@ class NormalEquations {
         board_normal += w * s.board.transpose() * s.board;
         board_gradient += w * s.board.transpose() * s.residual;
         squares_ += w * s.residual.squaredNorm();
-        ++corners;
       }
-    if (corners < 4) return;
     const Eigen::MatrixXd eliminate = board_normal.ldlt().solve(with_board.transpose()).transpose();
     normal_ -= eliminate * with_board.transpose();
     gradient -= eliminate * board_gradient;
