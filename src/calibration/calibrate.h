@@ -50,9 +50,10 @@ struct CornerError {
 
 /// Residuals of one view.
 struct ViewError {
-  double time = 0.0;  ///< s, clock of the camera
-  double rms = 0.0;   ///< pixels, over all its corners; NaN if the board's pose is not known
-  bool used = true;   ///< false: left out because the camera had moved
+  double instant = 0.0;  ///< s: the time that all its cameras share
+  double time = 0.0;     ///< s, clock of the camera
+  double rms = 0.0;      ///< pixels, over all its corners; NaN if the board's pose is not known
+  bool used = true;      ///< false: left out because the camera had moved
   bool alone = false;
   std::vector<CornerError> corners;
 };

@@ -23,6 +23,7 @@ double coverageOf(const CalibratedCamera& camera) {
 ViewError errorOf(const Board& board, const RigState& state, const Instant& instant,
                   const ViewSight& view) {
   ViewError error;
+  error.instant = instant.time;
   error.time = view.time;
   error.used = view.used;
   double sum = 0;

@@ -63,7 +63,7 @@ std::string cameraTable(const RigCalibration& result) {
 std::string residualsOverTime(const RigCalibration& result) {
   std::set<double> times;
   for (const CalibratedCamera& camera : result.cameras)
-    for (const ViewError& view : camera.views) times.insert(view.time + camera.time_offset);
+    for (const ViewError& view : camera.views) times.insert(view.instant);
   const std::vector<double> all(times.begin(), times.end());
   std::vector<double> seconds;
   for (const double time : all) seconds.push_back(time - all.front());
@@ -72,7 +72,7 @@ std::string residualsOverTime(const RigCalibration& result) {
     const CalibratedCamera& camera = result.cameras[i];
     PlotSeries line{camera.calibration.name, kColors[i % 8], std::vector<double>(all.size(), NAN)};
     for (const ViewError& view : camera.views) {
-      const auto at = std::lower_bound(all.begin(), all.end(), view.time + camera.time_offset);
+      const auto at = std::lower_bound(all.begin(), all.end(), view.instant);
       line.values[size_t(at - all.begin())] = view.rms;
     }
     lines.push_back(line);
