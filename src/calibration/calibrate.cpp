@@ -226,13 +226,7 @@ class Calibrator {
       fixed.loss_pixels = loss;
       adjustBundle(board_, fixed, &state_);
     }
-    for (size_t round = 0; round < state_.cameras.size(); ++round) {
-      const std::optional<LooseCamera> loose = loosestCamera(board_, state_);
-      if (!loose) break;
-      loose_.push_back(*loose);
-      leaveOut(*loose, &state_);
-      adjustBundle(board_, fixed, &state_);
-    }
+    loose_ = leaveOutLooseViews(board_, fixed, &state_);
     if (!offsets_free_)
       for (CameraState& camera : state_.cameras) camera.time_offset = 0.0;
   }

@@ -80,6 +80,14 @@ std::optional<LooseCamera> jumpOf(const std::vector<Shift>& shifts, double* clea
   return jump;
 }
 
+/// Of the views of the part that is left out.
+void setUsed(const LooseCamera& loose, bool used, RigState* state) {
+  for (Instant& instant : state->instants)
+    for (ViewSight& view : instant.views)
+      if (view.camera == loose.camera && (instant.time >= loose.time) == loose.later_part)
+        view.used = used;
+}
+
 }  // namespace
 
 std::optional<LooseCamera> loosestCamera(const Board& board, const RigState& state) {
@@ -94,11 +102,29 @@ std::optional<LooseCamera> loosestCamera(const Board& board, const RigState& sta
   return loosest;
 }
 
-void leaveOut(const LooseCamera& loose, RigState* state) {
-  for (Instant& instant : state->instants)
-    for (ViewSight& view : instant.views)
-      if (view.camera == loose.camera && (instant.time >= loose.time) == loose.later_part)
-        view.used = false;
+std::vector<LooseCamera> leaveOutLooseViews(const Board& board, const BundleOptions& options,
+                                            RigState* state) {
+  std::vector<LooseCamera> found;
+  while (found.size() < state->cameras.size()) {
+    const std::optional<LooseCamera> loose = loosestCamera(board, *state);
+    if (!loose) break;
+    found.push_back(*loose);
+    setUsed(*loose, false, state);
+    adjustBundle(board, options, state);
+  }
+  if (found.size() < 2) return found;
+  // A loose camera pulls others with it, and one of these may have been found before it.
+  std::vector<LooseCamera> confirmed = {found.back()};
+  for (auto earlier = found.rbegin() + 1; earlier != found.rend(); ++earlier) {
+    setUsed(*earlier, true, state);
+    adjustBundle(board, options, state);
+    const std::optional<LooseCamera> again = loosestCamera(board, *state);
+    if (!again) continue;
+    setUsed(*earlier, false, state);
+    adjustBundle(board, options, state);
+    confirmed.push_back(*earlier);
+  }
+  return confirmed;
 }
 
 }  // namespace markerless_mocap

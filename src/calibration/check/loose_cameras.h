@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "calibration/adjust/bundle.h"
 #include "calibration/adjust/rig_state.h"
 
 namespace markerless_mocap {
@@ -19,7 +20,9 @@ struct LooseCamera {
 /// by more than they scatter. The part with fewer views is the one that is left out.
 std::optional<LooseCamera> loosestCamera(const Board& board, const RigState& state);
 
-/// Marks the views of the part that is left out as not used.
-void leaveOut(const LooseCamera& loose, RigState* state);
+/// Finds all loose cameras, and marks the views of the parts that are left out as not used. The
+/// state is adjusted again after each.
+std::vector<LooseCamera> leaveOutLooseViews(const Board& board, const BundleOptions& options,
+                                            RigState* state);
 
 }  // namespace markerless_mocap
