@@ -1,3 +1,5 @@
+#include <glog/logging.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -59,6 +61,7 @@ void describeMore(CLI::App& app, CalibrateRigArguments* a) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of steps that it then takes otherwise
   CLI::App app("Calibrates cameras from films of a board that is moved about.", "calibrate_rig");
   CalibrateRigArguments arguments;
   BoardArguments board;
