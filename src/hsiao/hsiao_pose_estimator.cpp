@@ -64,7 +64,8 @@ std::string hullError(const VisualHull& hull) {
 std::string segmentationError(const BodyParts& parts) {
   if (parts.status == SegmentationStatus::kInvalid)
     return parts.reason.empty() ? "the hull has no parts" : parts.reason;
-  if (!parts.part(PartLabel::kTorso).seen) return "the torso is not seen";
+  const PartCurve& torso = parts.part(PartLabel::kTorso);
+  if (!torso.seen || !torso.whole || torso.points.size() < 2) return "the torso is not seen";
   return "";
 }
 

@@ -4,39 +4,25 @@
 #include <tf2_eigen/tf2_eigen.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <stdexcept>
+
+#include "ros/message_limits.h"
+#include "ros/point_cloud_reader.h"
 
 namespace markerless_mocap {
 namespace {
 
 using sensor_msgs::PointField;
-constexpr const char* kAxisNames[3] = {"x", "y", "z"};
+constexpr uint64_t kMaxGridVoxels = 64000000;  // as visual_hull
+constexpr double kMaxPitch = 10.0;             // metres
 constexpr const char* kByteFields[7] = {"views",      "votes_x",    "votes_y",   "votes_z",
                                         "possible_x", "possible_y", "possible_z"};
 
-void checkField(const sensor_msgs::PointCloud2& cloud, const std::string& name, uint8_t type,
-                uint32_t bytes) {
-  for (const PointField& field : cloud.fields) {
-    const bool fits = field.offset + bytes <= cloud.point_step;
-    if (field.name == name && field.datatype == type && fits) return;
-  }
-  throw std::invalid_argument("hull cloud has no field \"" + name +
-                              "\" of the type in hull/points");
-}
-
-void checkCloud(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
+void checkFrame(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
   if (cloud.header.frame_id != grid.header.frame_id)
     throw std::invalid_argument("hull cloud is in the frame \"" + cloud.header.frame_id +
                                 "\", allowed is the grid's \"" + grid.header.frame_id + "\"");
-  const size_t points = size_t(cloud.width) * cloud.height;
-  if (cloud.data.size() != points * cloud.point_step)
-    throw std::invalid_argument("hull cloud has " + std::to_string(cloud.data.size()) +
-                                " bytes for " + std::to_string(points) + " points of " +
-                                std::to_string(cloud.point_step) + " bytes");
-  for (const char* name : kAxisNames) checkField(cloud, name, PointField::FLOAT32, 4);
-  checkField(cloud, "rgb", PointField::FLOAT32, 4);
-  for (const char* name : kByteFields) checkField(cloud, name, PointField::UINT8, 1);
 }
 
 /// Linear index of the voxel with this centre.
@@ -55,24 +41,42 @@ uint32_t voxelAt(const VoxelLattice& lattice, const Eigen::Vector3d& point) {
   return lattice.index(at.x(), at.y(), at.z());
 }
 
-void readVoxels(const sensor_msgs::PointCloud2& cloud, VisualHull& hull) {
-  using Bytes = sensor_msgs::PointCloud2ConstIterator<uint8_t>;
-  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z");
-  Bytes r(cloud, "r"), g(cloud, "g"), b(cloud, "b");
-  std::vector<Bytes> bytes;
-  for (const char* name : kByteFields) bytes.emplace_back(cloud, name);
-  hull.voxels.resize(size_t(cloud.width) * cloud.height);
-  for (HullVoxel& voxel : hull.voxels) {
-    voxel.index = voxelAt(hull.lattice, Eigen::Vector3d(*x, *y, *z));
-    voxel.rgb = {*r, *g, *b};
-    voxel.views = *bytes[0];
+void readVoxels(const PointCloudReader& cloud, VisualHull& hull) {
+  const PointReader centers(cloud);
+  const size_t rgb = cloud.offset("rgb", PointField::FLOAT32);
+  std::array<size_t, 7> bytes;
+  for (size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = cloud.offset(kByteFields[i], PointField::UINT8);
+  hull.voxels.resize(cloud.size());
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    HullVoxel& voxel = hull.voxels[i];
+    voxel.index = voxelAt(hull.lattice, centers(i));
+    for (size_t channel = 0; channel < 3; ++channel)  // packed as 0x00RRGGBB
+      voxel.rgb[channel] = cloud.byte(i, rgb + 2 - channel);
+    voxel.views = cloud.byte(i, bytes[0]);
     for (size_t axis = 0; axis < 3; ++axis) {
-      voxel.color_votes.votes[axis] = *bytes[1 + axis];
-      voxel.color_votes.possible[axis] = *bytes[4 + axis];
+      voxel.color_votes.votes[axis] = cloud.byte(i, bytes[1 + axis]);
+      voxel.color_votes.possible[axis] = cloud.byte(i, bytes[4 + axis]);
     }
-    ++x, ++y, ++z, ++r, ++g, ++b;
-    for (Bytes& byte : bytes) ++byte;
   }
+}
+
+void sortVoxels(std::vector<HullVoxel>* voxels) {
+  std::sort(voxels->begin(), voxels->end(),
+            [](const HullVoxel& a, const HullVoxel& b) { return a.index < b.index; });
+  const auto same = [](const HullVoxel& a, const HullVoxel& b) { return a.index == b.index; };
+  if (std::adjacent_find(voxels->begin(), voxels->end(), same) != voxels->end())
+    throw std::invalid_argument("hull cloud has a voxel twice");
+}
+
+bool isUsable(const VoxelGrid& grid) {
+  uint64_t voxels = 1;
+  for (const uint32_t size : grid.size) {  // checked before each product, so that none overflows
+    if (size == 0 || size > kMaxGridVoxels / voxels) return false;
+    voxels *= size;
+  }
+  return isPlace({grid.origin.x, grid.origin.y, grid.origin.z}) && grid.pitch > 0.0 &&
+         grid.pitch <= kMaxPitch;
 }
 
 sensor_msgs::PointCloud2 emptyCloud(const std_msgs::Header& header, size_t points) {
@@ -102,16 +106,14 @@ VoxelGrid messageFromLattice(const VoxelLattice& lattice, const std_msgs::Header
 }
 
 VoxelLattice latticeFromMessage(const VoxelGrid& grid) {
+  if (!isUsable(grid))
+    throw std::invalid_argument(
+        "voxel grid is unusable, allowed are an origin within 10 km, a pitch above 0 to 10 m, "
+        "sizes of 1 or more and 64 million voxels");
   VoxelLattice lattice;
   lattice.origin = {grid.origin.x, grid.origin.y, grid.origin.z};
   lattice.pitch = grid.pitch;
   for (int axis = 0; axis < 3; ++axis) lattice.size[axis] = static_cast<int>(grid.size[axis]);
-  const bool usable = lattice.origin.allFinite() && std::isfinite(lattice.pitch) &&
-                      lattice.pitch > 0.0 && lattice.size.minCoeff() > 0;
-  if (!usable)
-    throw std::invalid_argument(
-        "voxel grid is unusable, allowed are a finite origin, a positive pitch and sizes of 1 or "
-        "more");
   return lattice;
 }
 
@@ -133,12 +135,11 @@ sensor_msgs::PointCloud2 messageFromHull(const VisualHull& hull, const std_msgs:
 }
 
 VisualHull hullFromMessage(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
-  checkCloud(cloud, grid);
+  checkFrame(cloud, grid);
   VisualHull hull;
   hull.lattice = latticeFromMessage(grid);
-  readVoxels(cloud, hull);
-  std::sort(hull.voxels.begin(), hull.voxels.end(),
-            [](const HullVoxel& a, const HullVoxel& b) { return a.index < b.index; });
+  readVoxels(PointCloudReader(cloud, "hull cloud"), hull);
+  sortVoxels(&hull.voxels);
   hull.status = hull.voxels.empty() ? HullStatus::kNobody : HullStatus::kOk;
   if (hull.voxels.empty()) hull.reason = "the hull has no voxels";
   return hull;

@@ -8,9 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "ros/message_limits.h"
+
 namespace markerless_mocap {
 namespace {
 
+constexpr size_t kMaxNodes = 100000;
 constexpr int kStatusCount = int(TreeStatus::kUncertain) + 1;
 
 static_assert(int(TreeStatus::kOk) == PoseTreeMsg::OK &&
@@ -37,6 +40,7 @@ template <class XyzT>
 Eigen::Vector3d vectorOf(const XyzT& message, const char* what) {
   const Eigen::Vector3d p(message.x, message.y, message.z);
   require(p.allFinite(), std::string(what) + " that is not finite");
+  require(isPlace(p), std::string(what) + " that is farther than 10 km");
   return p;
 }
 
@@ -57,6 +61,8 @@ void checkNode(int32_t node, const PoseTree& tree, const char* what) {
 
 void readNodes(const PoseTreeMsg& message, PoseTree* tree) {
   const size_t count = message.nodes.size();
+  require(count <= kMaxNodes,
+          std::to_string(count) + " nodes, allowed are " + std::to_string(kMaxNodes));
   require(message.parents.size() == count && message.parts.size() == count,
           "nodes, parents and parts of different lengths");
   for (size_t i = 0; i < count; ++i) {

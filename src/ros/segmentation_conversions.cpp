@@ -3,14 +3,20 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <tf2_eigen/tf2_eigen.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "ros/message_limits.h"
+#include "ros/point_cloud_reader.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr double kCurveWidth = 0.03;  // width of the line, metres
 constexpr double kDimmed = 0.35;      // brightness of a part that is carried over
+constexpr size_t kMaxCurvePoints = 10000;
+constexpr double kSiteSlack = 1e-6;  // for rounding
 
 uint8_t statusToMessage(SegmentationStatus status) {
   switch (status) {
@@ -38,6 +44,14 @@ SegmentationStatus statusFromMessage(uint8_t status) {
   }
 }
 
+bool isUsable(const PartCurve& curve) {
+  const bool sizes = curve.points.size() >= 2 && curve.points.size() <= kMaxCurvePoints &&
+                     curve.points.size() == curve.site_values.size();
+  const auto is_site = [](double s) { return s >= -kSiteSlack && s <= 1.0 + kSiteSlack; };
+  return sizes && std::all_of(curve.points.begin(), curve.points.end(), isPlace) &&
+         std::all_of(curve.site_values.begin(), curve.site_values.end(), is_site);
+}
+
 PartCurve curveFromMessage(const BodyPart& message) {
   PartCurve curve;
   curve.seen = message.seen;
@@ -47,13 +61,11 @@ PartCurve curveFromMessage(const BodyPart& message) {
   curve.voxel_count = message.voxel_count;
   curve.site_values = message.site_values;
   for (const auto& p : message.points) curve.points.emplace_back(p.x, p.y, p.z);
-  bool finite = true;
-  for (const Eigen::Vector3d& p : curve.points) finite = finite && p.allFinite();
-  for (double s : curve.site_values) finite = finite && std::isfinite(s);
-  if (!finite || curve.points.size() != curve.site_values.size())
+  if (!isUsable(curve))
     throw std::invalid_argument("BodyParts has an unusable curve of the part " +
-                                std::to_string(message.label) +
-                                ", allowed are finite points with one site value each");
+                                std::to_string(message.label) + ", allowed are 2 to " +
+                                std::to_string(kMaxCurvePoints) +
+                                " points within 10 km with one site value of 0 to 1 each");
   return curve;
 }
 
@@ -111,10 +123,15 @@ BodyParts partsFromMessage(const BodyPartsMsg& message) {
   BodyParts parts;
   parts.status = statusFromMessage(message.status);
   parts.reason = message.reason;
+  std::array<bool, kPartCount> known{};
   for (const BodyPart& part : message.parts) {
     if (part.label >= kPartCount)
       throw std::invalid_argument("BodyParts has the label " + std::to_string(part.label) +
                                   ", allowed are 0 to 5");
+    if (known[part.label])
+      throw std::invalid_argument("BodyParts has the label " + std::to_string(part.label) +
+                                  " twice");
+    known[part.label] = true;
     parts.parts[part.label] = curveFromMessage(part);
   }
   return parts;
@@ -151,22 +168,16 @@ sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& 
 }
 
 std::vector<uint8_t> labelsFromMessage(const sensor_msgs::PointCloud2& cloud) {
-  std::vector<uint8_t> labels;
-  const size_t points = size_t(cloud.width) * cloud.height;
-  for (const sensor_msgs::PointField& field : cloud.fields) {
-    const bool usable = field.name == "label" && field.datatype == field.UINT8 &&
-                        field.offset < cloud.point_step &&
-                        cloud.data.size() == points * cloud.point_step;
-    if (!usable) continue;
-    for (size_t i = 0; i < points; ++i)
-      labels.push_back(cloud.data[i * cloud.point_step + field.offset]);
-    for (uint8_t label : labels)
-      if (label >= kPartCount)
-        throw std::invalid_argument("labelled cloud has the label " + std::to_string(label) +
-                                    ", allowed are 0 to 5");
-    return labels;
+  const PointCloudReader points(cloud, "labelled cloud");
+  const size_t offset = points.offset("label", sensor_msgs::PointField::UINT8);
+  std::vector<uint8_t> labels(points.size());
+  for (size_t i = 0; i < labels.size(); ++i) {
+    labels[i] = points.byte(i, offset);
+    if (labels[i] >= kPartCount)
+      throw std::invalid_argument("labelled cloud has the label " + std::to_string(labels[i]) +
+                                  ", allowed are 0 to 5");
   }
-  throw std::invalid_argument("labelled cloud has no usable field \"label\"");
+  return labels;
 }
 
 visualization_msgs::MarkerArray curveMarkers(const BodyParts& parts,

@@ -136,6 +136,18 @@ TEST_F(PoseTrackerTest, IsLostWithTheReasonOfTheStageThatFailed) {
   EXPECT_EQ(pose.reason, "all masks are empty");
 }
 
+TEST_F(PoseTrackerTest, ATorsoThatIsNoCurveIsNotSeen) {
+  const HsiaoVector v = stepping(body_model_, 0.0);
+  for (const size_t points : {0, 1}) {
+    BodyParts parts = curvesOf(body_model_, v);
+    parts.parts[0].points.resize(points);
+    EXPECT_EQ(show(parts, v).reason, "the torso is not seen");
+  }
+  BodyParts parts = curvesOf(body_model_, v);
+  parts.parts[0].whole = false;
+  EXPECT_EQ(show(parts, v).reason, "the torso is not seen");
+}
+
 BodyParts withoutParts() {
   BodyParts parts;
   parts.reason = "no body is recognised";

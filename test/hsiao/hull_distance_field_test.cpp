@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hsiao/fit/hull_agreement.h"
+#include "error_text_of.h"
 #include "hsiao/synthetic_person.h"
 
 namespace markerless_mocap {
@@ -49,6 +50,26 @@ TEST(HullDistanceField, MeasuresTheWayToTheFacesOfABox) {
 TEST(HullDistanceField, GrowsOnBeyondItsGrid) {
   const HullDistanceField field(boxHull());
   EXPECT_NEAR(field.signedDistance({9.05, 1.05, 1.05}), 7.55, 0.06);
+}
+
+TEST(HullDistanceField, NoPointHasNoDistance) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const HullDistanceField field(boxHull());
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Vector3d point(1.5, 1.05, 1.05);
+    point[axis] = nan;
+    EXPECT_TRUE(std::isnan(field.signedDistance(point)));
+  }
+}
+
+TEST(HullDistanceField, HullsWithoutVoxelsOrOfAHugeBoxAreRefused) {
+  EXPECT_THROW(HullDistanceField{VisualHull()}, std::invalid_argument);
+  VisualHull hull;
+  hull.lattice.size = {64000000, 1, 1};
+  hull.voxels.resize(2);
+  hull.voxels[1].index = 63999999;
+  EXPECT_EQ(errorTextOf([&] { HullDistanceField{hull}; }),
+            "the hull lies in a box of 18496 million voxels, allowed are 200 million");
 }
 
 TEST(HullDistanceField, SurfaceVoxelsAreThoseWithAFreeSide) {

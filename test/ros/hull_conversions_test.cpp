@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -47,6 +49,48 @@ TEST(HullConversions, UnusableGridsAreRefused) {
   grid = sampleGrid();
   grid.size[1] = 0;
   EXPECT_THROW(latticeFromMessage(grid), std::invalid_argument);
+}
+
+TEST(HullConversions, GridsWhoseSizesOverflowAreRefused) {
+  VoxelGrid grid = sampleGrid();
+  for (const std::array<uint32_t, 3>& size : {std::array<uint32_t, 3>{65536, 65536, 1},
+                                              {65536, 65536, 65537},
+                                              {1, 1, 0xffffffff},
+                                              {0x80000000, 2, 1},
+                                              {1 << 21, 1 << 21, 1 << 22}}) {
+    std::copy(size.begin(), size.end(), grid.size.begin());
+    EXPECT_NE(errorTextOf([&] { latticeFromMessage(grid); }).find("64 million"), std::string::npos);
+  }
+}
+
+TEST(HullConversions, GridsOutsideOfAnyRoomAreRefused) {
+  VoxelGrid grid = sampleGrid();
+  grid.origin.y = 1e300;
+  EXPECT_THROW(latticeFromMessage(grid), std::invalid_argument);
+  grid = sampleGrid();
+  grid.pitch = 1e300;
+  EXPECT_THROW(latticeFromMessage(grid), std::invalid_argument);
+}
+
+TEST(HullConversions, VoxelsThatComeTwiceAreRefused) {
+  auto cloud = messageFromHull(sampleHull(), worldHeader());
+  std::copy_n(cloud.data.begin(), cloud.point_step, cloud.data.begin() + cloud.point_step);
+  EXPECT_EQ(errorTextOf([&] { hullFromMessage(cloud, sampleGrid()); }),
+            "hull cloud has a voxel twice");
+}
+
+TEST(HullConversions, FieldsOutsideOfThePointAreRefusedWhateverElseThereIs) {
+  const auto good = messageFromHull(sampleHull(), worldHeader());
+  for (const uint32_t offset : {0xfffffffeu, 0xffffffffu, 4000000000u, good.point_step - 3}) {
+    auto cloud = good;
+    cloud.fields[0].offset = offset;
+    EXPECT_NE(errorTextOf([&] { hullFromMessage(cloud, sampleGrid()); }).find("no field \"x\""),
+              std::string::npos)
+        << offset;
+    cloud.fields.push_back(good.fields[0]);
+    EXPECT_EQ(errorTextOf([&] { hullFromMessage(cloud, sampleGrid()); }),
+              "hull cloud has the field \"x\" twice");
+  }
 }
 
 TEST(HullConversions, EveryVoxelComesBackAsItWas) {

@@ -125,6 +125,17 @@ TEST(PoseTreeConversions, BadMessagesAreRefusedInASentence) {
             "PoseTree has names and positions of joints of different lengths");
 }
 
+TEST(PoseTreeConversions, WhatIsOutsideOfAnyRoomIsRefused) {
+  EXPECT_EQ(refusalAfter([](PoseTreeMsg* message) { message->nodes[2].x = 1e300; }),
+            "PoseTree has a node that is farther than 10 km");
+  EXPECT_EQ(refusalAfter([](PoseTreeMsg* message) {
+              message->nodes.resize(200000);
+              message->parents.resize(200000);
+              message->parts.resize(200000);
+            }),
+            "PoseTree has 200000 nodes, allowed are 100000");
+}
+
 TEST(PoseTreeConversions, WhatIsNotFiniteIsRefused) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "error_text_of.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -68,6 +70,43 @@ TEST(SegmentationConversions, BadMessagesAreRefused) {
   message = good;
   message.parts[0].site_values.pop_back();
   EXPECT_THROW(partsFromMessage(message), std::invalid_argument);
+}
+
+/// The sentence with which a changed part is refused.
+template <class Change>
+std::string refusalOf(const Change& change) {
+  BodyPartsMsg message = messageFromParts(sampleParts(), std_msgs::Header());
+  change(message.parts[0]);
+  return errorTextOf([&] { partsFromMessage(message); });
+}
+
+TEST(SegmentationConversions, SeenPartsThatAreNoCurveInARoomAreRefused) {
+  const std::string sentence =
+      "BodyParts has an unusable curve of the part 0, allowed are 2 to 10000 points within 10 km "
+      "with one site value of 0 to 1 each";
+  for (const size_t points : {0, 1, 20000})
+    EXPECT_EQ(refusalOf([&](BodyPart& part) {
+                part.points.resize(points);
+                part.site_values.resize(points);
+              }),
+              sentence);
+  EXPECT_EQ(refusalOf([](BodyPart& part) { part.points[1].x *= 1e300; }), sentence);
+  EXPECT_EQ(refusalOf([](BodyPart& part) { part.site_values[1] = 7.0; }), sentence);
+}
+
+TEST(SegmentationConversions, PartsThatComeTwiceAreRefused) {
+  EXPECT_EQ(refusalOf([](BodyPart& part) { part.label = 1; }), "BodyParts has the label 1 twice");
+}
+
+TEST(SegmentationConversions, CloudsWhoseSizesOverflowAreRefused) {
+  auto cloud = labelledCloud(threeVoxels(), sampleParts(), std_msgs::Header());
+  cloud.data.clear();
+  for (const uint32_t step : {4u, 8u, 16u, 0x80000000u, 0u}) {
+    cloud.width = cloud.height = 0x80000000u;
+    cloud.point_step = step;
+    cloud.fields[4].offset = 0;
+    EXPECT_THROW(labelsFromMessage(cloud), std::invalid_argument) << step;
+  }
 }
 
 TEST(SegmentationConversions, LabelsTravelWithThePoints) {

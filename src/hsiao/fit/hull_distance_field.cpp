@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace markerless_mocap {
 namespace {
@@ -12,6 +14,7 @@ using Eigen::Vector3i;
 // Empty cells around the hull, so that the field has a gradient outside.
 constexpr int kBorder = 8;
 constexpr float kFar = 1e10f;
+constexpr double kMaxCells = 200e6;  // 13 bytes each while the field is made
 
 // One line of the transform: lower envelope of the parabolas with vertices at f.
 void transformLine(const std::vector<float>& f, int n, std::vector<float>& out) {
@@ -77,6 +80,7 @@ HullDistanceField::HullDistanceField(const VisualHull& hull) : pitch_(hull.latti
 }
 
 void HullDistanceField::crop(const VisualHull& hull) {
+  if (hull.voxels.empty()) throw std::invalid_argument("a hull without voxels has no distances");
   Vector3i low = hull.lattice.coordinates(hull.voxels.front().index), high = low;
   for (const HullVoxel& voxel : hull.voxels) {
     low = low.cwiseMin(hull.lattice.coordinates(voxel.index));
@@ -84,6 +88,11 @@ void HullDistanceField::crop(const VisualHull& hull) {
   }
   corner_ = low.array() - kBorder;
   size_ = high - corner_ + Vector3i::Constant(kBorder + 1);
+  const double cells = size_.cast<double>().prod();
+  if (!(cells <= kMaxCells))
+    throw std::invalid_argument("the hull lies in a box of " +
+                                std::to_string(std::llround(cells / 1e6)) +
+                                " million voxels, allowed are 200 million");
   first_center_ = hull.lattice.origin + pitch_ * (corner_.cast<double>().array() + 0.5).matrix();
 }
 
@@ -98,6 +107,7 @@ void HullDistanceField::findSurface(const VisualHull& hull, const std::vector<ui
 
 double HullDistanceField::signedDistance(const Vector3d& point) const {
   const Vector3d at = (point - first_center_) / pitch_;
+  if (at.hasNaN()) return at.sum();  // no cell
   const Vector3d inside =
       at.cwiseMax(0.0).cwiseMin(size_.cast<double>().array().matrix() - Vector3d::Constant(1.001));
   const Vector3i c = inside.cast<int>();

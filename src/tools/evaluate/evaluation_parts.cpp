@@ -1,12 +1,12 @@
 #include "tools/evaluate/evaluation_parts.h"
 
 #include <rosbag/view.h>
-#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <stdexcept>
 
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
+#include "ros/point_cloud_reader.h"
 #include "ros/segmentation_conversions.h"
 #include "tools/common/bag_io.h"
 
@@ -19,9 +19,10 @@ constexpr const char *kPoints = "/segmentation/points", *kParts = "/segmentation
 static_assert(kTruePartCount == kPartCount);
 
 Eigen::Matrix3Xd pointsOf(const sensor_msgs::PointCloud2& cloud) {
-  Eigen::Matrix3Xd points(3, Eigen::Index(cloud.width) * cloud.height);
-  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z");
-  for (Eigen::Index i = 0; i < points.cols(); ++i, ++x, ++y, ++z) points.col(i) << *x, *y, *z;
+  const PointCloudReader reader(cloud, "labelled cloud");
+  const PointReader read(reader);
+  Eigen::Matrix3Xd points(3, Eigen::Index(reader.size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = read(size_t(i));
   return points;
 }
 
