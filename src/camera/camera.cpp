@@ -10,6 +10,10 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr int kMaxPixels = 65536;  // along an edge of an image
+constexpr double kMaxK = 1e7;      // pixels
+constexpr double kFarthest = 1e4;  // of a camera from the origin on an axis, metres
+
 /// The radial factor (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3) of s = r^2.
 struct RadialFactor {
   double numerator, denominator;
@@ -101,10 +105,16 @@ void validateIntrinsics(const CameraCalibration& c) {
   if (c.width <= 0 || c.height <= 0)
     throwError(c.name, "image size is " + std::to_string(c.width) + " x " +
                            std::to_string(c.height) + ", it must be at least 1 x 1");
+  if (std::max(c.width, c.height) > kMaxPixels)
+    throwError(c.name, "image size is " + std::to_string(c.width) + " x " +
+                           std::to_string(c.height) + ", allowed are up to " +
+                           std::to_string(kMaxPixels) + " pixels in a row or column");
   if (!c.K.allFinite()) throwError(c.name, "K holds a value that is not finite");
   if (c.K.isZero(0)) throwError(c.name, "K is all zero, so the camera is not calibrated");
   if (!(c.K(0, 0) > 0 && c.K(1, 1) > 0))
     throwError(c.name, "the focal lengths in K must be positive");
+  if (c.K.cwiseAbs().maxCoeff() > kMaxK)
+    throwError(c.name, "K holds a value above 10 million pixels");
   if (c.K(1, 0) != 0 || c.K.row(2) != Eigen::RowVector3d(0, 0, 1))
     throwError(c.name, "K must be upper triangular with a last row of 0 0 1");
   const size_t n = c.D.size();
@@ -115,10 +125,49 @@ void validateIntrinsics(const CameraCalibration& c) {
     if (!std::isfinite(d)) throwError(c.name, "D holds a value that is not finite");
 }
 
+/// The image-plane point of a pixel, before the distortion is removed.
+Eigen::Vector2d distortedPlane(const Eigen::Matrix3d& K, const Eigen::Vector2d& pixel) {
+  const double y = (pixel.y() - K(1, 2)) / K(1, 1);
+  return {(pixel.x() - K(0, 2) - K(0, 1) * y) / K(0, 0), y};
+}
+
+/// Whether a point of the distorted image plane has a ray, and the lens moves it as lenses do.
+bool isSeenByLens(const double (&k)[8], double max_radius_squared, const Eigen::Vector2d& distorted,
+                  double tolerance) {
+  constexpr double kMinScale = 0.05, kMaxScale = 3;  // distorted by undistorted radius
+  const Eigen::Vector2d plane = undistort(k, max_radius_squared, distorted);
+  const double from = plane.norm(), to = distorted.norm();
+  return (distort(k, plane) - distorted).norm() < tolerance &&
+         (to < tolerance || (to >= kMinScale * from && to <= kMaxScale * from));
+}
+
+/// A model that folds the image or blows it up is not of a lens. Those of wide lenses may fold in
+/// the corners, where they were not measured.
+void validateDistortion(const CameraCalibration& c) {
+  constexpr int kColumns = 16, kRows = 12;
+  constexpr int kMinPercent = 75;
+  double k[8] = {};
+  std::copy(c.D.begin(), c.D.end(), k);
+  const double max_radius_squared = foldRadiusSquared(k);
+  int seen = 0;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const Eigen::Vector2d pixel((column + 0.5) / kColumns * c.width - 0.5,
+                                  (row + 0.5) / kRows * c.height - 0.5);
+      seen += isSeenByLens(k, max_radius_squared, distortedPlane(c.K, pixel), 0.5 / c.K(0, 0));
+    }
+  if (const int percent = 100 * seen / (kColumns * kRows); percent < kMinPercent)
+    throwError(c.name, "the distortion D is not of a lens: it can be removed in " +
+                           std::to_string(percent) + " % of the image, allowed are " +
+                           std::to_string(kMinPercent) + " % or more");
+}
+
 void validatePose(const CameraCalibration& c) {
   constexpr double kTolerance = 1e-6;
   const Eigen::Matrix4d& T = c.T_world_camera.matrix();
   if (!T.allFinite()) throwError(c.name, "the pose holds a value that is not finite");
+  if (c.T_world_camera.translation().cwiseAbs().maxCoeff() > kFarthest)
+    throwError(c.name, "the position is farther than 10 km from the origin of the world");
   const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
   if (!(R.transpose() * R).isIdentity(kTolerance) || R.determinant() < 0 ||
       T.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
@@ -129,6 +178,7 @@ void validatePose(const CameraCalibration& c) {
 
 void CameraCalibration::validate() const {
   validateIntrinsics(*this);
+  validateDistortion(*this);
   validatePose(*this);
   if (!std::isfinite(time_offset)) throwError(name, "the time offset is not finite");
 }
@@ -159,9 +209,7 @@ std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& poin
 
 Eigen::Vector3d Camera::rayDirection(const Eigen::Vector2d& pixel) const {
   const Eigen::Matrix3d& K = calibration_.K;
-  const double y = (pixel.y() - K(1, 2)) / K(1, 1);
-  const double x = (pixel.x() - K(0, 2) - K(0, 1) * y) / K(0, 0);
-  const Eigen::Vector2d plane = undistort(k_, max_radius_squared_, {x, y});
+  const Eigen::Vector2d plane = undistort(k_, max_radius_squared_, distortedPlane(K, pixel));
   return (calibration_.T_world_camera.linear() * plane.homogeneous()).normalized();
 }
 

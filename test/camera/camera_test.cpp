@@ -61,6 +61,47 @@ TEST(Camera, ProjectsAsOpenCV) {
   }
 }
 
+TEST(Camera, DistortionsOfNoLensAreRefused) {
+  for (const std::vector<double>& D : {std::vector<double>{1e6, -1e9, 0, 0, 1e6},
+                                       {1e6, 0, 0, 0},
+                                       {-1e6, 0, 0, 0},
+                                       {-8, 0, 0, 0},
+                                       {0, 0, 1e6, 0},
+                                       {0, 0, 0, 0, 0, -40, 0, 0},
+                                       {1e300, -1e300, 1e300, 1e300}}) {
+    const std::string sentence = errorTextOf([&] { makeCalibration(D).validate(); });
+    EXPECT_EQ(sentence.rfind("camera 'left': the distortion D is not of a lens: it can be removed "
+                             "in ",
+                             0),
+              0u)
+        << sentence;
+    EXPECT_NE(sentence.find("% of the image, allowed are 75 % or more"), std::string::npos);
+  }
+}
+
+TEST(Camera, DistortionsOfWideLensesThatFoldInTheCornersAreAllowed) {
+  CameraCalibration wide = makeCalibration({-0.3, 0, 0, 0});  // folds at 0.7 of the focal length
+  EXPECT_NO_THROW(wide.validate());
+  wide.D = {0.4, -0.3, 0.001, 0.002, 0.1, 0.5, -0.2, 0.05};
+  EXPECT_NO_THROW(wide.validate());
+}
+
+TEST(Camera, SizesAndPlacesOfNoCameraAreRefused) {
+  CameraCalibration c = makeCalibration();
+  c.width = 65537;
+  EXPECT_EQ(errorTextOf([&] { c.validate(); }),
+            "camera 'left': image size is 65537 x 480, allowed are up to 65536 pixels in a row or "
+            "column");
+  c = makeCalibration();
+  c.K(0, 2) = 1e300;
+  EXPECT_EQ(errorTextOf([&] { c.validate(); }),
+            "camera 'left': K holds a value above 10 million pixels");
+  c = makeCalibration();
+  c.T_world_camera.translation().y() = -1e300;
+  EXPECT_EQ(errorTextOf([&] { c.validate(); }),
+            "camera 'left': the position is farther than 10 km from the origin of the world");
+}
+
 TEST(Camera, PoseTakesCameraToWorld) {
   CameraCalibration calibration = makeCalibration();
   calibration.T_world_camera = makePose();

@@ -20,9 +20,9 @@ struct CameraCalibration {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double time_offset = 0.0;  ///< s, to be added to the camera's stamps for the rig's common time
 
-  /// Throws std::invalid_argument on an empty size, a zero or non-finite K, a D of a wrong length,
-  /// a pose that is not a rigid transform, or a time offset that is not finite. The message names
-  /// the camera.
+  /// Throws std::invalid_argument on a size above 65536, a non-finite K, a D that cannot be removed
+  /// in most of the image, a pose that is not rigid or beyond 10 km, or a time offset that is not
+  /// finite. The message names the camera.
   void validate() const;
 };
 

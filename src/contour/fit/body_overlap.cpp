@@ -11,6 +11,10 @@ using Eigen::Vector2d;
 
 constexpr int kFractionBits = 4;  // of a coordinate, for OpenCV's drawing functions
 
+/// What reaches farther from the image's corner is not drawn, samples: nearly beside the camera
+/// projections have any size, and OpenCV draws large ones row by row.
+constexpr double kMaxReach = 1e6;
+
 /// Projection of a sphere, in samples.
 struct Disk {
   Vector2d middle;
@@ -24,7 +28,10 @@ std::optional<Disk> diskOf(const Camera& camera, int step, const Eigen::Vector3d
   const CameraCalibration& lens = camera.calibration();
   const double depth = lens.T_world_camera.linear().col(2).dot(middle - camera.position());
   const double f = 0.5 * (lens.K(0, 0) + lens.K(1, 1));
-  return Disk{*pixel / step, f * radius / depth / step};
+  const Disk disk{*pixel / step, f * radius / depth / step};
+  const double reach = disk.middle.cwiseAbs().maxCoeff() + disk.radius;
+  if (!(reach < kMaxReach)) return std::nullopt;
+  return disk;
 }
 
 cv::Point fixedPoint(const Vector2d& p) {
