@@ -10,13 +10,14 @@ mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 
 mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics)
-mocap_room(camera LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(files)
+mocap_room(camera DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(formats DEPENDS camera LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
 mocap_room(calibration DEPENDS camera options
   LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
 mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
-mocap_room(silhouette DEPENDS numerics options products
+mocap_room(silhouette DEPENDS files numerics options products
   LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video)
 mocap_room(hull DEPENDS camera numerics options products LIBRARIES opencv_core TBB::tbb)
 mocap_room(skeleton DEPENDS numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
@@ -36,7 +37,7 @@ mocap_room(fleischmann DEPENDS tracking optimisation LIBRARIES opencv_core openc
 mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
   TESTS_USE evaluation)
 
-mocap_room(motion LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(motion DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)

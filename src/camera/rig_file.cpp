@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "camera/number_text.h"
+#include "files/text_file.h"
 
 namespace markerless_mocap {
 namespace {
@@ -229,11 +230,7 @@ void writeRig(const std::string& path, const std::vector<CameraCalibration>& rig
 }
 
 std::vector<CameraCalibration> readRig(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error("cannot read the rig " + path);
-  return rigFromText(text.str(), path);
+  return rigFromText(readTextFile(path, "the rig " + path), path);
 }
 
 std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& names,

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "markerless_mocap/tracking/shape_file.h"
 
 namespace markerless_mocap {
@@ -20,11 +20,7 @@ std::string packageFile(const std::string& relative_path) {
 }
 
 std::string readText(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error("cannot read " + path);
-  return text.str();
+  return readTextFile(path, path);
 }
 
 void writeText(const std::string& path, const std::string& text) {

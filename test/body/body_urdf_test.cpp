@@ -39,6 +39,25 @@ TEST(BodyUrdfTest, badExpressionsAreToldInOneSentence) {
   EXPECT_EQ(errorTextOf([] { filled("a ${thigh"); }), "URDF template: a ${ is never closed by }");
 }
 
+TEST(BodyUrdfTest, deepExpressionsAreRefused) {
+  for (const char sign : {'(', '-'}) {
+    const std::string sentence =
+        errorTextOf([&] { evaluate(std::string(1000000, sign) + "1", {}); });
+    EXPECT_NE(sentence.find("has more than 100 brackets or signs in each other"),
+              std::string::npos);
+    EXPECT_LT(sentence.size(), 400u);
+  }
+  EXPECT_EQ(evaluate(std::string(90, '-') + "2", {}), 2.0);
+  std::string sum = "1";
+  for (int i = 0; i < 1000; ++i) sum += " + (1)";
+  EXPECT_EQ(evaluate(sum, {}), 1001.0);
+}
+
+TEST(BodyUrdfTest, hugeStaturesAreToldInFull) {
+  EXPECT_NE(errorTextOf([] { BodyProportions::fromStature(1e300); }).find(" m, allowed is 0.5"),
+            std::string::npos);
+}
+
 TEST(BodyUrdfTest, badIdsAreRefused) {
   for (const char* id : {"", "1a", "a b", "a\"", "a_b", "ä"})
     EXPECT_EQ(

@@ -16,6 +16,58 @@ TEST(UrdfReaderTest, garbageIsRefused) {
   EXPECT_EQ(refusal(humanUrdf().substr(0, 4000)), sentence);
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string out;
+  for (int i = 0; i < times; ++i) out += text;
+  return out;
+}
+
+TEST(UrdfReaderTest, textsOfTooManyTagsAreRefusedBeforeTheyAreRead) {
+  EXPECT_EQ(refusal(repeated("<a>", 300000)),
+            "URDF of the body: it has 300000 tags, allowed are 10000");
+  EXPECT_EQ(refusal("<robot name=\"a\">" + repeated("<a>", 9999)),
+            "URDF of the body: the text cannot be read as a URDF");
+  EXPECT_EQ(
+      refusal("<robot name=\"a\">" + repeated("<a>", 4990) + repeated("</a>", 4990) + "</robot>"),
+      "URDF of the body: the text cannot be read as a URDF");
+}
+
+/// The body with more links: link<i> hangs on `parent(i)`.
+template <class Parent>
+std::string withLinks(int count, const Parent& parent) {
+  std::string more;
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    more += "<link name=\"link" + n + "\"/><joint name=\"joint" + n +
+            "\" type=\"fixed\"><parent link=\"" + parent(i) + "\"/><child link=\"link" + n +
+            "\"/></joint>";
+  }
+  return replaced(humanUrdf(), "</robot>", more + "</robot>");
+}
+
+TEST(UrdfReaderTest, chainsAndStarsOfLinksAreReadOrRefused) {
+  const auto chain = [](int i) { return i ? "link" + std::to_string(i - 1) : "head_person1"; };
+  const auto star = [](int) { return std::string("head_person1"); };
+  EXPECT_EQ(refusal(withLinks(1000, chain)), "");
+  EXPECT_EQ(refusal(withLinks(1000, star)), "");
+  EXPECT_NE(refusal(withLinks(100000, chain)).find("tags, allowed are 10000"), std::string::npos);
+  EXPECT_NE(refusal(withLinks(100000, star)).find("tags, allowed are 10000"), std::string::npos);
+}
+
+TEST(UrdfReaderTest, linksThatHangOnTwoJointsAreRefused) {
+  const auto chain = [](int i) { return i ? "link" + std::to_string(i - 1) : "head_person1"; };
+  const std::string again =
+      "<joint name=\"again\" type=\"fixed\"><parent link=\"link0\"/><child link=\"link1\"/>"
+      "</joint>";
+  EXPECT_EQ(refusal(replaced(withLinks(3, chain), "</robot>", again + "</robot>")),
+            "URDF of the body: link link1 is the child of more than one joint");
+  const std::string cycle =
+      "<joint name=\"cycle\" type=\"fixed\"><parent link=\"link2\"/><child link=\"link0\"/>"
+      "</joint>";
+  EXPECT_EQ(refusal(replaced(withLinks(3, chain), "</robot>", cycle + "</robot>")),
+            "URDF of the body: link link0 is the child of more than one joint");
+}
+
 TEST(UrdfReaderTest, bodyOfAnotherIdIsRefused) {
   EXPECT_EQ(errorTextOf([] { BodyModel::fromUrdf(humanUrdf(), "person2"); }),
             "URDF of the body: link body_person2 is missing");

@@ -35,7 +35,7 @@ std::map<std::string, double> namesOf(const BodyProportions& p) {
 }
 
 std::string decimal(double value) {
-  std::array<char, 64> text;
+  std::array<char, 400> text;  // the largest double has 309 digits before the point
   const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, 6).ptr;
   return std::string(text.data(), end);
 }

@@ -8,6 +8,8 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr int kMaxDepth = 100;
+
 /// Recursive descent: sum of products of factors.
 class Parser {
  public:
@@ -16,14 +18,16 @@ class Parser {
 
   double parse() {
     const double value = sum();
-    if (peek() != '\0') refuse("cannot be understood from \"" + text_.substr(at_) + "\" on");
+    if (peek() != '\0') refuse("cannot be understood from \"" + text_.substr(at_, 200) + "\" on");
     if (!std::isfinite(value)) refuse("has no finite value");
     return value;
   }
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw std::invalid_argument("URDF template: the expression ${" + text_ + "} " + why);
+    constexpr size_t kShown = 200;
+    const std::string shown = text_.size() > kShown ? text_.substr(0, kShown) + "..." : text_;
+    throw std::invalid_argument("URDF template: the expression ${" + shown + "} " + why);
   }
 
   char peek() {
@@ -62,6 +66,14 @@ class Parser {
   }
 
   double factor() {
+    if (++depth_ > kMaxDepth)
+      refuse("has more than " + std::to_string(kMaxDepth) + " brackets or signs in each other");
+    const double value = signedValue();
+    --depth_;
+    return value;
+  }
+
+  double signedValue() {
     if (take('-')) return -factor();
     if (take('(')) {
       const double value = sum();
@@ -93,6 +105,7 @@ class Parser {
   const std::string& text_;
   const std::map<std::string, double>& names_;
   size_t at_ = 0;
+  int depth_ = 0;  // of factors in factors
 };
 
 }  // namespace

@@ -54,6 +54,13 @@ constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", Kind::kRevolute, false
   throw std::invalid_argument("URDF of the body: " + message);
 }
 
+/// What is read afterwards recurses into tags and links, and its stack is limited.
+void checkTags(const std::string& xml) {
+  constexpr auto kMaxTags = 10000;
+  if (const auto tags = std::count(xml.begin(), xml.end(), '<'); tags > kMaxTags)
+    refuse("it has " + std::to_string(tags) + " tags, allowed are " + std::to_string(kMaxTags));
+}
+
 std::string textOf(Kind kind) {
   return kind == Kind::kEither     ? "revolute or fixed"
          : kind == Kind::kRevolute ? "revolute"
@@ -61,9 +68,13 @@ std::string textOf(Kind kind) {
 }
 
 Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
+  constexpr double kFarthest = 1000.0;  // metres
   const urdf::Rotation& r = pose.rotation;
-  return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) *
-         Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized();
+  const Eigen::Vector3d position(pose.position.x, pose.position.y, pose.position.z);
+  const Eigen::Quaterniond rotation(r.w, r.x, r.y, r.z);
+  if (!(position.norm() < kFarthest) || !(rotation.norm() > 0.5))  // false for NaN
+    refuse("an origin is not finite or farther than 1000 m");
+  return Eigen::Translation3d(position) * rotation.normalized();
 }
 
 void checkJoint(const urdf::ModelInterface& urdf, const KnownJoint& known, const std::string& id) {
@@ -121,6 +132,7 @@ bool within(const RoundCone& sphere, const RoundCone& capsule) {
 
 /// The visuals of a link as round cones.
 std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
+  constexpr double kMaxSize = 100.0;  // metres
   std::vector<RoundCone> cones;
   for (const auto& visual : link.visual_array) {
     const Eigen::Isometry3d T_link_visual = toIsometry(visual->origin);
@@ -133,6 +145,9 @@ std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
       radius = s->radius;
     }
     if (!(radius > 0.0)) continue;
+    if (!(radius < kMaxSize && half.norm() < kMaxSize))
+      refuse("link " + link.name + " has a shape larger than " + std::to_string(int(kMaxSize)) +
+             " m");
     const Eigen::Vector3d center = T_link_visual.translation();
     cones.push_back({index, center + half, center - half, radius, radius});
     if (visual->material) {
@@ -152,6 +167,8 @@ std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
 /// Appends a link and its descendants, depth first.
 void appendLink(const urdf::Link& link, const std::string& id, int& angle_count, BodyTree& tree) {
   const int index = int(tree.links.size());
+  if (std::find(tree.links.begin(), tree.links.end(), link.name) != tree.links.end())
+    refuse("link " + link.name + " is the child of more than one joint");
   tree.links.push_back(link.name);
   const std::vector<RoundCone> cones = readShape(link, index);
   tree.shape.insert(tree.shape.end(), cones.begin(), cones.end());
@@ -176,6 +193,7 @@ void appendLink(const urdf::Link& link, const std::string& id, int& angle_count,
 }  // namespace
 
 BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id) {
+  checkTags(urdf_xml);
   const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(urdf_xml);
   if (!urdf || !urdf->getRoot()) refuse("the text cannot be read as a URDF");
   const std::string root = "body_" + id;

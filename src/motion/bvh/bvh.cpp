@@ -2,10 +2,10 @@
 
 #include <cctype>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "motion/bvh/bvh_text.h"
 
 namespace markerless_mocap {
@@ -192,9 +192,14 @@ BvhMotion readBvh(std::istream& stream, const std::string& name) {
 }
 
 BvhMotion readBvh(const std::string& path) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path))
+  constexpr uintmax_t kMaxBytes = 1u << 30;  // hours of motion
+  try {
+    checkRegularFile(path, path, kMaxBytes);
+  } catch (const std::runtime_error&) {
     throw std::invalid_argument(path + " cannot be read, expected is a BVH file");
+  }
+  std::ifstream file(path);
+  if (!file) throw std::invalid_argument(path + " cannot be read, expected is a BVH file");
   return readBvh(file, path);
 }
 

@@ -1,10 +1,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "motion/motion_script.h"
 #include "motion/script/script_node.h"
 
@@ -182,11 +181,13 @@ MotionScript parseMotionScript(const std::string& text, const std::string& name)
 }
 
 MotionScript readMotionScript(const std::string& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
+  std::string text;
+  try {
+    text = readTextFile(file, "the motion " + file);
+  } catch (const std::runtime_error&) {
     throw std::invalid_argument("the motion " + file + " cannot be read");
-  return parseMotionScript(text.str(), file);
+  }
+  return parseMotionScript(text, file);
 }
 
 }  // namespace markerless_mocap
