@@ -28,6 +28,8 @@ std::string shapeToYaml(const ShapeParameters& shape) {
   return text;
 }
 
+constexpr double kLongest = 2.0;  // of a part of a person, metres
+
 ShapeParameters shapeFromYaml(const std::string& yaml, const std::string& where) {
   YAML::Node root;
   try {
@@ -48,6 +50,9 @@ ShapeParameters shapeFromYaml(const std::string& yaml, const std::string& where)
     if (!std::isfinite(shape[i]) || (!isOffset(i) && !(shape[i] > 0)))
       throw std::invalid_argument(where + ": " + name + " must be a " +
                                   (isOffset(i) ? "" : "positive ") + "number of metres");
+    if (std::abs(shape[i]) > kLongest)
+      throw std::invalid_argument(where + ": " + name + " is " + node.Scalar() +
+                                  " m, allowed are up to 2 m");
   }
   for (const auto& entry : root)
     if (const auto key = entry.first.as<std::string>(""); !known.count(key))

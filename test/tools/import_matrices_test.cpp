@@ -119,7 +119,7 @@ TEST_F(ImportMatrices, ImageOfAnotherSizeLeavesNoBag) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "an image or mask of cam3 is 20 x 20 pixels, the first one was 80 x 60");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
-  EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
+  EXPECT_FALSE(hasUnfinished());
 }
 
 TEST_F(ImportMatrices, PatternWithoutNumberOrFilesIsTold) {

@@ -60,7 +60,7 @@ TEST_F(OfflineRun, LeavesNothingBehindWhenInterrupted) {
   }
   EXPECT_EQ(frame_sets, 4);
   EXPECT_FALSE(std::filesystem::exists(options_.output));
-  EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
+  EXPECT_FALSE(hasUnfinished());
 }
 
 TEST_F(OfflineRun, WritesEveryProductOfEveryInstant) {
@@ -128,7 +128,7 @@ TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
             "the recording ends while the background is being learned, after 2 frame sets");
   EXPECT_FALSE(std::filesystem::exists(options_.output));
-  EXPECT_FALSE(std::filesystem::exists(options_.output + ".active"));
+  EXPECT_FALSE(hasUnfinished());
 }
 
 TEST_F(OfflineRun, UnusedSilhouettesAreRecalledWhenLearningDoesNotEnd) {

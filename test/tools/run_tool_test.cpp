@@ -32,5 +32,23 @@ TEST(RunTool, TheFirstSignalAsksAndTheSecondEnds) {
       testing::KilledBySignal(SIGINT), "");
 }
 
+TEST(RunTool, AClosedTerminalAsksUnlessItIsToBeIgnored) {
+  EXPECT_EXIT(
+      {
+        const auto interrupted = catchInterruptions();
+        std::raise(SIGHUP);
+        std::_Exit(interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(
+      {
+        std::signal(SIGHUP, SIG_IGN);
+        const auto interrupted = catchInterruptions();
+        std::raise(SIGHUP);
+        std::_Exit(interrupted() ? 1 : 0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
 }  // namespace markerless_mocap

@@ -44,6 +44,13 @@ class ToolTest : public ::testing::Test {
     std::filesystem::resize_file(folder_ / name, std::filesystem::file_size(folder_ / name) / 2);
   }
 
+  /// Whether a file is left that a writer had not completed.
+  bool hasUnfinished() const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      if (entry.path().extension() == ".active") return true;
+    return false;
+  }
+
   std::filesystem::path folder_;
 };
 

@@ -74,6 +74,11 @@ TEST(SizesFile, AnOffsetMayBeNegativeButMustBeANumber) {
             "anna.yaml: thigh_cone/b/offset_x must be a number of metres");
 }
 
+TEST(SizesFile, PartsOfNoPersonAreRefused) {
+  EXPECT_EQ(refusal(with("thigh", "thigh: 1000")),
+            "anna.yaml: thigh is 1000 m, allowed are up to 2 m");
+}
+
 TEST(StatureOf, IsTheSumFromFloorToCrown) {
   EXPECT_NEAR(statureOf(ShapeStatistics::handMade().meanShape(1.68)), 1.68, 0.005);
   ShapeParameters shape = someone();

@@ -1,47 +1,99 @@
 #include "tools/common/bag_io.h"
 
+#include <unistd.h>
+
+#include <atomic>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
+
+#include "tools/common/bag_records.h"
 
 namespace markerless_mocap {
 
 void openForReading(const std::string& path, rosbag::Bag& bag) {
   if (!std::filesystem::is_regular_file(path)) throw std::runtime_error("there is no bag " + path);
+  if (!areBagRecordsSound(path)) throw std::runtime_error(path + " is damaged");
   try {
     bag.open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
     throw std::runtime_error(path + " has no index: the recording was cut off; rosbag reindex " +
                              path + " may repair it");
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path + " is not a bag or was cut off (" + error.what() + ")");
+  } catch (const std::exception&) {  // rosbag's own words help nobody
+    throw std::runtime_error(path + " is not a bag or was cut off");
   }
 }
 
+namespace {
+
+/// Two runs with one output write to files of their own.
+std::string activePathOf(const std::string& path) {
+  static std::atomic<int> count{0};
+  return path + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".active";
+}
+
+void checkTarget(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::runtime_error("cannot write " + path + ": it is a folder, pipe or device");
+}
+
+}  // namespace
+
 BagWriter::BagWriter(std::string path, rosbag::CompressionType compression)
-    : path_(std::move(path)), active_path_(path_ + ".active") {
+    : path_(std::move(path)),
+      active_path_(activePathOf(path_)),
+      bag_(std::make_unique<rosbag::Bag>()) {
+  checkTarget(path_);
   try {
-    bag_.open(active_path_, rosbag::bagmode::Write);
+    bag_->open(active_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException&) {
-    throw std::runtime_error("cannot write " + active_path_);
+    throw std::runtime_error("cannot write " + path_ +
+                             ": its folder is missing or may not be written");
   }
-  bag_.setCompression(compression);
+  bag_->setCompression(compression);
 }
 
 BagWriter::~BagWriter() {
   if (committed_) return;
   try {
-    bag_.close();
-  } catch (const rosbag::BagException&) {
-    // The file is removed in any case.
+    if (bag_) bag_->close();
+  } catch (const std::exception&) {
+    abandon();  // the file is removed in any case
   }
   std::error_code ignored;
   std::filesystem::remove(active_path_, ignored);
 }
 
+void BagWriter::abandon() {
+  // Its destructor closes again, throws again and ends the process.
+  static_cast<void>(bag_.release());
+}
+
+void BagWriter::fail(int error) {
+  abandon();
+  throw std::runtime_error("cannot write " + path_ +
+                           (error ? std::string(": ") + std::strerror(error) : ""));
+}
+
+void BagWriter::check(const std::string& topic, const ros::Time& stamp) const {
+  if (!bag_) throw std::runtime_error("cannot write " + path_);
+  if (stamp < ros::TIME_MIN)
+    throw std::runtime_error("a message of " + topic + " has the stamp 0, bags hold later ones");
+}
+
 void BagWriter::commit() {
-  bag_.close();
-  std::filesystem::rename(active_path_, path_);
+  errno = 0;
+  try {
+    bag_->close();
+  } catch (const rosbag::BagException&) {
+    fail(errno);
+  }
+  std::error_code error;
+  std::filesystem::rename(active_path_, path_, error);
+  if (error) throw std::runtime_error("cannot write " + path_ + ": " + error.message());
   committed_ = true;
 }
 

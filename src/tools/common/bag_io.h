@@ -3,6 +3,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <cerrno>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,19 +14,30 @@ namespace markerless_mocap {
 /// no index because the recording was cut off.
 void openForReading(const std::string& path, rosbag::Bag& bag);
 
+/// The message of an entry; null if it has another type or md5 sum. Throws std::runtime_error if
+/// its bytes are damaged.
+template <class Message>
+boost::shared_ptr<const Message> messageOf(const rosbag::MessageInstance& entry) {
+  try {
+    return entry.instantiate<Message>();
+  } catch (const std::exception&) {  // of rosbag, of the serialization, of an absurd length
+    throw std::runtime_error("a message of " + entry.getTopic() + " is damaged");
+  }
+}
+
 /// The first message of a topic. Throws std::runtime_error if the bag has none.
 template <class Message>
 Message firstMessage(const rosbag::Bag& bag, const std::string& topic) {
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic)))
-    if (const auto message = entry.instantiate<Message>()) return *message;
+    if (const auto message = messageOf<Message>(entry)) return *message;
   throw std::runtime_error("the bag has no " + topic);
 }
 
-/// Writes a bag to <path>.active; commit() renames it to <path>. Without commit() the file is
-/// removed.
+/// Writes a bag to a file of its own beside <path>; commit() renames it to <path>. Without commit()
+/// the file is removed. What cannot be written is a std::runtime_error that says why.
 class BagWriter {
  public:
-  /// Throws std::runtime_error if the file cannot be written.
+  /// Throws std::runtime_error if the file cannot be written, or the path is no regular file.
   explicit BagWriter(std::string path,
                      rosbag::CompressionType compression = rosbag::compression::LZ4);
   ~BagWriter();
@@ -34,16 +46,18 @@ class BagWriter {
 
   template <class Message>
   void write(const std::string& topic, const ros::Time& stamp, const Message& message) {
-    bag_.write(topic, stamp, message);
+    guarded(topic, stamp, [&] { bag_->write(topic, stamp, message); });
   }
 
   /// For latched topics, such as /tf_static.
   template <class Message>
   void writeLatched(const std::string& topic, const ros::Time& stamp, const Message& message) {
-    bag_.write(topic, stamp, message,
-               latchedHeader(topic, ros::message_traits::datatype(message),
-                             ros::message_traits::md5sum(message),
-                             ros::message_traits::definition(message)));
+    guarded(topic, stamp, [&] {
+      bag_->write(topic, stamp, message,
+                  latchedHeader(topic, ros::message_traits::datatype(message),
+                                ros::message_traits::md5sum(message),
+                                ros::message_traits::definition(message)));
+    });
   }
 
   void commit();
@@ -54,9 +68,24 @@ class BagWriter {
                                                         const std::string& md5sum,
                                                         const std::string& definition);
 
+  /// Throws std::runtime_error with our own sentence if the file cannot take the message.
+  template <class Write>
+  void guarded(const std::string& topic, const ros::Time& stamp, const Write& write) {
+    check(topic, stamp);
+    errno = 0;
+    try {
+      write();
+    } catch (const rosbag::BagException&) {
+      fail(errno);
+    }
+  }
+  void check(const std::string& topic, const ros::Time& stamp) const;
+  [[noreturn]] void fail(int error);
+  void abandon();
+
   std::string path_, active_path_;
   bool committed_ = false;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 }  // namespace markerless_mocap

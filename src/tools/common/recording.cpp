@@ -44,7 +44,7 @@ void readTransforms(rosbag::Bag& bag, tf2::BufferCore* buffer, tf2_msgs::TFMessa
   for (const char* topic : {"/tf_static", "/tf"}) {
     const bool is_static = std::string(topic) == "/tf_static";
     for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic))) {
-      const auto message = entry.instantiate<tf2_msgs::TFMessage>();
+      const auto message = messageOf<tf2_msgs::TFMessage>(entry);
       if (!message) continue;
       for (const geometry_msgs::TransformStamped& transform : message->transforms) {
         buffer->setTransform(transform, "bag", is_static);
@@ -55,11 +55,11 @@ void readTransforms(rosbag::Bag& bag, tf2::BufferCore* buffer, tf2_msgs::TFMessa
 }
 
 RecordedImage imageOf(const rosbag::MessageInstance& message) {
-  RecordedImage image{message.instantiate<sensor_msgs::Image>(),
-                      message.instantiate<sensor_msgs::CompressedImage>()};
+  RecordedImage image{messageOf<sensor_msgs::Image>(message),
+                      messageOf<sensor_msgs::CompressedImage>(message)};
   if (image.raw || image.compressed) return image;
   throw std::runtime_error("topic " + message.getTopic() + " holds " + message.getDataType() +
-                           ", expected are images");
+                           ", expected are images of this ROS");
 }
 
 int64_t stampOf(const RecordedImage& image) {
@@ -85,8 +85,8 @@ Recording::Recording(const std::string& path, const RecordingOptions& options) :
                                " is the only one, at least two are needed");
     options.rig.empty() ? readRig() : useRigFile();
     listStreams();
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path + " is damaged (" + error.what() + ")");
+  } catch (const rosbag::BagException&) {
+    throw std::runtime_error(path + " is damaged");
   }
 }
 
@@ -97,7 +97,10 @@ void Recording::readRig() {
   for (size_t i = 0; i < cameras_.size(); ++i) {
     rosbag::View infos(bag_, rosbag::TopicQuery(cameras_[i].info_topic));
     if (infos.begin() == infos.end()) continue;
-    const auto info = infos.begin()->instantiate<sensor_msgs::CameraInfo>();
+    const auto info = messageOf<sensor_msgs::CameraInfo>(*infos.begin());
+    if (!info)
+      throw std::runtime_error("topic " + cameras_[i].info_topic +
+                               " holds a CameraInfo of another md5 sum than this ROS has");
     collector.add(i, *info);
     cameras_[i].frame = info->header.frame_id;
   }
@@ -117,8 +120,8 @@ void Recording::listStreams() {
     const RecordedCamera& camera = cameras_[i];
     const bool masks =
         !camera.silhouette_topic.empty() && (options_.use_masks || camera.image_topic.empty());
-    if (!camera.image_topic.empty()) streams_.push_back({camera.image_topic, i, false});
-    if (masks) streams_.push_back({camera.silhouette_topic, i, true});
+    if (!camera.image_topic.empty()) streams_.push_back({camera.image_topic, i, false, false});
+    if (masks) streams_.push_back({camera.silhouette_topic, i, true, false});
     if (options_.use_masks && !masks)
       throw std::runtime_error("camera " + camera.name + " has no silhouettes in the bag");
   }
@@ -173,10 +176,25 @@ std::vector<std::string> Recording::timingRemarks() const {
   return remarks;
 }
 
+std::optional<RecordedImage> Recording::readImage() {
+  try {
+    return imageOf(*message_);
+  } catch (const std::runtime_error& error) {
+    if (messages_read_ == 0) throw;  // nothing of this recording can be read
+    if (unreadable_++ == 0) first_unreadable_ = error.what();
+    return std::nullopt;
+  }
+}
+
 void Recording::readMessage() {
-  const RecordedImage image = imageOf(*message_);
+  const std::optional<RecordedImage> image = readImage();
+  if (!image) {
+    ++message_;
+    ++messages_read_;
+    return;
+  }
   for (auto& frame_set :
-       assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(image), image))
+       assembler_->add(stream_of_topic_.at(message_->getTopic()), stampOf(*image), *image))
     ready_.push_back(std::move(frame_set));
   ++message_;
   ++messages_read_;
@@ -213,6 +231,18 @@ double Recording::fractionRead() const {
   return view_ ? double(messages_read_) / double(view_->size()) : 0.0;
 }
 
+void Recording::checkSize(size_t stream, const cv::Mat& pixels) {
+  const Camera& camera = rig_[streams_[stream].camera];
+  const bool fits = pixels.cols == camera.width() && pixels.rows == camera.height();
+  // If the first one differs, the calibration is of another resolution: the run says so and ends.
+  if (!fits && streams_[stream].has_fitted)
+    throw std::invalid_argument("an image of " + streams_[stream].topic + " is " +
+                                std::to_string(pixels.cols) + " x " + std::to_string(pixels.rows) +
+                                " pixels, the others " + std::to_string(camera.width()) + " x " +
+                                std::to_string(camera.height()));
+  streams_[stream].has_fitted = fits;
+}
+
 FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
   FrameSet out;
   out.stamp_ns = frame_set.stamp_ns;
@@ -222,9 +252,10 @@ FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
     if (!frame_set.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];
     try {
-      (streams_[i].is_mask ? frame.mask : frame.image) =
-          decoded(frame_set.items[i], streams_[i].is_mask);
-    } catch (const std::invalid_argument& error) {
+      const cv::Mat pixels = decoded(frame_set.items[i], streams_[i].is_mask);
+      checkSize(i, pixels);
+      (streams_[i].is_mask ? frame.mask : frame.image) = pixels;
+    } catch (const std::exception& error) {  // of ours or of OpenCV
       if (unreadable_++ == 0) first_unreadable_ = error.what();
     }
   }

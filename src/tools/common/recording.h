@@ -81,6 +81,7 @@ class Recording {
     std::string topic;
     size_t camera;
     bool is_mask;
+    bool has_fitted = false;  ///< whether its last usable image had the camera's size
   };
 
   void readRig();
@@ -90,6 +91,10 @@ class Recording {
   void startJoining();
   std::vector<double> offsets() const;  ///< of the streams' clocks, s
   void readMessage();
+  /// Throws std::invalid_argument if an image differs in size from its camera and those before.
+  void checkSize(size_t stream, const cv::Mat& pixels);
+  /// The image of the current message; empty if it cannot be read, which is counted.
+  std::optional<RecordedImage> readImage();
   FrameSet frameSetOf(const Assembler::FrameSet& frame_set);
 
   RecordingOptions options_;

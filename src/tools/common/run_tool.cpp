@@ -27,8 +27,8 @@ int runTool(const char* name, const std::function<void()>& work) {
 }
 
 std::function<bool()> catchInterruptions() {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants
   return [] { return interrupted != 0; };
 }
 

@@ -7,8 +7,8 @@ namespace markerless_mocap {
 /// Runs the work of a program. An exception is printed to the error stream. Returns the exit code.
 int runTool(const char* name, const std::function<void()>& work);
 
-/// After this call, SIGINT and SIGTERM set the result of the returned function to true, so that a
-/// run can stop and remove incomplete output. A second signal ends the program at once.
+/// After this call, SIGINT, SIGTERM and SIGHUP set the result of the returned function to true, so
+/// that a run can stop and remove incomplete output. A second signal ends the program at once.
 std::function<bool()> catchInterruptions();
 
 }  // namespace markerless_mocap

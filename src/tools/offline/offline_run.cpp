@@ -21,6 +21,9 @@ void checkFiles(const OfflineOptions& options) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.input, options.output, ignored))
     throw std::runtime_error("input and output are the same file " + options.input);
+  if (std::filesystem::is_directory(options.save_body, ignored))
+    throw std::runtime_error("cannot write the body file " + options.save_body +
+                             ": it is a folder");
 }
 
 void checkOutcome(const RunSummary& summary, const Recording& recording) {
@@ -90,6 +93,7 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
   checkFiles(options);
   Recording recording(options.input, options.recording);
+  BagWriter bag(options.output);  // first, because what follows may take minutes
   PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
   OfflineOptions with_backgrounds = options;
@@ -105,7 +109,6 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary;
 
-  BagWriter bag(options.output);
   ResultWriter writer(&bag, *body->model, options.recording.world_frame,
                       makePoseFilter(body->model, stages.fitting.filter));
   Progress progress("mocap_offline", notes, terminal);
