@@ -10,6 +10,8 @@ namespace markerless_mocap {
 
 constexpr uintmax_t kMaxTextBytes = 16u << 20;  ///< of a configuration, rig, body or URDF
 
+constexpr uintmax_t kMaxTableBytes = 1u << 30;  ///< of the times of films
+
 /// Throws std::runtime_error unless the path is a regular file of at most `max_bytes`: pipes block
 /// and devices never end.
 /// \param subject how the sentence names the file, for example "the rig a.yaml"

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "files/text_file.h"
 #include "formats/parts/camera_parts.h"
 #include "markerless_mocap/camera/rig_file.h"
 
@@ -32,11 +33,7 @@ std::string titles() {
 }
 
 std::string textOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (fs::is_regular_file(path)) text << file.rdbuf();
-  if (!file || !fs::is_regular_file(path)) throw std::runtime_error("cannot read " + path);
-  return text.str();
+  return readTextFile(path, path);
 }
 
 /// The layout that a text belongs to; nullptr if there is none.

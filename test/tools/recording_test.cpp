@@ -158,9 +158,7 @@ TEST_F(RecordingTest, ZeroAndNanCalibrationsNameTheCamera) {
 }
 
 /// As a camera_info of another ROS: the type's name is the same, the definition is not.
-struct ForeignCameraInfo : sensor_msgs::CameraInfo {
-  using CameraInfo::CameraInfo;
-};
+struct ForeignCameraInfo : sensor_msgs::CameraInfo {};
 
 }  // namespace
 }  // namespace markerless_mocap

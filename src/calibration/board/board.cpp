@@ -1,12 +1,12 @@
 #include "calibration/board.h"
 
 #include <array>
-#include <fstream>
 #include <opencv2/aruco.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include <yaml-cpp/yaml.h>
+
+#include "files/text_file.h"
 
 namespace markerless_mocap {
 namespace {
@@ -112,12 +112,9 @@ void BoardOptions::validate() const {
 }
 
 BoardOptions readBoard(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error("cannot read the board " + path);
+  const std::string text = readTextFile(path, "the board " + path);
   try {
-    return loadOptions<BoardOptions>(YAML::Load(text.str()));
+    return loadOptions<BoardOptions>(YAML::Load(text));
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": this is no YAML: " + error.what());
   } catch (const std::invalid_argument& error) {

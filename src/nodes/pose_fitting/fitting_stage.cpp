@@ -4,7 +4,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <exception>
-#include <fstream>
+#include <filesystem>
 
 #include "markerless_mocap/tracking/shape_file.h"
 #include "nodes/common/low_latency_transport.h"
@@ -28,7 +28,8 @@ namespace {
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 bool isThere(const std::string& file) {
-  return !file.empty() && std::ifstream(file).good();
+  std::error_code ignored;  // asked, not opened: opening a pipe blocks
+  return !file.empty() && std::filesystem::exists(file, ignored);
 }
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {

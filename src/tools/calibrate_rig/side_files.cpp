@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "tools/calibrate_rig/find_boards.h"
 
 namespace markerless_mocap {
@@ -75,6 +76,7 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
 }  // namespace
 
 FrameTimes readFrameTimes(const std::string& path, const std::vector<FilmSource>& films) {
+  checkRegularFile(path, "the times in " + path, kMaxTableBytes);
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw std::runtime_error("cannot read the times in " + path);
@@ -98,13 +100,10 @@ FrameTimes readFrameTimes(const std::string& path, const std::vector<FilmSource>
 
 std::vector<KnownPoint> readKnownPoints(const std::string& path,
                                         const std::vector<CameraToCalibrate>& cameras) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error("cannot read the points in " + path);
+  const std::string text = readTextFile(path, "the points in " + path);
   std::vector<KnownPoint> points;
   try {
-    for (const auto& node : YAML::Load(text.str())["points"])
+    for (const auto& node : YAML::Load(text)["points"])
       points.push_back(pointIn(node, cameras, path));
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());

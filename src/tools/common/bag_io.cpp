@@ -14,7 +14,8 @@ namespace markerless_mocap {
 
 void openForReading(const std::string& path, rosbag::Bag& bag) {
   if (!std::filesystem::is_regular_file(path)) throw std::runtime_error("there is no bag " + path);
-  if (!areBagRecordsSound(path)) throw std::runtime_error(path + " is damaged");
+  if (!areBagRecordsSound(path))
+    throw std::runtime_error(path + " is not a bag or was cut off or damaged");
   try {
     bag.open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {

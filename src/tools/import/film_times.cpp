@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/text_file.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -55,6 +57,7 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 std::map<std::string, std::vector<double>> readFrameTimes(const std::string& path) {
+  checkRegularFile(path, path, kMaxTableBytes);
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw std::runtime_error("cannot read " + path);
