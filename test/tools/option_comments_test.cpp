@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "calibration/board.h"
 #include "capture/studio_options.h"
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "option_list.h"
@@ -109,6 +110,7 @@ TEST_F(OptionComments, AreTheMeaningsThatTheLoaderGives) {
   expectSame<FittingNodeOptions>("FittingNodeOptions");
   expectSame<StudioNodeOptions>("StudioNodeOptions");
   expectSame<UsbCameraOptions>("UsbCameraOptions");
+  expectSame<BoardOptions>("BoardOptions");
   for (const auto& entry : optionsOf(HsiaoLimits::fromThesis()))  // a key per angle, two arrays
     EXPECT_EQ(structs_["HsiaoLimits"]["lower, upper"], entry.meaning) << entry.path;
   seen_.insert("HsiaoLimits");

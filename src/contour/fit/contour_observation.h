@@ -58,6 +58,8 @@ class ContourObserver {
   ///   without person or without background is not used, see ContourView::status. The result does
   ///   not depend on the number of threads.
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
+  /// Throws as observe().
+  void check(const std::vector<cv::Mat>& masks) const;
 
  private:
   CameraRig rig_;

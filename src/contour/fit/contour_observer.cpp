@@ -25,7 +25,7 @@ constexpr double kMargin = 0.04;
 // Image width divided by the radius of the disk that normals are computed in.
 constexpr int kWidthPerNormalRadius = 160;
 
-void check(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
+void checkMasks(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
   if (masks.size() != rig.size())
     throw std::invalid_argument("contour: " + std::to_string(masks.size()) +
                                 " masks were given, the rig has " + std::to_string(rig.size()) +
@@ -149,8 +149,12 @@ ContourObserver::ContourObserver(const CameraRig& rig, const ContourOptions& opt
 
 ContourObserver::~ContourObserver() = default;
 
+void ContourObserver::check(const std::vector<cv::Mat>& masks) const {
+  checkMasks(masks, rig_);
+}
+
 ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) const {
-  check(masks, rig_);
+  check(masks);
   ContourObservation seen;
   seen.views.resize(rig_.size());
   std::vector<std::vector<Crack>> cracks(rig_.size());

@@ -33,6 +33,8 @@ class RegionObserver {
   std::vector<cv::Mat> candidates(const RegionFrame& frame, const VisualHull& hull,
                                   const ContourBody& body, const ContourPose& pose) const;
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
+  /// Throws std::invalid_argument if the masks do not fit the rig.
+  void check(const std::vector<cv::Mat>& masks) const { observer_.check(masks); }
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.

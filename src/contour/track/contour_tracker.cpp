@@ -233,6 +233,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
 }
 
 BodyPose ContourTracker::update(const TrackerInput& now) {
+  observer_.check(now.masks);
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, now.hull, still_contours_.rig());
