@@ -145,7 +145,7 @@ bool isSeenByLens(const double (&k)[8], double max_radius_squared, const Eigen::
 /// the corners, where they were not measured.
 void validateDistortion(const CameraCalibration& c) {
   constexpr int kColumns = 16, kRows = 12;
-  constexpr int kMinPercent = 25;
+  constexpr int kMinPercent = 40;
   double k[8] = {};
   std::copy(c.D.begin(), c.D.end(), k);
   const double max_radius_squared = foldRadiusSquared(k);

@@ -75,7 +75,7 @@ TEST(Camera, DistortionsOfNoLensAreRefused) {
                              0),
               0u)
         << sentence;
-    EXPECT_NE(sentence.find("% of the image, allowed are 25 % or more"), std::string::npos);
+    EXPECT_NE(sentence.find("% of the image, allowed are 40 % or more"), std::string::npos);
   }
 }
 
