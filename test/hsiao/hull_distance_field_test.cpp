@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hsiao/fit/hull_agreement.h"
 #include "error_text_of.h"
+#include "hsiao/fit/hull_agreement.h"
 #include "hsiao/synthetic_person.h"
 
 namespace markerless_mocap {
