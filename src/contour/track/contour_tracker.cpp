@@ -247,14 +247,6 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   take(found);
   if (agreement_ < kLostAgreement) hypotheses_.lose();
   const ActiveTrack active = follow(now, found);
-  if (getenv("TRACE")) {
-    fprintf(stderr, "%.3f st %d q %.3f ov %.2f agr %.2f acc %d sw %d unamb %d conf %d limbs",
-            now.stamp_ns % 100000000000 * 1e-9, int(active.track.status),
-            qualityOf(active.track.fit), active.track.fit.overlap, agreement_, accepted_,
-            active.switched, hypotheses_.isUnambiguous(), hypotheses_.isConfirmed());
-    for (int l = 0; l < 6; ++l) fprintf(stderr, " %.2f", limb_agreement_[l]);
-    fprintf(stderr, "\n");
-  }
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   const ContourFit& fit = active.track.fit;
   if (active.track.status == ContourTrackingStatus::kLost) {
