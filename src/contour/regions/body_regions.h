@@ -49,6 +49,7 @@ struct RegionMasks {
 class BodyRegions {
  public:
   explicit BodyRegions(const CameraRig& rig);
+  const CameraRig& rig() const { return rig_; }
   /// Forgets the colours of the person.
   void reset();
 

@@ -8,11 +8,11 @@ constexpr double kLearningError = 0.03;  // metres, of the outline of a fitted b
 }  // namespace
 
 RegionObserver::RegionObserver(const CameraRig& rig, const ContourOptions& options)
-    : observer_(rig, options), regions_(rig) {}
+    : observer_(std::make_shared<ContourObserver>(rig, options)), regions_(rig) {}
 
 RegionObservation RegionObserver::observe(const RegionFrame& frame) const {
   RegionObservation out;
-  out.seen = observer_.observe(frame.masks);
+  out.seen = observer_->observe(frame.masks);
   out.masks = frame.masks;
   out.limb_agreement.fill(1.0);
   return out;
@@ -26,7 +26,7 @@ RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
 RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const ContourBody& body,
                                               const ContourPose& pose, double error_m) const {
   const RegionMasks found = regions_.segment(frame, body, pose, error_m);
-  return {observer_.observe(found.masks), found.masks, found.agreement, found.overlap,
+  return {observer_->observe(found.masks), found.masks, found.agreement, found.overlap,
           found.limb_agreement};
 }
 
@@ -37,7 +37,7 @@ std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const 
 }
 
 ContourObservation RegionObserver::observe(const std::vector<cv::Mat>& masks) const {
-  return observer_.observe(masks);
+  return observer_->observe(masks);
 }
 
 void RegionObserver::learn(const RegionFrame& frame, const ContourBody& body,

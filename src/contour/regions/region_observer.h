@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "contour/fit/contour_observation.h"
 #include "contour/regions/body_regions.h"
 
@@ -34,14 +36,19 @@ class RegionObserver {
                                   const ContourBody& body, const ContourPose& pose) const;
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
   /// Throws std::invalid_argument if the masks do not fit the rig.
-  void check(const std::vector<cv::Mat>& masks) const { observer_.check(masks); }
+  void check(const std::vector<cv::Mat>& masks) const { observer_->check(masks); }
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.
   void reset() { regions_.reset(); }
+  /// The same, but it has not learned any colours.
+  RegionObserver withoutColors() const { return {observer_, BodyRegions(regions_.rig())}; }
 
  private:
-  ContourObserver observer_;
+  RegionObserver(std::shared_ptr<const ContourObserver> observer, BodyRegions regions)
+      : observer_(std::move(observer)), regions_(std::move(regions)) {}
+
+  std::shared_ptr<const ContourObserver> observer_;  ///< large, so it is shared
   BodyRegions regions_;
 };
 

@@ -51,7 +51,8 @@ class ContourMultiHypothesisTracker {
   /// True if a pose is tracked and there is no alternative, or the alternative has turned out
   /// clearly worse.
   bool isUnambiguous() const;
-  /// True if a start on a later frame has led to the same body.
+  /// A start on a later frame has led to the same body.
+  void confirm() { confirmed_ = true; }
   bool isConfirmed() const { return confirmed_; }
   void lose();
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.

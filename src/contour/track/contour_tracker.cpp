@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "contour/track/default_postures.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
@@ -28,11 +27,6 @@ constexpr double kMinQuality = 0.90, kMinQualityOfMeanShape = 0.86;
 // estimated from one frame, gives an overlap of 0.78; a man together with the chair he sits on
 // 0.68.
 constexpr double kMinOverlap = 0.72;
-// Default postures are tried if the proposals have a lower quality.
-constexpr double kPoorQuality = 0.86;
-constexpr int64_t kStartInterval_ns = 50000000;
-// A search by colour takes longer.
-constexpr int64_t kColorStartInterval_ns = 200000000;
 
 // Colours follow a body wherever they are told to look. Where the background is known, the
 // silhouettes must show the person, too: this fraction of what colours found, to accept a start and
@@ -73,71 +67,17 @@ void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
 void ContourTracker::reset() {
   hypotheses_.lose();
   still_contours_.reset();
-  reconsider_until_ns_ = next_start_ns_ = next_reconsideration_ns_ = 0;
+  reconsider_until_ns_ = next_check_ns_ = next_reconsideration_ns_ = 0;
   next_limb_search_ns_ = limb_search_interval_ns_ = next_color_start_ns_ = next_learning_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
 }
 
-std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
-                                                   const ContourObservation& seen) {
-  std::vector<ContourPose> poses;
-  const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
-  initializer_error_ = pose.reason;
-  if (pose.status != PoseStatus::kLost)
-    poses.push_back(converter_->poseOf(pose.T_world_body, pose.angles));
-  if (const auto of_tree = poseFromPoseTree(now.tree)) poses.push_back(*of_tree);
-  if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
-    for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
-  return poses;
-}
-
 RegionObservation ContourTracker::observe(const Frame& now) const {
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   if (!predicted) return observer_.observe(now.regions);
   return observer_.observeNear(now.regions, *contour_body_, predicted->pose, kPredictionError_m);
-}
-
-ContourTracker::Search ContourTracker::byColor(const Frame& now, Search search) const {
-  if (!now.regions.needsColors()) return search;
-  std::vector<ContourPose> starts;
-  for (const ContourFit& fit :
-       hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
-    starts.push_back(fit.pose);
-  const std::vector<RegionFit> fits =
-      searchByColor(observer_, hypotheses_, now.regions, now.hull, *contour_body_, starts);
-  if (fits.empty()) return search;
-  return {fits.front().found, {fits.front().fit.pose}};
-}
-
-ActiveTrack ContourTracker::start(const Frame& now) {
-  if (now.regions.needsColors() && now.stamp_ns < next_color_start_ns_) return {};
-  next_color_start_ns_ = now.stamp_ns + kColorStartInterval_ns;
-  observer_.reset();
-  Search search{observer_.observeLargest(now.regions, now.hull), {}};
-  if (search.found.seen.usableViews() < 2) return {};
-  search.poses = proposals(now, search.found.seen);
-  if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
-  search = byColor(now, std::move(search));
-  still_contours_.weigh(search.found.seen);
-  take(search.found);
-  return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
-}
-
-ActiveTrack ContourTracker::reinitialize(const Frame& now, const ActiveTrack& active) {
-  if (now.stamp_ns < next_start_ns_) return active;
-  next_start_ns_ =
-      now.stamp_ns + (now.regions.needsColors() ? kColorStartInterval_ns : kStartInterval_ns);
-  initializer_->reset();  // the proposal must depend on this frame only
-  Search search{observer_.observeLargest(now.regions, now.hull), {}};
-  search.poses = proposals(now, search.found.seen);
-  search = byColor(now, std::move(search));
-  still_contours_.weigh(search.found.seen);
-  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
-                                                    search.poses, active);
-  if (best.switched) take(search.found);
-  return best;
 }
 
 bool ContourTracker::isAccepted(const ContourObservation& seen, const ContourFit& fit) const {
@@ -221,11 +161,10 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   if (active.track.status == ContourTrackingStatus::kLost) {
     active = start(now);
     accepted_ = isAccepted(found.seen, active.track.fit);
-    next_start_ns_ = now.stamp_ns + kStartInterval_ns;
     reported_ = false;
     return active;
   }
-  if (!accepted_) active = reinitialize(now, active);
+  if (needsCheck(now)) active = check(now, active);
   accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
   searchLimbs(now, found, active);
   reconsider(now, found.seen, active.track);

@@ -1,0 +1,110 @@
+// How ContourTracker starts, and starts again to check.
+#include <algorithm>
+#include <utility>
+
+#include "contour/contour_tracker.h"
+#include "contour/track/default_postures.h"
+#include "contour/track/pose_from_pose_tree.h"
+
+namespace markerless_mocap {
+namespace {
+
+// Default postures are tried if the proposals have a lower quality.
+constexpr double kPoorQuality = 0.86;
+constexpr int64_t kStartInterval_ns = 50000000;
+
+// A search by colour takes longer. Of five starts on the beam film one had a wrong arm or exchanged
+// legs, but later searches found the right pose, whose score was higher by 0.03 and more. So each
+// start is checked by searches after this time, twice this, four times this ...
+constexpr int64_t kFirstColorCheck_ns = 100000000;
+constexpr int kColorChecks = 4;
+constexpr double kMinCheckGain = 0.01;  // of the score
+
+}  // namespace
+
+std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
+                                                   const ContourObservation& seen) {
+  std::vector<ContourPose> poses;
+  const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
+  initializer_error_ = pose.reason;
+  if (pose.status != PoseStatus::kLost)
+    poses.push_back(converter_->poseOf(pose.T_world_body, pose.angles));
+  if (const auto of_tree = poseFromPoseTree(now.tree)) poses.push_back(*of_tree);
+  if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
+    for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
+  return poses;
+}
+
+std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observer, const Frame& now,
+                                                   const Search& search) const {
+  std::vector<ContourPose> starts;
+  for (const ContourFit& fit :
+       hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
+    starts.push_back(fit.pose);
+  return searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_, starts);
+}
+
+ActiveTrack ContourTracker::start(const Frame& now) {
+  const bool by_color = now.regions.needsColors();
+  if (by_color && now.stamp_ns < next_color_start_ns_) return {};
+  next_color_start_ns_ = now.stamp_ns + 2 * kFirstColorCheck_ns;
+  next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kStartInterval_ns);
+  color_checks_ = 0;
+  observer_.reset();
+  Search search{observer_.observeLargest(now.regions, now.hull), {}};
+  if (search.found.seen.usableViews() < 2) return {};
+  search.poses = proposals(now, search.found.seen);
+  if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
+  if (by_color) {
+    std::vector<RegionFit> fits = fitsByColor(observer_, now, search);
+    if (!fits.empty()) search = {std::move(fits.front().found), {fits.front().fit.pose}};
+  }
+  still_contours_.weigh(search.found.seen);
+  take(search.found);
+  return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
+}
+
+bool ContourTracker::needsCheck(const Frame& now) const {
+  if (now.stamp_ns < next_check_ns_) return false;
+  return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks);
+}
+
+ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
+  initializer_->reset();  // the proposal must depend on this frame only
+  if (now.regions.needsColors()) return checkByColor(now, active);
+  next_check_ns_ = now.stamp_ns + kStartInterval_ns;
+  Search search{observer_.observe(now.regions), {}};
+  search.poses = proposals(now, search.found.seen);
+  still_contours_.weigh(search.found.seen);
+  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
+                                                    search.poses, active);
+  if (best.switched) take(search.found);
+  return best;
+}
+
+// Colours that were learned at a wrong pose speak for it, so both poses are judged without them.
+ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& active) {
+  next_check_ns_ = now.stamp_ns + (kFirstColorCheck_ns << std::min(++color_checks_, kColorChecks));
+  const RegionObserver observer = observer_.withoutColors();
+  Search search{observer.observeLargest(now.regions, now.hull), {}};
+  search.poses = proposals(now, search.found.seen);
+  const std::vector<RegionFit> others = fitsByColor(observer, now, search);
+  const ContourPose& pose = active.track.fit.pose;
+  std::vector<RegionFit> fits =
+      searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_,
+                    {pose, withLegsSwapped(*contour_body_, pose)});
+  if (!others.empty() &&
+      (fits.empty() || others.front().score() > fits.front().score() + kMinCheckGain))
+    fits = others;
+  if (fits.empty()) return active;
+  const RegionFit& best = fits.front();
+  if (!limbsDiffer(*contour_body_, best.fit.pose, active.track.fit.pose)) {
+    hypotheses_.confirm();
+    return active;
+  }
+  observer_.reset();
+  take(best.found);
+  return hypotheses_.startFrom(now.stamp_ns, best.fit);
+}
+
+}  // namespace markerless_mocap
