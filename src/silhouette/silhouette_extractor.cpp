@@ -6,6 +6,7 @@
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
+#include "silhouette/boundary/image_reduction.h"
 #include "silhouette/recording/live_learner.h"
 
 namespace markerless_mocap {
@@ -31,7 +32,9 @@ class SilhouetteExtractor::Impl {
     if (!learns()) subtractor_ = makeSubtractor(options_, {});  // a fault of the file is told now
   }
 
-  SilhouetteResult update(const cv::Mat& image) {
+  SilhouetteResult update(const cv::Mat& full) {
+    const int reduction = reductionOf(full.size(), options_.max_megapixels);
+    const cv::Mat image = reducedImage(full, reduction);
     checkImage(image);
     if (!subtractor_ || type_ < 0) begin(image);
     if (learns() && frames_learned_ < options_.background_frames && loaded_.empty()) {
@@ -41,7 +44,8 @@ class SilhouetteExtractor::Impl {
     if (live_) addLive(image);
     const Extraction found = subtractor_->extract(image);
     const double unknown = double(found.unknown.count()) / double(image.total());
-    return {stateAfter(found), maskOf(found), unknown, found.changed_fraction, found.light_gain};
+    return {stateAfter(found), enlargedMask(maskOf(found), reduction, full.size()), unknown,
+            found.changed_fraction, found.light_gain};
   }
 
   void reset() {

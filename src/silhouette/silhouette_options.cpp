@@ -16,6 +16,9 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
       "background_frames", background_frames, 2, 10000,
       "number of first images that the background is learned from; they show the empty scene, or "
       "people who cross it so that every pixel shows the background most often");
+  v.field("max_megapixels", max_megapixels, 0.01, 1000,
+          "a larger image is averaged down by a whole number before all else, million pixels; "
+          "lengths and areas in px below are those of the smaller image");
   v.field("threshold_sigmas", threshold_sigmas, 1, 50,
           "a pixel that differs from the background by more than this is foreground, standard "
           "deviations");

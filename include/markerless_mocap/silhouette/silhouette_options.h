@@ -20,6 +20,9 @@ struct SilhouetteOptions {
   /// number of first images that the background is learned from; they show the empty scene, or
   /// people who cross it so that every pixel shows the background most often
   int background_frames = 30;
+  /// a larger image is averaged down by a whole number before all else, million pixels; lengths and
+  /// areas in px below are those of the smaller image
+  double max_megapixels = 1.0;
   /// a pixel that differs from the background by more than this is foreground, standard deviations
   double threshold_sigmas = 3.0;
   /// lower bound of the standard deviation of a background pixel, grey levels

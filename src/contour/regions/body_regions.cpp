@@ -170,7 +170,7 @@ std::vector<cv::Mat> BodyRegions::largest(const RegionFrame& frame, const Visual
   std::vector<cv::Mat> out = frame.masks;
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     if (frame.views[i].colors.empty()) return;
-    out[i] = frame.masks[i] > 0;
+    out[i] = cv::Mat(frame.masks[i] > 0);  // a new one: masks share their pixels
     if (!hull.voxels.empty()) out[i] &= hullPixels(hull, rig_[i]);
   });
   return out;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "silhouette/boundary/image_reduction.h"
 #include "silhouette/recording/first_images.h"
 #include "silhouette/recording/recording_background.h"
 
@@ -28,9 +29,7 @@ double unknownFraction(const Background& background) {
 class RecordingLearner::Impl {
  public:
   Impl(const SilhouetteOptions& options, int expected_images)
-      : options_(options),
-        stride_(std::max(1, expected_images / kSamples)),
-        sampler_(stride_) {
+      : options_(options), stride_(std::max(1, expected_images / kSamples)), sampler_(stride_) {
     options_.validate();
     if (!canLearnFromRecording(options_))
       throw std::invalid_argument(
@@ -43,10 +42,11 @@ class RecordingLearner::Impl {
     return is_quiet_ ? isLaterNext() : sampler_.wantsNext();
   }
 
-  void add(const cv::Mat& image) {
-    check(image);
-    if (seen_ < options_.background_frames)
-      first_.add(first_.wantsNext() ? image : cv::Mat());
+  void add(const cv::Mat& full) {
+    check(full);
+    const cv::Mat image =
+        full.empty() ? full : reducedImage(full, reductionOf(full.size(), options_.max_megapixels));
+    if (seen_ < options_.background_frames) first_.add(first_.wantsNext() ? image : cv::Mat());
     if (is_quiet_ && isLaterNext() && !image.empty()) later_.push_back(smallCopy(image));
     sampler_.add(sampler_.wantsNext() ? image : cv::Mat());
     if (++seen_ == options_.background_frames) closeFirst();

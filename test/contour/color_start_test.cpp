@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "contour/contour_tracker.h"
+#include "contour/unknown_room.h"
+#include "markerless_mocap/tracking/tracked_body.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// Always proposes the same pose, and counts.
+class CountedProposals : public PoseInitializer {
+ public:
+  CountedProposals(std::shared_ptr<const BodyModel> model, const ContourPose& pose, int* calls)
+      : converter_(std::move(model)), pose_(pose), calls_(calls) {}
+
+  BodyPose update(int64_t, const BodyParts&, const VisualHull&) override {
+    ++*calls_;
+    BodyPose proposal;
+    proposal.status = PoseStatus::kTracked;
+    converter_.convert(pose_, proposal.T_world_body, proposal.angles);
+    return proposal;
+  }
+  void reset() override {}
+
+ private:
+  ContourUrdfConverter converter_;
+  ContourPose pose_;
+  int* calls_;
+};
+
+class ColorStartTest : public testing::Test, protected UnknownRoom {
+ protected:
+  ColorStartTest() {
+    resources.known_shape = body.shape();
+    for (const size_t known : {0, 1, 2}) masks[known] = person[known];
+  }
+
+  ContourTracker tracker() {
+    return {rig, resources, PersonOptions(), ContourOptions(),
+            [this](std::shared_ptr<const BodyModel> model) {
+              return std::make_unique<CountedProposals>(model, pose, &proposals);
+            }};
+  }
+
+  /// The pose after so many frames at 30 Hz, in which the colours flicker like those of clothes.
+  BodyPose poseAfter(int frames, ContourTracker& tracker) {
+    BodyPose found;
+    for (int64_t frame = 0; frame < frames; ++frame) {
+      std::vector<cv::Mat> now;
+      for (const cv::Mat& image : images) now.push_back(image + cv::Scalar::all(frame % 2 * 15));
+      found = tracker.update({1 + frame * 33333333, masks, now, hull, {}, {}});
+    }
+    return found;
+  }
+
+  /// Largest distance of an ankle from its place, metres.
+  double ankleError(const BodyPose& found, const ContourTracker& tracker) const {
+    const ContourUrdfConverter converter(tracker.body()->model);
+    const Eigen::Matrix3Xd off =
+        body.points(converter.poseOf(found.T_world_body, found.angles)) - body.points(pose);
+    return std::max(off.col(11).norm(), off.col(14).norm());  // ankles of contourPointNames()
+  }
+
+  PersonResources resources = PersonResources::standard();
+  int proposals = 0;
+};
+
+TEST_F(ColorStartTest, AGoodStartIsCheckedFourTimesAndStays) {
+  ContourTracker right = tracker();
+  const BodyPose found = poseAfter(90, right);
+  EXPECT_EQ(found.status, PoseStatus::kTracked) << found.reason;
+  EXPECT_EQ(proposals, 1 + 4);
+  EXPECT_LT(ankleError(found, right), 0.08);
+}
+
+TEST_F(ColorStartTest, WithAKnownBackgroundAGoodStartIsNotChecked) {
+  masks = person;
+  ContourTracker right = tracker();
+  EXPECT_EQ(poseAfter(30, right).status, PoseStatus::kTracked);
+  EXPECT_EQ(proposals, 1);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
