@@ -52,6 +52,9 @@ class ContourTracker : public BodyTracker {
   void setBody(std::shared_ptr<const TrackedBody> body);
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
+  /// Of the best of the fits with the mean body of a stature, metres.
+  double qualityAt(double stature, const ContourObservation& seen,
+                   const std::vector<ContourPose>& poses) const;
   void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
   ActiveTrack start(const Frame& now);
   /// What a search is fitted to, and the poses that it starts from.

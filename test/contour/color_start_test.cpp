@@ -1,32 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "contour/contour_tracker.h"
+#include "contour/counted_proposals.h"
 #include "contour/unknown_room.h"
 #include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
 namespace {
-
-/// Always proposes the same pose, and counts.
-class CountedProposals : public PoseInitializer {
- public:
-  CountedProposals(std::shared_ptr<const BodyModel> model, const ContourPose& pose, int* calls)
-      : converter_(std::move(model)), pose_(pose), calls_(calls) {}
-
-  BodyPose update(int64_t, const BodyParts&, const VisualHull&) override {
-    ++*calls_;
-    BodyPose proposal;
-    proposal.status = PoseStatus::kTracked;
-    converter_.convert(pose_, proposal.T_world_body, proposal.angles);
-    return proposal;
-  }
-  void reset() override {}
-
- private:
-  ContourUrdfConverter converter_;
-  ContourPose pose_;
-  int* calls_;
-};
 
 class ColorStartTest : public testing::Test, protected UnknownRoom {
  protected:

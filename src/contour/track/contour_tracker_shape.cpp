@@ -1,20 +1,43 @@
 // How ContourTracker measures the person.
 #include "contour/contour_tracker.h"
+
+#include <array>
+
 #include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
+namespace {
 
-// The shape estimate converges only from nearby, so it starts with the stature of best quality.
+// Metres.
+constexpr std::array<double, 5> kUsualStatures{1.5, 1.6, 1.7, 1.8, 1.9};
+constexpr double kStatureStep = 0.15, kSmallest = 0.9, kLargest = 2.35;
+
+}  // namespace
+
+double ContourTracker::qualityAt(double stature, const ContourObservation& seen,
+                                 const std::vector<ContourPose>& poses) const {
+  const ContourBody body(resources_.shape_statistics.meanShape(stature));
+  return qualityOf(hypotheses_.bestFit(seen, body, poses));
+}
+
+// The shape estimate converges only from nearby, so it starts with the stature of best quality. A
+// child, or a calibration whose metre is wrong, is beyond the usual ones.
 void ContourTracker::initializeStature(const ContourObservation& seen,
                                        const std::vector<ContourPose>& poses) {
   double best_stature = person_.stature, best_quality = 0.0;
-  for (const double stature : {1.5, 1.6, 1.7, 1.8, 1.9, person_.stature}) {
-    const ContourBody body(resources_.shape_statistics.meanShape(stature));
-    const double quality = qualityOf(hypotheses_.bestFit(seen, body, poses));
-    if (quality <= best_quality) continue;
+  const auto isBetter = [&](double stature) {
+    const double quality = qualityAt(stature, seen, poses);
+    if (quality <= best_quality) return false;
     best_quality = quality;
     best_stature = stature;
-  }
+    return true;
+  };
+  isBetter(person_.stature);
+  for (const double stature : kUsualStatures) isBetter(stature);
+  for (double stature = best_stature; stature >= kUsualStatures.back() && stature < kLargest;)
+    if (!isBetter(stature += kStatureStep)) break;
+  for (double stature = best_stature; stature <= kUsualStatures.front() && stature > kSmallest;)
+    if (!isBetter(stature -= kStatureStep)) break;
   setBody(initialBody(resources_, best_stature));
   shape_estimator_->setStature(best_stature);
 }

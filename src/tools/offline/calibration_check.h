@@ -17,8 +17,8 @@ class CalibrationCheck {
   CalibrationCheck(const Pipeline& pipeline, const TrackerOptions& options);
 
   void add(const FrameSet& frame_set, const PipelineResult& result);
-  /// A sentence that names the cameras that seem to be rotated and says how to correct them; empty
-  /// if there is nothing to be said.
+  /// Sentences that say whether the metre seems to be wrong, which cameras seem to be rotated, and
+  /// how to correct that; one per line, empty if there is nothing to be said.
   std::string finding() const;
 
  private:
@@ -27,6 +27,9 @@ class CalibrationCheck {
   std::optional<ContourBody> body_;
   std::optional<OrientationSampler> sampler_;
 };
+
+/// The sentence of CalibrationCheck::finding() for a person of this stature, metres.
+std::string scaleFinding(double stature);
 
 /// The sentence of CalibrationCheck::finding() for an estimate.
 std::string calibrationFinding(const OrientationRefinement& estimate);
