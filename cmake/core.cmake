@@ -42,6 +42,8 @@ mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcode
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
+mocap_room(exports DEPENDS body character evaluation files motion
+  LIBRARIES nlohmann_json::nlohmann_json TESTS_USE capture)
 
 # Pictures to joints, over all rooms.
 if(MARKERLESS_MOCAP_TESTS)

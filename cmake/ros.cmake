@@ -61,7 +61,7 @@ list(APPEND programs all_stages_host)
 
 # One program per src/<room>/<folder>/<program>_main.cpp. What users run lies in tools; studies are
 # for those who work on the methods and are not installed.
-mocap_room(tools DEPENDS ros pipeline capture evaluation formats calibration
+mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration
   LIBRARIES opencv_calib3d opencv_imgcodecs opencv_videoio)
 mocap_room(studies DEPENDS tools)
 function(mocap_programs room)

@@ -10,7 +10,7 @@
 #include "evaluation/body_points.h"
 #include "markerless_mocap/body/body_model.h"
 #include "tools/common/configuration.h"
-#include "tools/evaluate/evaluation_results.h"
+#include "tools/common/result_record.h"
 #include "tools/evaluate/evaluation_truth.h"
 
 namespace markerless_mocap {

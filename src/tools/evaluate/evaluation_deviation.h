@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluation/uncertainty_calibration.h"
-#include "tools/evaluate/evaluation_results.h"
+#include "tools/common/result_record.h"
 #include "tools/evaluate/json_text.h"
 
 namespace markerless_mocap {

@@ -5,7 +5,7 @@
 
 #include "evaluation/foot_contact.h"
 #include "evaluation/limb_loss.h"
-#include "tools/evaluate/evaluation_results.h"
+#include "tools/common/result_record.h"
 
 namespace markerless_mocap {
 

@@ -9,7 +9,7 @@
 #include "evaluation/joint_error.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "tools/common/recording.h"
-#include "tools/evaluate/evaluation_results.h"
+#include "tools/common/result_record.h"
 #include "tools/evaluate/mask_store.h"
 
 namespace markerless_mocap {

@@ -9,6 +9,7 @@
 
 #include "ros/camera_conversions.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/result_record.h"
 
 namespace markerless_mocap {
 namespace {
@@ -45,10 +46,6 @@ void addAngles(const sensor_msgs::JointState& message, TruthRecord* truth) {
 }
 
 }  // namespace
-
-std::string withoutId(const std::string& name) {
-  return name.substr(0, name.rfind('_'));
-}
 
 TruthRecord readTruth(const std::string& path) {
   rosbag::Bag bag;

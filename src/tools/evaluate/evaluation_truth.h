@@ -19,7 +19,4 @@ struct TruthRecord {
 /// inconsistent messages.
 TruthRecord readTruth(const std::string& path);
 
-/// The name of a joint without the id that REP-155 appends: "l_elbow_person1" becomes "l_elbow".
-std::string withoutId(const std::string& name);
-
 }  // namespace markerless_mocap

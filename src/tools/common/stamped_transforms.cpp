@@ -1,4 +1,4 @@
-#include "tools/evaluate/evaluation_transforms.h"
+#include "tools/common/stamped_transforms.h"
 
 #include <tf2_eigen/tf2_eigen.h>
 

@@ -42,6 +42,11 @@ struct ResultRecord {
 /// and the URDF of the body. Throws std::runtime_error if the bag cannot be read, or if it has no
 /// body, or several bodies and none of them is `id`.
 /// \param id empty: the only body
-ResultRecord readResults(const std::string& path, const std::string& id);
+/// \param urdf text that replaces the bag's description; empty: the bag's
+ResultRecord readResults(const std::string& path, const std::string& id,
+                         const std::string& urdf = "");
+
+/// The name of a joint without the id that REP-155 appends: "l_elbow_person1" becomes "l_elbow".
+std::string withoutId(const std::string& name);
 
 }  // namespace markerless_mocap

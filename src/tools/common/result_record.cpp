@@ -1,4 +1,4 @@
-#include "tools/evaluate/evaluation_results.h"
+#include "tools/common/result_record.h"
 
 #include <rosbag/view.h>
 #include <sensor_msgs/JointState.h>
@@ -16,8 +16,7 @@
 #include "ros/camera_conversions.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/person_urdf.h"
-#include "tools/evaluate/evaluation_transforms.h"
-#include "tools/evaluate/evaluation_truth.h"
+#include "tools/common/stamped_transforms.h"
 
 namespace markerless_mocap {
 namespace {
@@ -62,11 +61,12 @@ std::string chooseBody(const std::set<std::string>& ids, const std::string& want
   return wanted;
 }
 
-void readBody(rosbag::Bag& bag, ResultRecord* results) {
-  std::string urdf;
+void readBody(rosbag::Bag& bag, std::string urdf, ResultRecord* results) {
+  const bool is_given = !urdf.empty();
   const rosbag::TopicQuery description(ofBody(results->body_id, "human_description"));
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, description))
-    if (const auto text = entry.instantiate<std_msgs::String>()) urdf = text->data;
+    if (const auto text = entry.instantiate<std_msgs::String>(); text && !is_given)
+      urdf = text->data;
   results->has_description = !urdf.empty();
   if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kDefaultStature);
   results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
@@ -139,14 +139,18 @@ void readAngles(rosbag::Bag& bag, const FramesByStamp& frames, ResultRecord* res
 
 }  // namespace
 
-ResultRecord readResults(const std::string& path, const std::string& id) {
+std::string withoutId(const std::string& name) {
+  return name.substr(0, name.rfind('_'));
+}
+
+ResultRecord readResults(const std::string& path, const std::string& id, const std::string& urdf) {
   rosbag::Bag bag;
   openForReading(path, bag);
   const StampedTransforms transforms = readTransforms(bag);
   ResultRecord results;
   results.body_id = chooseBody(bodiesIn(bag, transforms), id, path);
   results.joints.names = bodyPointNames();
-  readBody(bag, &results);
+  readBody(bag, urdf, &results);
   FramesByStamp frames = readStatuses(bag, transforms, &results);
   readAngles(bag, frames, &results);
   for (auto& entry : frames) {
