@@ -51,6 +51,9 @@ PersonMotion personMotion(std::shared_ptr<const BodyModel> body, std::vector<Per
 /// and rotation and each joint angle by cubic Hermite splines through the frames on both sides.
 void fillGaps(double seconds, PersonMotion* motion);
 
+/// Angle of a revolute joint, radians, -pi to pi; NaN: not seen.
+double jointAngle(const BodyJoint& joint, const PersonFrame& frame);
+
 /// Largest distance of a joint from where the body's lengths put it, seen from its parent, metres.
 /// It is 0 unless the transforms are of another body, or the body was measured anew in between.
 double misfit(const PersonMotion& motion);

@@ -75,24 +75,16 @@ void fillRoot(double seconds, PersonMotion* motion) {
   }
 }
 
-double angleOf(const BodyJoint& joint, const PersonFrame& frame) {
-  const Eigen::Isometry3d T_joint_child =
-      (frame.T_world_link[size_t(joint.parent_link)] * joint.T_parent_joint).inverse() *
-      frame.T_world_link[size_t(joint.child_link)];
-  const Eigen::Quaterniond turn(T_joint_child.linear());
-  return 2.0 * std::atan2(joint.axis.dot(turn.vec()), turn.w());
-}
-
-/// Angles of the frames in `near` turns of each other.
+/// The way between angles is the shorter one.
 void fillJoint(const BodyJoint& joint, double seconds, PersonMotion* motion) {
   const auto known = [&](size_t f) {
     const PersonFrame& frame = motion->frames[f];
     return frame.isKnown(joint.child_link) && !frame.filled[size_t(joint.child_link)];
   };
   for (const Gap& gap : gapsOf(*motion, known, seconds)) {
-    const double start = angleOf(joint, motion->frames[gap.from]);
+    const double start = jointAngle(joint, motion->frames[gap.from]);
     const auto value = [&](size_t f) -> VectorXd {
-      const double turn = angleOf(joint, motion->frames[f]) - start;
+      const double turn = jointAngle(joint, motion->frames[f]) - start;
       return VectorXd::Constant(1, std::remainder(turn, 2 * M_PI));
     };
     for (size_t f = gap.from + 1; f < gap.to; ++f) {

@@ -84,6 +84,16 @@ PersonMotion personMotion(std::shared_ptr<const BodyModel> body, std::vector<Per
   return motion;
 }
 
+double jointAngle(const BodyJoint& joint, const PersonFrame& frame) {
+  if (!frame.isKnown(joint.parent_link) || !frame.isKnown(joint.child_link)) return NAN;
+  const Eigen::Matrix3d R =
+      (frame.T_world_link[size_t(joint.parent_link)].linear() * joint.T_parent_joint.linear())
+          .transpose() *
+      frame.T_world_link[size_t(joint.child_link)].linear();
+  const Eigen::Quaterniond turn(R);
+  return std::remainder(2.0 * std::atan2(joint.axis.dot(turn.vec()), turn.w()), 2.0 * M_PI);
+}
+
 double misfit(const PersonMotion& motion) {
   double largest = 0.0;
   for (const PersonFrame& frame : motion.frames)

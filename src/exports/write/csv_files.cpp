@@ -34,16 +34,6 @@ const char* stateText(const PersonFrame& frame, int link) {
   return frame.filled[size_t(link)] ? "filled" : "seen";
 }
 
-double angleOf(const BodyJoint& joint, const PersonFrame& frame) {
-  if (!frame.isKnown(joint.parent_link) || !frame.isKnown(joint.child_link)) return NAN;
-  const Eigen::Matrix3d R =
-      (frame.T_world_link[size_t(joint.parent_link)].linear() * joint.T_parent_joint.linear())
-          .transpose() *
-      frame.T_world_link[size_t(joint.child_link)].linear();
-  const Eigen::Quaterniond turn(R);
-  return std::remainder(2.0 * std::atan2(joint.axis.dot(turn.vec()), turn.w()), 2.0 * M_PI);
-}
-
 std::string secondsText(const PersonMotion& motion, size_t frame) {
   return numberText(motion.seconds(frame), 6);
 }
@@ -77,7 +67,7 @@ std::string anglesCsvOf(const PersonMotion& motion) {
       if (joint.angle_index < 0) continue;
       const PersonFrame& frame = motion.frames[f];
       out += beginOfRow(motion, f) + joint.name.substr(0, joint.name.size() - suffix.size()) + ',' +
-             numberOrNothing(angleOf(joint, frame) * kDegrees, 5) + ',' +
+             numberOrNothing(jointAngle(joint, frame) * kDegrees, 5) + ',' +
              stateText(frame, joint.child_link) + '\n';
     }
   return out;
