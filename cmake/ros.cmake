@@ -33,6 +33,12 @@ endfunction()
 mocap_room(ros DEPENDS tracking LIBRARIES opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
+# The Point Cloud Library with all that it needs is for these files alone: its headers build slowly,
+# and its libraries load VTK.
+find_package(PCL REQUIRED COMPONENTS common io)
+mocap_room(clouds DEPENDS ros LIBRARIES pcl_io pcl_common)
+target_include_directories(mocap_clouds SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
+
 # One executable per stage, named as the node, hosts the stage's nodelet.
 set(stages silhouette visual_hull body_segmentation pose_tree pose_fitting virtual_studio usb_cameras)
 file(GLOB_RECURSE node_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/nodes/*.cpp)
@@ -62,7 +68,7 @@ list(APPEND programs all_stages_host)
 # One program per src/<room>/<folder>/<program>_main.cpp. What users run lies in tools; studies are
 # for those who work on the methods and are not installed.
 mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration
-  LIBRARIES opencv_calib3d opencv_imgcodecs opencv_videoio)
+  LIBRARIES opencv_calib3d opencv_imgcodecs opencv_videoio TESTS_USE clouds)
 mocap_room(studies DEPENDS tools)
 function(mocap_programs room)
   file(GLOB_RECURSE mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*_main.cpp)
@@ -77,6 +83,7 @@ function(mocap_programs room)
   set(${room}_programs ${names} PARENT_SCOPE)
 endfunction()
 mocap_programs(tools)
+target_link_libraries(export_hull PRIVATE mocap_clouds)
 mocap_programs(studies)
 list(APPEND programs ${tools_programs})
 

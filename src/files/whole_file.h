@@ -10,9 +10,11 @@
 
 namespace markerless_mocap {
 
-/// Writes a file beside <path> and renames it to <path>: the file is complete or as it was. Throws
-/// std::runtime_error if the path is no regular file or cannot be written.
-inline void writeWholeFile(const std::string& path, const std::string& bytes) {
+/// Lets `write` fill a file beside <path> and renames it to <path>: the file is complete or as it
+/// was. Throws std::runtime_error if the path is no regular file or cannot be written.
+/// \param write bool(const std::string& path); false: failed
+template <class Write>
+void writeWholeFileBy(const std::string& path, const Write& write) {
   static std::atomic<int> count{0};
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -20,17 +22,26 @@ inline void writeWholeFile(const std::string& path, const std::string& bytes) {
     throw std::runtime_error("cannot write " + path + ": it is a folder, pipe or device");
   const std::string active =
       path + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".active";
-  std::ofstream file(active, std::ios::binary);
-  if (!file)
+  if (!std::ofstream(active))
     throw std::runtime_error("cannot write " + path +
                              ": its folder is missing or may not be written");
-  file << bytes;
-  file.close();
-  if (file) std::filesystem::rename(active, path, error);
-  if (file && !error) return;
+  error.clear();
+  const bool written = write(active);
+  if (written) std::filesystem::rename(active, path, error);
+  if (written && !error) return;
   std::error_code ignored;
   std::filesystem::remove(active, ignored);
   throw std::runtime_error("cannot write " + path + (error ? ": " + error.message() : ""));
+}
+
+/// The same with the bytes of the file.
+inline void writeWholeFile(const std::string& path, const std::string& bytes) {
+  writeWholeFileBy(path, [&](const std::string& active) {
+    std::ofstream file(active, std::ios::binary);
+    file << bytes;
+    file.close();
+    return bool(file);
+  });
 }
 
 }  // namespace markerless_mocap

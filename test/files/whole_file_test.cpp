@@ -1,0 +1,59 @@
+#include "files/whole_file.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+
+#include "error_text_of.h"
+
+namespace markerless_mocap {
+namespace {
+
+class WholeFile : public ::testing::Test {
+ protected:
+  WholeFile()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("mocap_files_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~WholeFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string bytesOf(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  }
+  long files() const { return std::distance(std::filesystem::directory_iterator(folder_), {}); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(WholeFile, ReplacesAFile) {
+  writeWholeFile(path("a"), "first");
+  writeWholeFile(path("a"), std::string("se\0cond", 7));
+  EXPECT_EQ(bytesOf("a"), std::string("se\0cond", 7));
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WholeFile, StaysAsItWasIfWritingFails) {
+  writeWholeFile(path("a"), "first");
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] {
+              writeWholeFileBy(path("a"), [](const std::string& active) {
+                std::ofstream(active) << "hal";
+                return false;
+              });
+            }),
+            "cannot write " + path("a"));
+  EXPECT_EQ(bytesOf("a"), "first");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WholeFile, WhatIsNoFileIsTold) {
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { writeWholeFile(folder_.string(), "x"); }),
+            "cannot write " + folder_.string() + ": it is a folder, pipe or device");
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { writeWholeFile(path("no/a"), "x"); }),
+            "cannot write " + path("no/a") + ": its folder is missing or may not be written");
+}
+
+}  // namespace
+}  // namespace markerless_mocap
