@@ -34,9 +34,11 @@ mocap_room(ros DEPENDS tracking LIBRARIES opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # The Point Cloud Library with all that it needs is for these files alone: its headers build slowly,
-# and its libraries load VTK.
-find_package(PCL REQUIRED COMPONENTS common io)
-mocap_room(clouds DEPENDS ros LIBRARIES pcl_io pcl_common)
+# and its libraries load VTK. Its own PCLConfig.cmake asks for VTK's and MPI's configurations, too.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(PCL REQUIRED pcl_common pcl_io)
+find_library(PCL_IO_PLY pcl_io_ply REQUIRED)
+mocap_room(clouds DEPENDS ros LIBRARIES pcl_io ${PCL_IO_PLY} pcl_common)
 target_include_directories(mocap_clouds SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
 
 # One executable per stage, named as the node, hosts the stage's nodelet.
