@@ -34,6 +34,8 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/fit/ray_match.cpp 
 mocap_room(hsiao DEPENDS tracking optimisation LIBRARIES TBB::tbb)
 mocap_room(fleischmann DEPENDS tracking optimisation LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE evaluation)
+mocap_room(checks DEPENDS camera products LIBRARIES opencv_calib3d opencv_core opencv_imgproc opencv_video
+  TESTS_USE capture)
 mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
   TESTS_USE evaluation)
 

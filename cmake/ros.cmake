@@ -30,7 +30,7 @@ function(mocap_use_ros target)
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
 endfunction()
 
-mocap_room(ros DEPENDS tracking LIBRARIES opencv_imgcodecs)
+mocap_room(ros DEPENDS checks silhouette tracking LIBRARIES opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # The Point Cloud Library with all that it needs is for these files alone: its headers build slowly,
@@ -69,7 +69,7 @@ list(APPEND programs all_stages_host)
 
 # One program per src/<room>/<folder>/<program>_main.cpp. What users run lies in tools; studies are
 # for those who work on the methods and are not installed.
-mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration
+mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration checks
   LIBRARIES opencv_calib3d opencv_imgcodecs opencv_videoio TESTS_USE clouds)
 mocap_room(studies DEPENDS tools)
 function(mocap_programs room)

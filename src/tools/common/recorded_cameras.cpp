@@ -75,8 +75,7 @@ std::vector<RecordedCamera> choose(const CamerasByName& cameras,
 
 }  // namespace
 
-std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen,
-                                        bool calibrated_elsewhere) {
+std::vector<RecordedCamera> listCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen) {
   CamerasByName cameras;
   rosbag::View view(bag);
   // Raw images precede compressed ones in the order of topics, so they are preferred.
@@ -92,6 +91,12 @@ std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std:
   std::vector<RecordedCamera> found = choose(cameras, chosen);
   if (chosen.empty())
     for (const auto& entry : cameras) found.push_back(entry.second);
+  return found;
+}
+
+std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen,
+                                        bool calibrated_elsewhere) {
+  const std::vector<RecordedCamera> found = listCameras(bag, chosen);
   for (const RecordedCamera& camera : found) checkCamera(camera, calibrated_elsewhere);
   return found;
 }

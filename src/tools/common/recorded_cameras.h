@@ -24,4 +24,8 @@ struct RecordedCamera {
 std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen,
                                         bool calibrated_elsewhere = false);
 
+/// As findCameras(), but a camera may lack anything: only a bag without cameras and names that are
+/// not in it are errors.
+std::vector<RecordedCamera> listCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen);
+
 }  // namespace markerless_mocap

@@ -13,6 +13,7 @@
 #include "ros/image_conversions.h"
 #include "ros/rig_collector.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/recorded_transforms.h"
 
 namespace markerless_mocap {
 namespace {
@@ -38,20 +39,6 @@ std::vector<std::string> namesOf(const std::vector<RecordedCamera>& cameras) {
   std::vector<std::string> names;
   for (const RecordedCamera& camera : cameras) names.push_back(camera.name);
   return names;
-}
-
-void readTransforms(rosbag::Bag& bag, tf2::BufferCore* buffer, tf2_msgs::TFMessage* statics) {
-  for (const char* topic : {"/tf_static", "/tf"}) {
-    const bool is_static = std::string(topic) == "/tf_static";
-    for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic))) {
-      const auto message = messageOf<tf2_msgs::TFMessage>(entry);
-      if (!message) continue;
-      for (const geometry_msgs::TransformStamped& transform : message->transforms) {
-        buffer->setTransform(transform, "bag", is_static);
-        if (is_static) statics->transforms.push_back(transform);
-      }
-    }
-  }
 }
 
 RecordedImage imageOf(const rosbag::MessageInstance& message) {

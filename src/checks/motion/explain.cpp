@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "checks/motion/explanation.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kFewRays = 40;
+constexpr double kLeastTurn = 0.45 * M_PI / 180;
+constexpr double kLeastOffset = 0.010;  // s
+constexpr double kLeastOffsetPeriods = 0.4;
+constexpr double kDeviations = 4;
+
+/// Gain of the mean loss that a change must give; more where it has more freedom.
+double leastGain(ExplanationKind kind) {
+  switch (kind) {
+    case ExplanationKind::kTimeOffset:
+      return 0.04;
+    case ExplanationKind::kDrift:
+      return 0.06;
+    case ExplanationKind::kTurned:
+      return 0.10;
+    case ExplanationKind::kFocalLength:
+    case ExplanationKind::kDistortion:
+      return 0.11;
+    default:
+      return 0.2;
+  }
+}
+
+bool isLargeEnough(const Explanation& tried, const RigSight& sight) {
+  const size_t camera = tried.cameras.front();
+  const PersonTrack& track = sight.tracks[tried.model[camera].source];
+  const double length = track.seconds.back() - track.seconds.front();
+  const double amount = std::abs(tried.amount);
+  switch (tried.kind) {
+    case ExplanationKind::kTimeOffset:
+      return amount > std::max(kLeastOffset, kLeastOffsetPeriods * track.period) &&
+             amount > kDeviations * tried.deviation;
+    case ExplanationKind::kDrift:
+      return amount * length > track.period;
+    case ExplanationKind::kTurned:
+      return amount > kLeastTurn && amount > kDeviations * tried.deviation;
+    default:
+      return true;
+  }
+}
+
+std::vector<CameraState> statesOf(const RigSight& sight, const RigModel& model) {
+  std::vector<Rays> rays;
+  for (const CameraModel& camera : model) rays.push_back(raysOf(sight, camera));
+  std::vector<CameraState> states;
+  for (size_t k = 0; k < model.size(); ++k) {
+    CameraState state;
+    state.camera = k;
+    state.rays = rays[k];
+    state.points = pointsOf(rays, {k});
+    state.loss = lossOf(state.rays, state.points);
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+std::vector<Explanation> candidatesOf(const RigSight& sight, const RigModel& model,
+                                      const std::vector<CameraState>& states) {
+  std::vector<Explanation> all;
+  tryWholeRig(sight, model, states, &all);
+  tryExchanges(sight, model, states, &all);
+  for (const CameraState& state : states) {
+    if (state.loss.rays < kFewRays) continue;
+    tryPoses(sight, model, state, &all);
+    tryClock(sight, model, state, &all);
+    tryTurn(sight, model, state, &all);
+    tryLens(sight, model, state, &all);
+  }
+  return all;
+}
+
+/// Rays of the cameras that an explanation changes.
+double raysOfChanged(const Explanation& tried, const std::vector<CameraState>& states) {
+  double rays = 0;
+  for (const size_t camera : tried.cameras) rays += states[camera].loss.rays;
+  return rays;
+}
+
+std::optional<Explanation> strongest(const RigSight& sight, const RigModel& model,
+                                     const std::vector<CameraState>& states) {
+  std::optional<Explanation> best;
+  double most = 0;
+  for (Explanation& tried : candidatesOf(sight, model, states)) {
+    const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, states);
+    if (getenv("CHECK_DEBUG"))
+      fprintf(stderr, "  kind %d cam %zu(%zu) gain/ray %.3f amount %.4f dev %.4f res %.1f -> %.1f\n",
+              int(tried.kind), tried.cameras.front(), tried.cameras.size(),
+              tried.gain / raysOfChanged(tried, states), tried.amount, tried.deviation,
+              tried.before, tried.after);
+    if (excess <= most || !isLargeEnough(tried, sight)) continue;
+    most = excess;
+    best = std::move(tried);
+  }
+  return best;
+}
+
+void toPixelsOfCamera(Explanation* found) {
+  const double scale = found->model[found->cameras.front()].calibration.width / kModelWidth;
+  found->before *= scale;
+  found->after *= scale;
+}
+
+}  // namespace
+
+std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final) {
+  std::vector<Explanation> found;
+  *final = given;
+  for (size_t round = 0; round < 2 * given.size(); ++round) {
+    const std::vector<CameraState> states = statesOf(sight, *final);
+    if (getenv("CHECK_DEBUG"))
+      for (auto& s : states)
+        fprintf(stderr, "cam %zu loss %.3f residual %.2f rays %d\n", s.camera, s.loss.loss,
+                s.loss.residual, s.loss.rays);
+    std::optional<Explanation> best = strongest(sight, *final, states);
+    if (!best) break;
+    *final = best->model;
+    toPixelsOfCamera(&*best);
+    found.push_back(std::move(*best));
+  }
+  return found;
+}
+
+}  // namespace markerless_mocap

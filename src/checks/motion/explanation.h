@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checks/motion/rig_model.h"
+
+namespace markerless_mocap {
+
+enum class ExplanationKind {
+  kRotationInverted,     ///< the rotation is that of the inverse pose
+  kTranslationInverted,  ///< the translation is that of the inverse pose
+  kPoseInverted,
+  kBodyAxes,  ///< x forward, y left, z up in place of the optical axes
+  kUpsideDown,
+  kMirrored,
+  kExchanged,
+  kTimeOffset,
+  kDrift,
+  kTurned,
+  kFocalLength,
+  kDistortion,
+};
+
+/// A change of the rig's model with which the silhouettes agree.
+struct Explanation {
+  ExplanationKind kind = ExplanationKind::kTurned;
+  std::vector<size_t> cameras;  ///< that are changed; all of them: the whole rig
+  RigModel model;               ///< changed
+  double gain = 0;              ///< loss that it takes away, summed over rays
+  double amount = 0;            ///< s, s/s, rad, factor, or change of k1; as the kind has it
+  double deviation = 0;         ///< of the amount, between parts of the recording; 0: not known
+  double before = 0, after = 0;  ///< median residual of these cameras, px of their images
+};
+
+/// One camera at a round of the search: its rays, and points by all others.
+struct CameraState {
+  size_t camera = 0;
+  Rays rays;
+  std::vector<std::optional<Eigen::Vector3d>> points;
+  CameraLoss loss;
+};
+
+/// Candidates for one camera or the whole rig; appended to `out` if they explain anything.
+void tryPoses(const RigSight& sight, const RigModel& model, const CameraState& state,
+              std::vector<Explanation>* out);
+void tryClock(const RigSight& sight, const RigModel& model, const CameraState& state,
+              std::vector<Explanation>* out);
+void tryTurn(const RigSight& sight, const RigModel& model, const CameraState& state,
+             std::vector<Explanation>* out);
+void tryLens(const RigSight& sight, const RigModel& model, const CameraState& state,
+             std::vector<Explanation>* out);
+void tryExchanges(const RigSight& sight, const RigModel& model,
+                  const std::vector<CameraState>& states, std::vector<Explanation>* out);
+void tryWholeRig(const RigSight& sight, const RigModel& model,
+                 const std::vector<CameraState>& states, std::vector<Explanation>* out);
+
+/// The pose with a mistake of this kind undone; kinds that are no mistake of the pose: as given.
+Eigen::Isometry3d undone(ExplanationKind kind, const Eigen::Isometry3d& T_world_camera);
+
+/// All explanations that silhouettes demand, the strongest first. \param final the rig with all of
+/// them applied
+std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final);
+
+}  // namespace markerless_mocap
