@@ -11,19 +11,43 @@
 namespace markerless_mocap {
 namespace {
 
-/// Findings that a wrong pose brings about by itself.
+using Names = std::set<std::string>;
+
+/// Findings that others bring about by themselves.
+struct Consequence {
+  Names causes, effects;
+};
+
+const std::vector<Consequence>& consequences() {
+  static const std::vector<Consequence> all{
+      {{"rotation_inverted", "translation_inverted", "pose_inverted", "axes_not_optical"},
+       {"no_common_volume", "world_z_down", "world_z_not_up", "volume_cuts_person"}},
+      {{"units_not_metres", "world_z_down", "world_z_not_up"}, {"volume_cuts_person"}},
+      // Silhouettes from such pictures are no person's, or where he was.
+      {{"image_covered", "image_dark", "image_overexposed", "image_blurred", "images_frozen",
+        "camera_moved"},
+       {"camera_turned", "time_offset", "clock_drifts", "focal_length_wrong", "distortion_wrong",
+        "rotation_inverted", "image_mirrored", "image_upside_down", "exposure_wanders",
+        "white_balance_wanders"}},
+      {{"poses_identical"},
+       {"camera_turned", "rotation_inverted", "pose_inverted", "translation_inverted",
+        "axes_not_optical", "cameras_exchanged", "focal_length_wrong", "distortion_wrong"}},
+      {{"camera_info_size", "camera_info_implausible"},
+       {"no_common_volume", "focal_length_wrong", "distortion_wrong", "camera_turned"}}};
+  return all;
+}
+
+bool concern(const Finding& cause, const Finding& effect) {
+  return cause.camera.empty() || effect.camera.empty() ||
+         cause.camera.find(effect.camera) != std::string::npos;
+}
+
 bool isConsequence(const Finding& finding, const Findings& all) {
-  static const std::set<std::string> causes{"rotation_inverted", "translation_inverted",
-                                            "pose_inverted", "axes_not_optical"};
-  static const std::set<std::string> effects{"no_common_volume", "world_z_down", "world_z_not_up",
-                                             "volume_cuts_person"};
-  if (effects.count(finding.what) == 0) return false;
-  return std::any_of(all.begin(), all.end(), [&](const Finding& other) {
-    return (causes.count(other.what) > 0 &&
-            (other.camera.empty() || other.camera == finding.camera)) ||
-           (finding.what == "volume_cuts_person" &&
-            (other.what == "units_not_metres" || other.what.rfind("world_z", 0) == 0));
-  });
+  for (const Consequence& rule : consequences())
+    if (rule.effects.count(finding.what))
+      for (const Finding& cause : all)
+        if (rule.causes.count(cause.what) && concern(cause, finding)) return true;
+  return false;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFarApart = 100.0;         // m, median distance of cameras in no studio
 constexpr double kMillimetresFrom = 1500.0;  // the same; below, centimetres
+constexpr double kShared = 0.005;  // of the places that a camera sees
 constexpr double kSamePlace = 0.01, kSameDirection = 1.0 * M_PI / 180;  // m, rad
 
 std::vector<Camera> calibrated(const SeenRig& rig) {
@@ -86,19 +87,18 @@ std::vector<Eigen::Vector3d> viewOf(const Camera& camera, double scale) {
 
 void checkCommonVolume(const std::vector<Camera>& cameras, double scale, Findings* findings) {
   if (cameras.size() < 2 || scale <= 0) return;
+  const int enough = cameras.size() > 3 ? 2 : 1;
   for (const Camera& camera : cameras) {
     const std::vector<Eigen::Vector3d> view = viewOf(camera, scale);
-    double best = 0;
-    for (const Camera& other : cameras) {
-      if (&other == &camera) continue;
-      const auto seen = std::count_if(view.begin(), view.end(), [&](const Eigen::Vector3d& point) {
-        return other.projectInside(point).has_value();
-      });
-      best = std::max(best, double(seen) / double(view.size()));
-    }
-    if (best > 0.005) continue;
+    const auto shared = std::count_if(view.begin(), view.end(), [&](const Eigen::Vector3d& point) {
+      return std::count_if(cameras.begin(), cameras.end(), [&](const Camera& other) {
+               return &other != &camera && other.projectInside(point).has_value();
+             }) >= enough;
+    });
+    if (double(shared) > kShared * double(view.size())) continue;
     findings->push_back({"no_common_volume", camera.name(), Severity::kError,
-                         "none of the other cameras sees a place that this one sees",
+                         sentence("fewer than %d of the other cameras see any place that this one "
+                                  "sees", enough),
                          "look at the cameras in rviz (docs/troubleshooting.md); turn the camera to "
                          "the middle of the room, or correct its transform"});
   }

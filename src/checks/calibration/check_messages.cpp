@@ -131,7 +131,9 @@ void checkMessages(const SeenRig& rig, Findings* findings) {
     checkChanges(camera, findings);
     checkPlausible(camera, findings);
     if (!camera.infos.empty() && !camera.T_world_camera)
-      findings->push_back({"tf_missing", camera.name, Severity::kError, camera.pose_problem,
+      findings->push_back({"tf_missing", camera.name, Severity::kError,
+                           camera.pose_problem.empty() ? "there is no transform"
+                                                       : camera.pose_problem,
                            "start or record the transform (calibrate_rig writes cameras.launch; "
                            "record /tf_static), or pass --rig"});
   }

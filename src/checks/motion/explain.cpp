@@ -9,7 +9,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kFewRays = 40;
-constexpr double kLeastTurn = 0.45 * M_PI / 180;
+constexpr double kLeastTurn = 0.6 * M_PI / 180;
 constexpr double kLeastOffset = 0.010;  // s
 constexpr double kLeastOffsetPeriods = 0.4;
 constexpr double kDeviations = 4;
@@ -22,10 +22,10 @@ double leastGain(ExplanationKind kind) {
     case ExplanationKind::kDrift:
       return 0.06;
     case ExplanationKind::kTurned:
-      return 0.10;
+      return 0.15;
     case ExplanationKind::kFocalLength:
     case ExplanationKind::kDistortion:
-      return 0.11;
+      return 0.15;
     default:
       return 0.2;
   }

@@ -30,6 +30,7 @@ struct Explanation {
   double gain = 0;              ///< loss that it takes away, summed over rays
   double amount = 0;            ///< s, s/s, rad, factor, or change of k1; as the kind has it
   double deviation = 0;         ///< of the amount, between parts of the recording; 0: not known
+  std::vector<size_t> instead;  ///< cameras of another change of this kind that is nearly as good
   double before = 0, after = 0;  ///< median residual of these cameras, px of their images
 };
 

@@ -106,6 +106,9 @@ Finding findingOf(const Explanation& e, const std::vector<std::string>& names) {
   finding.evidence =
       sentence("the person is %.1f px from where the other cameras see him; ", e.before) + amountOf(e);
   if (e.cameras.size() == 1) finding.evidence += sentence(" (%.1f px are left)", e.after);
+  if (e.instead.size() == 2)
+    finding.evidence += "; an exchange of " + names[e.instead[0]] + " and " + names[e.instead[1]] +
+                        " would look nearly the same";
   finding.remedy = remedyOf(e);
   return finding;
 }

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kBorder = 2.5;  // px
 constexpr double kGap = 1.8;     // periods over which a pixel is interpolated
+/// Cosine of the angle to the vertical above which a camera, looking down, does not see the highest
+/// point of the body as the uppermost.
+constexpr double kSteep = 0.6;
 
 Eigen::Vector2d turned(const Eigen::Vector2d& pixel, const PersonTrack& track, ImageTurn turn) {
   Eigen::Vector2d out = pixel;
@@ -43,7 +46,8 @@ std::optional<Eigen::Vector2d> topOf(const Outline& outline, const PersonTrack& 
     highest = pixel.dot(up);
     best = pixel;
   }
-  if (isAtBorder(best, track)) return std::nullopt;
+  if (isAtBorder(best, track) || std::abs(camera.T_world_camera.linear()(2, 2)) > kSteep)
+    return std::nullopt;
   return best;
 }
 

@@ -56,9 +56,13 @@ std::vector<const Ray*> raysAt(const std::vector<Rays>& rays, size_t at,
 }  // namespace
 
 Rays raysOf(const RigSight& sight, const CameraModel& model) {
+  return raysOf(sight, model,
+                sightOf(sight.tracks[model.source], model.calibration, model.turn));
+}
+
+Rays raysOf(const RigSight& sight, const CameraModel& model, const Sight& pixels) {
   const PersonTrack& track = sight.tracks[model.source];
   const Camera camera(model.calibration);
-  const Sight pixels = sightOf(track, model.calibration, model.turn);
   const double focal = model.calibration.K(0, 0) * kModelWidth / model.calibration.width;
   const double first = track.seconds.empty() ? 0 : track.seconds.front();
   Rays rays(sight.moments.size() * kBodyMarks);

@@ -37,6 +37,8 @@ struct RigSight {
 
 /// The rays of a camera to all marks at all moments: [moment * kBodyMarks + mark].
 Rays raysOf(const RigSight& sight, const CameraModel& camera);
+/// The same with sightOf() of the camera's track.
+Rays raysOf(const RigSight& sight, const CameraModel& camera, const Sight& pixels);
 
 /// Angle between a ray and the direction to a point, in pixels of kModelWidth.
 double residualOf(const Ray& ray, const Eigen::Vector3d& point);

@@ -16,12 +16,15 @@ constexpr double kSharp = 0.03;   // gain of loss against other times that shows
 class OffsetLosses {
  public:
   OffsetLosses(const RigSight& sight, const CameraModel& camera, const CameraState& state)
-      : sight_(sight), camera_(camera), state_(state) {}
+      : sight_(sight),
+        camera_(camera),
+        state_(state),
+        pixels_(sightOf(sight.tracks[camera.source], camera.calibration, camera.turn)) {}
 
   void add(double offset) {
     CameraModel shifted = camera_;
     shifted.offset += offset;
-    const Rays rays = raysOf(sight_, shifted);
+    const Rays rays = raysOf(sight_, shifted, pixels_);
     std::vector<double> losses(rays.size(), NAN);
     for (size_t at = 0; at < rays.size(); ++at)
       if (rays[at] && state_.points[at] && state_.rays[at])
@@ -71,6 +74,7 @@ class OffsetLosses {
   const RigSight& sight_;
   const CameraModel& camera_;
   const CameraState& state_;
+  Sight pixels_;
   std::vector<double> offsets_;
   std::vector<std::vector<double>> losses_;
 };
@@ -121,14 +125,12 @@ Line lineThrough(const std::vector<Part>& parts) {
   return line;
 }
 
-Explanation explanationOf(ExplanationKind kind, const RigSight& sight, const RigModel& model,
-                          const CameraState& state) {
+Explanation explanationOf(ExplanationKind kind, const RigModel& model, const CameraState& state) {
   Explanation tried;
   tried.kind = kind;
   tried.cameras = {state.camera};
   tried.model = model;
   tried.before = state.loss.residual;
-  (void)sight;
   return tried;
 }
 
@@ -148,7 +150,7 @@ void tryDrift(const RigSight& sight, const RigModel& model, const CameraState& s
   double at_first = 0;
   for (const Part& part : parts)
     at_first += (part.offset - line.slope * (part.seconds - first)) / double(parts.size());
-  Explanation tried = explanationOf(ExplanationKind::kDrift, sight, model, state);
+  Explanation tried = explanationOf(ExplanationKind::kDrift, model, state);
   tried.model[state.camera].drift += line.slope;
   tried.model[state.camera].offset += at_first;
   tried.amount = line.slope;
@@ -171,7 +173,7 @@ void tryClock(const RigSight& sight, const RigModel& model, const CameraState& s
   tryDrift(sight, model, state, offsetsOfParts(losses, sight), out);
   losses.clear();
   for (int i = -8; i <= 8; ++i) losses.add(coarse + i * period / 4);
-  Explanation tried = explanationOf(ExplanationKind::kTimeOffset, sight, model, state);
+  Explanation tried = explanationOf(ExplanationKind::kTimeOffset, model, state);
   tried.amount = losses.best(0, all).offset;
   tried.deviation = deviationOf(offsetsOfParts(losses, sight), tried.amount);
   tried.model[state.camera].offset += tried.amount;

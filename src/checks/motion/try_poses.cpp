@@ -6,6 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr double kRival = 0.9;  // of the gain
 constexpr double kSuspicious = 0.25;  // mean loss of a camera whose pose may be grossly wrong
 
 const std::vector<ExplanationKind>& poseMistakes() {
@@ -51,6 +52,14 @@ double largestResidual(const std::vector<CameraState>& states) {
   return most;
 }
 
+/// In a rig that looks the same when it is turned, two exchanges may explain the same.
+void noteRivals(size_t from, std::vector<Explanation>* all) {
+  for (size_t a = from; a < all->size(); ++a)
+    for (size_t b = from; b < all->size(); ++b)
+      if (a != b && (*all)[b].gain > kRival * (*all)[a].gain && (*all)[a].instead.empty())
+        (*all)[a].instead = (*all)[b].cameras;
+}
+
 }  // namespace
 
 Eigen::Isometry3d undone(ExplanationKind kind, const Eigen::Isometry3d& T) {
@@ -89,6 +98,7 @@ void tryExchanges(const RigSight& sight, const RigModel& model,
   std::vector<Rays> rays;
   for (const CameraState& state : states) rays.push_back(state.rays);
   const double total = lossOf(rays), all = sumOfRays(states);
+  const size_t from = out->size();
   for (size_t i = 0; i < states.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
       if (states[i].loss.loss < kSuspicious || states[j].loss.loss < kSuspicious) continue;
@@ -104,6 +114,7 @@ void tryExchanges(const RigSight& sight, const RigModel& model,
       tried.before = std::max(states[i].loss.residual, states[j].loss.residual);
       out->push_back(std::move(tried));
     }
+  noteRivals(from, out);
 }
 
 void tryWholeRig(const RigSight& sight, const RigModel& model,

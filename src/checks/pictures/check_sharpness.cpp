@@ -12,7 +12,8 @@ namespace {
 constexpr double kDark = 45;         // grey level below which nearly all pixels of a dark image are
 constexpr int kWhite = 250;          // grey level of saturated pixels
 constexpr double kMostWhite = 0.12;  // of the pixels
-constexpr double kFlat = 6;          // standard deviation of a covered camera, grey levels
+/// Standard deviation of a covered camera's picture without noise, grey levels; of the mean.
+constexpr double kFlat = 1.5, kFlatShare = 0.08;
 constexpr double kBlurred = 0.2, kAgainstOthers = 0.45;
 constexpr double kShare = 0.15;  // of the pictures
 
@@ -20,6 +21,12 @@ double deviationOf(const cv::Mat& picture) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(picture, mean, deviation);
   return deviation[0];
+}
+
+bool isFlat(const cv::Mat& grey) {
+  cv::Mat smooth;
+  cv::GaussianBlur(grey, smooth, {}, 4.0);
+  return deviationOf(smooth) < std::max(kFlat, kFlatShare * cv::mean(smooth)[0]);
 }
 
 /// The median over time, which has no people and little noise.
@@ -65,7 +72,7 @@ bool checkLevels(const SeenCamera& camera, const std::vector<SeenPicture>& pictu
                  Findings* findings) {
   double dark = 0, flat = 0, white = 0;
   for (const SeenPicture& picture : pictures) {
-    const bool is_flat = deviationOf(picture.grey) < kFlat;
+    const bool is_flat = isFlat(picture.grey);
     flat += is_flat;
     dark += !is_flat && brightShare(picture.grey, int(kDark)) < 0.05;
     white += brightShare(picture.grey, kWhite) / double(pictures.size());

@@ -11,6 +11,7 @@ namespace {
 
 constexpr size_t kFewImages = 5;      // say nothing of the spacing of fewer
 constexpr double kMostMissing = 0.01;  // of a camera's images
+constexpr double kMostMissingIrregular = 0.06;
 constexpr double kMostRepeated = 0.02;
 constexpr int kLongRepeat = 10;  // images in a row
 /// Of a period. Cameras by software trigger reach a twentieth.
@@ -39,9 +40,17 @@ void checkOrder(const SeenCamera& camera, const StreamTimes& times, Findings* fi
                          "look for two drivers or two bags on the same topic"});
 }
 
+bool isIrregular(const StreamTimes& times) {
+  return times.jitter >= std::max(kLeastJitter, kMostJitter * times.period);
+}
+
 void checkGaps(const SeenCamera& camera, const StreamTimes& times, Findings* findings) {
-  const double share = times.missing / double(times.missing + camera.images.size());
-  if (share <= kMostMissing) return;
+  double share = times.missing / double(times.missing + camera.images.size());
+  if (isIrregular(times)) {  // single gaps mean nothing
+    const double length = 1e-9 * double(times.last_ns - times.first_ns) + times.period;
+    share = 1 - double(camera.images.size()) * times.period / length;
+  }
+  if (share <= (isIrregular(times) ? kMostMissingIrregular : kMostMissing)) return;
   findings->push_back(
       {"images_dropped", camera.name, share > 0.2 ? Severity::kError : Severity::kWarning,
        sentence("%.1f %% of the images are missing, up to %d in a row (%.1f images per second)",
@@ -51,7 +60,7 @@ void checkGaps(const SeenCamera& camera, const StreamTimes& times, Findings* fin
 }
 
 void checkSpacing(const SeenCamera& camera, const StreamTimes& times, Findings* findings) {
-  if (times.jitter < std::max(kLeastJitter, kMostJitter * times.period)) return;
+  if (!isIrregular(times)) return;
   const bool received = std::abs(times.delay) < kReceived && times.delay_spread < kReceived;
   const std::string by = sentence("the stamps differ by %.1f ms from even spacing (%.1f ms)",
                                   1e3 * times.jitter, 1e3 * times.period);
