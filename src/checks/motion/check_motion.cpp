@@ -12,6 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kMoments = 160;
+constexpr double kDisagree = 0.65;  // mean loss
 constexpr size_t kFewOutlines = 30;
 constexpr double kBody = 0.3;        // m from the middle of the body to where limbs are cut
 constexpr double kMostOutside = 0.05;  // of the moments
@@ -104,6 +105,23 @@ void checkVolume(const SeenRig& rig, const RigSight& sight, const RigModel& mode
        "set visual_hull/volume: auto, or volume_min and volume_max to hold this and an arm's length"});
 }
 
+/// Whether the silhouettes agree in most cameras, after all that explains why they might not.
+bool checkAgreement(const std::vector<CameraLoss>& left, Findings* findings) {
+  std::vector<double> losses, residuals;
+  for (const CameraLoss& camera : left) {
+    losses.push_back(camera.loss);
+    residuals.push_back(camera.residual);
+  }
+  if (quantile(losses, 0.5) < kDisagree) return true;
+  findings->push_back(
+      {"silhouettes_disagree", "", Severity::kWarning,
+       sentence("the cameras see the person %.0f px (of 640) from where the others see him, and no "
+                "single mistake explains it", quantile(residuals, 0.5)),
+       "look at the silhouettes first (mocap_offline --report): the empty room, furniture and other "
+       "people spoil them; if they are good, calibrate again"});
+  return false;
+}
+
 }  // namespace
 
 std::string motionNotChecked(const SeenRig& rig) {
@@ -126,9 +144,10 @@ void checkMotion(const SeenRig& rig, Findings* findings) {
   std::vector<std::string> names;
   for (const size_t i : cameras) names.push_back(rig.cameras[i].name);
   RigModel model;
-  for (const Explanation& found : explain(sight, modelOf(rig, cameras), &model))
-    findings->push_back(findingOf(found, names));
-  checkVolume(rig, sight, model, findings);
+  std::vector<CameraLoss> left;
+  const std::vector<Explanation> all = explain(sight, modelOf(rig, cameras), &model, &left);
+  for (const Explanation& found : all) findings->push_back(findingOf(found, names));
+  if (checkAgreement(left, findings)) checkVolume(rig, sight, model, findings);
 }
 
 }  // namespace markerless_mocap

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "checks/motion/explanation.h"
 
@@ -9,6 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kFewRays = 40;
+constexpr double kLoose = 0.45;  // mean loss of a camera that may be turned, and others with it
 constexpr double kLeastTurn = 0.6 * M_PI / 180;
 constexpr double kLeastOffset = 0.010;  // s
 constexpr double kLeastOffsetPeriods = 0.4;
@@ -69,6 +68,9 @@ std::vector<Explanation> candidatesOf(const RigSight& sight, const RigModel& mod
   std::vector<Explanation> all;
   tryWholeRig(sight, model, states, &all);
   tryExchanges(sight, model, states, &all);
+  if (std::any_of(states.begin(), states.end(),
+                  [](const CameraState& state) { return state.loss.loss > kLoose; }))
+    tryAllTurns(sight, model, states, &all);
   for (const CameraState& state : states) {
     if (state.loss.rays < kFewRays) continue;
     tryPoses(sight, model, state, &all);
@@ -92,11 +94,6 @@ std::optional<Explanation> strongest(const RigSight& sight, const RigModel& mode
   double most = 0;
   for (Explanation& tried : candidatesOf(sight, model, states)) {
     const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, states);
-    if (getenv("CHECK_DEBUG"))
-      fprintf(stderr, "  kind %d cam %zu(%zu) gain/ray %.3f amount %.4f dev %.4f res %.1f -> %.1f\n",
-              int(tried.kind), tried.cameras.front(), tried.cameras.size(),
-              tried.gain / raysOfChanged(tried, states), tried.amount, tried.deviation,
-              tried.before, tried.after);
     if (excess <= most || !isLargeEnough(tried, sight)) continue;
     most = excess;
     best = std::move(tried);
@@ -112,21 +109,21 @@ void toPixelsOfCamera(Explanation* found) {
 
 }  // namespace
 
-std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final) {
+std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final,
+                                 std::vector<CameraLoss>* left) {
   std::vector<Explanation> found;
   *final = given;
   for (size_t round = 0; round < 2 * given.size(); ++round) {
     const std::vector<CameraState> states = statesOf(sight, *final);
-    if (getenv("CHECK_DEBUG"))
-      for (auto& s : states)
-        fprintf(stderr, "cam %zu loss %.3f residual %.2f rays %d\n", s.camera, s.loss.loss,
-                s.loss.residual, s.loss.rays);
     std::optional<Explanation> best = strongest(sight, *final, states);
     if (!best) break;
     *final = best->model;
     toPixelsOfCamera(&*best);
     found.push_back(std::move(*best));
+    if (!found.back().amounts.empty()) break;  // what is left is too uncertain to tell more
   }
+  left->clear();
+  for (const CameraState& state : statesOf(sight, *final)) left->push_back(state.loss);
   return found;
 }
 

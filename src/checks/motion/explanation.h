@@ -29,6 +29,7 @@ struct Explanation {
   RigModel model;               ///< changed
   double gain = 0;              ///< loss that it takes away, summed over rays
   double amount = 0;            ///< s, s/s, rad, factor, or change of k1; as the kind has it
+  std::vector<double> amounts;  ///< of each camera, where all are changed differently
   double deviation = 0;         ///< of the amount, between parts of the recording; 0: not known
   std::vector<size_t> instead;  ///< cameras of another change of this kind that is nearly as good
   double before = 0, after = 0;  ///< median residual of these cameras, px of their images
@@ -49,6 +50,9 @@ void tryClock(const RigSight& sight, const RigModel& model, const CameraState& s
               std::vector<Explanation>* out);
 void tryTurn(const RigSight& sight, const RigModel& model, const CameraState& state,
              std::vector<Explanation>* out);
+/// All cameras at once, by a small turn each.
+void tryAllTurns(const RigSight& sight, const RigModel& model,
+                 const std::vector<CameraState>& states, std::vector<Explanation>* out);
 void tryLens(const RigSight& sight, const RigModel& model, const CameraState& state,
              std::vector<Explanation>* out);
 void tryExchanges(const RigSight& sight, const RigModel& model,
@@ -60,7 +64,8 @@ void tryWholeRig(const RigSight& sight, const RigModel& model,
 Eigen::Isometry3d undone(ExplanationKind kind, const Eigen::Isometry3d& T_world_camera);
 
 /// All explanations that silhouettes demand, the strongest first. \param final the rig with all of
-/// them applied
-std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final);
+/// them applied \param left what is left: per camera, its loss and residual against the others
+std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final,
+                                 std::vector<CameraLoss>* left);
 
 }  // namespace markerless_mocap

@@ -105,6 +105,10 @@ Finding findingOf(const Explanation& e, const std::vector<std::string>& names) {
   finding.severity = Severity::kError;
   finding.evidence =
       sentence("the person is %.1f px from where the other cameras see him; ", e.before) + amountOf(e);
+  for (size_t i = 0; i < e.amounts.size(); ++i)
+    finding.evidence += sentence("%s%s %.2f", i == 0 ? " at most (" : ", ", names[i].c_str(),
+                                 e.amounts[i] * kDegrees);
+  if (!e.amounts.empty()) finding.evidence += ")";
   if (e.cameras.size() == 1) finding.evidence += sentence(" (%.1f px are left)", e.after);
   if (e.instead.size() == 2)
     finding.evidence += "; an exchange of " + names[e.instead[0]] + " and " + names[e.instead[1]] +

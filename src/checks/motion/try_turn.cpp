@@ -9,6 +9,7 @@ namespace {
 
 constexpr size_t kParts = 5;   // of the recording
 constexpr int kFewRays = 20;   // for a rotation
+constexpr int kRounds = 80;     // of adjusting all cameras
 constexpr double kLarge = 5 * M_PI / 180;
 
 /// The rotation that takes the rays from..to-1 to the points, with losses of a scale in pixels
@@ -97,12 +98,54 @@ double deviationOf(const CameraState& state, const Eigen::Vector3d& mean,
   return parts < 3 ? INFINITY : std::sqrt(sum / (parts - 1) / parts);
 }
 
+Eigen::Vector3d axisOf(const CameraModel& camera) {
+  return camera.calibration.T_world_camera.linear().col(2);
+}
+
+/// Tilts every camera towards the points of all, which then move, and so on.
+void adjustTilts(const RigSight& sight, RigModel* model) {
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Rays> rays;
+    for (const CameraModel& camera : *model) rays.push_back(raysOf(sight, camera));
+    const auto points = pointsOf(rays, {});
+    for (size_t k = 0; k < model->size(); ++k) {
+      CameraState state;
+      state.rays = rays[k];
+      state.points = points;
+      Eigen::Isometry3d& pose = (*model)[k].calibration.T_world_camera;
+      pose.linear() = tiltTo(state, axisOf((*model)[k]), 0, rays[k].size()) * pose.linear();
+    }
+  }
+}
+
 }  // namespace
+
+void tryAllTurns(const RigSight& sight, const RigModel& model,
+                 const std::vector<CameraState>& states, std::vector<Explanation>* out) {
+  Explanation tried;
+  tried.kind = ExplanationKind::kTurned;
+  tried.model = model;
+  adjustTilts(sight, &tried.model);
+  std::vector<Rays> before, after;
+  for (const CameraState& state : states) {
+    const size_t k = state.camera;
+    tried.cameras.push_back(k);
+    tried.before = std::max(tried.before, state.loss.residual);
+    before.push_back(state.rays);
+    after.push_back(raysOf(sight, tried.model[k]));
+    const double turn = Eigen::AngleAxisd(model[k].calibration.T_world_camera.linear().transpose() *
+                                          tried.model[k].calibration.T_world_camera.linear()).angle();
+    tried.amounts.push_back(turn);
+    tried.amount = std::max(tried.amount, turn);
+    tried.gain += state.loss.rays;
+  }
+  tried.gain *= lossOf(before) - lossOf(after);
+  out->push_back(std::move(tried));
+}
 
 void tryTurn(const RigSight& sight, const RigModel& model, const CameraState& state,
              std::vector<Explanation>* out) {
-  const Eigen::Vector3d axis =
-      model[state.camera].calibration.T_world_camera.linear().col(2);
+  const Eigen::Vector3d axis = axisOf(model[state.camera]);
   const auto rotation = turnOf(state, axis, 0, state.rays.size());
   if (!rotation) return;
   Explanation tried;

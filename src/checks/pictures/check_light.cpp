@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kFewImages = 30;
 constexpr double kFlicker = 0.025;  // relative standard deviation from image to image
-constexpr double kWander = 0.05, kColorWander = 0.02;  // relative, 5th to 95th percentile
+constexpr double kWander = 0.05, kColorWander = 0.01;  // relative, 5th to 95th percentile
 constexpr double kSwitch = 0.12;                       // between two images
 constexpr size_t kSmooth = 9;                          // images
 
@@ -123,7 +123,7 @@ void report(const SeenRig& rig, const std::vector<Wander>& wanders, Findings* fi
                          "keep lamps as they are while recording, and shut out changing daylight"});
   }
   for (size_t i = 0; i < wanders.size(); ++i)
-    if (wanders[i].range > kWander && !(lamp && wanders[i].step > kSwitch))
+    if (wanders[i].range > kWander && !lamp)
       findings->push_back(
           {"exposure_wanders", rig.cameras[i].name, Severity::kWarning,
            sentence("the brightness of what stands still changes by %.0f %% over the recording",

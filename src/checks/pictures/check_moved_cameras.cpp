@@ -14,7 +14,7 @@ namespace {
 constexpr int kCorners = 300;
 constexpr int kFewCorners = 12;
 constexpr double kShare = 0.4;    // of the corners that must move alike
-constexpr double kMoved = 0.002;  // of the width of the image, as a shift of its corners
+constexpr double kMoved = 0.0035;  // of the width of the image, as a shift of its corners
 constexpr size_t kFewPictures = 6;
 
 /// Motion of what stands still between two pictures.

@@ -13,8 +13,8 @@ constexpr double kDark = 45;         // grey level below which nearly all pixels
 constexpr int kWhite = 250;          // grey level of saturated pixels
 constexpr double kMostWhite = 0.12;  // of the pixels
 /// Standard deviation of a covered camera's picture without noise, grey levels; of the mean.
-constexpr double kFlat = 1.5, kFlatShare = 0.08;
-constexpr double kBlurred = 0.2, kAgainstOthers = 0.45;
+constexpr double kFlat = 1.5, kFlatShare = 0.08, kLight = 200;
+constexpr double kBlurred = 0.32, kAgainstOthers = 0.55, kVeryBlurred = 0.22;
 constexpr double kShare = 0.15;  // of the pictures
 
 double deviationOf(const cv::Mat& picture) {
@@ -26,7 +26,8 @@ double deviationOf(const cv::Mat& picture) {
 bool isFlat(const cv::Mat& grey) {
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {}, 4.0);
-  return deviationOf(smooth) < std::max(kFlat, kFlatShare * cv::mean(smooth)[0]);
+  const double level = cv::mean(smooth)[0];  // white ones are overexposed
+  return level < kLight && deviationOf(smooth) < std::max(kFlat, kFlatShare * level);
 }
 
 /// The median over time, which has no people and little noise.
@@ -43,8 +44,8 @@ cv::Mat stillPicture(const std::vector<SeenPicture>& pictures) {
   return still;
 }
 
-/// Contrast of the finest details relative to that of coarser ones: about 0.5 in sharp images,
-/// below 0.2 if edges are wider than five pixels. NaN in images with no details.
+/// Contrast of the finest details relative to that of coarser ones: about 0.6 in sharp images,
+/// below 0.3 if edges are wider than five pixels. NaN in images with no details.
 double sharpnessOf(const cv::Mat& grey) {
   cv::Mat image, fine, middle, coarse;
   grey.convertTo(image, CV_32F);
@@ -108,11 +109,11 @@ void checkSharpness(const SeenRig& rig, Findings* findings) {
   }
   const double usual = quantile(known, 0.5);
   for (size_t i = 0; i < all.size(); ++i)
-    if (std::isfinite(all[i]) && all[i] < kBlurred && all[i] < kAgainstOthers * usual)
+    if (all[i] < kVeryBlurred || (all[i] < kBlurred && all[i] < kAgainstOthers * usual))
       findings->push_back(
           {"image_blurred", rig.cameras[i].name, Severity::kWarning,
-           sentence("details have %.0f %% of the contrast of the other cameras' details",
-                    100 * all[i] / usual),
+           sentence("the finest details have %.0f %% of the contrast of coarser ones, %.0f %% in the "
+                    "other cameras", 100 * all[i], 100 * usual),
            "focus the lens and fix it (no autofocus); clean it"});
 }
 
