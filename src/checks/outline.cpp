@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kSmallPart = 0.2;       // of the largest part
+constexpr double kSmallPart = 0.2;          // of the largest part
 constexpr double kSmallPerson = 1 / 500.0;  // of the image
 
 bool touchesBorder(const cv::Rect& box, const cv::Size& size) {
@@ -37,7 +37,8 @@ Outline outlineOf(const cv::Mat& mask, int width, int height) {
     std::vector<std::vector<cv::Point>> contours;
     cv::findContours(labels(box) == i, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE,
                      box.tl());
-    for (const auto& contour : contours) border.insert(border.end(), contour.begin(), contour.end());
+    for (const auto& contour : contours)
+      border.insert(border.end(), contour.begin(), contour.end());
   }
   std::vector<cv::Point> hull;
   cv::convexHull(border, hull);

@@ -28,9 +28,9 @@ Outline outlineOf(const cv::Mat& mask, int width, int height);
 /// One image message.
 struct SeenImage {
   int64_t stamp_ns = 0, received_ns = 0;
-  int width = 0, height = 0;  ///< pixels; 0: could not be decoded, or was not
-  uint64_t fingerprint = 0;   ///< of the pixels; equal only for equal images
-  cv::Mat colors;             ///< CV_8UC3, the image at kColorsWidth; empty if not decoded
+  int width = 0, height = 0;       ///< pixels; 0: could not be decoded, or was not
+  uint64_t fingerprint = 0;        ///< of the pixels; equal only for equal images
+  cv::Mat colors;                  ///< CV_8UC3, the image at kColorsWidth; empty if not decoded
   std::optional<Outline> outline;  ///< none: not looked for
 };
 constexpr int kColorsWidth = 32;  ///< of SeenImage::colors, pixels

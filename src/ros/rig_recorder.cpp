@@ -10,8 +10,7 @@ namespace markerless_mocap {
 namespace {
 
 uint64_t fingerprintOf(const std::vector<uint8_t>& bytes) {
-  return std::hash<std::string_view>()(
-      {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 SeenInfo infoOf(const std::string& name, const sensor_msgs::CameraInfo& message,

@@ -217,7 +217,8 @@ std::vector<Fault> pictureFaults() {
   return {
       {"light_flickers", "cam1",
        [](SeenRig* r) {
-         multiplyLight(&r->cameras[1], [](double at) { return grey(1 + 0.08 * std::sin(300 * at)); });
+         multiplyLight(&r->cameras[1],
+                       [](double at) { return grey(1 + 0.08 * std::sin(300 * at)); });
        }},
       {"exposure_wanders", "cam1",
        [](SeenRig* r) {
@@ -242,8 +243,9 @@ std::vector<Fault> pictureFaults() {
        }},
       {"image_covered", "cam0",
        [](SeenRig* r) {
-         changePictures(&r->cameras[0],
-                        [](const cv::Mat& m) { return cv::Mat(m.size(), CV_8UC1, grey(30)); }, 10);
+         changePictures(
+             &r->cameras[0], [](const cv::Mat& m) { return cv::Mat(m.size(), CV_8UC1, grey(30)); },
+             10);
        }},
       {"image_blurred", "cam0",
        [](SeenRig* r) {
@@ -255,12 +257,15 @@ std::vector<Fault> pictureFaults() {
        }},
       {"camera_moved", "cam2",
        [](SeenRig* r) {
-         changePictures(&r->cameras[2], [](const cv::Mat& m) {
-           cv::Mat out;
-           const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, 5.0, 0, 1, 3.0);
-           cv::warpAffine(m, out, shift, m.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-           return out;
-         }, 12);
+         changePictures(
+             &r->cameras[2],
+             [](const cv::Mat& m) {
+               cv::Mat out;
+               const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, 5.0, 0, 1, 3.0);
+               cv::warpAffine(m, out, shift, m.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+               return out;
+             },
+             12);
        }},
   };
 }

@@ -50,7 +50,8 @@ inline SeenRig filmedWalk(StudioOptions options) {
   options.duration = 9;
   const VirtualStudio studio(options, packageFiles(), "person1");
   SeenRig rig;
-  for (const Camera& camera : studio.rig()) rig.cameras.push_back(emptyCamera(camera.calibration()));
+  for (const Camera& camera : studio.rig())
+    rig.cameras.push_back(emptyCamera(camera.calibration()));
   for (int i = 0; i < studio.frameSetCount(); ++i) {
     const StudioFrameSet frame = studio.render(i);
     for (size_t c = 0; c < rig.cameras.size(); ++c)

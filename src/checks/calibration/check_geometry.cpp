@@ -8,9 +8,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kFarApart = 100.0;         // m, median distance of cameras in no studio
+constexpr double kFarApart = 100.0;          // m, median distance of cameras in no studio
 constexpr double kMillimetresFrom = 1500.0;  // the same; below, centimetres
-constexpr double kShared = 0.005;  // of the places that a camera sees
+constexpr double kShared = 0.005;            // of the places that a camera sees
 constexpr double kSamePlace = 0.01, kSameDirection = 1.0 * M_PI / 180;  // m, rad
 
 std::vector<Camera> calibrated(const SeenRig& rig) {
@@ -31,12 +31,13 @@ double usualDistance(const std::vector<Camera>& cameras) {
 void checkUnits(double distance, Findings* findings) {
   if (distance < kFarApart) return;
   const bool milli = distance > kMillimetresFrom;
-  findings->push_back({"units_not_metres", "", Severity::kError,
-                       sentence("the cameras are %.0f m from each other (median); in %s it would be "
-                                "%.2f m", distance, milli ? "millimetres" : "centimetres",
-                                distance / (milli ? 1000 : 100)),
-                       milli ? "divide all translations by 1000: convert_calibration --scale 0.001"
-                             : "divide all translations by 100: convert_calibration --scale 0.01"});
+  findings->push_back(
+      {"units_not_metres", "", Severity::kError,
+       sentence("the cameras are %.0f m from each other (median); in %s it would be "
+                "%.2f m",
+                distance, milli ? "millimetres" : "centimetres", distance / (milli ? 1000 : 100)),
+       milli ? "divide all translations by 1000: convert_calibration --scale 0.001"
+             : "divide all translations by 100: convert_calibration --scale 0.01"});
 }
 
 /// By the upward direction of the images: people hold or mount cameras upright.
@@ -52,10 +53,11 @@ void checkUp(const std::vector<Camera>& cameras, Findings* findings) {
   findings->push_back(
       {axis == 2 ? "world_z_down" : "world_z_not_up", "", Severity::kError,
        "the upper borders of the images lie towards " + direction + " of the world",
-       axis == 2 ? "the world must have z up: turn all poses by 180 degrees about the world's x axis "
-                   "(convert_calibration)"
-                 : "the world must have z up: turn all poses so that " + direction +
-                       " becomes +z (convert_calibration)"});
+       axis == 2
+           ? "the world must have z up: turn all poses by 180 degrees about the world's x axis "
+             "(convert_calibration)"
+           : "the world must have z up: turn all poses so that " + direction +
+                 " becomes +z (convert_calibration)"});
 }
 
 void checkPlaces(const std::vector<Camera>& cameras, Findings* findings) {
@@ -79,9 +81,9 @@ std::vector<Eigen::Vector3d> viewOf(const Camera& camera, double scale) {
   for (int x = 1; x < 8; ++x)
     for (int y = 1; y < 6; ++y)
       for (double depth = 0.1; depth < 3.0; depth *= 1.25)
-        points.push_back(camera.position() +
-                         depth * scale * camera.rayDirection({x * camera.width() / 8.0,
-                                                              y * camera.height() / 6.0}));
+        points.push_back(camera.position() + depth * scale *
+                                                 camera.rayDirection({x * camera.width() / 8.0,
+                                                                      y * camera.height() / 6.0}));
   return points;
 }
 
@@ -96,11 +98,13 @@ void checkCommonVolume(const std::vector<Camera>& cameras, double scale, Finding
              }) >= enough;
     });
     if (double(shared) > kShared * double(view.size())) continue;
-    findings->push_back({"no_common_volume", camera.name(), Severity::kError,
-                         sentence("fewer than %d of the other cameras see any place that this one "
-                                  "sees", enough),
-                         "look at the cameras in rviz (docs/troubleshooting.md); turn the camera to "
-                         "the middle of the room, or correct its transform"});
+    findings->push_back(
+        {"no_common_volume", camera.name(), Severity::kError,
+         sentence("fewer than %d of the other cameras see any place that this one "
+                  "sees",
+                  enough),
+         "look at the cameras in rviz (docs/troubleshooting.md); turn the camera to "
+         "the middle of the room, or correct its transform"});
   }
 }
 

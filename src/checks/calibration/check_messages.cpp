@@ -15,8 +15,9 @@ void checkInfo(const SeenCamera& camera, Findings* findings) {
   if (camera.infos.empty()) {
     findings->push_back({"camera_info_missing", camera.name, Severity::kError,
                          "there are images but no camera_info",
-                         "record " + camera.name + "/camera_info; a driver takes it from the file "
-                         "at camera_info_url, which calibrate_rig writes; or pass --rig"});
+                         "record " + camera.name +
+                             "/camera_info; a driver takes it from the file "
+                             "at camera_info_url, which calibrate_rig writes; or pass --rig"});
     return;
   }
   const SeenInfo& info = camera.infos.front();
@@ -60,8 +61,9 @@ void checkSizes(const SeenCamera& camera, Findings* findings) {
       {"camera_info_size", camera.name, Severity::kError,
        sentence("camera_info is for %d x %d, the images are %d x %d", info.width, info.height,
                 first->width, first->height),
-       turned ? "the images are turned by 90 degrees: turn them back, or calibrate as they are"
-              : "record at the size of the calibration, or calibrate at the size of the recording"});
+       turned
+           ? "the images are turned by 90 degrees: turn them back, or calibrate as they are"
+           : "record at the size of the calibration, or calibrate at the size of the recording"});
 }
 
 void checkChanges(const SeenCamera& camera, Findings* findings) {
@@ -122,20 +124,20 @@ void checkMessages(const SeenRig& rig, Findings* findings) {
                            "there is camera_info but there are no images",
                            "record " + camera.name + "/image_raw or image_raw/compressed"});
     if (camera.unreadable > 0)
-      findings->push_back({"images_unreadable", camera.name, Severity::kWarning,
-                           sentence("%d of %zu images cannot be decoded", camera.unreadable,
-                                    camera.images.size()),
-                           "look at the encoding, and for damage of the bag (rosbag check)"});
+      findings->push_back(
+          {"images_unreadable", camera.name, Severity::kWarning,
+           sentence("%d of %zu images cannot be decoded", camera.unreadable, camera.images.size()),
+           "look at the encoding, and for damage of the bag (rosbag check)"});
     checkInfo(camera, findings);
     checkSizes(camera, findings);
     checkChanges(camera, findings);
     checkPlausible(camera, findings);
     if (!camera.infos.empty() && !camera.T_world_camera)
-      findings->push_back({"tf_missing", camera.name, Severity::kError,
-                           camera.pose_problem.empty() ? "there is no transform"
-                                                       : camera.pose_problem,
-                           "start or record the transform (calibrate_rig writes cameras.launch; "
-                           "record /tf_static), or pass --rig"});
+      findings->push_back(
+          {"tf_missing", camera.name, Severity::kError,
+           camera.pose_problem.empty() ? "there is no transform" : camera.pose_problem,
+           "start or record the transform (calibrate_rig writes cameras.launch; "
+           "record /tf_static), or pass --rig"});
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kMoments = 160;
 constexpr double kDisagree = 0.65;  // mean loss
 constexpr size_t kFewOutlines = 30;
-constexpr double kBody = 0.3;        // m from the middle of the body to where limbs are cut
+constexpr double kBody = 0.3;          // m from the middle of the body to where limbs are cut
 constexpr double kMostOutside = 0.05;  // of the moments
 
 /// Cameras that can take part, as numbers of the rig.
@@ -22,9 +22,10 @@ std::vector<size_t> usable(const SeenRig& rig) {
   std::vector<size_t> out;
   for (size_t i = 0; i < rig.cameras.size(); ++i) {
     const SeenCamera& camera = rig.cameras[i];
-    const auto seen = std::count_if(camera.images.begin(), camera.images.end(), [](const auto& image) {
-      return image.outline && !image.outline->hull.empty() && image.stamp_ns != 0;
-    });
+    const auto seen =
+        std::count_if(camera.images.begin(), camera.images.end(), [](const auto& image) {
+          return image.outline && !image.outline->hull.empty() && image.stamp_ns != 0;
+        });
     const auto calibration = calibrationOf(camera);
     if (!calibration || size_t(seen) < kFewOutlines) continue;
     const SeenImage& image = camera.images.back();
@@ -96,13 +97,15 @@ void checkVolume(const SeenRig& rig, const RigSight& sight, const RigModel& mode
   const Eigen::Vector3d low = rig.volume.min(), high = rig.volume.max();
   findings->push_back(
       {"volume_cuts_person", "", Severity::kWarning,
-       sentence("in %.0f %% of the time a part of the person is outside of the volume: the middle of "
-                "the body is at x %.1f to %.1f, y %.1f to %.1f m, the head up to %.1f m; the volume "
-                "is x %.1f to %.1f, y %.1f to %.1f, z %.1f to %.1f m",
-                100.0 * outside / seen, walked.min().x(), walked.max().x(), walked.min().y(),
-                walked.max().y(), walked.max().z(), low.x(), high.x(), low.y(), high.y(), low.z(),
-                high.z()),
-       "set visual_hull/volume: auto, or volume_min and volume_max to hold this and an arm's length"});
+       sentence(
+           "in %.0f %% of the time a part of the person is outside of the volume: the middle of "
+           "the body is at x %.1f to %.1f, y %.1f to %.1f m, the head up to %.1f m; the volume "
+           "is x %.1f to %.1f, y %.1f to %.1f, z %.1f to %.1f m",
+           100.0 * outside / seen, walked.min().x(), walked.max().x(), walked.min().y(),
+           walked.max().y(), walked.max().z(), low.x(), high.x(), low.y(), high.y(), low.z(),
+           high.z()),
+       "set visual_hull/volume: auto, or volume_min and volume_max to hold this and an arm's "
+       "length"});
 }
 
 /// Whether the silhouettes agree in most cameras, after all that explains why they might not.
@@ -116,8 +119,10 @@ bool checkAgreement(const std::vector<CameraLoss>& left, Findings* findings) {
   findings->push_back(
       {"silhouettes_disagree", "", Severity::kWarning,
        sentence("the cameras see the person %.0f px (of 640) from where the others see him, and no "
-                "single mistake explains it", quantile(residuals, 0.5)),
-       "look at the silhouettes first (mocap_offline --report): the empty room, furniture and other "
+                "single mistake explains it",
+                quantile(residuals, 0.5)),
+       "look at the silhouettes first (mocap_offline --report): the empty room, furniture and "
+       "other "
        "people spoil them; if they are good, calibrate again"});
   return false;
 }

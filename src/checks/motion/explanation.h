@@ -25,13 +25,13 @@ enum class ExplanationKind {
 /// A change of the rig's model with which the silhouettes agree.
 struct Explanation {
   ExplanationKind kind = ExplanationKind::kTurned;
-  std::vector<size_t> cameras;  ///< that are changed; all of them: the whole rig
-  RigModel model;               ///< changed
-  double gain = 0;              ///< loss that it takes away, summed over rays
-  double amount = 0;            ///< s, s/s, rad, factor, or change of k1; as the kind has it
-  std::vector<double> amounts;  ///< of each camera, where all are changed differently
-  double deviation = 0;         ///< of the amount, between parts of the recording; 0: not known
-  std::vector<size_t> instead;  ///< cameras of another change of this kind that is nearly as good
+  std::vector<size_t> cameras;   ///< that are changed; all of them: the whole rig
+  RigModel model;                ///< changed
+  double gain = 0;               ///< loss that it takes away, summed over rays
+  double amount = 0;             ///< s, s/s, rad, factor, or change of k1; as the kind has it
+  std::vector<double> amounts;   ///< of each camera, where all are changed differently
+  double deviation = 0;          ///< of the amount, between parts of the recording; 0: not known
+  std::vector<size_t> instead;   ///< cameras of another change of this kind that is nearly as good
   double before = 0, after = 0;  ///< median residual of these cameras, px of their images
 };
 

@@ -42,15 +42,18 @@ const char* nameOf(ExplanationKind kind) {
 std::string remedyOf(const Explanation& e) {
   switch (e.kind) {
     case ExplanationKind::kRotationInverted:
-      return "the transform must turn camera coordinates into world coordinates: give the transposed "
+      return "the transform must turn camera coordinates into world coordinates: give the "
+             "transposed "
              "rotation (the conjugate quaternion)";
     case ExplanationKind::kTranslationInverted:
-      return "the translation must be the camera's place in the world, -R^T t of the calibration's R "
+      return "the translation must be the camera's place in the world, -R^T t of the calibration's "
+             "R "
              "and t: convert_calibration does this";
     case ExplanationKind::kPoseInverted:
       return "the transform was given the wrong way round: publish its inverse, camera to world";
     case ExplanationKind::kBodyAxes:
-      return "the frame of camera_info must be the optical one (x right, y down, z forward): use the "
+      return "the frame of camera_info must be the optical one (x right, y down, z forward): use "
+             "the "
              "frame <camera>_optical, or add the rotation from body to optical axes";
     case ExplanationKind::kUpsideDown:
       return "turn the images by 180 degrees, or calibrate them as they are";
@@ -59,12 +62,15 @@ std::string remedyOf(const Explanation& e) {
     case ExplanationKind::kExchanged:
       return "exchange the two cameras' topics, or their calibrations";
     case ExplanationKind::kTimeOffset:
-      return sentence("write time_offset: %.4f for this camera into the rig file, or synchronise "
-                      "the clocks", e.amount);
+      return sentence(
+          "write time_offset: %.4f for this camera into the rig file, or synchronise "
+          "the clocks",
+          e.amount);
     case ExplanationKind::kDrift:
       return "synchronise the clocks while recording (chrony, PTP) or trigger the cameras together";
     case ExplanationKind::kTurned:
-      return "calibrate again, or let mocap_offline --self-calibrate correct small turns; fasten the "
+      return "calibrate again, or let mocap_offline --self-calibrate correct small turns; fasten "
+             "the "
              "camera";
     case ExplanationKind::kFocalLength:
       return "calibrate the lens again at this size; do not touch zoom, and switch autofocus off";
@@ -78,8 +84,8 @@ std::string remedyOf(const Explanation& e) {
 std::string amountOf(const Explanation& e) {
   switch (e.kind) {
     case ExplanationKind::kTimeOffset:
-      return sentence("the person moves in it %.0f ms %s in the other cameras", 1e3 * std::abs(e.amount),
-                      e.amount < 0 ? "later than" : "before");
+      return sentence("the person moves in it %.0f ms %s in the other cameras",
+                      1e3 * std::abs(e.amount), e.amount < 0 ? "later than" : "before");
     case ExplanationKind::kDrift:
       return sentence("its stamps run %.1f ms per second %s than those of the other cameras",
                       1e3 * std::abs(e.amount), e.amount < 0 ? "faster" : "slower");
@@ -104,7 +110,8 @@ Finding findingOf(const Explanation& e, const std::vector<std::string>& names) {
       finding.camera += (finding.camera.empty() ? "" : ", ") + names[camera];
   finding.severity = Severity::kError;
   finding.evidence =
-      sentence("the person is %.1f px from where the other cameras see him; ", e.before) + amountOf(e);
+      sentence("the person is %.1f px from where the other cameras see him; ", e.before) +
+      amountOf(e);
   for (size_t i = 0; i < e.amounts.size(); ++i)
     finding.evidence += sentence("%s%s %.2f", i == 0 ? " at most (" : ", ", names[i].c_str(),
                                  e.amounts[i] * kDegrees);

@@ -56,8 +56,7 @@ std::vector<const Ray*> raysAt(const std::vector<Rays>& rays, size_t at,
 }  // namespace
 
 Rays raysOf(const RigSight& sight, const CameraModel& model) {
-  return raysOf(sight, model,
-                sightOf(sight.tracks[model.source], model.calibration, model.turn));
+  return raysOf(sight, model, sightOf(sight.tracks[model.source], model.calibration, model.turn));
 }
 
 Rays raysOf(const RigSight& sight, const CameraModel& model, const Sight& pixels) {
@@ -68,8 +67,7 @@ Rays raysOf(const RigSight& sight, const CameraModel& model, const Sight& pixels
   Rays rays(sight.moments.size() * kBodyMarks);
   for (size_t m = 0; m < sight.moments.size(); ++m) {
     // stamp + offset + drift * (stamp - first) = moment
-    const double stamp =
-        first + (sight.moments[m] - first - model.offset) / (1.0 + model.drift);
+    const double stamp = first + (sight.moments[m] - first - model.offset) / (1.0 + model.drift);
     for (int mark = 0; mark < kBodyMarks; ++mark)
       if (const auto pixel = pixelAt(track, pixels, BodyMark(mark), stamp))
         rays[m * kBodyMarks + size_t(mark)] =
@@ -134,9 +132,8 @@ double lossOf(const std::vector<Rays>& rays) {
   const auto points = pointsOf(rays, {});
   for (const Rays& camera : rays)
     for (size_t at = 0; at < camera.size(); ++at) {
-      const auto cameras = std::count_if(rays.begin(), rays.end(), [&](const Rays& r) {
-        return r[at].has_value();
-      });
+      const auto cameras =
+          std::count_if(rays.begin(), rays.end(), [&](const Rays& r) { return r[at].has_value(); });
       if (!camera[at] || cameras < 2) continue;
       ++count;
       sum += points[at] ? lossOf(residualOf(*camera[at], *points[at])) : 1.0;

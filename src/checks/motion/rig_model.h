@@ -23,7 +23,7 @@ struct Ray {
   Eigen::Vector3d origin, direction;  ///< world metres, unit vector
   double focal = 0;                   ///< pixels per radian
 };
-constexpr double kModelWidth = 640;  ///< residuals are in pixels of an image of this width
+constexpr double kModelWidth = 640;   ///< residuals are in pixels of an image of this width
 constexpr double kResidualScale = 6;  ///< px; larger residuals count less and less
 
 /// The rays of all cameras to one mark at one time; none where a camera does not see it.

@@ -49,7 +49,8 @@ class OffsetLosses {
     if (at == 0 || at + 1 == means.size()) return best;
     const double bend = means[at - 1] - 2 * means[at] + means[at + 1];
     if (bend > 0)
-      best.offset += 0.5 * (means[at - 1] - means[at + 1]) / bend * (offsets_[at + 1] - offsets_[at]);
+      best.offset +=
+          0.5 * (means[at - 1] - means[at + 1]) / bend * (offsets_[at + 1] - offsets_[at]);
     return best;
   }
 

@@ -9,14 +9,14 @@ namespace markerless_mocap {
 namespace {
 
 const std::vector<double>& focalSteps() {
-  static const std::vector<double> steps{0.5, 0.6, 0.7, 0.8, 0.87, 0.93, 0.97, 1.03,
-                                         1.07, 1.15, 1.25, 1.4, 1.6, 2.0};
+  static const std::vector<double> steps{0.5,  0.6,  0.7,  0.8,  0.87, 0.93, 0.97,
+                                         1.03, 1.07, 1.15, 1.25, 1.4,  1.6,  2.0};
   return steps;
 }
 
 const std::vector<double>& bendSteps() {
   static const std::vector<double> steps{-0.5, -0.4, -0.3, -0.2, -0.12, -0.06,
-                                         0.06, 0.12, 0.2, 0.3, 0.4, 0.5};
+                                         0.06, 0.12, 0.2,  0.3,  0.4,   0.5};
   return steps;
 }
 

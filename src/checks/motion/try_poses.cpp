@@ -6,7 +6,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kRival = 0.9;  // of the gain
+constexpr double kRival = 0.9;        // of the gain
 constexpr double kSuspicious = 0.25;  // mean loss of a camera whose pose may be grossly wrong
 
 const std::vector<ExplanationKind>& poseMistakes() {

@@ -7,9 +7,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kParts = 5;   // of the recording
-constexpr int kFewRays = 20;   // for a rotation
-constexpr int kRounds = 80;     // of adjusting all cameras
+constexpr size_t kParts = 5;  // of the recording
+constexpr int kFewRays = 20;  // for a rotation
+constexpr int kRounds = 80;   // of adjusting all cameras
 constexpr double kLarge = 5 * M_PI / 180;
 
 /// The rotation that takes the rays from..to-1 to the points, with losses of a scale in pixels
@@ -134,7 +134,8 @@ void tryAllTurns(const RigSight& sight, const RigModel& model,
     before.push_back(state.rays);
     after.push_back(raysOf(sight, tried.model[k]));
     const double turn = Eigen::AngleAxisd(model[k].calibration.T_world_camera.linear().transpose() *
-                                          tried.model[k].calibration.T_world_camera.linear()).angle();
+                                          tried.model[k].calibration.T_world_camera.linear())
+                            .angle();
     tried.amounts.push_back(turn);
     tried.amount = std::max(tried.amount, turn);
     tried.gain += state.loss.rays;

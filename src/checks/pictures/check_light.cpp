@@ -26,8 +26,8 @@ std::vector<double> smoothed(const std::vector<double>& values) {
   for (size_t i = 0; i < values.size(); ++i) {
     const size_t low = i < kSmooth / 2 ? 0 : i - kSmooth / 2;
     const size_t high = std::min(values.size(), i + kSmooth / 2 + 1);
-    out.push_back(quantile({values.begin() + std::ptrdiff_t(low),
-                            values.begin() + std::ptrdiff_t(high)}, 0.5));
+    out.push_back(quantile(
+        {values.begin() + std::ptrdiff_t(low), values.begin() + std::ptrdiff_t(high)}, 0.5));
   }
   return out;
 }
@@ -75,9 +75,11 @@ bool checkFlicker(const SeenCamera& camera, const std::vector<double>& seconds,
   findings->push_back(
       {"light_flickers", camera.name, Severity::kWarning,
        periodic ? sentence("the brightness swings by +-%.1f %% at %.2f Hz, as lamps on 50 or 60 Hz "
-                           "mains make it", 100 * beat.amplitude, beat.hertz)
+                           "mains make it",
+                           100 * beat.amplitude, beat.hertz)
                 : sentence("the brightness changes by %.1f %% (standard deviation) from image to "
-                           "image", 100 * flicker),
+                           "image",
+                           100 * flicker),
        "set the exposure time to a multiple of 1/100 s (50 Hz mains) or 1/120 s (60 Hz), or use "
        "lamps that do not flicker; keep silhouette/compensate_flicker on"});
   return true;
@@ -98,11 +100,11 @@ void checkWhiteBalance(const SeenCamera& camera, const LightTrack& track, Findin
     most = std::max(most, rangeOf(smoothed(ratios)));
   }
   if (most < kColorWander) return;
-  findings->push_back({"white_balance_wanders", camera.name, Severity::kWarning,
-                       sentence("red or blue of what stands still change by %.1f %% against green",
-                                100 * most),
-                       "switch automatic white balance off (v4l2-ctl "
-                       "--set-ctrl=white_balance_automatic=0) and set one value for all cameras"});
+  findings->push_back(
+      {"white_balance_wanders", camera.name, Severity::kWarning,
+       sentence("red or blue of what stands still change by %.1f %% against green", 100 * most),
+       "switch automatic white balance off (v4l2-ctl "
+       "--set-ctrl=white_balance_automatic=0) and set one value for all cameras"});
 }
 
 /// Wandering brightness of each camera; lamps change all of them.

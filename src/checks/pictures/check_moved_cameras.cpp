@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCorners = 300;
 constexpr int kFewCorners = 12;
-constexpr double kShare = 0.4;    // of the corners that must move alike
+constexpr double kShare = 0.4;     // of the corners that must move alike
 constexpr double kMoved = 0.0035;  // of the width of the image, as a shift of its corners
 constexpr size_t kFewPictures = 6;
 
@@ -108,8 +108,10 @@ void checkCamera(const SeenCamera& camera, Findings* findings) {
   const double before = 1e-9 * double(pictures[from - 1].stamp_ns - pictures.front().stamp_ns);
   const auto calibration = calibrationOf(camera);
   const double scale = calibration ? calibration->width / width : 1.0;
-  std::string evidence = sentence("what stands still has moved by %.1f px between %.1f and %.1f s "
-                                  "after the first image", shift * scale, before, seconds);
+  std::string evidence = sentence(
+      "what stands still has moved by %.1f px between %.1f and %.1f s "
+      "after the first image",
+      shift * scale, before, seconds);
   if (calibration)
     evidence += sentence(", about %.2f degrees",
                          std::atan(shift * scale / calibration->K(0, 0)) * 180 / M_PI);

@@ -81,18 +81,20 @@ bool checkLevels(const SeenCamera& camera, const std::vector<SeenPicture>& pictu
   dark /= double(pictures.size());
   flat /= double(pictures.size());
   if (flat > kShare)
-    findings->push_back({"image_covered", camera.name, Severity::kError,
-                         sentence("%.0f %% of the images show one even surface", 100 * flat),
-                         "take the cap or cover off; see whether somebody stands before the camera"});
+    findings->push_back(
+        {"image_covered", camera.name, Severity::kError,
+         sentence("%.0f %% of the images show one even surface", 100 * flat),
+         "take the cap or cover off; see whether somebody stands before the camera"});
   if (dark > kShare)
     findings->push_back({"image_dark", camera.name, Severity::kWarning,
                          sentence("95 %% of the pixels are darker than %.0f of 255", kDark),
                          "more light, a longer exposure (at most 1/100 s while people move), or a "
                          "more open lens"});
   if (white > kMostWhite && flat <= kShare)
-    findings->push_back({"image_overexposed", camera.name, Severity::kWarning,
-                         sentence("%.0f %% of the pixels are white", 100 * white),
-                         "a shorter exposure or less gain; keep lamps and windows out of the image"});
+    findings->push_back(
+        {"image_overexposed", camera.name, Severity::kWarning,
+         sentence("%.0f %% of the pixels are white", 100 * white),
+         "a shorter exposure or less gain; keep lamps and windows out of the image"});
   return flat > kShare;
 }
 
@@ -112,8 +114,10 @@ void checkSharpness(const SeenRig& rig, Findings* findings) {
     if (all[i] < kVeryBlurred || (all[i] < kBlurred && all[i] < kAgainstOthers * usual))
       findings->push_back(
           {"image_blurred", rig.cameras[i].name, Severity::kWarning,
-           sentence("the finest details have %.0f %% of the contrast of coarser ones, %.0f %% in the "
-                    "other cameras", 100 * all[i], 100 * usual),
+           sentence(
+               "the finest details have %.0f %% of the contrast of coarser ones, %.0f %% in the "
+               "other cameras",
+               100 * all[i], 100 * usual),
            "focus the lens and fix it (no autofocus); clean it"});
 }
 

@@ -9,7 +9,7 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kFewImages = 5;      // say nothing of the spacing of fewer
+constexpr size_t kFewImages = 5;       // say nothing of the spacing of fewer
 constexpr double kMostMissing = 0.01;  // of a camera's images
 constexpr double kMostMissingIrregular = 0.06;
 constexpr double kMostRepeated = 0.02;
@@ -28,16 +28,17 @@ void checkOrder(const SeenCamera& camera, const StreamTimes& times, Findings* fi
                          sentence("%d of %d images have the stamp 0", times.zero, images),
                          "set header.stamp in the camera's driver to the time of exposure"});
   if (times.backwards > 0)
-    findings->push_back(
-        {"stamps_jump_back", camera.name, Severity::kError,
-         sentence("the stamps go back %d times, by up to %.3f s", times.backwards, times.worst_back),
-         "do not set the clock while recording (chrony in place of ntpdate), do not loop a bag into "
-         "a recording, and have one driver only publish this topic"});
+    findings->push_back({"stamps_jump_back", camera.name, Severity::kError,
+                         sentence("the stamps go back %d times, by up to %.3f s", times.backwards,
+                                  times.worst_back),
+                         "do not set the clock while recording (chrony in place of ntpdate), do "
+                         "not loop a bag into "
+                         "a recording, and have one driver only publish this topic"});
   if (times.doubled > 0)
-    findings->push_back({"stamps_doubled", camera.name, Severity::kWarning,
-                         sentence("%d of %d images have the stamp of the image before", times.doubled,
-                                  images),
-                         "look for two drivers or two bags on the same topic"});
+    findings->push_back(
+        {"stamps_doubled", camera.name, Severity::kWarning,
+         sentence("%d of %d images have the stamp of the image before", times.doubled, images),
+         "look for two drivers or two bags on the same topic"});
 }
 
 bool isIrregular(const StreamTimes& times) {
@@ -103,10 +104,10 @@ double usualPeriod(const Streams& streams) {
 void checkRate(const SeenCamera& camera, const StreamTimes& times, double usual,
                Findings* findings) {
   if (times.period == 0 || std::abs(times.period / usual - 1) < kRateRatio) return;
-  findings->push_back({"rate_differs", camera.name, Severity::kWarning,
-                       sentence("%.2f images per second, the other cameras have %.2f",
-                                1 / times.period, 1 / usual),
-                       "set the same rate for all cameras; long exposure lowers the rate of many"});
+  findings->push_back(
+      {"rate_differs", camera.name, Severity::kWarning,
+       sentence("%.2f images per second, the other cameras have %.2f", 1 / times.period, 1 / usual),
+       "set the same rate for all cameras; long exposure lowers the rate of many"});
 }
 
 /// Cameras whose stamps lie outside of those of most others.

@@ -76,7 +76,8 @@ StreamTimes timesOf(const std::vector<SeenImage>& images) {
   countOrder(images, &times);
   for (const SeenImage& image : images) {
     if (image.stamp_ns == 0) continue;
-    times.first_ns = times.first_ns == 0 ? image.stamp_ns : std::min(times.first_ns, image.stamp_ns);
+    times.first_ns =
+        times.first_ns == 0 ? image.stamp_ns : std::min(times.first_ns, image.stamp_ns);
     times.last_ns = std::max(times.last_ns, image.stamp_ns);
   }
   measureDelays(images, &times);
@@ -92,7 +93,8 @@ Repeats repeatsOf(const std::vector<SeenImage>& images) {
   Repeats repeats;
   int run = 0;
   for (size_t i = 1; i < images.size(); ++i) {
-    const bool same = images[i].fingerprint != 0 && images[i].fingerprint == images[i - 1].fingerprint;
+    const bool same =
+        images[i].fingerprint != 0 && images[i].fingerprint == images[i - 1].fingerprint;
     run = same ? run + 1 : 0;
     repeats.images += same;
     repeats.longest = std::max(repeats.longest, run);

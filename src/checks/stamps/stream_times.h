@@ -9,16 +9,16 @@ namespace markerless_mocap {
 
 /// The times of one camera's images.
 struct StreamTimes {
-  int zero = 0;            ///< stamps that are zero
-  int backwards = 0;       ///< stamps before the one before
-  int doubled = 0;         ///< stamps equal to the one before
-  double worst_back = 0;   ///< s
-  double period = 0;       ///< median interval, s; 0: fewer than three stamps
-  int missing = 0;         ///< images that gaps leave out
-  int longest_gap = 0;     ///< missing images in a row
-  double jitter = 0;       ///< standard deviation from even spacing, robust, s
-  double delay_spread = 0; ///< of received - stamp: from the 5th to the 95th percentile, s
-  double delay = 0;        ///< median of received - stamp, s
+  int zero = 0;             ///< stamps that are zero
+  int backwards = 0;        ///< stamps before the one before
+  int doubled = 0;          ///< stamps equal to the one before
+  double worst_back = 0;    ///< s
+  double period = 0;        ///< median interval, s; 0: fewer than three stamps
+  int missing = 0;          ///< images that gaps leave out
+  int longest_gap = 0;      ///< missing images in a row
+  double jitter = 0;        ///< standard deviation from even spacing, robust, s
+  double delay_spread = 0;  ///< of received - stamp: from the 5th to the 95th percentile, s
+  double delay = 0;         ///< median of received - stamp, s
   int64_t first_ns = 0, last_ns = 0;  ///< smallest and largest stamp that is not zero
 };
 

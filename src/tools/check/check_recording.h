@@ -19,7 +19,8 @@ struct CheckArguments {
   /// s, from the first image on, in which silhouettes are looked for; of the rest, only messages,
   /// stamps and 24 pictures are looked at.
   double seconds = 60.0;
-  double live = 0.0;  ///< s to listen to the topics of a running system; 0: a bag
+  double live = 0.0;    ///< s to listen to the topics of a running system; 0: a bag
+  bool repeat = false;  ///< live, until the program is ended, and into /diagnostics
 };
 
 /// What is wrong with a recording or with live topics, and what could not be judged.
@@ -35,6 +36,11 @@ struct CheckResult {
 /// in it, or an argument is wrong.
 SeenRig readSeenRig(const CheckArguments& arguments, const PipelineOptions& pipeline,
                     std::ostream* notes, bool terminal);
+
+/// Listens to live topics for CheckArguments::live seconds. With `repeat`, again and again, each
+/// time publishing on /diagnostics, until ROS shuts down. Throws std::runtime_error if there is no
+/// camera, or if ROS shuts down before the first check. ros::init() must have been called.
+CheckResult checkLive(const CheckArguments& arguments, const PipelineOptions& pipeline);
 
 CheckResult resultOf(const SeenRig& rig, const std::string& source);
 

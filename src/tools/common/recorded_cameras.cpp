@@ -17,10 +17,9 @@ constexpr const char* kTruth = "/ground_truth/";
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 
 /// The name of the camera if the topic has this suffix and type.
-std::optional<std::string> cameraOf(const rosbag::ConnectionInfo& connection,
+std::optional<std::string> cameraOf(const std::string& topic, const std::string& datatype,
                                     const std::string& suffix, const char* type) {
-  const std::string& topic = connection.topic;
-  if (connection.datatype != type || topic.size() <= suffix.size()) return std::nullopt;
+  if (datatype != type || topic.size() <= suffix.size()) return std::nullopt;
   if (topic.rfind(kTruth, 0) == 0) return std::nullopt;
   const size_t stem = topic.size() - suffix.size();
   if (topic.compare(stem, suffix.size(), suffix) != 0) return std::nullopt;
@@ -30,16 +29,16 @@ std::optional<std::string> cameraOf(const rosbag::ConnectionInfo& connection,
 
 using CamerasByName = std::map<std::string, RecordedCamera>;
 
-void noteTopic(const rosbag::ConnectionInfo& connection, CamerasByName* cameras) {
-  if (const auto name = cameraOf(connection, "/camera_info", kInfo))
-    (*cameras)[*name].info_topic = connection.topic;
-  if (const auto name = cameraOf(connection, "/image_raw", kImage))
-    (*cameras)[*name].image_topic = connection.topic;
-  if (const auto name = cameraOf(connection, "/silhouette", kImage))
-    (*cameras)[*name].silhouette_topic = connection.topic;
-  if (const auto name = cameraOf(connection, "/image_raw/compressed", kCompressed)) {
+void noteTopic(const std::string& topic, const std::string& type, CamerasByName* cameras) {
+  if (const auto name = cameraOf(topic, type, "/camera_info", kInfo))
+    (*cameras)[*name].info_topic = topic;
+  if (const auto name = cameraOf(topic, type, "/image_raw", kImage))
+    (*cameras)[*name].image_topic = topic;
+  if (const auto name = cameraOf(topic, type, "/silhouette", kImage))
+    (*cameras)[*name].silhouette_topic = topic;
+  if (const auto name = cameraOf(topic, type, "/image_raw/compressed", kCompressed)) {
     RecordedCamera& camera = (*cameras)[*name];
-    if (camera.image_topic.empty()) camera.image_topic = connection.topic;
+    if (camera.image_topic.empty()) camera.image_topic = topic;
   }
 }
 
@@ -76,17 +75,24 @@ std::vector<RecordedCamera> choose(const CamerasByName& cameras,
 }  // namespace
 
 std::vector<RecordedCamera> listCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen) {
-  CamerasByName cameras;
   rosbag::View view(bag);
-  // Raw images precede compressed ones in the order of topics, so they are preferred.
-  std::map<std::string, const rosbag::ConnectionInfo*> topics;
+  std::map<std::string, std::string> topics;
   for (const rosbag::ConnectionInfo* connection : view.getConnections())
-    topics[connection->topic] = connection;
-  for (const auto& entry : topics) noteTopic(*entry.second, &cameras);
+    topics[connection->topic] = connection->datatype;
+  return listCameras(topics, chosen, "the bag");
+}
+
+std::vector<RecordedCamera> listCameras(const std::map<std::string, std::string>& types,
+                                        const std::vector<std::string>& chosen,
+                                        const std::string& where) {
+  CamerasByName cameras;
+  // Raw images precede compressed ones in the order of topics, so they are preferred.
+  for (const auto& entry : types) noteTopic(entry.first, entry.second, &cameras);
   for (auto& entry : cameras) entry.second.name = entry.first;
   if (cameras.empty())
     throw std::runtime_error(
-        "the bag has no cameras: no topic <camera>/camera_info with <camera>/image_raw, "
+        where +
+        " has no cameras: no topic <camera>/camera_info with <camera>/image_raw, "
         "<camera>/image_raw/compressed or <camera>/silhouette");
   std::vector<RecordedCamera> found = choose(cameras, chosen);
   if (chosen.empty())

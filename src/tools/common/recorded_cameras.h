@@ -2,6 +2,7 @@
 
 #include <rosbag/bag.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,10 @@ std::vector<RecordedCamera> findCameras(rosbag::Bag& bag, const std::vector<std:
 /// As findCameras(), but a camera may lack anything: only a bag without cameras and names that are
 /// not in it are errors.
 std::vector<RecordedCamera> listCameras(rosbag::Bag& bag, const std::vector<std::string>& chosen);
+
+/// The same of running topics. \param types of topics \param where for messages: "the bag"
+std::vector<RecordedCamera> listCameras(const std::map<std::string, std::string>& types,
+                                        const std::vector<std::string>& chosen,
+                                        const std::string& where);
 
 }  // namespace markerless_mocap
