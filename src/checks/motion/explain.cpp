@@ -23,8 +23,9 @@ double leastGain(ExplanationKind kind) {
     case ExplanationKind::kTurned:
       return 0.15;
     case ExplanationKind::kFocalLength:
+      return 0.12;
     case ExplanationKind::kDistortion:
-      return 0.15;
+      return 0.07;
     default:
       return 0.2;
   }
