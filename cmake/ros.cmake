@@ -69,7 +69,6 @@ list(APPEND programs all_stages_host)
 
 # One program per src/<room>/<folder>/<program>_main.cpp. What users run lies in tools; studies are
 # for those who work on the methods and are not installed.
-find_package(nlohmann_json REQUIRED)
 mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration checks
   LIBRARIES nlohmann_json::nlohmann_json opencv_calib3d opencv_imgcodecs opencv_videoio
   TESTS_USE clouds)
