@@ -40,12 +40,14 @@ struct BoardOptions {
   void visit(OptionVisitor& v);
 };
 
-/// Reads a board file: a YAML map of BoardOptions' keys. Throws std::invalid_argument or
-/// std::runtime_error; the message names the file and the key.
+/// Reads a board file: a YAML map of BoardOptions' keys, or the charuco.toml of caliscope. Throws
+/// std::invalid_argument or std::runtime_error; the message names the file and the key.
 BoardOptions readBoard(const std::string& path);
 /// The text of a board file, with a comment for each key.
 std::string boardText(const BoardOptions& options);
 
+/// Marker dictionaries by their names in OpenCV, in the order of its numbers.
+const std::vector<std::string>& dictionaryNames();
 /// OpenCV's number of a dictionary. Throws std::invalid_argument on an unknown name.
 int dictionaryNumber(const std::string& name);
 

@@ -176,5 +176,25 @@ TEST(BoardOptions, BoardFileIsReadBack) {
   EXPECT_NE(errorTextOf([&] { readBoard(path); }).find("row"), std::string::npos);
 }
 
+TEST(BoardOptions, BoardOfCaliscopeIsRead) {
+  const std::string path = ::testing::TempDir() + "charuco.toml";
+  const std::string text =
+      "columns = 4\nrows = 5\nboard_height = 11.0\nboard_width = 8.5\nunits = \"inch\"\n"
+      "dictionary = \"DICT_4X4_1000\"\naruco_scale = 0.75\ninverted = true\n";
+  std::ofstream(path) << text << "square_size_override_cm = 5.4\n";
+  const BoardOptions board = readBoard(path);
+  EXPECT_EQ(board.columns, 4);
+  EXPECT_EQ(board.rows, 5);
+  EXPECT_DOUBLE_EQ(board.square, 0.054);
+  EXPECT_DOUBLE_EQ(board.marker, 0.0405);
+  EXPECT_EQ(board.dictionary, "DICT_4X4_1000");
+  EXPECT_TRUE(board.inverted);
+  std::ofstream(path) << text;
+  EXPECT_NEAR(readBoard(path).square, 8.5 / 4 * 0.0254, 1e-12);  // 11 / 5 inches are more
+  std::ofstream(path) << "columns = 4\n";
+  EXPECT_EQ(errorTextOf([&] { readBoard(path); }),
+            path + ": there is no rows, or it is of another kind");
+}
+
 }  // namespace
 }  // namespace markerless_mocap

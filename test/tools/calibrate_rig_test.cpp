@@ -125,10 +125,15 @@ TEST_F(CalibrateRig, WhatIsMissingIsTold) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
             "--floor names the camera middle, there are left, right");
   arguments_.floor.clear();
+  const BoardOptions right = arguments_.board;
+  const std::string found_nowhere = "the board was found in no picture of any camera; ";
   arguments_.board.dictionary = "DICT_6X6_50";
   EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
-            "the board was found in 0 pictures of left, its lens needs at least 5: is the board "
-            "described rightly (squares are counted, not inner corners)?");
+            found_nowhere + "markers of DICT_4X4_50 are seen: --dictionary DICT_4X4_50");
+  arguments_.board = right;
+  arguments_.board.inverted = true;
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            found_nowhere + "the board is black on white: leave out --inverted");
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
@@ -142,6 +147,17 @@ TEST_F(CalibrateRig, TimesOfEachCameraAreRead) {
               readFrameTimes(path("times.csv"), {{"cam_10", "", ""}});
             }),
             path("times.csv") + " has no times of cam_10");
+}
+
+TEST_F(CalibrateRig, FilesBesideTheFilmsAreFound) {
+  std::filesystem::create_directories(path("films"));
+  EXPECT_EQ(fileBesideFilms(arguments_.inputs, {"board.yaml", "charuco.toml"}), "");
+  writeText("films/charuco.toml", "");
+  EXPECT_EQ(fileBesideFilms(arguments_.inputs, {"board.yaml", "charuco.toml"}),
+            path("films/charuco.toml"));
+  writeText("films/board.yaml", "");
+  EXPECT_EQ(fileBesideFilms(arguments_.inputs, {"board.yaml", "charuco.toml"}),
+            path("films/board.yaml"));
 }
 
 TEST_F(CalibrateRig, PointsNameTheirCameras) {

@@ -158,6 +158,15 @@ TEST_F(ImportFilms, UnitsAndAxesOfTheCalibrationAreFound) {
             "the calibration is Qualisys .qca.txt, its unit 0.001 m (the format's), up");
 }
 
+TEST_F(ImportFilms, FoldersOfNoCameraAreLeftOutIfEveryCameraHasAFilm) {
+  for (int i = 0; i < 4; ++i) writeImages("cam" + std::to_string(i), 2);
+  writeImages("calibration", 2);
+  const ImportResult result = import();
+  EXPECT_EQ(result.cameras.size(), 4u);
+  EXPECT_EQ(result.warnings.at(1),
+            "there is no camera calibration: " + path("films/calibration") + " is left out");
+}
+
 TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
   EXPECT_EQ(refusal(), "the folder " + input_.folder + " has no videos and no folders with images");
   writeImages("cam7", 2);

@@ -4,12 +4,7 @@
 #include <opencv2/aruco.hpp>
 #include <stdexcept>
 
-#include <yaml-cpp/yaml.h>
-
-#include "files/text_file.h"
-
 namespace markerless_mocap {
-namespace {
 
 const std::vector<std::string>& dictionaryNames() {
   using namespace std::string_literals;  // in the order of OpenCV's numbers
@@ -22,6 +17,8 @@ const std::vector<std::string>& dictionaryNames() {
       "DICT_APRILTAG_36h11"s};
   return kNames;
 }
+
+namespace {
 
 std::vector<Eigen::Vector2d> innerCorners(const BoardOptions& o) {
   std::vector<Eigen::Vector2d> corners;
@@ -109,17 +106,6 @@ void BoardOptions::validate() const {
            " squares looks the same from four sides; columns and rows must differ");
   if (kind == "charuco") checkMarkers(*this, columns * rows / 2);
   if (kind == "markers") checkMarkers(*this, columns * rows);
-}
-
-BoardOptions readBoard(const std::string& path) {
-  const std::string text = readTextFile(path, "the board " + path);
-  try {
-    return loadOptions<BoardOptions>(YAML::Load(text));
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": this is no YAML: " + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(path + ": " + error.what());
-  }
 }
 
 Board::Board(const BoardOptions& options) : options_(options) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "calibration/board_hints.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
@@ -27,6 +28,18 @@ FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::o
                     &boards);
   progress.finish();
   return boards;
+}
+
+/// The board is in no film: what is there in its place?
+[[noreturn]] void refuseFilms(const CalibrateRigArguments& a, const Board& board) {
+  constexpr int kImages = 8;  // per film
+  std::string hint;
+  for (const FilmSource& film : findFilms(a.inputs, a.video))
+    if (hint.empty()) hint = otherBoardIn(board, imagesOf(film, kImages));
+  throw std::invalid_argument(
+      "the board was found in no picture of any camera" +
+      (hint.empty() ? ": is it described rightly (squares are counted, not inner corners)?"
+                    : "; " + hint));
 }
 
 size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
@@ -110,6 +123,7 @@ RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostre
   const Board board(arguments.board);
   const FoundBoards boards = searchAll(arguments, board, notes, terminal);
   if (notes) sayWhatWasFound(boards, *notes);
+  if (boards.views.empty()) refuseFilms(arguments, board);
   const CalibrationInput input = inputOf(arguments, boards);
   Progress progress("adjustment", notes, terminal);
   const RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });
@@ -137,6 +151,16 @@ void print(const RigCalibration& result, std::ostream& out) {
     out << line;
   }
   for (const std::string& sentence : result.verdict) out << sentence << '\n';
+}
+
+std::string nextStep(const CalibrateRigArguments& arguments) {
+  const std::string& out = arguments.output;
+  if (arguments.lens_only) return "written: " + out + "/camera_info, " + out + "/report.html";
+  return "written: " + out + "/rig.yaml; how good it is: " + out +
+         "/report.html\nnext, films of a person: import_recording films person.bag FILMS "
+         "--calibration " +
+         out + "/rig.yaml; a bag of one: mocap_offline person.bag result.bag --rig " + out +
+         "/rig.yaml";
 }
 
 }  // namespace markerless_mocap

@@ -38,4 +38,7 @@ RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostre
 /// The verdict and a table of the cameras.
 void print(const RigCalibration& result, std::ostream& out);
 
+/// What was written, and the command that uses it.
+std::string nextStep(const CalibrateRigArguments& arguments);
+
 }  // namespace markerless_mocap

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "tools/calibrate_rig/calibrate_rig.h"
+#include "tools/calibrate_rig/film.h"
 #include "tools/common/board_arguments.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
@@ -28,8 +29,10 @@ void describe(CLI::App& app, CalibrateRigArguments* a) {
       "--separate", a->separate,
       "no two images are of one time, as pictures that were taken camera by camera; --points "
       "then gives the places");
-  app.add_option("--times", a->times,
-                 "table of the time of every image: columns cam_id and frame_time, s");
+  app.add_option(
+      "--times", a->times,
+      "table of the time of every image: columns cam_id and frame_time, s; timestamps.csv beside "
+      "the films is used unasked");
   app.add_flag("--unsynchronised", a->unsynchronised,
                "the films began at different times: estimate the offset of each camera");
   app.add_option("--largest-offset", a->largest_offset, "that is searched for, s")
@@ -58,6 +61,20 @@ void describeMore(CLI::App& app, CalibrateRigArguments* a) {
       ->capture_default_str();
 }
 
+/// What lies beside the films and is named as other programs and make_board name it.
+void useFilesBesideFilms(CalibrateRigArguments* arguments, BoardArguments* board,
+                         std::ostream* notes) {
+  const auto find = [&](const char* what, const std::vector<std::string>& names) {
+    const std::string file = fileBesideFilms(arguments->inputs, names);
+    if (notes && !file.empty()) *notes << what << file << ", which lies beside the films\n";
+    return file;
+  };
+  if (!isBoardDescribed(*board))
+    board->file = find("the board is that of ", {"board.yaml", "charuco.toml"});
+  if (arguments->times.empty() && !arguments->unsynchronised)
+    arguments->times = find("the times are those of ", {"timestamps.csv"});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,9 +89,13 @@ int main(int argc, char** argv) {
   app.add_flag("--quiet", quiet, "no progress and no summary");
   CLI11_PARSE(app, argc, argv);
   return runTool("calibrate_rig", [&] {
-    arguments.board = boardOf(board);
     std::ostream* notes = quiet ? nullptr : &std::cerr;
+    useFilesBesideFilms(&arguments, &board, notes);
+    arguments.board = boardOf(board);
     const RigCalibration result = calibrateFilms(arguments, notes, isStderrTerminal());
-    if (notes) print(result, *notes);
+    if (notes) {
+      print(result, *notes);
+      *notes << nextStep(arguments) << '\n';
+    }
   });
 }

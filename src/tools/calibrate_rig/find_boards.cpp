@@ -107,6 +107,24 @@ FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSour
   return all;
 }
 
+std::vector<cv::Mat> imagesOf(const FilmSource& source, int images) {
+  const std::unique_ptr<Film> film = openFilm(source);
+  const int every = std::max(1, film->count() / std::max(1, images));
+  std::vector<cv::Mat> found;
+  for (int number = 0; int(found.size()) < images; ++number) {
+    if (number % every != 0) {
+      if (!film->skip()) break;
+      continue;
+    }
+    found.push_back(film->next().image.clone());
+    if (found.back().empty()) {
+      found.pop_back();
+      break;
+    }
+  }
+  return found;
+}
+
 void addLensPictures(const FoundBoards& pictures, FoundBoards* boards) {
   for (const BoardView& view : pictures.views) {
     const CameraToCalibrate& of = pictures.cameras[view.camera];

@@ -31,6 +31,9 @@ FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSour
                        int most_images, const FrameTimes& times,
                        const std::function<void(double)>& progress);
 
+/// Some images of a film, evenly spread.
+std::vector<cv::Mat> imagesOf(const FilmSource& film, int images);
+
 /// Adds pictures that were taken for the lenses only; their cameras must be among those found.
 void addLensPictures(const FoundBoards& pictures, FoundBoards* boards);
 

@@ -40,7 +40,8 @@ void copyField(const OptionField& from, const OptionField& to) {
 
 void describeBoard(CLI::App& app, BoardArguments* arguments) {
   arguments->app = &app;
-  app.add_option("--board", arguments->file, "board file, as make_board writes it");
+  app.add_option("--board", arguments->file,
+                 "board file, as make_board writes it, or caliscope's charuco.toml");
   FieldVisitor visitor([&](const std::string& name, const OptionField& field) {
     const std::string meaning = std::string("board: ") + field.meaning;
     if (const auto* flag = std::get_if<bool*>(&field.value)) app.add_flag(name, **flag, meaning);
@@ -52,6 +53,17 @@ void describeBoard(CLI::App& app, BoardArguments* arguments) {
       app.add_option(name, **words, meaning)->capture_default_str();
   });
   arguments->options.visit(visitor);
+}
+
+bool isBoardDescribed(const BoardArguments& arguments) {
+  if (!arguments.file.empty()) return true;
+  bool described = false;
+  FieldVisitor visitor([&](const std::string& name, const OptionField&) {
+    described |= arguments.app->get_option(name)->count() > 0;
+  });
+  BoardOptions copy;
+  copy.visit(visitor);
+  return described;
 }
 
 BoardOptions boardOf(const BoardArguments& arguments) {

@@ -20,6 +20,9 @@ struct BoardArguments {
 /// Adds --board and one option for each key of a board file.
 void describeBoard(CLI::App& app, BoardArguments* arguments);
 
+/// Whether the command line says anything of the board; call after parsing.
+bool isBoardDescribed(const BoardArguments& arguments);
+
 /// The board; call after parsing. Throws std::invalid_argument or std::runtime_error.
 BoardOptions boardOf(const BoardArguments& arguments);
 

@@ -48,6 +48,10 @@ std::optional<long> numberOf(const std::string& name) {
   return std::strtol(name.substr(first, last + 1 - first).c_str(), nullptr, 10);
 }
 
+bool haveOneNumber(const std::string& a, const std::string& b) {
+  return numberOf(a) && numberOf(a) == numberOf(b);
+}
+
 std::string listed(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
@@ -88,7 +92,7 @@ std::vector<std::string> matchNames(const std::vector<std::string>& wanted,
       if (other == name) found = {other};
     if (found.empty())
       for (const std::string& other : names)
-        if (numberOf(name) && numberOf(other) == numberOf(name)) found.push_back(other);
+        if (haveOneNumber(name, other)) found.push_back(other);
     if (found.size() != 1)
       throw std::invalid_argument((found.empty() ? "no " : "more than one ") + what +
                                   " is called like the film " + name + ", there are " +
@@ -99,6 +103,12 @@ std::vector<std::string> matchNames(const std::vector<std::string>& wanted,
     matched.push_back(found[0]);
   }
   return matched;
+}
+
+bool isCalledLikeOne(const std::string& name, const std::vector<std::string>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const std::string& other) {
+    return other == name || haveOneNumber(name, other);
+  });
 }
 
 }  // namespace markerless_mocap

@@ -19,4 +19,7 @@ std::map<std::string, std::vector<double>> readFrameTimes(const std::string& pat
 std::vector<std::string> matchNames(const std::vector<std::string>& wanted,
                                     const std::vector<std::string>& names, const std::string& what);
 
+/// Whether a name is called like one of others, as matchNames() means it.
+bool isCalledLikeOne(const std::string& name, const std::vector<std::string>& others);
+
 }  // namespace markerless_mocap

@@ -79,10 +79,25 @@ void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast
   for (size_t i = 0; i < films.size(); ++i) cast->films[i].addMasks(named(masks, matched[i]).path);
 }
 
+/// Folders of other pictures may lie beside the films. They are left out if every camera has a film
+/// without them.
+std::vector<NamedFilm> filmsOfCameras(const std::string& folder,
+                                      const std::vector<std::string>& cameras,
+                                      std::vector<std::string>* notes) {
+  std::vector<NamedFilm> films, others;
+  for (const NamedFilm& film : filmsIn(folder))
+    (isCalledLikeOne(film.name, cameras) ? films : others).push_back(film);
+  if (films.size() < cameras.size()) return filmsIn(folder);
+  for (const NamedFilm& other : others)
+    notes->push_back("there is no camera " + other.name + ": " + other.path + " is left out");
+  return films;
+}
+
 Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult* result) {
   const double fps = options.fps > 0.0 ? options.fps : kImagesFps;
   const CalibrationSet set = calibrationIn(input, options, &result->warnings);
-  const std::vector<NamedFilm> films = filmsIn(input.folder);
+  const std::vector<NamedFilm> films =
+      filmsOfCameras(input.folder, namesOf(set.cameras), &result->warnings);
   const auto cameras =
       matchNames(namesOf(films), namesOf(set.cameras), "camera of the calibration");
   Cast cast;

@@ -127,6 +127,9 @@ int main(int argc, char** argv) {
       result = importVideos(arguments.videos, arguments.options, notes, terminal);
     }
     if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
-    if (notes) print(result, *notes);
+    if (!notes) return;
+    print(result, *notes);
+    *notes << "written: " << arguments.options.output << "\nnext: mocap_offline "
+           << arguments.options.output << " result.bag --report report\n";
   });
 }

@@ -65,6 +65,14 @@ void calibrate(const std::string& rig_file, OfflineOptions* options) {
   if (estimate.status == OrientationRefinementStatus::kCorrected) options->recording.rig = rig_file;
 }
 
+/// What was written, and how it is looked at.
+std::string nextStep(const OfflineOptions& options) {
+  std::string text = "written: " + options.output;
+  if (!options.report_folder.empty())
+    return text + "; look at " + options.report_folder + "/report.html";
+  return text + "; --report FOLDER also writes a page with the body over the images";
+}
+
 void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
@@ -73,7 +81,10 @@ void run(Arguments* arguments) {
   if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   const RunSummary summary = runOffline(options, notes, isStderrTerminal());
-  if (notes) summary.print(*notes);
+  if (notes) {
+    summary.print(*notes);
+    *notes << nextStep(options) << '\n';
+  }
 }
 
 }  // namespace
