@@ -14,7 +14,8 @@ mocap_room(files)
 mocap_room(camera DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(formats DEPENDS camera files LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
 mocap_room(calibration DEPENDS camera files options
-  LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb)
+  LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb
+  TESTS_USE capture)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
 mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS files numerics options products

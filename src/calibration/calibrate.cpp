@@ -268,9 +268,27 @@ class Calibrator {
       result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
     result.outliers = outliers_;
     result.clocks_corrected = offsets_free_ && !input_.estimate_offsets;
+    if (input_.locate && input_.walk && !input_.floor && state_.points.empty())
+      putFloorUnderWalk(&result);
     result.turned_guessed = board_.looksSameTurned() && !boardMoved();
     writeVerdict(input_, &result);
     return result;
+  }
+
+  void putFloorUnderWalk(RigCalibration* result) const {
+    CameraRig cameras;
+    std::vector<double> offsets;
+    for (const CalibratedCamera& camera : result->cameras) {
+      cameras.emplace_back(camera.calibration);
+      offsets.push_back(camera.time_offset);
+    }
+    result->walk = floorFromWalk(cameras, input_.walk(offsets));
+    result->floor_known = true;
+    for (CalibratedCamera& camera : result->cameras) {
+      Eigen::Isometry3d& pose = camera.calibration.T_world_camera;
+      pose = result->walk->new_old * pose;
+      pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+    }
   }
 
   const CalibrationInput& input_;

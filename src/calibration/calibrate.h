@@ -8,6 +8,7 @@
 #include "calibration/board.h"
 #include "calibration/lens.h"
 #include "calibration/views.h"
+#include "calibration/walk_floor.h"
 #include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
@@ -26,9 +27,12 @@ struct CalibrationInput {
   std::vector<BoardView> views;
   std::vector<KnownPoint> points;  ///< they define the world, if there are any
   std::optional<FloorView> floor;  ///< defines the world, if there are no points
-  std::optional<LensModel> lens;   ///< empty: chosen for each camera by cross-validation
-  bool estimate_offsets = false;   ///< the cameras' clocks do not agree
-  double largest_offset = 5.0;     ///< s, that is searched for
+  /// Silhouettes of a person who walks, by the time offsets of the cameras (s); defines the world,
+  /// if there are neither points nor a floor. Empty: nobody walks.
+  std::function<std::vector<SilhouetteSet>(const std::vector<double>&)> walk;
+  std::optional<LensModel> lens;  ///< empty: chosen for each camera by cross-validation
+  bool estimate_offsets = false;  ///< the cameras' clocks do not agree
+  double largest_offset = 5.0;    ///< s, that is searched for
   /// The views are films, so that the board's motion tells whether the cameras' clocks agree; if
   /// they clearly do not, their offsets are estimated and told.
   bool check_clocks = false;
@@ -97,6 +101,7 @@ struct RigCalibration {
   int instants = 0;  ///< of which the board's pose was estimated
   int outliers = 0;  ///< corners that were left out
   bool floor_known = false;
+  std::optional<WalkFloor> walk;  ///< the floor, if a person's walk gave it
   bool clocks_corrected = false;  ///< offsets were estimated though nobody asked for it
   double points_rms = 0.0;        ///< pixels; 0 without points
   bool turned_guessed = false;    ///< the board looks the same turned and nothing tells how it lay

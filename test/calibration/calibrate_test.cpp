@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "calibration/board_scene.h"
 #include "error_text_of.h"
@@ -170,6 +171,53 @@ TEST(Calibrate, FloorIsWhereTheBoardLay) {
     EXPECT_LT(
         (result.cameras[i].calibration.T_world_camera.translation() - wanted.translation()).norm(),
         0.015);
+  }
+}
+
+/// A plank of 0.28 x 0.1 x 1.8 m that stands in places all over the room.
+std::vector<SilhouetteSet> planksThatStand(const std::vector<CameraCalibration>& cameras) {
+  std::vector<SilhouetteSet> sets;
+  for (int k = 0; k < 14; ++k) {
+    SilhouetteSet set;
+    for (const CameraCalibration& camera : cameras) {
+      set.emplace_back(camera.height, camera.width, CV_8UC1, cv::Scalar(0));
+      std::vector<cv::Point> pixels;
+      for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner(1.0 * std::sin(2.0 * k) + (i & 1 ? 0.14 : -0.14),
+                                     1.0 * std::cos(1.3 * k) + (i & 2 ? 0.05 : -0.05),
+                                     i & 4 ? 1.8 : 0.0);
+        const auto pixel = Camera(camera).project(corner);
+        pixels.emplace_back(int(std::lround(pixel->x())), int(std::lround(pixel->y())));
+      }
+      std::vector<cv::Point> outline;
+      cv::convexHull(pixels, outline);
+      cv::fillConvexPoly(set.back(), outline, 255);
+    }
+    sets.push_back(set);
+  }
+  return sets;
+}
+
+TEST(Calibrate, FloorIsWhereAPersonTrod) {
+  BoardScene scene;
+  scene.addRing(5);
+  CalibrationInput input = scene.input(30);
+  input.walk = [&](const std::vector<double>& offsets) {
+    EXPECT_EQ(offsets.size(), 5u);
+    return planksThatStand(scene.cameras);
+  };
+  const RigCalibration result = calibrateRig(input);
+  EXPECT_TRUE(result.floor_known);
+  ASSERT_TRUE(result.walk);
+  EXPECT_NEAR(result.walk->stature, 1.8, 0.05);
+  EXPECT_EQ(result.verdict[1].substr(0, 38), "The floor is where the person trod: 14");
+  for (size_t i = 0; i < 5; ++i) {
+    const Eigen::Isometry3d& found = result.cameras[i].calibration.T_world_camera;
+    const Eigen::Isometry3d& truth = scene.cameras[i].T_world_camera;
+    EXPECT_NEAR(found.translation().z(), truth.translation().z(), 0.03) << i;
+    // How far down it looks, and how it is rolled.
+    EXPECT_NEAR(found.linear()(2, 2), truth.linear()(2, 2), 0.01) << i;
+    EXPECT_NEAR(found.linear()(2, 0), truth.linear()(2, 0), 0.01) << i;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
+#include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/make_board/board_pdf.h"
 #include "tools/tool_fixture.h"
 
@@ -115,6 +116,45 @@ TEST_F(CalibrateRig, FloorIsTheBoardOfThePictureThatIsNamed) {
   const Eigen::Vector3d wanted = boardAt(3).inverse() * pair()[0].T_world_camera.translation();
   EXPECT_LT((rig[0].T_world_camera.translation() - wanted).norm(), 0.03);
   EXPECT_GT(rig[0].T_world_camera.translation().z(), 1.0);
+}
+
+/// Pictures in which a bright box goes to the right, one pixel per picture.
+TEST_F(CalibrateRig, SilhouettesOfAWalkAreJoinedByTime) {
+  constexpr int kPictures = 60;
+  for (const std::string camera : {"left", "right"}) {
+    std::filesystem::create_directories(folder_ / "walk" / camera);
+    for (int k = 0; k < kPictures; k += camera == "left" ? 1 : 3) {
+      cv::Mat image(120, 160, CV_8UC3, cv::Scalar(60, 70, 80));
+      cv::rectangle(image, {20 + k, 40, 20, 50}, {200, 180, 160}, cv::FILLED);
+      cv::imwrite(path("walk/" + camera + "/" + std::to_string(100 + k) + ".png"), image);
+    }
+  }
+  const std::vector<FilmSource> films = findFilms({path("walk")}, "");
+  std::vector<CameraToCalibrate> cameras = {{"left", 160, 120, {}}, {"right", 160, 120, {}}};
+  const auto sets = walkSilhouettes(films, cameras, {0, 0});
+  ASSERT_EQ(sets.size(), 20u);  // those of the right
+  for (size_t k = 0; k < sets.size(); ++k) {
+    EXPECT_NEAR(cv::boundingRect(sets[k][0] == 255).x, 20 + int(k), 2) << k;
+    EXPECT_NEAR(cv::boundingRect(sets[k][1] == 255).x, 20 + 3 * int(k), 2) << k;
+  }
+  cameras[1].width = 161;
+  EXPECT_EQ(errorTextOf<std::exception>([&] {
+              walkSilhouettes(films, cameras, {0, 0});
+            }),
+            "the walk's images of right are 160 x 120 pixels, those of the board 161 x 120");
+  cameras[1].name = "top";
+  EXPECT_EQ(errorTextOf<std::exception>([&] {
+              walkSilhouettes(films, cameras, {0, 0});
+            }),
+            "the walk needs films of two cameras or more, it has those of 1: films are named "
+            "after their cameras");
+}
+
+TEST_F(CalibrateRig, OnlyOneThingGivesTheWorld) {
+  arguments_.floor = "left:3";
+  arguments_.walk = {path("walk")};
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            "--floor, --points and --walk all say where the world is: choose one");
 }
 
 TEST_F(CalibrateRig, WhatIsMissingIsTold) {

@@ -123,6 +123,25 @@ class Verdict {
             camera.calibration.name.c_str(), 1e3 * std::abs(late), late > 0 ? "late" : "early"));
   }
 
+  void judgeWalk(const WalkFloor& walk) {
+    constexpr double kTilted = 1.0 * M_PI / 180, kShortest = 0.9, kTallest = 2.2;
+    result_.verdict.push_back(
+        text("The floor is where the person trod: %d soles within %.1f m, %.0f mm from one plane; "
+             "up is known to %.1f degrees.",
+             walk.steps, walk.extent, 1e3 * walk.scatter, walk.tilt_sigma * 180 / M_PI));
+    if (walk.tilt_sigma > kTilted)
+      doubt(
+          "Up is not known well: the person should walk through more of the room, not on a line.");
+    if (walk.stature < kShortest || walk.stature > kTallest)
+      doubt(text("The person would be %.2f m tall: is the size of the board's squares right?",
+                 walk.stature));
+    else
+      result_.verdict.push_back(
+          text("The person is about %.2f m tall; if that is wrong by more than a few centimetres, "
+               "so is the size of the board's squares.",
+               walk.stature));
+  }
+
   void judgeRig() {
     judgeClocks();
     if (!input_.locate) return;
@@ -130,7 +149,9 @@ class Verdict {
       result_.verdict.push_back(
           "Nothing tells where the floor is: up is the cameras' mean upward direction and z = 0 "
           "the "
-          "lowest place of the board. Lay the board on the floor and name that picture.");
+          "lowest place of the board. Lay the board on the floor and name that picture, or film a "
+          "person who walks.");
+    if (result_.walk) judgeWalk(*result_.walk);
     if (result_.points_rms > 5.0)
       doubt(text("The known points are met only to %.1f pixels: are their places and pixels right?",
                  result_.points_rms));

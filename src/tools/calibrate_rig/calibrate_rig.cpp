@@ -10,6 +10,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
+#include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/common/progress.h"
 
 namespace markerless_mocap {
@@ -91,6 +92,12 @@ bool areFilms(const CalibrateRigArguments& a) {
   return true;
 }
 
+void checkOneWorld(const CalibrateRigArguments& a) {
+  if (int(!a.floor.empty()) + int(!a.points.empty()) + int(!a.walk.empty()) > 1)
+    throw std::invalid_argument(
+        "--floor, --points and --walk all say where the world is: choose one");
+}
+
 CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
@@ -100,6 +107,10 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   if (!a.lenses.empty()) useLenses(a.lenses, &input.cameras);
   if (!a.points.empty()) input.points = readKnownPoints(a.points, boards.cameras);
   if (!a.floor.empty()) input.floor = floorView(a, boards);
+  if (!a.walk.empty())
+    input.walk = [&a, cameras = boards.cameras](const std::vector<double>& offsets) {
+      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets);
+    };
   if (a.lens != "auto") input.lens = lensModelNamed(a.lens);
   input.estimate_offsets = a.unsynchronised;
   input.largest_offset = a.largest_offset;
@@ -120,6 +131,7 @@ void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
 
 RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostream* notes,
                               bool terminal) {
+  checkOneWorld(arguments);
   const Board board(arguments.board);
   const FoundBoards boards = searchAll(arguments, board, notes, terminal);
   if (notes) sayWhatWasFound(boards, *notes);

@@ -20,10 +20,11 @@ struct CalibrateRigArguments {
   double largest_offset = 5.0;  ///< s
   std::string lenses;           ///< rig file whose intrinsics are kept, or empty
   std::string lens = "auto";
-  std::string points;            ///< file of known points, or empty
-  std::string floor;             ///< CAMERA or CAMERA:SECONDS, or empty
-  double floor_thickness = 0.0;  ///< m
-  bool separate = false;         ///< no two images are of one time
+  std::string points;             ///< file of known points, or empty
+  std::string floor;              ///< CAMERA or CAMERA:SECONDS, or empty
+  double floor_thickness = 0.0;   ///< m
+  std::vector<std::string> walk;  ///< films of a person who walks, as findFilms(), or empty
+  bool separate = false;          ///< no two images are of one time
   bool lens_only = false;
   int most_images = 300;  ///< per film
   std::string world_frame = "world";

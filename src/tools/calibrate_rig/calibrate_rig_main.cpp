@@ -45,6 +45,9 @@ void describeMore(CLI::App& app, CalibrateRigArguments* a) {
                  "from 0); CAMERA alone: its first view of the board. Gives the origin, z up");
   app.add_option("--floor-thickness", a->floor_thickness, "of the board that lies there, m")
       ->capture_default_str();
+  app.add_option("--walk", a->walk,
+                 "films in which one person walks about, by the same cameras: they give the floor, "
+                 "z up; may be those of the board");
   app.add_option("--points", a->points,
                  "YAML list of known points of the scene with their pixels: they give the world");
   app.add_option("--lenses", a->lenses, "rig file whose intrinsics are kept");

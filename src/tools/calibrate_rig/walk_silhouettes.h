@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "calibration/views.h"
+#include "calibration/walk_floor.h"
+#include "tools/calibrate_rig/film.h"
+
+namespace markerless_mocap {
+
+/// Silhouettes of whoever moves in films, by background subtraction; nobody need leave the scene.
+/// Images of one time are joined: those of the camera with fewest, and the nearest of each other
+/// one within half an interval.
+/// \param cameras in their order silhouettes are given; a camera without a film gets none
+/// \param offsets s, added to the times of each camera's images if they are of a bag
+/// Throws std::runtime_error if fewer than two cameras have a film or an image has not its camera's
+/// size.
+std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
+                                           const std::vector<CameraToCalibrate>& cameras,
+                                           const std::vector<double>& offsets);
+
+}  // namespace markerless_mocap
