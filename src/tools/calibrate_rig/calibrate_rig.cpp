@@ -10,6 +10,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
+#include "tools/calibrate_rig/live_boards.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/common/progress.h"
 
@@ -87,6 +88,7 @@ void useLenses(const std::string& path, std::vector<CameraToCalibrate>* cameras)
 
 /// Not pictures, between which the board may have gone anywhere.
 bool areFilms(const CalibrateRigArguments& a) {
+  if (a.live) return true;
   for (const FilmSource& film : findFilms(a.inputs, a.video))
     if (std::filesystem::is_directory(film.path)) return false;
   return true;
@@ -119,23 +121,45 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   return input;
 }
 
+/// Live, the board lies on the floor at the end.
+FoundBoards watchCameras(CalibrateRigArguments* a, const Board& board, std::ostream* notes) {
+  LiveWatch watch;
+  watch.cameras = a->inputs;
+  watch.interrupted = a->interrupted;
+  std::vector<CameraToCalibrate> named;
+  for (const std::string& name : a->inputs) named.push_back({name, 0, 0, {}});
+  if (!a->floor.empty()) watch.floor = cameraNamed(a->floor, named, "--floor");
+  const BoardDetector detector(board);
+  const LiveBoards live = watchBoards(detector, watch, notes);
+  if (!live.floor_time) {
+    a->floor.clear();
+  } else {
+    char time[40];
+    std::snprintf(time, sizeof time, ":%.6f", *live.floor_time);
+    a->floor += time;
+  }
+  return live.boards;
+}
+
 void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
   std::vector<int> views(boards.cameras.size(), 0);
   for (const BoardView& view : boards.views) ++views[view.camera];
   for (size_t i = 0; i < views.size(); ++i)
     out << boards.cameras[i].name << ": board found in " << views[i] << " pictures, "
-        << boards.images[i] << " images searched in its film\n";
+        << boards.images[i] << " images searched\n";
 }
 
 }  // namespace
 
-RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostream* notes,
+RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* notes,
                               bool terminal) {
-  checkOneWorld(arguments);
+  checkOneWorld(given);
+  CalibrateRigArguments arguments = given;
   const Board board(arguments.board);
-  const FoundBoards boards = searchAll(arguments, board, notes, terminal);
+  const FoundBoards boards = arguments.live ? watchCameras(&arguments, board, notes)
+                                            : searchAll(arguments, board, notes, terminal);
   if (notes) sayWhatWasFound(boards, *notes);
-  if (boards.views.empty()) refuseFilms(arguments, board);
+  if (boards.views.empty() && !arguments.live) refuseFilms(arguments, board);
   const CalibrationInput input = inputOf(arguments, boards);
   Progress progress("adjustment", notes, terminal);
   const RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@ namespace markerless_mocap {
 /// Arguments of calibrate_rig.
 struct CalibrateRigArguments {
   std::string output;                      ///< folder
-  std::vector<std::string> inputs;         ///< films, as findFilms()
+  std::vector<std::string> inputs;         ///< films, as findFilms(); live: names of cameras
+  bool live = false;                       ///< from image topics; ROS must be initialised
+  std::function<bool()> interrupted;       ///< live: true ends the search
   std::string video;                       ///< file in each camera's folder
   std::vector<std::string> lens_pictures;  ///< films for the lenses only
   BoardOptions board;
@@ -30,7 +33,7 @@ struct CalibrateRigArguments {
   std::string world_frame = "world";
 };
 
-/// Reads films, calibrates, writes the results.
+/// Reads films or watches live cameras, calibrates, writes the results.
 /// \param notes progress and summary; nullptr: none
 /// Throws std::runtime_error or std::invalid_argument with a sentence for people.
 RigCalibration calibrateFilms(const CalibrateRigArguments& arguments, std::ostream* notes,

@@ -1,6 +1,9 @@
 #include <glog/logging.h>
 
+#include <ros/init.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "tools/calibrate_rig/calibrate_rig.h"
@@ -22,6 +25,10 @@ void describe(CLI::App& app, CalibrateRigArguments* a) {
          "a bag; or a folder with a folder of pictures, a folder with a video, or a video for "
          "each camera; or videos. Cameras are named after topics, folders or videos")
       ->required();
+  app.add_flag("--live", a->live,
+               "films are names of cameras whose images are published: says what is missing while "
+               "the board is waved, until it suffices or Ctrl-C; with --floor CAMERA, the board is "
+               "laid on the floor at the end. Publishes calibrate_rig/coverage");
   app.add_option("--video", a->video, "video to take from each camera's folder");
   app.add_option("--lens-pictures", a->lens_pictures,
                  "pictures of the board for the lenses only, such as close ones: as films");
@@ -81,6 +88,11 @@ void useFilesBesideFilms(CalibrateRigArguments* arguments, BoardArguments* board
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool live =
+      std::any_of(argv, argv + argc, [](const char* a) { return a == std::string("--live"); });
+  if (live)
+    ros::init(argc, argv, "calibrate_rig",
+              ros::init_options::NoSigintHandler | ros::init_options::AnonymousName);
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of steps that it then takes otherwise
   CLI::App app("Calibrates cameras from films of a board that is moved about.", "calibrate_rig");
   CalibrateRigArguments arguments;
@@ -93,7 +105,10 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   return runTool("calibrate_rig", [&] {
     std::ostream* notes = quiet ? nullptr : &std::cerr;
-    useFilesBesideFilms(&arguments, &board, notes);
+    if (arguments.live)
+      arguments.interrupted = catchInterruptions();
+    else
+      useFilesBesideFilms(&arguments, &board, notes);
     arguments.board = boardOf(board);
     const RigCalibration result = calibrateFilms(arguments, notes, isStderrTerminal());
     if (notes) {

@@ -1,0 +1,268 @@
+#include "tools/calibrate_rig/live_boards.h"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <stdexcept>
+
+#include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
+#include "tools/calibrate_rig/coverage_picture.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kInterval = 0.2;  // s between images that are searched
+constexpr double kSilent = 1.0;    // s after which a camera is not waited for
+constexpr double kSayEvery = 2.0;  // s
+constexpr double kStill = 2.0;     // s for which the board lies still on the floor
+constexpr size_t kBuffered = 8;    // images of a camera
+constexpr size_t kMostPerCamera = 400;
+
+/// An image that may not be needed, and so is not decoded.
+struct Arrival {
+  double time = 0.0;  ///< s
+  sensor_msgs::Image::ConstPtr raw;
+  sensor_msgs::CompressedImage::ConstPtr compressed;
+};
+
+cv::Mat decoded(const Arrival& arrival) {
+  return arrival.raw ? matFromMessage(*arrival.raw) : matFromMessage(*arrival.compressed);
+}
+
+template <class Message>
+double timeOf(const Message& message) {
+  return 1e-9 * double(nanosecondsOf(message.header.stamp));
+}
+
+/// Newest images of all cameras.
+class LiveImages {
+ public:
+  LiveImages(ros::NodeHandle& node, const std::vector<std::string>& cameras)
+      : buffers_(cameras.size()) {
+    for (size_t i = 0; i < cameras.size(); ++i) {
+      subscribers_.push_back(node.subscribe<sensor_msgs::Image>(
+          cameras[i] + "/image_raw", 2, [this, i](const sensor_msgs::Image::ConstPtr& image) {
+            add(i, {timeOf(*image), image, nullptr});
+          }));
+      subscribers_.push_back(node.subscribe<sensor_msgs::CompressedImage>(
+          cameras[i] + "/image_raw/compressed", 2,
+          [this, i](const sensor_msgs::CompressedImage::ConstPtr& image) {
+            add(i, {timeOf(*image), nullptr, image});
+          }));
+    }
+  }
+
+  bool isComplete() const {
+    return std::none_of(buffers_.begin(), buffers_.end(), [](const auto& b) { return b.empty(); });
+  }
+  const std::deque<Arrival>& of(size_t camera) const { return buffers_[camera]; }
+
+  /// The newest time that all cameras have reached, but for those that are silent.
+  double commonTime() const {
+    double newest = -INFINITY, common = INFINITY;
+    for (const auto& buffer : buffers_)
+      if (!buffer.empty()) newest = std::max(newest, buffer.back().time);
+    for (const auto& buffer : buffers_)
+      if (!buffer.empty() && buffer.back().time > newest - kSilent)
+        common = std::min(common, buffer.back().time);
+    return common;
+  }
+
+  /// The image nearest to a time; empty if there is none within half an interval.
+  Arrival nearest(size_t camera, double time) const {
+    Arrival nearest;
+    for (const Arrival& arrival : buffers_[camera])
+      if (std::abs(arrival.time - time) < kInterval / 2 &&
+          (!(nearest.raw || nearest.compressed) ||
+           std::abs(arrival.time - time) < std::abs(nearest.time - time)))
+        nearest = arrival;
+    return nearest;
+  }
+
+ private:
+  void add(size_t camera, Arrival arrival) {
+    std::deque<Arrival>& buffer = buffers_[camera];
+    if (!buffer.empty() && arrival.time <= buffer.back().time) buffer.clear();  // time began anew
+    buffer.push_back(std::move(arrival));
+    if (buffer.size() > kBuffered) buffer.pop_front();
+  }
+
+  std::vector<std::deque<Arrival>> buffers_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+/// Whether the board lies still in a camera's image, since it moved last.
+class FloorWatch {
+ public:
+  void add(double time, const BoardCorners& corners, double width) {
+    constexpr double kMoves = 0.005;  // of the image's width
+    if (distanceBetween(corners, last_) > kMoves * width) {
+      since_ = time;
+      last_ = corners;
+    }
+    now_ = time;
+  }
+  /// \param from s: it must have come to its place later than that
+  bool isStill(double from) const { return since_ > from && now_ - since_ > kStill; }
+  double time() const { return now_; }
+
+ private:
+  BoardCorners last_;
+  double since_ = 0.0, now_ = 0.0;
+};
+
+class Watcher {
+ public:
+  Watcher(const BoardDetector& detector, const LiveWatch& watch, std::ostream* notes)
+      : detector_(detector),
+        watch_(watch),
+        notes_(notes),
+        images_(node_, watch.cameras),
+        picture_(node_.advertise<sensor_msgs::Image>("calibrate_rig/coverage", 1, true)) {}
+
+  LiveBoards run() {
+    waitForAll();
+    for (double last = -INFINITY; !watch_.interrupted() && !isDone();) {
+      receive();
+      const double time = images_.commonTime();
+      if (time < last) last = -INFINITY;  // a bag began anew
+      if (time - last < kInterval) continue;
+      last = time;
+      search(time);
+      sayWhatIsMissing();
+    }
+    say(coverage_->missing().empty() ? "Stop: the views suffice, the rig is calibrated now."
+                                     : "Stopped before the views sufficed.");
+    thinOut();
+    return found_;
+  }
+
+ private:
+  void say(const std::string& text) const {
+    if (notes_) *notes_ << text << std::endl;
+  }
+
+  static void receive() { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02)); }
+
+  void waitForAll() {
+    for (ros::WallTime said; !images_.isComplete(); receive()) {
+      if (watch_.interrupted() || !ros::ok())
+        throw std::runtime_error("no images came from " + silent());
+      if ((ros::WallTime::now() - said).toSec() < kSayEvery) continue;
+      said = ros::WallTime::now();
+      say("waiting for images of " + silent());
+    }
+    for (size_t i = 0; i < watch_.cameras.size(); ++i) {
+      const cv::Mat image = decoded(images_.of(i).back());
+      found_.boards.cameras.push_back({watch_.cameras[i], image.cols, image.rows, {}});
+      found_.boards.images.push_back(0);
+    }
+    coverage_.emplace(detector_.board(), found_.boards.cameras, watch_.goals);
+  }
+
+  std::string silent() const {
+    std::string names;
+    for (size_t i = 0; i < watch_.cameras.size(); ++i)
+      if (images_.of(i).empty()) names += (names.empty() ? "" : ", ") + watch_.cameras[i];
+    return names;
+  }
+
+  void search(double time) {
+    const size_t count = watch_.cameras.size();
+    std::vector<cv::Mat> images(count);
+    std::vector<BoardCorners> corners(count);
+    std::vector<double> times(count);
+    tbb::parallel_for(size_t(0), count, [&](size_t i) {
+      const Arrival arrival = images_.nearest(i, time);
+      if (!arrival.raw && !arrival.compressed) return;
+      times[i] = arrival.time;
+      images[i] = decoded(arrival);
+      const CameraToCalibrate& camera = found_.boards.cameras[i];
+      if (images[i].cols != camera.width || images[i].rows != camera.height) return;
+      if (auto seen = detector_.detect(images[i])) corners[i] = std::move(*seen);
+    });
+    std::vector<BoardView> views;
+    for (size_t i = 0; i < count; ++i) {
+      found_.boards.images[i] += !images[i].empty();
+      if (!corners[i].ids.empty()) views.push_back({i, times[i], false, corners[i]});
+    }
+    use(views);
+    publish(images, corners);
+  }
+
+  void use(const std::vector<BoardView>& views) {
+    coverage_->add(views);
+    std::vector<BoardView>& all = found_.boards.views;
+    all.insert(all.end(), views.begin(), views.end());
+    for (const BoardView& view : views)
+      if (watch_.floor && view.camera == *watch_.floor)
+        floor_.add(view.time, view.corners, found_.boards.cameras[view.camera].width);
+  }
+
+  bool isDone() {
+    if (!told_ && !coverage_->missing().empty()) return false;
+    if (!watch_.floor) return true;
+    if (!told_) {
+      say(coverage_->table() + "Enough. Now lay the board on the floor where " +
+          watch_.cameras[*watch_.floor] + " sees it, and let it lie for some seconds.");
+      told_ = images_.commonTime();
+    }
+    if (!floor_.isStill(*told_)) return false;
+    found_.floor_time = floor_.time();
+    return true;
+  }
+
+  void sayWhatIsMissing() {
+    const ros::WallTime now = ros::WallTime::now();
+    if ((now - said_).toSec() < kSayEvery) return;
+    said_ = now;
+    if (told_) return say("waiting for the board to lie still on the floor");
+    say(coverage_->table());
+    for (const std::string& one : coverage_->missing()) say("  " + one);
+  }
+
+  void publish(const std::vector<cv::Mat>& images, const std::vector<BoardCorners>& corners) {
+    if (picture_.getNumSubscribers() == 0) return;
+    std_msgs::Header header;
+    header.stamp = ros::Time::now();
+    picture_.publish(messageFromMat(coveragePicture(*coverage_, images, corners), header));
+  }
+
+  /// Every second, third ... time, the same for all cameras.
+  void thinOut() {
+    std::vector<BoardView>& views = found_.boards.views;
+    const size_t every = 1 + views.size() / (kMostPerCamera * watch_.cameras.size());
+    const auto unneeded = [&](const BoardView& view) {
+      return !(found_.floor_time && view.time > *found_.floor_time - 2 * kInterval) &&
+             size_t(std::llround(view.time / kInterval)) % every != 0;
+    };
+    views.erase(std::remove_if(views.begin(), views.end(), unneeded), views.end());
+  }
+
+  const BoardDetector& detector_;
+  const LiveWatch& watch_;
+  std::ostream* notes_;
+  ros::NodeHandle node_;
+  LiveImages images_;
+  ros::Publisher picture_;
+  std::optional<BoardCoverage> coverage_;
+  LiveBoards found_;
+  FloorWatch floor_;
+  std::optional<double> told_;  ///< s: when the board was asked onto the floor
+  ros::WallTime said_;
+};
+
+}  // namespace
+
+LiveBoards watchBoards(const BoardDetector& detector, const LiveWatch& watch, std::ostream* notes) {
+  return Watcher(detector, watch, notes).run();
+}
+
+}  // namespace markerless_mocap
