@@ -25,6 +25,8 @@ void AssemblerOptions::validate(size_t streams) const {
   checkRange("min_streams", min_streams, 1, int(streams));
   checkRange("max_pending", max_pending, 1, 1000);
   checkRange("max_drift", max_drift, 0.0, 60.0);
+  checkRange("silence", silence, 0.0, 60.0);
+  checkRange("max_missed", max_missed, 0, 1000);
   if (!offsets.empty() && offsets.size() != streams)
     throw std::invalid_argument("assembler/offsets has " + std::to_string(offsets.size()) +
                                 " values, allowed is one for each of the " +
@@ -48,6 +50,31 @@ void LagEstimate::centre() {
 void LagEstimate::reset() {
   std::fill(lags_ns_.begin(), lags_ns_.end(), 0.0);
   std::fill(counts_.begin(), counts_.end(), 0);
+}
+
+void StreamPresence::arrived(size_t stream, int64_t now_ns) {
+  constexpr uint64_t kAveraged = 20;  // items
+  if (!first_ns_) first_ns_ = now_ns;
+  State& state = streams_[stream];
+  if (state.count > 0)
+    state.gap_ns +=
+        (double(now_ns - state.last_ns) - state.gap_ns) / double(std::min(state.count, kAveraged));
+  ++state.count;
+  state.last_ns = now_ns;
+}
+
+bool StreamPresence::isSilent(size_t stream, int64_t now_ns) const {
+  constexpr double kUnknownGap = 1e9 / 3.0;  // a stream that has not sent twice may be starting
+  if (silence_ == 0.0 || !first_ns_) return false;
+  const State& state = streams_[stream];
+  const double gap = state.count > 1 ? state.gap_ns : kUnknownGap;
+  const int64_t since = state.count > 0 ? state.last_ns : *first_ns_;
+  return double(now_ns - since) > std::max(1e9 * silence_, 3.0 * gap);
+}
+
+void StreamPresence::reset() {
+  streams_.assign(streams_.size(), {});
+  first_ns_.reset();
 }
 
 }  // namespace markerless_mocap

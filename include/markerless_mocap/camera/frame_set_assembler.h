@@ -31,6 +31,12 @@ struct AssemblerOptions {
   std::vector<double> offsets;
   /// Lags up to this are followed, as of clocks that drift; 0: they are measured, no more.
   double max_drift = 0.0;
+  /// A stream from which nothing came for this long, and three times as long as usual, while others
+  /// send, is not waited for until it sends again; 0: it is waited for up to the deadline.
+  double silence = 0.0;
+  /// A stream that lacked in this many frame sets of most streams in a row is not waited for until
+  /// its stamps fit again; 0: it is always waited for.
+  int max_missed = 0;
 
   /// Throws std::invalid_argument if a value is out of range `min_streams` is above `streams`, or
   /// there is another number of offsets than of streams.
@@ -43,6 +49,7 @@ struct StreamTiming {
   uint64_t left_out = 0;  ///< frame sets that were returned without this stream
   /// s, from the last of those to the stream's nearest item since; empty if there was none.
   std::optional<double> nearest;
+  bool awaited = true;  ///< whether frame sets wait for this stream
 };
 
 /// The lags of streams, slowly averaged.
@@ -62,6 +69,27 @@ class LagEstimate {
   std::vector<uint64_t> counts_;
 };
 
+/// Which of some streams still send. Time is that of the newest stamp, ns.
+class StreamPresence {
+ public:
+  /// \param silence as AssemblerOptions::silence
+  StreamPresence(size_t streams, double silence) : silence_(silence), streams_(streams) {}
+
+  void arrived(size_t stream, int64_t now_ns);
+  bool isSilent(size_t stream, int64_t now_ns) const;
+  void reset();
+
+ private:
+  struct State {
+    int64_t last_ns = 0;
+    double gap_ns = 0.0;  ///< usual time between two items
+    uint64_t count = 0;
+  };
+  double silence_;
+  std::vector<State> streams_;
+  std::optional<int64_t> first_ns_;
+};
+
 /// Joins the items of N streams into frame sets by their stamps. It uses no clock: time is given by
 /// the stamps. Items of one stream come in the order of their stamps, so a complete frame set
 /// closes the older ones.
@@ -71,7 +99,8 @@ class LagEstimate {
 ///
 /// A stamp that is far ahead, or older than the deadline, is not accepted at first. If more streams
 /// send such stamps (twice in a row) than plausible ones, time has jumped: a bag loops, or a clock
-/// was set. Then all state but the counts is discarded, and the assembler continues with those
+/// was set. The same holds for stamps before the stream's last one that come too late for their
+/// frame set. Then all state but the counts is discarded, and the assembler continues with those
 /// items.
 ///
 /// `Item` must be cheap to move, for example a shared pointer.
@@ -118,7 +147,18 @@ class FrameSetAssembler {
   int64_t followedLag(size_t stream) const;
   void measureLags(const FrameSet& frame_set);
   void noteMissing(const FrameSet& frame_set);
-  StampCheck checkStamp(int64_t stamp_ns) const;
+  StampCheck checkStamp(size_t stream, int64_t stamp_ns);
+  bool wentBack(size_t stream, int64_t stamp_ns);
+  bool isAwaited(size_t stream) const;
+  bool isMost(const std::vector<bool>& present) const;
+  /// Whether all streams that are waited for are there.
+  bool isReady(const FrameSet& frame_set) const;
+  /// Whether it has a stream that is waited for, if any is.
+  bool hasAwaited(const FrameSet& frame_set) const;
+  void noteMissed(const FrameSet& frame_set);
+  /// A stream that is not waited for comes back if its stamps fit a frame set of most streams.
+  void takeBack(size_t stream, int64_t stamp_ns);
+  bool sentLately(size_t stream) const;
   void remember(Arrival arrival);
   /// Adds the item to its frame set, or counts it as dropped.
   void insert(size_t stream, int64_t stamp_ns, Item item);
@@ -141,6 +181,10 @@ class FrameSetAssembler {
   std::vector<uint64_t> left_out_;
   std::vector<std::optional<double>> nearest_;
   LagEstimate lags_;
+  StreamPresence presence_;
+  std::vector<int> missed_;  ///< frame sets of most streams in a row without the stream
+  std::vector<std::optional<int64_t>> newest_of_ns_;  ///< by stream
+  std::deque<int64_t> closed_ns_;                     ///< the last frame sets of most streams
   Pending pending_;
   std::optional<int64_t> newest_ns_;
   std::optional<int64_t> last_out_ns_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,7 +19,10 @@ FrameSetAssembler<Item>::FrameSetAssembler(size_t streams, const AssemblerOption
       offsets_ns_(streams, 0),
       left_out_(streams, 0),
       nearest_(streams),
-      lags_(streams) {
+      lags_(streams),
+      presence_(streams, options.silence),
+      missed_(streams, 0),
+      newest_of_ns_(streams) {
   options_.validate(streams);
   tolerance_ns_ = std::llround(options.tolerance * 1e9);
   deadline_ns_ = std::llround(options.deadline * 1e9);
@@ -34,7 +38,7 @@ auto FrameSetAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
     throw std::invalid_argument("assembler: stream " + std::to_string(stream) + " of " +
                                 std::to_string(streams_) + " does not exist");
   const int64_t time_ns = commonTime(stream, stamp_ns);
-  const StampCheck check = checkStamp(time_ns);
+  const StampCheck check = checkStamp(stream, time_ns);
   if (check != StampCheck::kPlausible) {
     ++(check == StampCheck::kTooOld ? counts_.late : counts_.far_future);
     remember({stream, check, stamp_ns, std::move(item)});
@@ -42,6 +46,9 @@ auto FrameSetAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
   }
   remember({stream, check, stamp_ns, Item()});
   newest_ns_ = std::max(newest_ns_.value_or(time_ns), time_ns);
+  newest_of_ns_[stream] = std::max(newest_of_ns_[stream].value_or(time_ns), time_ns);
+  presence_.arrived(stream, *newest_ns_);
+  takeBack(stream, time_ns);
   insert(stream, time_ns, std::move(item));
   return takeReady();
 }
@@ -64,7 +71,7 @@ void FrameSetAssembler<Item>::reset() {
 template <class Item>
 StreamTiming FrameSetAssembler<Item>::timing(size_t stream) const {
   const uint64_t left_out = left_out_.at(stream);
-  return {1e-9 * lags_.lag_ns(stream), left_out, nearest_[stream]};
+  return {1e-9 * lags_.lag_ns(stream), left_out, nearest_[stream], isAwaited(stream)};
 }
 
 template <class Item>
@@ -72,6 +79,8 @@ void FrameSetAssembler<Item>::noteMissing(const FrameSet& frame_set) {
   for (size_t i = 0; i < streams_; ++i) {
     if (frame_set.present[i]) continue;
     ++left_out_[i];
+    if (options_.max_missed > 0 && missed_[i] >= options_.max_missed && sentLately(i))
+      continue;  // takeBack() has measured it
     nearest_[i].reset();
     for (const Arrival& arrival : recent_) {
       const double distance = 1e-9 * double(commonTime(i, arrival.stamp_ns) - frame_set.stamp_ns);
@@ -149,9 +158,8 @@ bool FrameSetAssembler<Item>::wasInLastFrameSet(size_t stream, int64_t stamp_ns)
 
 template <class Item>
 auto FrameSetAssembler<Item>::takeReady() -> std::vector<FrameSet> {
-  const auto is_complete = [](const typename Pending::value_type& entry) {
-    const std::vector<bool>& present = entry.second.present;
-    return std::find(present.begin(), present.end(), false) == present.end();
+  const auto is_complete = [this](const typename Pending::value_type& entry) {
+    return isReady(entry.second);
   };
   std::vector<FrameSet> out;
   const auto complete = std::find_if(pending_.rbegin(), pending_.rend(), is_complete);
@@ -171,7 +179,7 @@ void FrameSetAssembler<Item>::closeOldest(std::vector<FrameSet>* out) {
   FrameSet frame_set = std::move(pending_.begin()->second);
   pending_.erase(pending_.begin());
   const size_t present = std::count(frame_set.present.begin(), frame_set.present.end(), true);
-  if (present < size_t(options_.min_streams)) {
+  if (present < size_t(options_.min_streams) || !hasAwaited(frame_set)) {
     ++counts_.abandoned;
     return;
   }
@@ -179,14 +187,78 @@ void FrameSetAssembler<Item>::closeOldest(std::vector<FrameSet>* out) {
   last_out_ns_ = frame_set.stamp_ns;
   last_out_present_ = frame_set.present;
   noteMissing(frame_set);
+  noteMissed(frame_set);
   measureLags(frame_set);
   out->push_back(std::move(frame_set));
 }
 
 template <class Item>
-auto FrameSetAssembler<Item>::checkStamp(int64_t stamp_ns) const -> StampCheck {
+bool FrameSetAssembler<Item>::isAwaited(size_t stream) const {
+  if (options_.max_missed > 0 && missed_.at(stream) >= options_.max_missed) return false;
+  return !newest_ns_ || !presence_.isSilent(stream, *newest_ns_);
+}
+
+template <class Item>
+bool FrameSetAssembler<Item>::isMost(const std::vector<bool>& present) const {
+  return 2 * size_t(std::count(present.begin(), present.end(), true)) > streams_;
+}
+
+template <class Item>
+bool FrameSetAssembler<Item>::isReady(const FrameSet& frame_set) const {
+  for (size_t i = 0; i < streams_; ++i)
+    if (!frame_set.present[i] && isAwaited(i)) return false;
+  return hasAwaited(frame_set);
+}
+
+template <class Item>
+bool FrameSetAssembler<Item>::hasAwaited(const FrameSet& frame_set) const {
+  bool any = false;
+  for (size_t i = 0; i < streams_; ++i) {
+    if (!isAwaited(i)) continue;
+    if (frame_set.present[i]) return true;
+    any = true;
+  }
+  return !any;
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::noteMissed(const FrameSet& frame_set) {
+  constexpr size_t kRemembered = 64;
+  if (!isMost(frame_set.present)) return;
+  closed_ns_.push_back(frame_set.stamp_ns);
+  if (closed_ns_.size() > kRemembered) closed_ns_.pop_front();
+  for (size_t i = 0; i < streams_; ++i) missed_[i] = frame_set.present[i] ? 0 : missed_[i] + 1;
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::takeBack(size_t stream, int64_t stamp_ns) {
+  if (options_.max_missed == 0 || missed_[stream] < options_.max_missed) return;
+  int64_t nearest_ns = std::numeric_limits<int64_t>::max();
+  for (const int64_t closed_ns : closed_ns_)
+    if (std::abs(stamp_ns - closed_ns) < std::abs(nearest_ns)) nearest_ns = stamp_ns - closed_ns;
+  nearest_[stream] = 1e-9 * double(nearest_ns);
+  if (std::abs(nearest_ns) <= tolerance_ns_) missed_[stream] = 0;
+}
+
+template <class Item>
+bool FrameSetAssembler<Item>::sentLately(size_t stream) const {
+  return std::any_of(recent_.begin(), recent_.end(),
+                     [stream](const Arrival& arrival) { return arrival.stream == stream; });
+}
+
+// An item that is late, but after all of its stream, is not meant: its camera only lags.
+template <class Item>
+bool FrameSetAssembler<Item>::wentBack(size_t stream, int64_t stamp_ns) {
+  const std::optional<int64_t>& newest = newest_of_ns_[stream];
+  return newest && stamp_ns < *newest - tolerance_ns_ && last_out_ns_ &&
+         stamp_ns <= *last_out_ns_ + tolerance_ns_ && findPending(stamp_ns) == pending_.end();
+}
+
+template <class Item>
+auto FrameSetAssembler<Item>::checkStamp(size_t stream, int64_t stamp_ns) -> StampCheck {
   if (newest_ns_ && stamp_ns - *newest_ns_ > max_jump_ns_) return StampCheck::kFarFuture;
   if (newest_ns_ && *newest_ns_ - stamp_ns > deadline_ns_) return StampCheck::kTooOld;
+  if (wentBack(stream, stamp_ns)) return StampCheck::kTooOld;
   return StampCheck::kPlausible;
 }
 
@@ -234,6 +306,10 @@ void FrameSetAssembler<Item>::forget() {
   last_out_present_.clear();
   recent_.clear();
   lags_.reset();
+  presence_.reset();
+  missed_.assign(streams_, 0);
+  newest_of_ns_.assign(streams_, std::nullopt);
+  closed_ns_.clear();
 }
 
 }  // namespace markerless_mocap
