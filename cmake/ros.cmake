@@ -30,7 +30,8 @@ function(mocap_use_ros target)
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
 endfunction()
 
-mocap_room(ros DEPENDS checks silhouette tracking LIBRARIES opencv_imgcodecs)
+find_package(JPEG REQUIRED)
+mocap_room(ros DEPENDS checks silhouette tracking LIBRARIES JPEG::JPEG opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # The Point Cloud Library with all that it needs is for these files alone: its headers build slowly,

@@ -164,8 +164,10 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
   c.width = pixelsOf(size[0], camera);
   c.height = pixelsOf(size[1], camera);
   const YAML::Node skew = camera.optional("skew");
-  c.K << camera.number("fx"), skew ? camera.numberIn(skew, "skew") : 0.0, camera.number("cx"), 0,
-      camera.number("fy"), camera.number("cy"), 0, 0, 1;
+  // Read first: an exception inside of Eigen's comma initialiser ends in its assertion.
+  const double fx = camera.number("fx"), s = skew ? camera.numberIn(skew, "skew") : 0.0;
+  const double cx = camera.number("cx"), fy = camera.number("fy"), cy = camera.number("cy");
+  c.K << fx, s, cx, 0, fy, cy, 0, 0, 1;
   c.D = camera.numbers("distortion");
   const auto t = camera.numbers("position", 3, "x y z, m");
   c.T_world_camera.translation() << t[0], t[1], t[2];

@@ -36,7 +36,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
                                [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
     inputs_->listen<sensor_msgs::PointCloud2>(
-        "hull/points", 2, StageInputs::kOptional,
+        "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
   }
 

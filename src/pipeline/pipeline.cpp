@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "markerless_mocap/products/silhouette_mask.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -33,6 +35,16 @@ std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
   std::vector<cv::Mat> images;
   for (const CameraFrame& frame : frames) images.push_back(frame.image);
   return images;
+}
+
+/// The masks without those that the hull found to be wrong. Where it left out one because too
+/// little of its background is known, fitting goes by the colours.
+std::vector<cv::Mat> trustedMasks(const CameraRig& rig, const PipelineResult& result) {
+  std::vector<cv::Mat> masks = result.masks;
+  for (const LeftOutCamera& camera : result.hull.cameras_left_out)
+    for (size_t i = 0; i < rig.size(); ++i)
+      if (rig[i].name() == camera.name && !hasUnknownBackground(masks[i])) masks[i] = cv::Mat();
+  return masks;
 }
 
 }  // namespace
@@ -156,7 +168,8 @@ void Pipeline::buildTree(const FrameSet&, PipelineResult* result) {
 }
 
 void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
-  result->pose = tracker_->update({frame_set.stamp_ns, result->masks, imagesOf(frame_set.frames),
+  const std::vector<cv::Mat> masks = trustedMasks(rig(), *result);
+  result->pose = tracker_->update({frame_set.stamp_ns, masks, imagesOf(frame_set.frames),
                                    result->hull, result->parts, result->tree});
   result->body = tracker_->body();
 }

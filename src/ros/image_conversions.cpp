@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "ros/jpeg_image.h"
 
 namespace markerless_mocap {
 
@@ -57,11 +58,19 @@ cv::Mat matFromMessage(const sensor_msgs::Image& message) {
 }
 
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
+  const std::string subject = "compressed image of frame \"" + message.header.frame_id + "\"";
   cv::Mat image;
-  if (!message.data.empty()) image = cv::imdecode(message.data, cv::IMREAD_ANYCOLOR);
+  try {
+    if (isJpeg(message.data))
+      image = decodedJpeg(message.data);
+    else if (!message.data.empty())
+      image = cv::imdecode(message.data, cv::IMREAD_ANYCOLOR);
+  } catch (const std::exception& error) {  // from decodedJpeg() or OpenCV
+    throw std::invalid_argument(subject + " cannot be decoded: " + error.what());
+  }
   if (image.empty())
-    throw std::invalid_argument("compressed image of frame \"" + message.header.frame_id +
-                                "\" with format \"" + message.format + "\" cannot be decoded");
+    throw std::invalid_argument(subject + " with format \"" + message.format +
+                                "\" cannot be decoded");
   return image;
 }
 

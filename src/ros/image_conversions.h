@@ -17,7 +17,7 @@ cv::Mat matFromMessage(const sensor_msgs::Image& message);
 cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 
 /// As matFromMessage() from JPEG, PNG or another format that OpenCV decodes. Throws
-/// std::invalid_argument if the image cannot be decoded.
+/// std::invalid_argument if the image cannot be decoded, or a part of a JPEG is missing or damaged.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
 
 /// A mask (CV_8UC1, 0 | 128 unknown | 255) from a message; pixels of other values become 255.

@@ -54,11 +54,17 @@ void SilhouetteNodeOptions::visit(OptionVisitor& v) {
   v.field("background_folder", background_folder, {},
           "folder of the backgrounds, c.background for camera c; a file that is there is read at "
           "the start instead of learning, and the service save_background writes it; empty: none");
+  v.field("keep_background", keep_background,
+          "whether the backgrounds are written to background_folder as soon as they are known, so "
+          "that a node that starts again uses them; those of another size or light are refused");
 }
 
 void SilhouetteNodeOptions::validate() const {
   checkFields(*this);
   checkCameras(kStage, cameras, 1);
+  if (keep_background && background_folder.empty())
+    throw std::invalid_argument(
+        "silhouette/keep_background is true, but background_folder is empty, allowed is a folder");
 }
 
 void HullNodeOptions::visit(OptionVisitor& v) {

@@ -21,6 +21,9 @@ struct SilhouetteNodeOptions {
   /// folder of the backgrounds, c.background for camera c; a file that is there is read at the
   /// start instead of learning, and the service save_background writes it; empty: none
   std::string background_folder;
+  /// whether the backgrounds are written to background_folder as soon as they are known, so that a
+  /// node that starts again uses them; those of another size or light are refused
+  bool keep_background = false;
 
   void visit(OptionVisitor& v);
   void validate() const;

@@ -1,5 +1,9 @@
 #include "ros/package_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <ros/package.h>
 
 #include <cstdio>
@@ -41,10 +45,13 @@ PersonResources readPersonResources(const std::string& body_id, const std::strin
 
 void writeBodyFile(const std::string& path, const ShapeParameters& shape) {
   const std::string unfinished = path + ".part";
+  std::remove(unfinished.c_str());  // or it would keep its permissions
+  const int made = open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY, S_IRUSR | S_IWUSR);
+  if (made >= 0) close(made);
   std::ofstream file(unfinished);
   file << shapeToYaml(shape);
   file.close();
-  if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0)
+  if (made < 0 || !file || std::rename(unfinished.c_str(), path.c_str()) != 0)
     throw std::runtime_error("cannot write the body file " + path);
 }
 

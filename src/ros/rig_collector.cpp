@@ -1,6 +1,8 @@
 #include "ros/rig_collector.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "markerless_mocap/camera/rig_file.h"
@@ -14,11 +16,45 @@ bool sameCalibration(const sensor_msgs::CameraInfo& a, const sensor_msgs::Camera
          a.distortion_model == b.distortion_model && a.K == b.K && a.D == b.D;
 }
 
+constexpr double kSettled = 0.5;   // s that a change must stay
+constexpr double kMoving = 3.0;    // s until a camera that does not come to rest is told
+constexpr int kMaxWanderings = 8;  // changes
+constexpr double kMoved = 1e-3;    // m
+constexpr double kTurned = 5e-4;   // rad; a tenth of a pixel in most cameras
+
+double distance(const geometry_msgs::Transform& a, const geometry_msgs::Transform& b) {
+  const auto &p = a.translation, &q = b.translation;
+  return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
+}
+
+double angle(const geometry_msgs::Transform& a, const geometry_msgs::Transform& b) {
+  const auto &p = a.rotation, &q = b.rotation;
+  const Eigen::Quaterniond from(p.w, p.x, p.y, p.z), to(q.w, q.x, q.y, q.z);
+  return from.angularDistance(to);
+}
+
+bool isMoved(const geometry_msgs::Transform& from, const geometry_msgs::Transform& to) {
+  return distance(from, to) > kMoved || angle(from, to) > kTurned;
+}
+
+std::string distanceText(const geometry_msgs::Transform& from, const geometry_msgs::Transform& to) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f m and %.1f degrees", distance(from, to),
+                angle(from, to) * 180.0 / M_PI);
+  return text;
+}
+
 }  // namespace
 
 RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_frame,
                            const std::string& rig_file)
-    : cameras_(std::move(cameras)), world_frame_(std::move(world_frame)), infos_(cameras_.size()) {
+    : cameras_(std::move(cameras)),
+      world_frame_(std::move(world_frame)),
+      infos_(cameras_.size()),
+      candidates_(cameras_.size()),
+      wanderings_(cameras_.size(), 0),
+      placed_(cameras_.size()),
+      image_sizes_(cameras_.size(), {0, 0}) {
   if (rig_file.empty()) return;
   const std::vector<CameraCalibration> rig = readRig(rig_file);
   const std::vector<CameraCalibration> wanted = camerasNamed(cameras_, rig, rig_file);
@@ -43,9 +79,101 @@ std::vector<double> RigCollector::timeOffsets() const {
 bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
   if (file_) return false;
   std::optional<sensor_msgs::CameraInfo>& known = infos_.at(camera);
-  if (known && sameCalibration(*known, info)) return false;
-  known = info;
+  std::optional<Candidate>& candidate = candidates_[camera];
+  if (!known) {
+    known = info;
+    return true;
+  }
+  if (sameCalibration(*known, info)) {
+    candidate.reset();
+  } else if (!candidate || !sameCalibration(candidate->info, info)) {
+    candidate = Candidate{info, std::nullopt, false};
+    ++wanderings_[camera];
+  }
+  return false;
+}
+
+void RigCollector::noteImageSize(size_t camera, int width, int height) {
+  image_sizes_.at(camera) = {width, height};
+}
+
+std::string RigCollector::refusalOf(size_t camera, const sensor_msgs::CameraInfo& info) const {
+  const auto [width, height] = image_sizes_[camera];
+  const auto fits = [width = width, height = height](const sensor_msgs::CameraInfo& i) {
+    return int64_t(i.width) == width && int64_t(i.height) == height;
+  };
+  if (width > 0 && !fits(info) && fits(*infos_[camera]))
+    return "it says " + std::to_string(info.width) + " x " + std::to_string(info.height) +
+           " pixels, the images have " + std::to_string(width) + " x " + std::to_string(height);
+  geometry_msgs::Transform anywhere;
+  anywhere.rotation.w = 1.0;
+  try {
+    Camera(calibrationFromMessage(cameras_[camera], info, anywhere));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string>* remarks) {
+  std::optional<Candidate>& candidate = candidates_[camera];
+  const std::string subject = "camera_info of " + cameras_[camera];
+  if (wanderings_[camera] >= kMaxWanderings) {
+    wanderings_[camera] = 1;
+    remarks->push_back(subject + " changes all the time; what came first is used");
+  }
+  if (!candidate || candidate->refused) return false;
+  if (!candidate->since) candidate->since = now;
+  if (now - *candidate->since < kSettled) return false;
+  wanderings_[camera] = 0;
+  const std::string why = refusalOf(camera, candidate->info);
+  candidate->refused = !why.empty();
+  remarks->push_back(subject + " has changed, " +
+                     (why.empty() ? "the new one is used" : "but the new one is not used: " + why));
+  if (candidate->refused) return false;
+  infos_[camera] = candidate->info;
+  candidate.reset();
+  placed_[camera].reset();
   return true;
+}
+
+bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double now,
+                              std::vector<std::string>* remarks) {
+  const std::string& frame = infos_[camera]->header.frame_id;
+  if (!tf.canTransform(world_frame_, frame, ros::Time(0))) return false;
+  const geometry_msgs::Transform pose =
+      tf.lookupTransform(world_frame_, frame, ros::Time(0)).transform;
+  std::optional<Placed>& placed = placed_[camera];
+  if (!placed) placed = Placed{pose, pose, now, now};
+  if (isMoved(placed->seen, pose)) {
+    placed->seen = pose;
+    placed->seen_since = now;
+  }
+  if (!isMoved(placed->used, placed->seen)) {
+    placed->used_until = now;
+    return false;
+  }
+  if (now - placed->seen_since < kSettled) {
+    if (now - placed->used_until > kMoving)
+      remarks->push_back(cameras_[camera] + " moves by tf; it is used where it was before");
+    return false;
+  }
+  remarks->push_back(cameras_[camera] + " has moved by " + distanceText(placed->used, pose) +
+                     " by tf, its new pose is used");
+  placed = Placed{pose, pose, now, now};
+  return true;
+}
+
+bool RigCollector::settle(const tf2::BufferCore& tf, double now,
+                          std::vector<std::string>* remarks) {
+  if (file_) return false;
+  bool changed = false;
+  for (size_t i = 0; i < cameras_.size(); ++i) {
+    if (!infos_[i]) continue;
+    changed = settleInfo(i, now, remarks) || changed;
+    changed = settlePose(i, tf, now, remarks) || changed;
+  }
+  return changed;
 }
 
 std::string RigCollector::missing(const tf2::BufferCore& tf) const {

@@ -5,13 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
 
-/// Collects camera_info until the rig is known. A rig file replaces camera_info and tf.
+/// Collects camera_info until the rig is known, and watches whether it changes. A rig file replaces
+/// camera_info and tf.
 class RigCollector {
  public:
   /// \param cameras names, in the order of the rig
@@ -28,7 +30,8 @@ class RigCollector {
   const std::string& unusedCameras() const { return unused_cameras_; }
   /// Time offset of each camera in the rig file, s; empty without a file or without offsets.
   std::vector<double> timeOffsets() const;
-  /// Stores the message; returns true if it changes the rig.
+  /// Stores the message; returns true if it is the camera's first. What differs from the first is
+  /// taken over by settle().
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }
 
@@ -39,11 +42,40 @@ class RigCollector {
   /// Throws std::invalid_argument with the message of missing(), or as calibrationFromMessage().
   CameraRig rig(const tf2::BufferCore& tf) const;
 
+  /// Size of the images that the camera sends, px: camera_info of another size is not taken over
+  /// in place of one that fits.
+  void noteImageSize(size_t camera, int width, int height);
+  /// Takes over camera_info and poses that differ from those of the rig and have stayed the same
+  /// for half a second. A camera_info that no camera has, or that changes all the time, is not.
+  /// \param now s, by a clock that is never set
+  /// \param remarks a sentence is appended for each change and each refusal
+  /// \return whether the rig has changed
+  bool settle(const tf2::BufferCore& tf, double now, std::vector<std::string>* remarks);
+
  private:
+  struct Candidate {
+    sensor_msgs::CameraInfo info;
+    std::optional<double> since;  ///< s; none: settle() has not seen it yet
+    bool refused = false;
+  };
+  struct Placed {
+    geometry_msgs::Transform used, seen;
+    double seen_since = 0.0, used_until = 0.0;  ///< s
+  };
+  bool settleInfo(size_t camera, double now, std::vector<std::string>* remarks);
+  bool settlePose(size_t camera, const tf2::BufferCore& tf, double now,
+                  std::vector<std::string>* remarks);
+  /// Why the camera_info cannot be taken over; empty if it can.
+  std::string refusalOf(size_t camera, const sensor_msgs::CameraInfo& info) const;
+
   std::vector<std::string> cameras_;
   std::string world_frame_;
   std::vector<std::optional<sensor_msgs::CameraInfo>> infos_;
-  std::optional<CameraRig> file_;  ///< the rig of the file, if there is one
+  std::vector<std::optional<Candidate>> candidates_;  ///< by camera
+  std::vector<int> wanderings_;                       ///< changes in a row that did not stay
+  std::vector<std::optional<Placed>> placed_;         ///< by camera
+  std::vector<std::pair<int, int>> image_sizes_;      ///< by camera; 0: not known
+  std::optional<CameraRig> file_;                     ///< the rig of the file, if there is one
   std::string unused_cameras_;
 };
 

@@ -177,7 +177,7 @@ TEST(Bvh, otherFilesAreRefused) {
   const std::string no_bvh =
       "walk.bvh, line 1: this is not a BVH file, which begins with HIERARCHY";
   EXPECT_EQ(faultOf(""), no_bvh);
-  EXPECT_EQ(faultOf(std::string("\x89PNG\r\n\0\0\0\rIHDR", 16)), no_bvh);
+  EXPECT_EQ(faultOf(std::string("\x89PNG\r\n\0\0\0\rIHDR", 15)), no_bvh);
   EXPECT_EQ(faultOf("HIERARCHY\nJOINT Hips\n"),
             "walk.bvh, line 1: no ROOT after HIERARCHY, a BVH file's skeleton begins with one");
 }

@@ -104,14 +104,93 @@ TEST_F(RigFromFile, CamerasThatAreLackingOrLeftOverAreNamed) {
             "cannot read the rig /no/such/file");
 }
 
-TEST(RigCollector, TellsNewsFromRepetition) {
-  RigCollector collector({"a"}, "world");
-  sensor_msgs::CameraInfo info = infoIn("a_optical");
-  EXPECT_TRUE(collector.add(0, info));
-  info.header.stamp = ros::Time(5, 0);
-  EXPECT_FALSE(collector.add(0, info));
-  info.K[0] += 1.0;
-  EXPECT_TRUE(collector.add(0, info));
+/// A collector of one camera that is known and placed.
+class ChangingRig : public ::testing::Test {
+ protected:
+  ChangingRig() : collector_({"a"}, "world"), info_(infoIn("a_optical")) {
+    place(tf_, "a_optical");
+    EXPECT_TRUE(collector_.add(0, info_));
+    collector_.noteImageSize(0, int(info_.width), int(info_.height));
+    EXPECT_FALSE(settle(0.0));
+  }
+  bool settle(double now) {
+    now_ = now;
+    return collector_.settle(tf_, now, &remarks_);
+  }
+  /// Sends it ten times within a second.
+  bool send(const sensor_msgs::CameraInfo& info) {
+    bool changed = false;
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_FALSE(collector_.add(0, info));
+      changed = settle(now_ + 0.1) || changed;
+    }
+    return changed;
+  }
+
+  tf2::BufferCore tf_;
+  RigCollector collector_;
+  sensor_msgs::CameraInfo info_;
+  std::vector<std::string> remarks_;
+  double now_ = 0.0;
+};
+
+TEST_F(ChangingRig, RepetitionIsNoNews) {
+  info_.header.stamp = ros::Time(5, 0);
+  EXPECT_FALSE(send(info_));
+  EXPECT_TRUE(remarks_.empty());
+}
+
+TEST_F(ChangingRig, ACalibrationThatStaysIsTakenOver) {
+  info_.K[0] += 1.0;
+  EXPECT_TRUE(send(info_));
+  EXPECT_EQ(remarks_,
+            std::vector<std::string>{"camera_info of a has changed, the new one is used"});
+  EXPECT_EQ(collector_.rig(tf_)[0].calibration().K(0, 0), info_.K[0]);
+  EXPECT_FALSE(send(info_));
+}
+
+TEST_F(ChangingRig, ACalibrationThatChangesAllTheTimeIsNot) {
+  const double first = info_.K[0];
+  for (int i = 0; i < 40; ++i) {
+    info_.K[0] += 0.01;
+    collector_.add(0, info_);
+    EXPECT_FALSE(settle(now_ + 0.067));
+  }
+  ASSERT_FALSE(remarks_.empty());
+  EXPECT_EQ(remarks_[0], "camera_info of a changes all the time; what came first is used");
+  EXPECT_EQ(collector_.rig(tf_)[0].calibration().K(0, 0), first);
+}
+
+TEST_F(ChangingRig, ACalibrationOfNoCameraOrOfOtherImagesIsRefused) {
+  const sensor_msgs::CameraInfo good = info_;
+  info_.width = info_.height = 30000;
+  EXPECT_FALSE(send(info_));
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_NE(remarks_[0].find("it says 30000 x 30000 pixels, the images have"), std::string::npos);
+  info_ = good;
+  info_.D = {1e6, -1e9, 0, 0, 0};
+  EXPECT_FALSE(send(info_));
+  ASSERT_EQ(remarks_.size(), 2u);
+  EXPECT_NE(remarks_[1].find("but the new one is not used"), std::string::npos);
+  EXPECT_FALSE(send(good));
+  EXPECT_EQ(collector_.rig(tf_).size(), 1u);
+}
+
+TEST_F(ChangingRig, ACameraThatHasMovedIsTakenOverWhenItRests) {
+  geometry_msgs::TransformStamped moved;
+  moved.header.frame_id = "world";
+  moved.child_frame_id = "a_optical";
+  moved.transform = samplePose();
+  for (int i = 0; i < 10; ++i) {
+    moved.transform.translation.x += 0.03;
+    tf_.setTransform(moved, "test", true);
+    EXPECT_FALSE(settle(now_ + 0.1));
+  }
+  EXPECT_TRUE(settle(now_ + 0.6));
+  EXPECT_EQ(remarks_, std::vector<std::string>{
+                          "a has moved by 0.300 m and 0.0 degrees by tf, its new pose is used"});
+  EXPECT_NEAR(collector_.rig(tf_)[0].position().x(), 1.3, 1e-12);
+  EXPECT_FALSE(settle(now_ + 1.0));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Vector3.h>
 #include <markerless_mocap/BodyPart.h>
+#include <markerless_mocap/HullCameras.h>
+#include <markerless_mocap/MocapStatus.h>
 #include <markerless_mocap/VoxelGrid.h>
 #include <std_msgs/Header.h>
 

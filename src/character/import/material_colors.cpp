@@ -44,7 +44,11 @@ Vector3f sampled(const cv::Mat& image, float u, float v) {
 cv::Mat embeddedImage(const aiTexture& texture) {
   if (texture.mHeight == 0) {
     const cv::Mat bytes(1, int(texture.mWidth), CV_8U, texture.pcData);
-    return cv::imdecode(bytes, cv::IMREAD_COLOR);
+    try {
+      return cv::imdecode(bytes, cv::IMREAD_COLOR);
+    } catch (const cv::Exception&) {  // too large
+      return cv::Mat();
+    }
   }
   cv::Mat image(int(texture.mHeight), int(texture.mWidth), CV_8UC3);
   for (int i = 0; i < image.rows * image.cols; ++i) {

@@ -147,8 +147,8 @@ RiggedScene::RiggedScene(const std::string& path)
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   importer_->SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS);
-  scene_ = importer_->ReadFile(
-      path, aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
+  scene_ = importer_->ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
+                                         aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
   if (!scene_)
     throw std::invalid_argument(path + ": is no model that can be read (" +
                                 importer_->GetErrorString() + ")");

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include "nodes/common/end_process.h"
+
 namespace markerless_mocap {
 
 /// Keeps ROS callbacks out of an object that is being destroyed. At shutdown, ROS no longer removes
@@ -13,19 +15,22 @@ namespace markerless_mocap {
 class CallbackGate {
  public:
   CallbackGate() = default;
-  ~CallbackGate() {
+  ~CallbackGate() { close(); }
+  /// Waits for a running callback; none runs afterwards.
+  void close() {
     const std::lock_guard<std::mutex> lock(state_->mutex);
     state_->open = false;
   }
   CallbackGate(const CallbackGate&) = delete;
   CallbackGate& operator=(const CallbackGate&) = delete;
 
-  /// Wraps a callback; it is called only while the gate is open.
+  /// Wraps a callback; it is called only while the gate is open. An exception that it lets out ends
+  /// the process with a sentence.
   template <class CallbackT>
   auto guarded(CallbackT callback) const {
     return [state = state_, callback = std::move(callback)](const auto&... arguments) {
       const std::lock_guard<std::mutex> lock(state->mutex);
-      if (state->open) callback(arguments...);
+      if (state->open) runOrEndProcess("a callback", [&] { callback(arguments...); });
     };
   }
 

@@ -46,6 +46,14 @@ void StageInputs::require(const std::string& topic, const std::string& type) {
         gate_.guarded([this](const ros::WallTimerEvent&) { reportSilence(); }));
 }
 
+std::optional<size_t> StageInputs::watch(const std::string& topic, Need need) {
+  using Loss = StageStatus::Loss;
+  if (need == kRequired) return status_->watch(topic, Loss::kStopsStage);
+  if (need == kHelpful) return status_->watch(topic, Loss::kCostsSome);
+  if (need == kCamera) return status_->watch(topic, Loss::kCostsCamera);
+  return std::nullopt;
+}
+
 void StageInputs::reportSilence() {
   if (silent_.empty()) {
     silence_timer_.stop();

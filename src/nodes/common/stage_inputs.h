@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,18 @@
 
 namespace markerless_mocap {
 
-/// The subscriptions of a stage; their callbacks run one at a time. For each required topic without
-/// messages, a warning is given every five seconds. Declare this last in its owner, so that it is
-/// destroyed first.
+/// The subscriptions of a stage; their callbacks run one at a time. For each topic that is not
+/// optional, a warning is given every five seconds until its first message, and the stage's status
+/// tells when it falls silent. Declare this last in its owner, so that it is destroyed first.
 class StageInputs {
  public:
-  enum Need { kOptional, kRequired };
+  enum Need {
+    kOptional,
+    kOnce,      ///< its first message is needed
+    kRequired,  ///< without it there is no output
+    kHelpful,   ///< without it the output is poorer
+    kCamera,    ///< one of several cameras
+  };
 
   /// \param status must outlive this object
   StageInputs(const ros::NodeHandle& handle, StageStatus* status)
@@ -44,16 +51,21 @@ class StageInputs {
   ros::Subscriber subscribe(const std::string& topic, uint32_t queue, Need need,
                             CallbackT callback) {
     const std::string name = handle_.resolveName(topic);
-    if (need == kRequired) require(name, ros::message_traits::DataType<MessageT>::value());
+    if (need != kOptional) require(name, ros::message_traits::DataType<MessageT>::value());
+    const std::optional<size_t> watched = watch(name, need);
     return handle_.subscribe<MessageT>(
         name, queue,
-        gate_.guarded([this, name, callback](const boost::shared_ptr<const MessageT>& message) {
-          silent_.erase(name);
-          callback(message);
-        }),
+        gate_.guarded(
+            [this, name, watched, callback](const boost::shared_ptr<const MessageT>& message) {
+              silent_.erase(name);
+              if (watched) status_->arrived(*watched);
+              callback(message);
+            }),
         {}, lowLatencyTransport());
   }
   void require(const std::string& topic, const std::string& type);
+  /// The number of the topic in the status; none if it may be silent.
+  std::optional<size_t> watch(const std::string& topic, Need need);
   void reportSilence();
 
   ros::NodeHandle handle_;

@@ -2,9 +2,39 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
 namespace markerless_mocap {
 
 using diagnostic_msgs::DiagnosticStatus;
+
+namespace {
+
+constexpr double kRemarkTime = 10.0;  // s
+constexpr size_t kMaxRemarks = 4;
+constexpr double kStartTime = 5.0;   // s until every camera should have sent
+constexpr double kResultTime = 3.0;  // s that one frame set may take, as a search for a person does
+
+double steadySeconds() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// For example "for 14.2 s, since 11:20:05".
+std::string spanText(double seconds) {
+  const std::time_t start = std::time(nullptr) - std::time_t(seconds + 0.5);
+  std::tm local;
+  localtime_r(&start, &local);
+  char clock[16], text[64];
+  std::strftime(clock, sizeof clock, "%H:%M:%S", &local);
+  std::snprintf(text, sizeof text, "for %.1f s, since %s", seconds, clock);
+  return text;
+}
+
+}  // namespace
 
 StageStatus::StageStatus(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                          const std::string& stage)
@@ -34,6 +64,25 @@ void StageStatus::problem(const std::string& message) {
   ROS_WARN_STREAM_THROTTLE(5.0, stage_ << ": " << message);
 }
 
+void StageStatus::error(const std::string& message) {
+  enter(DiagnosticStatus::ERROR, message);
+  count("problems");
+  ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << message);
+}
+
+void StageStatus::remark(const std::string& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (Remark& known : remarks_) {
+    if (known.message != message) continue;
+    known.until = steadySeconds() + kRemarkTime;
+    return;
+  }
+  ROS_WARN_STREAM(stage_ << ": " << message);
+  remarks_.push_back({message, steadySeconds() + kRemarkTime});
+  if (remarks_.size() > kMaxRemarks) remarks_.pop_front();
+  last_problem_ = message;
+}
+
 void StageStatus::set(const std::string& name, uint64_t count) {
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_[name] = count;
@@ -44,16 +93,95 @@ void StageStatus::count(const std::string& name) {
   ++counts_[name];
 }
 
+size_t StageStatus::watch(const std::string& input, Loss loss) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  inputs_.push_back({input, loss, steadySeconds(), {}});
+  return inputs_.size() - 1;
+}
+
+void StageStatus::arrived(size_t input) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  inputs_.at(input).watch.arrived(steadySeconds());
+}
+
 void StageStatus::enter(uint8_t level, const std::string& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   level_ = level;
   message_ = message;
+  results_.arrived(steadySeconds());
   if (level != DiagnosticStatus::OK) last_problem_ = message;
+}
+
+// An input that has never sent is told by StageInputs, unless others like it do send.
+InputWatch::Silence StageStatus::silenceOf(const Input& input, double now) const {
+  if (input.watch.last() || now - input.start < kStartTime) return input.watch.silence(now);
+  const bool others_send = std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& other) {
+    return other.loss == input.loss && other.watch.last();
+  });
+  return others_send ? InputWatch::Silence::kLong : InputWatch::Silence::kNone;
+}
+
+StageStatus::Summary StageStatus::silenceOf(Loss loss, double now) const {
+  Summary summary{DiagnosticStatus::OK, ""};
+  size_t watched = 0, silent = 0;
+  double shortest = 0.0;
+  for (const Input& input : inputs_) {
+    if (input.loss != loss) continue;
+    ++watched;
+    const InputWatch::Silence silence = silenceOf(input, now);
+    if (silence == InputWatch::Silence::kNone) continue;
+    const double since = now - input.watch.last().value_or(input.start);
+    shortest = silent++ == 0 ? since : std::min(shortest, since);
+    summary.message += (silent == 1 ? "no messages on " : ", ") + input.name;
+    const bool is_error = loss == Loss::kStopsStage && silence == InputWatch::Silence::kLong;
+    summary.level = std::max<uint8_t>(summary.level,
+                                      is_error ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN);
+  }
+  if (silent == 0) return summary;
+  if (loss == Loss::kCostsCamera && silent == watched) {
+    summary.level = DiagnosticStatus::ERROR;
+    summary.message = "no camera sends";
+  }
+  summary.message += " " + spanText(shortest);
+  return summary;
+}
+
+StageStatus::Summary StageStatus::ownState(double now) const {
+  const bool is_old =
+      results_.silence(now) == InputWatch::Silence::kLong && now - *results_.last() > kResultTime;
+  if (level_ != DiagnosticStatus::OK || !is_old) return {level_, message_};
+  return {DiagnosticStatus::WARN, "no result " + spanText(now - *results_.last())};
+}
+
+StageStatus::Summary StageStatus::summaryNow(double now) {
+  Summary summary = ownState(now);
+  for (const Loss loss : {Loss::kCostsSome, Loss::kCostsCamera, Loss::kStopsStage}) {
+    const Summary silence = silenceOf(loss, now);
+    if (silence.level == DiagnosticStatus::OK) continue;
+    // What was said before the inputs stopped holds no longer.
+    const bool stopped = silence.level == DiagnosticStatus::ERROR;
+    summary.message = silence.message + (stopped ? "" : "; " + summary.message);
+    summary.level = std::max(summary.level, silence.level);
+  }
+  while (!remarks_.empty() && remarks_.front().until < now) remarks_.pop_front();
+  for (const Remark& remark : remarks_) {
+    summary.message += "; " + remark.message;
+    summary.level = std::max<uint8_t>(summary.level, DiagnosticStatus::WARN);
+  }
+  return summary;
+}
+
+StageStatus::Summary StageStatus::summary() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return summaryNow(steadySeconds());
 }
 
 void StageStatus::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  status.summary(level_, message_);
+  const Summary now = summaryNow(steadySeconds());
+  if (now.level == DiagnosticStatus::ERROR && level_ != DiagnosticStatus::ERROR)
+    ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << now.message);
+  status.summary(now.level, now.message);
   for (const auto& [name, count] : counts_) status.add(name, count);
   status.add("last reason", last_problem_);
 }

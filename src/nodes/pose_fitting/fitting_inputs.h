@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ struct FittingMessages {
   sensor_msgs::PointCloud2ConstPtr hull, labels;
   BodyPartsMsg::ConstPtr parts;
   PoseTreeMsg::ConstPtr tree;
-  std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera
+  boost::shared_ptr<const HullCameras> cameras;
+  std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
 };
 
@@ -47,13 +49,23 @@ class FittingInputs {
   FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, TrackerNeeds needs,
                 StageStatus* status, std::function<void(FittingMessages)> sink);
 
+  /// Stamp of each camera's last silhouette, and what the last frame set used. Thread-safe.
+  void describeCameras(MocapStatus* message) const;
+
  private:
-  enum Stream : size_t { kHull, kParts, kLabels, kTree };
+  enum Stream : size_t { kHull, kParts, kLabels, kTree, kCameras };
   /// A message of one of the streams.
   struct Item {
     sensor_msgs::PointCloud2ConstPtr cloud;
     BodyPartsMsg::ConstPtr parts;
     PoseTreeMsg::ConstPtr tree;
+    boost::shared_ptr<const HullCameras> cameras;
+  };
+  /// What is known of a camera.
+  struct CameraState {
+    ros::Time last_stamp;
+    bool used = false;
+    std::string reason;
   };
   using Assembler = FrameSetAssembler<Item>;
 
@@ -77,6 +89,11 @@ class FittingInputs {
   int64_t stampOfCamera(size_t camera, int64_t hull_stamp_ns) const;
   void followLag(size_t camera, int64_t mask_stamp_ns, int64_t hull_stamp_ns);
   void addViews(FittingMessages* input);
+  /// Why visual_hull says that nobody should use the camera; empty: it does not say so.
+  std::string refusalOf(const FittingMessages& input, size_t camera) const;
+  void noteUse(size_t camera, bool used, const std::string& reason);
+  /// Takes over what has changed about the cameras.
+  void followRig();
   CameraImage takeImage(size_t camera, const Mask& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
   std::string prepareRig();
@@ -97,6 +114,9 @@ class FittingInputs {
   StampCache<CameraImage> images_;
   HoldingQueue<FittingMessages> pending_;  ///< joined, but without views
   VoxelGridConstPtr grid_;
+  double next_look_ = 0.0;  ///< s, when to look for changes of the rig
+  mutable std::mutex states_mutex_;
+  std::vector<CameraState> states_;    ///< by camera
   std::optional<ColorImages> colors_;  ///< of a method that needs them
   StageInputs inputs_;
 };

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "markerless_mocap/tracking/shape_file.h"
+#include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/body_markers.h"
@@ -27,6 +28,9 @@ namespace {
 // frame sets go without.
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
+constexpr int64_t kLargestStep = 2'000'000'000;  // ns
+constexpr int64_t kLargestPeriod = 500'000'000;  // ns
+
 bool isThere(const std::string& file) {
   std::error_code ignored;  // asked, not opened: opening a pipe blocks
   return !file.empty() && std::filesystem::exists(file, ignored);
@@ -39,9 +43,20 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
   return resources;
 }
 
+/// Empty if it is none, or not of the camera's size: that camera is left out.
+cv::Mat maskOrNothing(const Camera& camera, const sensor_msgs::ImageConstPtr& message) {
+  if (!message) return cv::Mat();
+  try {
+    return maskOfCamera(camera, *message);
+  } catch (const std::exception&) {  // visual_hull tells it
+    return cv::Mat();
+  }
+}
+
 std::vector<cv::Mat> masksOf(const FittingMessages& input) {
   std::vector<cv::Mat> masks;
-  for (const auto& mask : input.masks) masks.push_back(mask ? maskFromMessage(*mask) : cv::Mat());
+  for (size_t i = 0; i < input.masks.size(); ++i)
+    masks.push_back(maskOrNothing((*input.rig)[i], input.masks[i]));
   return masks;
 }
 
@@ -98,10 +113,15 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   inputs_ =
       std::make_unique<FittingInputs>(handle, node_options_, needsOf(options_.method), &status_,
                                       [this](FittingMessages input) { enqueue(std::move(input)); });
-  worker_ = std::thread([this] { work(); });
+  heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
+  worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
+  timer_ = handle.createWallTimer(ros::WallDuration(1.0),
+                                  gate_.guarded([this](const ros::WallTimerEvent&) { beat(); }));
 }
 
 FittingStage::~FittingStage() {
+  timer_.stop();
+  gate_.close();
   inputs_.reset();
   queue_.close();
   worker_.join();
@@ -132,7 +152,7 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     const std::vector<cv::Mat> masks = masksOf(input);
     const std::vector<cv::Mat> images = imagesOf(input, needsOf(options_.method).images);
     BodyPose pose = tracker_->update(
-        {nanosecondsOf(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
+        {steadyStamp(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
     if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);
     return pose;
   } catch (const std::exception& error) {
@@ -140,6 +160,22 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     lost.reason = error.what();
     return lost;
   }
+}
+
+// A small step back is a clock that was set, while the person goes on; after a large one, as of a
+// bag that begins again, the tracker starts anew.
+int64_t FittingStage::steadyStamp(const ros::Time& stamp) {
+  const int64_t stamp_ns = nanosecondsOf(stamp);
+  const int64_t back_ns = last_stamp_ns_ - stamp_ns;
+  if (back_ns > kLargestStep) shift_ns_ = 0;
+  if (back_ns > 0 && back_ns <= kLargestStep) {
+    shift_ns_ += back_ns + period_ns_;
+    status_.remark("the clock was set back by " + std::to_string(back_ns / 1'000'000) +
+                   " ms, the person is followed on");
+  }
+  if (back_ns < 0 && back_ns > -kLargestPeriod) period_ns_ = -back_ns;
+  last_stamp_ns_ = stamp_ns;
+  return stamp_ns + shift_ns_;
 }
 
 void FittingStage::prepareTracker(const FittingMessages& input) {
@@ -173,10 +209,13 @@ void FittingStage::saveBody() {
 
 void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
   const BodyModel& model = *body_->model;
-  const BodyPose pose = filter_ ? filter_->filtered(nanosecondsOf(header.stamp), raw) : raw;
+  const BodyPose pose =
+      filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
   status_.count(toString(pose.status));
+  last_pose_ns_ = nanosecondsOf(header.stamp);
   if (tracked) {
+    last_tracked_ns_ = nanosecondsOf(header.stamp);
     joint_states_.publish(jointStateFromPose(model, pose, header));
     broadcaster_.sendTransform(linkTransforms(model, pose, header));
     status_.ok(pose.reason.empty() ? "the person is tracked" : pose.reason);
@@ -186,6 +225,20 @@ void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) 
   announcer_.announce(tracked, header.stamp);
   if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
   publishShared(pose_, messageFromPose(model, raw, header));
+}
+
+void FittingStage::beat() {
+  MocapStatus message;
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = node_options_.world_frame;
+  message.body_id = node_options_.body_id;
+  const StageStatus::Summary summary = status_.summary();
+  message.level = summary.level;
+  message.message = summary.message;
+  message.last_pose = rosTime(last_pose_ns_);
+  message.last_tracked = rosTime(last_tracked_ns_);
+  inputs_->describeCameras(&message);
+  heartbeat_.publish(message);
 }
 
 void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {

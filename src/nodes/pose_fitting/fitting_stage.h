@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/tracking/pose_filter.h"
+#include "nodes/common/callback_gate.h"
 #include "nodes/common/catch_up_queue.h"
 #include "nodes/common/latency_meter.h"
 #include "nodes/common/stage_status.h"
@@ -36,30 +38,39 @@ class FittingStage {
   void enqueue(FittingMessages input);
   void work();
   BodyPose fit(const FittingMessages& input);
+  /// The tracker's time of a stamp: it goes on when the clock is set back a little.
+  int64_t steadyStamp(const ros::Time& stamp);
   /// Makes a new tracker if the rig has changed. An estimated shape is kept.
   void prepareTracker(const FittingMessages& input);
   /// Withdraws the announcement of the old body and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
   void publish(const BodyPose& raw, const std_msgs::Header& header);
+  /// Publishes the state, also when no images come.
+  void beat();
   void reportTimes(double fitting, const ros::Time& stamp);
 
   TrackerOptions options_;
   FittingNodeOptions node_options_;
   PersonResources resources_;
   StageStatus status_;
-  ros::Publisher joint_states_, pose_, markers_;
+  ros::Publisher joint_states_, pose_, markers_, heartbeat_;
   tf2_ros::TransformBroadcaster broadcaster_;
   BodyDescription description_;
   BodyAnnouncer announcer_;
   std::shared_ptr<const TrackedBody> body_;
-  std::optional<PoseFilter> filter_;      ///< for body_
-  std::shared_ptr<const CameraRig> rig_;  ///< of tracker_
-  std::unique_ptr<BodyTracker> tracker_;  ///< null until the rig is known
+  std::optional<PoseFilter> filter_;          ///< for body_
+  std::shared_ptr<const CameraRig> rig_;      ///< of tracker_
+  std::unique_ptr<BodyTracker> tracker_;      ///< null until the rig is known
+  int64_t last_stamp_ns_ = 0, shift_ns_ = 0;  ///< of the tracker
+  int64_t period_ns_ = 0;                     ///< between the last frame sets
+  std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
   LatencyMeter fitting_times_, latencies_;
   CatchUpQueue<FittingMessages> queue_;
   std::unique_ptr<FittingInputs> inputs_;
   std::thread worker_;
+  ros::WallTimer timer_;
+  CallbackGate gate_;
 };
 
 }  // namespace markerless_mocap

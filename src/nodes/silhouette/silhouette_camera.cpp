@@ -1,8 +1,9 @@
 #include "nodes/silhouette/silhouette_camera.h"
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <filesystem>
+#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
@@ -16,11 +17,22 @@ namespace {
 
 constexpr uint32_t kQueue = 16;  // images that wait while all cameras compute their backgrounds
 
-AssemblerOptions singleStream() {
-  AssemblerOptions options;
-  options.tolerance = 0.0;
-  options.min_streams = 1;
-  return options;
+int64_t steadyNanoseconds() {
+  using namespace std::chrono;
+  return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+bool isSame(const CameraImage& a, const CameraImage& b) {
+  if (a.raw && b.raw)
+    return a.raw->width == b.raw->width && a.raw->encoding == b.raw->encoding &&
+           a.raw->data == b.raw->data;
+  return a.compressed && b.compressed && a.compressed->data == b.compressed->data;
+}
+
+std::string seconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", value);
+  return text;
 }
 
 }  // namespace
@@ -31,10 +43,9 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
     : camera_(camera),
       node_options_(node_options),
       extractor_(options),
-      order_(1, singleStream()),
       status_(handle, private_handle, "silhouette of " + camera),
+      background_(camera, node_options, &extractor_, &status_),
       inputs_(handle, &status_) {
-  loadBackground();
   publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", kPublisherQueue);
   inputs_.listenToImages(camera, node_options.image_transport, kQueue, StageInputs::kRequired,
                          [this](const CameraImage& image) { receive(image); });
@@ -42,15 +53,40 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
 
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const uint64_t jumps = order_.counts().time_jumps_back;
-  const auto frame_sets = order_.add(0, nanosecondsOf(image.header().stamp), image);
-  if (order_.counts().time_jumps_back != jumps) extractor_.reset();
-  for (const auto& frame_set : frame_sets) process(frame_set.items[0]);
-  status_.set("images", order_.counts().complete);
-  status_.set("duplicate", order_.counts().duplicate);
-  status_.set("late", order_.counts().late);
-  status_.set("far in the future", order_.counts().far_future);
-  status_.set("time went back", order_.counts().time_jumps_back);
+  if (isUsable(image)) process(image);
+}
+
+bool SilhouetteCamera::isUsable(const CameraImage& image) {
+  if (!isInOrder(image.header().stamp)) return false;
+  status_.count("images");
+  return node_options_.input != "image" || !isFrozen(image);
+}
+
+// The background has nothing to do with the clock: it stays when the clock is set.
+bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
+  using Verdict = StampOrder::Verdict;
+  const StampOrder::Judgement found = order_.judge(nanosecondsOf(stamp), steadyNanoseconds());
+  if (found.verdict == Verdict::kZero)
+    status_.error("the stamps of " + camera_ + "'s images are zero, its driver has to set them");
+  if (found.verdict == Verdict::kDuplicate) status_.count("duplicate");
+  if (found.verdict == Verdict::kDoubtful) status_.count("stamps out of order, or too far ahead");
+  if (found.verdict == Verdict::kStepped) {
+    status_.count("steps of the clock");
+    status_.remark("the clock of " + camera_ + " was set " +
+                   (found.step < 0 ? "back by " : "ahead by ") + seconds(std::abs(found.step)) +
+                   ", its background is kept");
+  }
+  return found.isUsable();
+}
+
+bool SilhouetteCamera::isFrozen(const CameraImage& image) {
+  const bool frozen = frozen_.add(last_image_ && isSame(image, last_image_));
+  last_image_ = image;
+  if (!frozen) return false;
+  status_.count("images of a frozen camera");
+  status_.problem(camera_ + " is frozen: its last " + std::to_string(frozen_.run()) +
+                  " images are all the same; no masks are published until they change");
+  return true;
 }
 
 void SilhouetteCamera::process(const CameraImage& image) {
@@ -60,7 +96,9 @@ void SilhouetteCamera::process(const CameraImage& image) {
     else
       publishMask(image.mat(), image);
   } catch (const std::exception& error) {  // errors of the core and of OpenCV
+    status_.count("images that cannot be used");
     status_.problem(camera_ + ": " + error.what());
+    status_.remark(camera_ + " has sent images that cannot be used: " + error.what());
   }
 }
 
@@ -72,13 +110,16 @@ void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image
 }
 
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
-  const SilhouetteResult silhouette = extractor_.update(image.mat());
-  if (silhouette.state == SilhouetteState::kLearning) {
-    status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
-               " images so far");
-    return;
-  }
-  publishShared(publisher_, messageFromMat(silhouette.mask, image.header()));
+  const std::optional<SilhouetteResult> silhouette = background_.update(image.mat());
+  if (!silhouette) return status_.waiting("checking the background that was kept");
+  if (silhouette->state == SilhouetteState::kLearning)
+    return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
+                      " images so far");
+  publishShared(publisher_, messageFromMat(silhouette->mask, image.header()));
+  reportSilhouette(*silhouette);
+}
+
+void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {
   const auto changed = uint64_t(std::lround(100 * silhouette.changed_fraction));
   const auto light = uint64_t(std::lround(100 * silhouette.light_gain));
   const auto unknown = uint64_t(std::ceil(100 * silhouette.unknown_fraction));
@@ -99,27 +140,13 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
 void SilhouetteCamera::learnBackground() {
   checkInput();
   const std::lock_guard<std::mutex> lock(mutex_);
-  extractor_.relearn();
+  background_.relearn();
 }
 
 void SilhouetteCamera::saveBackground() {
   checkInput();
-  if (node_options_.background_folder.empty())
-    throw std::invalid_argument("background_folder is empty, allowed is the folder to write to");
   const std::lock_guard<std::mutex> lock(mutex_);
-  extractor_.saveBackground(backgroundFile());
-}
-
-void SilhouetteCamera::loadBackground() {
-  const bool wanted = node_options_.input == "image" && !node_options_.background_folder.empty();
-  if (wanted && std::filesystem::exists(backgroundFile()))
-    extractor_.loadBackground(backgroundFile());
-}
-
-std::string SilhouetteCamera::backgroundFile() const {
-  std::string name = camera_;
-  std::replace(name.begin(), name.end(), '/', '_');
-  return (std::filesystem::path(node_options_.background_folder) / (name + ".background")).string();
+  background_.save();
 }
 
 void SilhouetteCamera::checkInput() const {

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <mutex>
 
-#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "nodes/common/frozen_images.h"
 #include "nodes/common/stage_inputs.h"
+#include "nodes/common/stamp_order.h"
+#include "nodes/silhouette/kept_background.h"
 #include "ros/node_options.h"
 
 namespace markerless_mocap {
@@ -25,20 +27,25 @@ class SilhouetteCamera {
 
  private:
   void receive(const CameraImage& image);
+  /// Whether the image is in the order of time and not one of a frozen camera.
+  bool isUsable(const CameraImage& image);
+  bool isInOrder(const ros::Time& stamp);
+  bool isFrozen(const CameraImage& image);
   void process(const CameraImage& image);
   void publishMask(const cv::Mat& mask, const CameraImage& image);
   void publishSilhouette(const CameraImage& image);
-  void loadBackground();
-  std::string backgroundFile() const;
+  void reportSilhouette(const SilhouetteResult& silhouette);
   void checkInput() const;
 
   std::string camera_;
   SilhouetteNodeOptions node_options_;
   std::mutex mutex_;  ///< protects the extractor: services run in parallel with images
   SilhouetteExtractor extractor_;
-  FrameSetAssembler<CameraImage> order_;  ///< one stream: drops duplicate, late and implausible
-                                          ///< stamps
   StageStatus status_;
+  KeptBackground background_;  ///< of extractor_
+  StampOrder order_;
+  FrozenImages frozen_;
+  CameraImage last_image_;
   ros::Publisher publisher_;
   StageInputs inputs_;
 };

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "nodes/common/end_process.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -79,7 +81,7 @@ void CameraSource::start(int64_t start_ns, Sink sink, Trouble trouble) {
   start_ns_ = start_ns;
   sink_ = std::move(sink);
   trouble_ = std::move(trouble);
-  thread_ = std::thread([this] { run(); });
+  thread_ = std::thread([this] { runOrEndProcess("a camera", [this] { run(); }); });
 }
 
 void CameraSource::run() {

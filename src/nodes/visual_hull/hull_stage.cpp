@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "camera/timing_remarks.h"
+#include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
@@ -20,6 +21,10 @@ constexpr uint32_t kQueue = 16;    // messages per topic that wait while another
 constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
 constexpr double kMarkerDepth = 0.5;
+constexpr double kSilence = 0.3;  // s until frame sets no longer wait for a camera
+constexpr int kMaxMissed = 5;     // frame sets until they no longer wait for one with other stamps
+constexpr int64_t kStrayTime = 500'000'000;  // ns
+constexpr double kLookInterval = 0.1;        // s
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
   AssemblerOptions options;
@@ -28,6 +33,8 @@ AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollecto
   options.min_streams = 1;  // the reason is published even if a frame set has too few cameras
   options.offsets = rig.timeOffsets();
   if (!options.offsets.empty()) options.max_drift = kFollowedDrift;
+  options.silence = kSilence;
+  options.max_missed = kMaxMissed;
   return options;
 }
 
@@ -58,6 +65,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       status_(handle, private_handle, "visual hull"),
       inputs_(handle, &status_) {
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
+  cameras_ = handle.advertise<HullCameras>("hull/cameras_used", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
   if (!rig_.unusedCameras().empty()) ROS_WARN_STREAM("visual hull: " << rig_.unusedCameras());
@@ -76,7 +84,7 @@ void HullStage::subscribe() {
       inputs_.listenToImages(camera, node_options_.image_transport, kQueue, StageInputs::kOptional,
                              [this, i](const CameraImage& image) { receiveImage(i, image); });
     inputs_.listen<sensor_msgs::Image>(
-        camera + "/silhouette", kQueue, StageInputs::kRequired,
+        camera + "/silhouette", kQueue, StageInputs::kCamera,
         [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); });
   }
 }
@@ -107,7 +115,24 @@ void HullStage::receiveImage(size_t camera, const CameraImage& image) {
   drain();
 }
 
+void HullStage::followRig() {
+  const double now = ros::WallTime::now().toSec();
+  if (now >= next_look_ || now < next_look_ - kLookInterval) {
+    next_look_ = now + kLookInterval;
+    std::vector<std::string> remarks;
+    if (rig_.settle(tf_, now, &remarks)) {
+      carver_.reset();
+      carver_error_.clear();
+    }
+    for (const std::string& remark : remarks) status_.remark(remark);
+  }
+}
+
 void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask) {
+  if (mask->header.stamp.isZero())
+    return status_.error("the stamps of " + node_options_.cameras[camera] +
+                         "'s silhouettes are zero");
+  rig_.noteImageSize(camera, int(mask->width), int(mask->height));
   const uint64_t jumps = assembler_.counts().time_jumps_back;
   auto frame_sets = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
   if (assembler_.counts().time_jumps_back != jumps) waiting_.clear();
@@ -131,20 +156,57 @@ bool HullStage::waitsForImages(const Assembler::FrameSet& frame_set) const {
 }
 
 void HullStage::process(const Assembler::FrameSet& frame_set) {
+  if (isStray(frame_set)) {
+    status_.count("lone masks between frame sets");
+    return;
+  }
   std_msgs::Header header;
   header.stamp = rosTime(frame_set.stamp_ns);
   header.frame_id = node_options_.world_frame;
   VisualHull hull;
+  followRig();
   try {
     prepareCarver(header);
     const std::vector<CameraImage> images = takeImages(frame_set);
-    hull = carver_->carve(viewsOf(frame_set, images));
+    std::vector<LeftOutCamera> unreadable;
+    const std::vector<HullView> views = viewsOf(frame_set, images, &unreadable);
+    last_carved_ns_ = frame_set.stamp_ns;
+    hull = carver_->carve(views);
+    hull.cameras_left_out.insert(hull.cameras_left_out.end(), unreadable.begin(), unreadable.end());
     reportHull(hull, timingRemarks(frame_set));
   } catch (const std::exception& error) {
     hull = VisualHull();
-    status_.problem(error.what());
+    status_.problem(error.what() + timingRemarks(frame_set));
   }
+  publishCameras(frame_set, hull, header);
   publishShared(points_, messageFromHull(hull, header));
+}
+
+bool HullStage::isStray(const Assembler::FrameSet& frame_set) const {
+  const size_t present = std::count(frame_set.present.begin(), frame_set.present.end(), true);
+  return present < node_options_.requiredCameras() && last_carved_ns_ &&
+         std::abs(frame_set.stamp_ns - *last_carved_ns_) < kStrayTime;
+}
+
+void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
+                               const std_msgs::Header& header) {
+  HullCameras message;
+  message.header = header;
+  message.cameras = node_options_.cameras;
+  for (size_t i = 0; i < message.cameras.size(); ++i) {
+    const bool present = frame_set.present[i];
+    message.usable.push_back(present);
+    message.reasons.push_back(present ? "" : missRemark(message.cameras[i], assembler_.timing(i)));
+  }
+  for (const LeftOutCamera& camera : hull.cameras_left_out) {
+    const auto at = std::find(message.cameras.begin(), message.cameras.end(), camera.name) -
+                    message.cameras.begin();
+    // Where too little is known, fitting goes by the colours.
+    const sensor_msgs::ImageConstPtr& mask = frame_set.items[size_t(at)];
+    if (!mask || !hasUnknownBackground(*mask)) message.usable[size_t(at)] = false;
+    message.reasons[size_t(at)] = camera.reason;
+  }
+  cameras_.publish(message);
 }
 
 std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
@@ -194,19 +256,29 @@ std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_
   return images;
 }
 
+void HullStage::requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const {
+  if (usable >= node_options_.requiredCameras()) return;
+  throw std::invalid_argument("the frame set has the masks of " + std::to_string(usable) + " of " +
+                              std::to_string(frame_set.items.size()) + " cameras, at least " +
+                              std::to_string(node_options_.requiredCameras()) +
+                              " are needed within the deadline");
+}
+
 std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
-                                         const std::vector<CameraImage>& images) const {
-  const size_t present = std::count(frame_set.present.begin(), frame_set.present.end(), true);
-  if (present < node_options_.requiredCameras())
-    throw std::invalid_argument(
-        "the frame set has the masks of " + std::to_string(present) + " of " +
-        std::to_string(frame_set.items.size()) + " cameras, at least " +
-        std::to_string(node_options_.requiredCameras()) + " are needed within the deadline");
+                                         const std::vector<CameraImage>& images,
+                                         std::vector<LeftOutCamera>* left_out) const {
+  size_t usable = std::count(frame_set.present.begin(), frame_set.present.end(), true);
+  requireCameras(usable, frame_set);
   std::vector<HullView> views(frame_set.items.size());
   for (size_t i = 0; i < views.size(); ++i) {
     if (!frame_set.present[i]) continue;
-    views[i].mask = maskFromMessage(*frame_set.items[i]);
-    views[i].image = images[i].mat();
+    try {
+      views[i].mask = maskOfCamera(carver_->rig()[i], *frame_set.items[i]);
+      views[i].image = imageOfCamera(carver_->rig()[i], images[i]);
+    } catch (const std::exception& error) {
+      left_out->push_back({node_options_.cameras[i], error.what()});
+      if (--usable < node_options_.requiredCameras()) throw;
+    }
   }
   return views;
 }

@@ -43,9 +43,17 @@ class HullStage {
   /// Makes the carver as soon as rig and transforms are known; throws the reason if they are not.
   void prepareCarver(const std_msgs::Header& header);
   std::vector<CameraImage> takeImages(const Assembler::FrameSet& frame_set);
-  /// The result refers to the pixels of the images.
+  /// The result refers to the pixels of the images. A camera whose mask cannot be read is left out.
   std::vector<HullView> viewsOf(const Assembler::FrameSet& frame_set,
-                                const std::vector<CameraImage>& images) const;
+                                const std::vector<CameraImage>& images,
+                                std::vector<LeftOutCamera>* left_out) const;
+  void requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const;
+  /// Whether this is a lone mask between frame sets that have enough of them.
+  bool isStray(const Assembler::FrameSet& frame_set) const;
+  void publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
+                      const std_msgs::Header& header);
+  /// Takes over what has changed about the cameras.
+  void followRig();
   void reportCounts();
 
   HullOptions options_;
@@ -59,7 +67,9 @@ class HullStage {
   std::optional<HullCarver> carver_;
   std::string carver_error_;  ///< why the rig cannot be used; valid until the rig changes
   StageStatus status_;
-  ros::Publisher points_, grid_, markers_;
+  std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
+  double next_look_ = 0.0;                 ///< s, when to look for changes of the rig
+  ros::Publisher points_, cameras_, grid_, markers_;
   StageInputs inputs_;
 };
 

@@ -94,6 +94,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   checkFiles(options);
   Recording recording(options.input, options.recording);
   BagWriter bag(options.output);  // first, because what follows may take minutes
+  if (!options.report_folder.empty()) makeReportFolder(options.report_folder);
   PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
   OfflineOptions with_backgrounds = options;

@@ -1,5 +1,7 @@
 #include "tools/offline/run_report.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -64,11 +66,16 @@ void show(const Background& background, const std::string& source, ReportCamera*
 
 }  // namespace
 
+void makeReportFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || access(folder.c_str(), W_OK | X_OK) != 0)
+    throw std::runtime_error("cannot make the folder " + folder + " or write into it");
+}
+
 RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig& rig)
     : folder_(std::move(folder)), model_(model), rig_(rig), has_recorded_masks_(rig.size(), false) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw std::runtime_error("cannot make the folder " + folder_);
+  makeReportFolder(folder_);
   content_.cameras.resize(rig_.size());
   for (size_t i = 0; i < rig_.size(); ++i) content_.cameras[i].name = rig_[i].name();
 }

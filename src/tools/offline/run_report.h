@@ -9,6 +9,9 @@
 
 namespace markerless_mocap {
 
+/// Throws std::runtime_error if the folder of a report cannot be made or written to.
+void makeReportFolder(const std::string& folder);
+
 /// Compares the fitted bodies with the masks: overlap of the silhouettes, and overlay images.
 class RunReport {
  public:

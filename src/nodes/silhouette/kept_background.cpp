@@ -1,0 +1,108 @@
+#include "nodes/silhouette/kept_background.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace markerless_mocap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kCheckedImages = 3;
+constexpr double kMostChanged = 0.5;     // of the image; a person covers less
+constexpr double kMostGain = 1.6;        // with another exposure, colours are no longer the same
+constexpr double kSaveInterval = 600.0;  // s; the background follows the light of the day
+
+double steadySeconds() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+std::string fileOf(std::string camera, const SilhouetteNodeOptions& options) {
+  if (options.input != "image" || options.background_folder.empty()) return "";
+  std::replace(camera.begin(), camera.end(), '/', '_');
+  return (fs::path(options.background_folder) / (camera + ".background")).string();
+}
+
+std::string percent(double fraction) {
+  return std::to_string(std::lround(100 * fraction)) + " %";
+}
+
+}  // namespace
+
+KeptBackground::KeptBackground(const std::string& camera, const SilhouetteNodeOptions& options,
+                               SilhouetteExtractor* extractor, StageStatus* status)
+    : camera_(camera),
+      file_(fileOf(camera, options)),
+      keeps_(options.keep_background && !file_.empty()),
+      extractor_(extractor),
+      status_(status) {
+  if (file_.empty() || !fs::exists(file_)) return;
+  extractor_->loadBackground(file_);
+  unchecked_ = kCheckedImages;
+}
+
+std::optional<SilhouetteResult> KeptBackground::update(const cv::Mat& image) {
+  if (unchecked_ > 0) {
+    if (isLike(image) && --unchecked_ == 0)
+      status_->remark("the background of " + camera_ + " is that of " + file_);
+    return std::nullopt;
+  }
+  const SilhouetteResult result = extractor_->update(image);
+  if (keeps_) keep(result);
+  return result;
+}
+
+bool KeptBackground::isLike(const cv::Mat& image) {
+  SilhouetteResult result;
+  try {
+    result = extractor_->update(image);
+  } catch (const std::invalid_argument& error) {
+    refuse(error.what());
+    return false;
+  }
+  const double gain = std::max(result.light_gain, 1.0 / result.light_gain);
+  if (result.changed_fraction <= kMostChanged && gain <= kMostGain) return true;
+  refuse(percent(result.changed_fraction) + " of the image differ from it, the light is " +
+         percent(result.light_gain) + " of what it was");
+  return false;
+}
+
+void KeptBackground::refuse(const std::string& why) {
+  status_->remark("the background in " + file_ + " is not that of " + camera_ + " now: " + why +
+                  "; it is learned anew");
+  relearn();
+}
+
+void KeptBackground::relearn() {
+  unchecked_ = 0;
+  saved_at_.reset();
+  extractor_->relearn();
+}
+
+void KeptBackground::keep(const SilhouetteResult& result) {
+  const double now = steadySeconds();
+  const bool is_due = !saved_at_ || now - *saved_at_ > kSaveInterval;
+  if (!is_due || result.state != SilhouetteState::kReady || result.unknown_fraction > 0.0) return;
+  saved_at_ = now;
+  try {
+    save();
+  } catch (const std::exception& error) {
+    status_->remark(error.what());
+  }
+}
+
+// Written beside and renamed, so that whoever reads it finds either the old one or the new one.
+void KeptBackground::save() {
+  if (file_.empty())
+    throw std::invalid_argument("background_folder is empty, allowed is the folder to write to");
+  const std::string draft = file_ + ".new";
+  extractor_->saveBackground(draft);
+  fs::permissions(draft, fs::perms::owner_read | fs::perms::owner_write);
+  fs::rename(draft, file_);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+
+#include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "nodes/common/stage_status.h"
+#include "ros/node_options.h"
+
+namespace markerless_mocap {
+
+/// The background of one camera in a file, so that a node that starts again need not learn it while
+/// a person is in view. A file is believed when the first images have its size and are like it.
+class KeptBackground {
+ public:
+  /// Reads the file, if there is one. `extractor` and `status` must outlive this object.
+  KeptBackground(const std::string& camera, const SilhouetteNodeOptions& options,
+                 SilhouetteExtractor* extractor, StageStatus* status);
+
+  /// The extractor's result; none while the file is checked. Throws as
+  /// SilhouetteExtractor::update().
+  std::optional<SilhouetteResult> update(const cv::Mat& image);
+  void relearn();
+  /// Throws std::invalid_argument with the reason if it fails.
+  void save();
+
+ private:
+  /// Whether the image is like the background; if not, the reason is told.
+  bool isLike(const cv::Mat& image);
+  void refuse(const std::string& why);
+  void keep(const SilhouetteResult& result);
+
+  std::string camera_;
+  std::string file_;  ///< empty: none
+  bool keeps_;        ///< whether the file is written without being asked to
+  SilhouetteExtractor* extractor_;
+  StageStatus* status_;
+  int unchecked_ = 0;  ///< images that a background from the file is still to be checked against
+  std::optional<double> saved_at_;
+};
+
+}  // namespace markerless_mocap

@@ -1,0 +1,147 @@
+"""Plays a rendered recording as live cameras, forward and backward, and damages what they send."""
+import copy
+import math
+import subprocess
+import threading
+
+import numpy
+import rosbag
+import rospy
+import tf2_ros
+from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import CameraInfo, CompressedImage
+
+CAMERAS = ['cam%d' % i for i in range(8)]
+RATE, EMPTY, PERSON = 15.0, 45, 120  # per second, then frame sets
+
+
+def render(path):
+    settings = ['width=320', 'height=240', 'fps=%g' % RATE, 'background_frames=%d' % EMPTY,
+                'duration=%g' % (PERSON / RATE)]
+    subprocess.check_call(['rosrun', 'markerless_mocap', 'render_capture', path, '--quiet',
+                           '--images', 'jpeg', '--rig', 'ring7_overhead', '--motion',
+                           'wave_and_walk'] + [s for x in settings for s in ('--set', x)])
+
+
+def matrix(transform):
+    q, t = transform.rotation, transform.translation
+    x, y, z, w = q.x, q.y, q.z, q.w
+    return numpy.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), t.x],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), t.y],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), t.z],
+        [0, 0, 0, 1]])
+
+
+def places(transforms):
+    """Place of each link in the world, by its name without the body's."""
+    poses, found = {'world': numpy.eye(4)}, {}
+    waiting = list(transforms)
+    while waiting:
+        rest = []
+        for t in waiting:
+            if t.header.frame_id in poses:
+                poses[t.child_frame_id] = poses[t.header.frame_id] @ matrix(t.transform)
+                found[t.child_frame_id.rsplit('_', 1)[0]] = poses[t.child_frame_id][:3, 3]
+            else:
+                rest.append(t)
+        if len(rest) == len(waiting):
+            break
+        waiting = rest
+    return found
+
+
+class Recording:
+    def __init__(self, path):
+        sets, self.infos, self.truth, self.static = {}, {}, {}, []
+        with rosbag.Bag(path) as bag:
+            for topic, message, _ in bag.read_messages():
+                if topic.endswith('/compressed'):
+                    stamp = message.header.stamp.to_nsec()
+                    sets.setdefault(stamp, {})[topic.strip('/').split('/')[0]] = bytes(message.data)
+                elif topic.endswith('/camera_info'):
+                    self.infos[topic.strip('/').split('/')[0]] = message
+                elif topic == '/tf_static':
+                    self.static += message.transforms
+                elif topic == '/tf':
+                    stamp = message.transforms[0].header.stamp.to_nsec()
+                    self.truth.setdefault(stamp, []).extend(message.transforms)
+        self.stamps = sorted(sets)
+        self.images = [sets[stamp] for stamp in self.stamps]
+        self.places = [places(self.truth[s]) if s in self.truth else None for s in self.stamps]
+
+
+class Cameras:
+    """What a fault changes are the functions `stamp_of`, `content_of`, `data_of`, `info_of`,
+    `sends`, each by camera."""
+
+    def __init__(self, recording):
+        self.recording, self.frame, self.tick_count = recording, 0, 0
+        self.content = {}  # stamp, ns -> frame set of the recording
+        self.sent_at = {}  # stamp, ns -> time
+        self.heal()
+        self.images = {c: rospy.Publisher(c + '/image_raw/compressed', CompressedImage, queue_size=5)
+                       for c in CAMERAS}
+        self.infos = {c: rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5)
+                      for c in CAMERAS}
+        self.broadcaster = tf2_ros.StaticTransformBroadcaster()
+        self.broadcaster.sendTransform(recording.static)
+        self.running = True
+        self.thread = threading.Thread(target=self.run, daemon=True)
+
+    def heal(self):
+        self.stamp_of = lambda camera, stamp: stamp
+        self.content_of = lambda camera, frame: frame
+        self.data_of = lambda camera, data: data
+        self.info_of = lambda camera, info: info
+        self.sends = lambda camera: True
+
+    def place(self, camera, shift):
+        moved = TransformStamped()
+        for transform in self.recording.static:
+            if transform.child_frame_id.startswith(camera + '_'):
+                moved = copy.deepcopy(transform)
+        moved.transform.translation.x += shift
+        self.broadcaster.sendTransform([moved])
+
+    def index(self, frame):
+        if frame < EMPTY:
+            return frame
+        at = (frame - EMPTY) % (2 * PERSON - 2)
+        return EMPTY + (at if at < PERSON else 2 * PERSON - 2 - at)
+
+    def run(self):
+        rate = rospy.Rate(RATE)
+        while self.running and not rospy.is_shutdown():
+            self.send()
+            rate.sleep()
+
+    def send(self):
+        now = rospy.Time.now()
+        for camera in CAMERAS:
+            if not self.sends(camera):
+                continue
+            stamp = self.stamp_of(camera, now)
+            frame = self.index(self.content_of(camera, self.frame))
+            info = copy.copy(self.info_of(camera, self.recording.infos[camera]))
+            info.header = copy.copy(self.recording.infos[camera].header)
+            info.header.stamp = stamp
+            self.infos[camera].publish(info)
+            image = CompressedImage(format='jpeg')
+            image.header.stamp, image.header.frame_id = stamp, camera + '_optical'
+            image.data = self.data_of(camera, self.recording.images[frame][camera])
+            self.images[camera].publish(image)
+            self.content[stamp.to_nsec()] = self.index(self.frame)
+            self.sent_at[stamp.to_nsec()] = now.to_sec()
+        self.frame += 1
+
+    def nearest(self, stamp_ns):
+        return min(self.content, key=lambda s: abs(s - stamp_ns))
+
+    def error(self, found, stamp_ns):
+        """The largest distance of a joint from the truth, m."""
+        truth = self.recording.places[self.content[self.nearest(stamp_ns)]]
+        if truth is None:
+            return 9.0
+        shared = [name for name in found if name in truth]
+        return max(math.dist(found[name], truth[name]) for name in shared)

@@ -1,0 +1,75 @@
+#include "ros/jpeg_image.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+
+#include "error_text_of.h"
+#include "ros/image_conversions.h"
+
+namespace markerless_mocap {
+namespace {
+
+cv::Mat noise(int type) {
+  cv::Mat image(97, 131, type);
+  cv::theRNG().state = 7;
+  cv::randu(image, 0, 255);
+  return image;
+}
+
+std::vector<uint8_t> jpegOf(const cv::Mat& image) {
+  std::vector<uint8_t> bytes;
+  cv::imencode(".jpg", image, bytes);
+  return bytes;
+}
+
+TEST(JpegImage, IsDecodedAsOpenCvDoes) {
+  for (const int type : {CV_8UC1, CV_8UC3}) {
+    const std::vector<uint8_t> bytes = jpegOf(noise(type));
+    const cv::Mat expected = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
+    const cv::Mat image = decodedJpeg(bytes);
+    ASSERT_EQ(image.type(), expected.type());
+    EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0.0);
+  }
+}
+
+TEST(JpegImage, OneWithoutItsEndIsRefused) {
+  const std::vector<uint8_t> whole = jpegOf(noise(CV_8UC3));
+  for (const size_t size : {size_t(4), whole.size() / 10, whole.size() / 2, whole.size() - 40}) {
+    const std::vector<uint8_t> part(whole.begin(), whole.begin() + long(size));
+    ASSERT_TRUE(isJpeg(part));
+    EXPECT_NE(errorTextOf([&] { decodedJpeg(part); }).find("incomplete or damaged"),
+              std::string::npos)
+        << size;
+  }
+}
+
+TEST(JpegImage, MostOfThoseWithWrongBytesAreRefused) {
+  const std::vector<uint8_t> whole = jpegOf(noise(CV_8UC3));
+  int refused = 0;
+  for (size_t at = 700; at + 200 < whole.size(); at += whole.size() / 40) {
+    std::vector<uint8_t> damaged = whole;
+    for (size_t i = 0; i < 64; ++i) damaged[at + i] = uint8_t(damaged[at + i] * 7 + 13);
+    try {
+      decodedJpeg(damaged);
+    } catch (const std::invalid_argument&) {
+      ++refused;
+    }
+  }
+  EXPECT_GE(refused, 35);
+}
+
+TEST(JpegImage, AMessageSaysWhatIsWrong) {
+  sensor_msgs::CompressedImage message;
+  message.header.frame_id = "cam3_optical";
+  message.data = jpegOf(noise(CV_8UC3));
+  EXPECT_EQ(matFromMessage(message).cols, 131);
+  message.data.resize(message.data.size() / 2);
+  const std::string sentence = errorTextOf([&] { matFromMessage(message); });
+  EXPECT_NE(sentence.find("cam3_optical"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("incomplete or damaged"), std::string::npos) << sentence;
+}
+
+}  // namespace
+}  // namespace markerless_mocap

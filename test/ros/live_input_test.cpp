@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "nodes/common/end_process.h"
+#include "nodes/common/frozen_images.h"
+#include "nodes/common/input_watch.h"
+#include "nodes/common/stamp_order.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Verdict = StampOrder::Verdict;
+
+constexpr int64_t kMs = 1000000;
+constexpr int64_t kPeriod = 67 * kMs;
+
+/// Images at 15 per second; `clock_ns` is what the camera's clock says more than ours.
+struct Camera {
+  StampOrder order;
+  int64_t now_ns = 0, clock_ns = 1'000'000 * kMs;
+
+  StampOrder::Judgement send(int64_t off_ns = 0) {
+    now_ns += kPeriod;
+    return order.judge(now_ns + clock_ns + off_ns, now_ns);
+  }
+  void sendGood(int images) {
+    for (int i = 0; i < images; ++i) EXPECT_EQ(send().verdict, Verdict::kInOrder);
+  }
+};
+
+TEST(StampOrder, ZeroAndRepeatedStampsAreTold) {
+  StampOrder order;
+  EXPECT_EQ(order.judge(0, 1).verdict, Verdict::kZero);
+  EXPECT_EQ(order.judge(5 * kMs, 2).verdict, Verdict::kInOrder);
+  EXPECT_EQ(order.judge(5 * kMs, 3).verdict, Verdict::kDuplicate);
+}
+
+TEST(StampOrder, OneStampAheadCostsOneImage) {
+  for (const int64_t ahead : {1000 * kMs, 3'600'000 * kMs}) {
+    Camera camera;
+    camera.sendGood(20);
+    EXPECT_EQ(camera.send(ahead).verdict, Verdict::kDoubtful);
+    camera.sendGood(5);
+  }
+}
+
+TEST(StampOrder, AClockThatWasSetIsToldByHowMuch) {
+  for (const double step : {-0.3, -1.0, -3600.0, 1.0, 3600.0}) {
+    Camera camera;
+    camera.sendGood(20);
+    camera.clock_ns += int64_t(1e9 * step);
+    EXPECT_EQ(camera.send().verdict, Verdict::kDoubtful) << step;
+    const StampOrder::Judgement found = camera.send();
+    EXPECT_EQ(found.verdict, Verdict::kStepped) << step;
+    EXPECT_NEAR(found.step, step, 1e-6);
+    camera.sendGood(5);
+  }
+}
+
+TEST(StampOrder, AfterAPauseNothingIsLost) {
+  Camera camera;
+  camera.sendGood(20);
+  camera.now_ns += 30'000 * kMs;
+  camera.sendGood(5);
+}
+
+TEST(StampOrder, ImagesMayLack) {
+  Camera camera;
+  camera.sendGood(20);
+  camera.now_ns += 3 * kPeriod;
+  camera.sendGood(1);
+}
+
+TEST(FrozenImages, ASensorThatRepeatsItselfIsFrozenAtTheThirdImage) {
+  FrozenImages images;
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(images.add(false));
+  EXPECT_FALSE(images.add(true));
+  EXPECT_TRUE(images.add(true));
+  EXPECT_EQ(images.run(), 3);
+  EXPECT_TRUE(images.add(true));
+  EXPECT_FALSE(images.add(false));
+  EXPECT_FALSE(images.add(true)) << "what a frozen camera did is not usual";
+  EXPECT_TRUE(images.add(true));
+}
+
+TEST(FrozenImages, FilmsWithoutNoiseMayRepeatWhatTheyHaveRepeated) {
+  FrozenImages images;
+  images.add(false);
+  for (int i = 0; i < 40; ++i) EXPECT_FALSE(images.add(true)) << "an empty room";
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(images.add(false)) << "a person";
+  for (int i = 0; i < 60; ++i) EXPECT_FALSE(images.add(true)) << "the person is gone";
+  for (int i = 0; i < 60; ++i) images.add(true);
+  EXPECT_TRUE(images.add(true));
+}
+
+TEST(InputWatch, SilenceIsToldByThePeriod) {
+  using Silence = InputWatch::Silence;
+  InputWatch watch;
+  EXPECT_EQ(watch.silence(1e6), Silence::kNone) << "it has not begun";
+  double now = 100.0;
+  for (int i = 0; i < 10; ++i) watch.arrived(now += 1.0);
+  EXPECT_EQ(watch.silence(now + 2.9), Silence::kNone);
+  EXPECT_EQ(watch.silence(now + 3.1), Silence::kSome);
+  EXPECT_EQ(watch.silence(now + 10.1), Silence::kLong);
+  watch.arrived(now += 50.0);
+  EXPECT_EQ(watch.silence(now + 3.1), Silence::kSome) << "the pause is not the period";
+}
+
+TEST(InputWatch, FastInputsMayPauseForAMoment) {
+  using Silence = InputWatch::Silence;
+  InputWatch watch;
+  double now = 0.0;
+  for (int i = 0; i < 200; ++i) watch.arrived(now += 0.005);
+  EXPECT_EQ(watch.silence(now + 0.4), Silence::kNone);
+  EXPECT_EQ(watch.silence(now + 0.6), Silence::kSome);
+  EXPECT_EQ(watch.silence(now + 1.1), Silence::kLong);
+}
+
+TEST(EndProcess, AnExceptionInAThreadEndsTheProcess) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(runOrEndProcess("the worker", [] { throw std::runtime_error("no memory"); }),
+              testing::ExitedWithCode(1), "");
+  runOrEndProcess("the worker", [] {});
+}
+
+}  // namespace
+}  // namespace markerless_mocap
