@@ -52,29 +52,31 @@ void LagEstimate::reset() {
   std::fill(counts_.begin(), counts_.end(), 0);
 }
 
-void StreamPresence::arrived(size_t stream, int64_t now_ns) {
+void StreamPresence::arrived(size_t stream, int64_t newest_ns) {
   constexpr uint64_t kAveraged = 20;  // items
-  if (!first_ns_) first_ns_ = now_ns;
+  const auto longest = int64_t(1e9 * silence_ / 3.0);
+  now_ns_ += std::min(newest_ns - newest_ns_.value_or(newest_ns), longest);
+  newest_ns_ = newest_ns;
   State& state = streams_[stream];
   if (state.count > 0)
     state.gap_ns +=
-        (double(now_ns - state.last_ns) - state.gap_ns) / double(std::min(state.count, kAveraged));
+        (double(now_ns_ - state.last_ns) - state.gap_ns) / double(std::min(state.count, kAveraged));
   ++state.count;
-  state.last_ns = now_ns;
+  state.last_ns = now_ns_;
 }
 
-bool StreamPresence::isSilent(size_t stream, int64_t now_ns) const {
+bool StreamPresence::isSilent(size_t stream) const {
   constexpr double kUnknownGap = 1e9 / 3.0;  // a stream that has not sent twice may be starting
-  if (silence_ == 0.0 || !first_ns_) return false;
+  if (silence_ == 0.0) return false;
   const State& state = streams_[stream];
   const double gap = state.count > 1 ? state.gap_ns : kUnknownGap;
-  const int64_t since = state.count > 0 ? state.last_ns : *first_ns_;
-  return double(now_ns - since) > std::max(1e9 * silence_, 3.0 * gap);
+  return double(now_ns_ - state.last_ns) > std::max(1e9 * silence_, 3.0 * gap);
 }
 
 void StreamPresence::reset() {
   streams_.assign(streams_.size(), {});
-  first_ns_.reset();
+  newest_ns_.reset();
+  now_ns_ = 0;
 }
 
 }  // namespace markerless_mocap

@@ -67,6 +67,17 @@ TEST(LostStreams, AShortGapIsWaitedFor) {
   EXPECT_TRUE(assembler.timing(3).awaited);
 }
 
+TEST(LostStreams, APauseOfAllIsNoSilence) {
+  Assembler assembler = makeAssembler();
+  Sender sender{&assembler};
+  sender.send(20);
+  sender.epoch_ns += 3000 * kMs;
+  const Instants out = sender.send(2);
+  ASSERT_EQ(out.size(), 2u);
+  for (const auto& frame_set : out)
+    EXPECT_EQ(frame_set.present, std::vector<bool>(kStreams, true));
+}
+
 TEST(LostStreams, SlowStreamsAreNotTakenForSilent) {
   AssemblerOptions options;
   options.deadline = 2.0;

@@ -63,12 +63,13 @@ class Recording:
                     self.infos[topic.strip('/').split('/')[0]] = message
                 elif topic == '/tf_static':
                     self.static += message.transforms
-                elif topic == '/tf':
-                    stamp = message.transforms[0].header.stamp.to_nsec()
-                    self.truth.setdefault(stamp, []).extend(message.transforms)
+                elif topic == '/ground_truth/joints':
+                    places = {n: (p.x, p.y, p.z) for n, p in zip(message.names, message.positions)
+                              if n[:2] in ('l_', 'r_')}
+                    self.truth[message.header.stamp.to_nsec()] = places
         self.stamps = sorted(sets)
         self.images = [sets[stamp] for stamp in self.stamps]
-        self.places = [places(self.truth[s]) if s in self.truth else None for s in self.stamps]
+        self.places = [self.truth.get(stamp) for stamp in self.stamps]
 
 
 class Cameras:

@@ -69,14 +69,15 @@ class LagEstimate {
   std::vector<uint64_t> counts_;
 };
 
-/// Which of some streams still send. Time is that of the newest stamp, ns.
+/// Which of some streams still send. Time is that of the newest stamp, ns, but goes on by no more
+/// than a third of the allowed silence at once: where all streams have paused, none is silent.
 class StreamPresence {
  public:
   /// \param silence as AssemblerOptions::silence
   StreamPresence(size_t streams, double silence) : silence_(silence), streams_(streams) {}
 
-  void arrived(size_t stream, int64_t now_ns);
-  bool isSilent(size_t stream, int64_t now_ns) const;
+  void arrived(size_t stream, int64_t newest_ns);
+  bool isSilent(size_t stream) const;
   void reset();
 
  private:
@@ -87,7 +88,8 @@ class StreamPresence {
   };
   double silence_;
   std::vector<State> streams_;
-  std::optional<int64_t> first_ns_;
+  std::optional<int64_t> newest_ns_;
+  int64_t now_ns_ = 0;
 };
 
 /// Joins the items of N streams into frame sets by their stamps. It uses no clock: time is given by

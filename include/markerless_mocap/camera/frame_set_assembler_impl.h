@@ -195,7 +195,7 @@ void FrameSetAssembler<Item>::closeOldest(std::vector<FrameSet>* out) {
 template <class Item>
 bool FrameSetAssembler<Item>::isAwaited(size_t stream) const {
   if (options_.max_missed > 0 && missed_.at(stream) >= options_.max_missed) return false;
-  return !newest_ns_ || !presence_.isSilent(stream, *newest_ns_);
+  return !presence_.isSilent(stream);
 }
 
 template <class Item>
