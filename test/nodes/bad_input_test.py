@@ -10,7 +10,7 @@ import tf2_ros
 from bad_parameters_test import rig_text
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
-from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
+from markerless_mocap.msg import BodyParts, BodyPose, HullCameras, PoseTree, VoxelGrid
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2, PointField
 
 SIZE = (64, 48)
@@ -145,6 +145,29 @@ class Hull(HullNode):
 
     def test_full_masks(self):
         self.expect('is full', [info('a_optical'), info('b_optical')], value=255)
+
+
+class HullOfTwoGoodCameras(Diagnosed):
+    def test_one_malformed_mask_costs_its_camera(self):
+        rospy.set_param('/visual_hull/cameras', ['a', 'b', 'c'])
+        rospy.set_param('/visual_hull/min_cameras', 2)
+        rospy.set_param('/visual_hull/min_views', 2)
+        infos = [rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5) for c in 'abc']
+        masks = [rospy.Publisher(c + '/silhouette', Image, queue_size=5) for c in 'abc']
+        used = []
+        subscriber = rospy.Subscriber('hull/cameras_used', HullCameras, used.append)
+        self.addCleanup(subscriber.unregister)
+        self.run_node('visual_hull')
+
+        def send(stamp):
+            for name, publisher in zip('aba', infos):
+                publisher.publish(info(name + '_optical'))
+            for publisher, size in zip(masks, (SIZE, SIZE, (32, 24))):
+                publisher.publish(mask(stamp, 0, size))
+        self.send_until('the masks of all 2 cameras are empty', send)
+        rospy.sleep(0.3)
+        self.assertEqual([True, True, False], list(used[-1].usable))
+        self.assertIn('is 32 x 24 pixels', used[-1].reasons[2])
 
 
 class HullWithRigFile(HullNode):
@@ -297,7 +320,7 @@ class FittingContours(FittingNode):
         self.expect("camera 'a': K is all zero", [info('a_optical', focal=0.0), self.both[1]])
 
     def test_mask_of_another_size(self):
-        self.expect("the mask of camera 'a' must have", self.both, size=(32, 24))
+        self.expect("mask of camera 'a' is 32 x 24 pixels", self.both, size=(32, 24))
 
     def test_mask_of_another_encoding(self):
         self.expect('has the encoding "8SC1", allowed is mono8', self.both, encoding='8SC1')

@@ -43,20 +43,21 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
   return resources;
 }
 
-/// Empty if it is none, or not of the camera's size: that camera is left out.
-cv::Mat maskOrNothing(const Camera& camera, const sensor_msgs::ImageConstPtr& message) {
-  if (!message) return cv::Mat();
-  try {
-    return maskOfCamera(camera, *message);
-  } catch (const std::exception&) {  // visual_hull tells it
-    return cv::Mat();
-  }
-}
-
+/// A mask that cannot be used is left out; if none can, the first reason is thrown.
 std::vector<cv::Mat> masksOf(const FittingMessages& input) {
-  std::vector<cv::Mat> masks;
-  for (size_t i = 0; i < input.masks.size(); ++i)
-    masks.push_back(maskOrNothing((*input.rig)[i], input.masks[i]));
+  std::vector<cv::Mat> masks(input.masks.size());
+  std::string fault;
+  bool any = false;
+  for (size_t i = 0; i < masks.size(); ++i) {
+    if (!input.masks[i]) continue;
+    try {
+      masks[i] = maskOfCamera((*input.rig)[i], *input.masks[i]);
+      any = true;
+    } catch (const std::exception& error) {
+      if (fault.empty()) fault = error.what();
+    }
+  }
+  if (!any && !fault.empty()) throw std::invalid_argument(fault);
   return masks;
 }
 
