@@ -6,6 +6,7 @@
 #include "nodes/common/frozen_images.h"
 #include "nodes/common/input_watch.h"
 #include "nodes/common/stamp_order.h"
+#include "nodes/common/sudden_change.h"
 
 namespace markerless_mocap {
 namespace {
@@ -92,6 +93,36 @@ TEST(FrozenImages, FilmsWithoutNoiseMayRepeatWhatTheyHaveRepeated) {
   for (int i = 0; i < 60; ++i) EXPECT_FALSE(images.add(true)) << "the person is gone";
   for (int i = 0; i < 60; ++i) images.add(true);
   EXPECT_TRUE(images.add(true));
+}
+
+cv::Mat picture(int seed, int noise) {
+  cv::Mat image(60, 80, CV_8UC3), change(60, 80, CV_8UC3);
+  cv::theRNG().state = uint64_t(seed);
+  cv::randu(image, 0, 255);
+  cv::theRNG().state = uint64_t(noise);
+  cv::randu(change, 0, 8);
+  return image + change;
+}
+
+TEST(SuddenChange, ADamagedImageIsLeftOutAndOneThatStaysIsNot) {
+  SuddenChange change;
+  for (int i = 1; i < 5; ++i) EXPECT_FALSE(change.add(picture(1, i)));
+  for (int i = 1; i < 5; ++i) EXPECT_TRUE(change.add(picture(1 + i, 7))) << "each another";
+  EXPECT_FALSE(change.add(picture(1, 9)));
+  EXPECT_TRUE(change.add(picture(33, 1)));
+  EXPECT_TRUE(change.add(picture(33, 2)));
+  EXPECT_FALSE(change.add(picture(33, 3))) << "a lamp";
+  EXPECT_FALSE(change.add(picture(33, 4)));
+}
+
+TEST(SuddenChange, AnUnreadableImageBetweenEndsTheRun) {
+  SuddenChange change;
+  change.add(picture(1, 1));
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(change.add(picture(33, i)));
+    EXPECT_TRUE(change.add(picture(33, i)));
+    change.interrupt();
+  }
 }
 
 TEST(InputWatch, SilenceIsToldByThePeriod) {

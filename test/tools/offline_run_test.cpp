@@ -150,6 +150,17 @@ TEST_F(OfflineRun, InputIsNotOverwritten) {
             "input and output are the same file " + options_.input);
 }
 
+TEST_F(OfflineRun, AReportThatCannotBeWrittenIsToldBeforeTheRun) {
+  writeBag();
+  options_.report_folder = options_.input + "/report";
+  std::ostringstream notes;
+  const std::string fault =
+      errorTextOf<std::exception>([&] { runOffline(options_, &notes, false); });
+  EXPECT_EQ(fault, "cannot make the folder " + options_.report_folder + " or write into it");
+  EXPECT_EQ(notes.str(), "");
+  EXPECT_FALSE(std::filesystem::exists(options_.output));
+}
+
 TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
   writeBag();
   options_.urdf_template = path("none.urdf");

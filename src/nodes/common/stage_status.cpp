@@ -14,7 +14,7 @@ using diagnostic_msgs::DiagnosticStatus;
 namespace {
 
 constexpr double kRemarkTime = 10.0;  // s
-constexpr size_t kMaxRemarks = 4;
+constexpr size_t kMaxRemarks = 64, kShownRemarks = 3;
 constexpr double kStartTime = 5.0;   // s until every camera should have sent
 constexpr double kResultTime = 3.0;  // s that one frame set may take, as a search for a person does
 
@@ -163,11 +163,14 @@ StageStatus::Summary StageStatus::summaryNow(double now) {
     summary.message = silence.message + (stopped ? "" : "; " + summary.message);
     summary.level = std::max(summary.level, silence.level);
   }
-  while (!remarks_.empty() && remarks_.front().until < now) remarks_.pop_front();
-  for (const Remark& remark : remarks_) {
-    summary.message += "; " + remark.message;
-    summary.level = std::max<uint8_t>(summary.level, DiagnosticStatus::WARN);
-  }
+  remarks_.erase(std::remove_if(remarks_.begin(), remarks_.end(),
+                                [now](const Remark& remark) { return remark.until < now; }),
+                 remarks_.end());
+  if (!remarks_.empty()) summary.level = std::max<uint8_t>(summary.level, DiagnosticStatus::WARN);
+  for (size_t i = 0; i < std::min(remarks_.size(), kShownRemarks); ++i)
+    summary.message += "; " + remarks_[remarks_.size() - 1 - i].message;
+  if (remarks_.size() > kShownRemarks)
+    summary.message += "; and " + std::to_string(remarks_.size() - kShownRemarks) + " more";
   return summary;
 }
 

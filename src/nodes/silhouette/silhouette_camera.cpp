@@ -96,6 +96,7 @@ void SilhouetteCamera::process(const CameraImage& image) {
     else
       publishMask(image.mat(), image);
   } catch (const std::exception& error) {  // errors of the core and of OpenCV
+    change_.interrupt();
     status_.count("images that cannot be used");
     status_.problem(camera_ + ": " + error.what());
     status_.remark(camera_ + " has sent images that cannot be used: " + error.what());
@@ -110,7 +111,14 @@ void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image
 }
 
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
-  const std::optional<SilhouetteResult> silhouette = background_.update(image.mat());
+  const cv::Mat pixels = image.mat();
+  if (change_.add(pixels)) {
+    status_.count("images unlike those before");
+    return status_.problem("the last image of " + camera_ +
+                           " is nearly everywhere unlike the one " +
+                           "before; it is left out, unless the change stays");
+  }
+  const std::optional<SilhouetteResult> silhouette = background_.update(pixels);
   if (!silhouette) return status_.waiting("checking the background that was kept");
   if (silhouette->state == SilhouetteState::kLearning)
     return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +

@@ -9,6 +9,7 @@
 #include "nodes/common/frozen_images.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_order.h"
+#include "nodes/common/sudden_change.h"
 #include "nodes/silhouette/kept_background.h"
 #include "ros/node_options.h"
 
@@ -45,6 +46,7 @@ class SilhouetteCamera {
   KeptBackground background_;  ///< of extractor_
   StampOrder order_;
   FrozenImages frozen_;
+  SuddenChange change_;
   CameraImage last_image_;
   ros::Publisher publisher_;
   StageInputs inputs_;
