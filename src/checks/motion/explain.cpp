@@ -23,7 +23,7 @@ double leastGain(ExplanationKind kind) {
     case ExplanationKind::kTurned:
       return 0.15;
     case ExplanationKind::kFocalLength:
-      return 0.12;
+      return 0.15;
     case ExplanationKind::kDistortion:
       return 0.07;
     default:

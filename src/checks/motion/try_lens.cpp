@@ -8,6 +8,9 @@
 namespace markerless_mocap {
 namespace {
 
+/// Cosine to the vertical above which shoulders hide the body, which looks like another lens.
+constexpr double kSteep = 0.6;
+
 const std::vector<double>& focalSteps() {
   static const std::vector<double> steps{0.5,  0.6,  0.7,  0.8,  0.87, 0.93, 0.97,
                                          1.03, 1.07, 1.15, 1.25, 1.4,  1.6,  2.0};
@@ -59,6 +62,8 @@ void tryCamera(const RigSight& sight, const RigModel& model, const CameraState& 
 
 void tryLens(const RigSight& sight, const RigModel& model, const CameraState& state,
              std::vector<Explanation>* out) {
+  const Eigen::Isometry3d& pose = model[state.camera].calibration.T_world_camera;
+  if (std::abs(pose.linear()(2, 2)) > kSteep) return;
   tryCamera(sight, model, state, ExplanationKind::kFocalLength, focalSteps(), scaleFocal, out);
   tryCamera(sight, model, state, ExplanationKind::kDistortion, bendSteps(), addBend, out);
 }
