@@ -29,6 +29,8 @@ const std::vector<Consequence>& consequences() {
        {"camera_turned", "time_offset", "clock_drifts", "focal_length_wrong", "distortion_wrong",
         "rotation_inverted", "image_mirrored", "image_upside_down", "exposure_wanders",
         "white_balance_wanders"}},
+      // Another focal length bends the rays, too.
+      {{"focal_length_wrong"}, {"distortion_wrong"}},
       {{"poses_identical"},
        {"camera_turned", "rotation_inverted", "pose_inverted", "translation_inverted",
         "axes_not_optical", "cameras_exchanged", "focal_length_wrong", "distortion_wrong"}},
@@ -48,6 +50,13 @@ bool isConsequence(const Finding& finding, const Findings& all) {
       for (const Finding& cause : all)
         if (rule.causes.count(cause.what) && concern(cause, finding)) return true;
   return false;
+}
+
+/// The search may correct one thing in two steps.
+bool isSaid(const Finding& finding, const Findings& said) {
+  return std::any_of(said.begin(), said.end(), [&](const Finding& other) {
+    return other.what == finding.what && other.camera == finding.camera;
+  });
 }
 
 }  // namespace
@@ -75,7 +84,7 @@ Findings checkRig(const SeenRig& rig) {
   checkMotion(rig, &all);
   Findings causes;
   for (const Finding& finding : all)
-    if (!isConsequence(finding, all)) causes.push_back(finding);
+    if (!isConsequence(finding, all) && !isSaid(finding, causes)) causes.push_back(finding);
   std::stable_sort(causes.begin(), causes.end(), [](const Finding& a, const Finding& b) {
     return int(a.severity) > int(b.severity);
   });
