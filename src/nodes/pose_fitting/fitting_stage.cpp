@@ -18,6 +18,7 @@
 #include "ros/pose_conversions.h"
 #include "ros/pose_tree_conversions.h"
 #include "ros/segmentation_conversions.h"
+#include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
 namespace {
@@ -195,6 +196,8 @@ void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
   if (!newly_measured) return;
   ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
            statureOf(body_->shape));
+  const std::string scale = scaleFinding(statureOf(body_->shape));
+  if (!scale.empty()) ROS_WARN("pose fitting: %s", scale.c_str());
   resources_.known_shape = body_->shape;
   saveBody();
 }

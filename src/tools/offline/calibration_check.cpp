@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "markerless_mocap/tracking/shape_file.h"
+#include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 constexpr double kMinTurn = 0.15 * M_PI / 180.0, kMinPixels = 1.5;
 constexpr double kMinDeviations = 4.0;
 constexpr size_t kSamples = 16;  // enough to notice a turn
-
-// People are rarely taller or, from the age of four on, shorter, metres.
-constexpr double kTallest = 2.15, kShortest = 1.0;
-constexpr double kUsualStature = 1.75;
 
 bool isRotated(const OrientationCorrection& camera) {
   const double pixels = camera.pixels.norm();
@@ -51,18 +48,6 @@ std::string CalibrationCheck::finding() const {
   const std::string turns =
       calibrationFinding(refineCameraOrientations(rig_, options_, *body_, sampler_->samples(), {}));
   return scale.empty() || turns.empty() ? scale + turns : scale + '\n' + turns;
-}
-
-std::string scaleFinding(double stature) {
-  if (stature > kShortest && stature < kTallest) return "";
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "the calibration looks wrong: the person is %.2f m tall in it, so its metre is too "
-                "%s; it is used as it is. For a person of %.2f m, all lengths must be multiplied "
-                "by %.2f: check the unit and the size of the board's squares",
-                stature, stature > kTallest ? "short" : "long", kUsualStature,
-                kUsualStature / stature);
-  return text;
 }
 
 std::string calibrationFinding(const OrientationRefinement& estimate) {

@@ -28,9 +28,6 @@ class CalibrationCheck {
   std::optional<OrientationSampler> sampler_;
 };
 
-/// The sentence of CalibrationCheck::finding() for a person of this stature, metres.
-std::string scaleFinding(double stature);
-
 /// The sentence of CalibrationCheck::finding() for an estimate.
 std::string calibrationFinding(const OrientationRefinement& estimate);
 
