@@ -65,8 +65,9 @@ class ContourTracker : public BodyTracker {
   /// The masks, or colours around the predicted pose.
   RegionObservation observe(const Frame& now) const;
   /// Where the background is not known: the most promising poses, fitted to colours; best first.
+  /// \param rival see searchByColor()
   std::vector<RegionFit> fitsByColor(const RegionObserver& observer, const Frame& now,
-                                     const Search& search) const;
+                                     const Search& search, double rival) const;
   /// True if the pose of a start is to be compared with that of another start now.
   bool needsCheck(const Frame& now) const;
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
@@ -99,7 +100,7 @@ class ContourTracker : public BodyTracker {
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_check_ns_ = 0;
   int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0, next_learning_ns_ = 0;
-  int color_checks_ = 0;  ///< since the last start
+  int color_checks_ = 0, color_confirmations_ = 0;  ///< since the last start
   int64_t limb_search_interval_ns_ = 0;  ///< to the next search if this one has no success
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;

@@ -45,11 +45,11 @@ class ColorStartTest : public testing::Test, protected UnknownRoom {
   int proposals = 0;
 };
 
-TEST_F(ColorStartTest, AGoodStartIsCheckedFourTimesAndStays) {
+TEST_F(ColorStartTest, AGoodStartIsConfirmedTwiceAndStays) {
   ContourTracker right = tracker();
   const BodyPose found = poseAfter(90, right);
   EXPECT_EQ(found.status, PoseStatus::kTracked) << found.reason;
-  EXPECT_EQ(proposals, 1 + 4);
+  EXPECT_EQ(proposals, 1 + 2);
   EXPECT_LT(ankleError(found, right), 0.08);
 }
 

@@ -18,6 +18,8 @@ constexpr int kWidthPerDisk = 120;
 // Worse poses are not worth a search for their limbs.
 constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
+// Nine of ten searches for limbs raise the score by less.
+constexpr double kLargestLimbGain = 0.15;
 
 bool isFitted(const RegionFit& one) {
   return one.fit.status == ContourFitStatus::kFitted;
@@ -106,15 +108,17 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
-                                     const ContourBody& body,
-                                     const std::vector<ContourPose>& poses) {
+                                     const ContourBody& body, const std::vector<ContourPose>& poses,
+                                     double rival) {
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
     RegionFit one = followed(observer, tracker, frame, body, pose, kFirstRounds);
     if (!isFitted(one) || one.fit.overlap < kMinOverlap || one.found.agreement < kMinAgreement)
       continue;
-    if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
-      one = std::move(*better);
+    if (one.score() > rival - kLargestLimbGain)
+      if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
+        one = std::move(*better);
+    rival = std::max(rival, one.score());
     out.push_back(std::move(one));
   }
   std::stable_sort(out.begin(), out.end(), [](const RegionFit& one, const RegionFit& other) {

@@ -21,12 +21,13 @@ struct RegionFit {
 /// person, and the pose is fitted to that person. Then the same with other places of the limbs,
 /// which the silhouettes propose.
 /// \param poses may be wrong by tenths of a radian and decimetres
+/// \param rival a score that is known; limbs are not searched where they could not reach it
 /// \return one result per pose, best first; poses that cannot be fitted are left out
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
-                                     const ContourBody& body,
-                                     const std::vector<ContourPose>& poses);
+                                     const ContourBody& body, const std::vector<ContourPose>& poses,
+                                     double rival = 0.0);
 
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
 /// \return empty if they are not better

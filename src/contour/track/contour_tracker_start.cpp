@@ -17,7 +17,8 @@ constexpr int64_t kStartInterval_ns = 50000000;
 // legs, but later searches found the right pose, whose score was higher by 0.03 and more. So each
 // start is checked by searches after this time, twice this, four times this ...
 constexpr int64_t kFirstColorCheck_ns = 100000000;
-constexpr int kColorChecks = 4;
+constexpr int kColorChecks = 4;         // at most
+constexpr int kColorConfirmations = 2;  // in a row are enough
 constexpr double kMinCheckGain = 0.01;  // of the score
 
 }  // namespace
@@ -36,12 +37,12 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
 }
 
 std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observer, const Frame& now,
-                                                   const Search& search) const {
+                                                   const Search& search, double rival) const {
   std::vector<ContourPose> starts;
   for (const ContourFit& fit :
        hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
     starts.push_back(fit.pose);
-  return searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_, starts);
+  return searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_, starts, rival);
 }
 
 ActiveTrack ContourTracker::start(const Frame& now) {
@@ -49,14 +50,14 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   if (by_color && now.stamp_ns < next_color_start_ns_) return {};
   next_color_start_ns_ = now.stamp_ns + 2 * kFirstColorCheck_ns;
   next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kStartInterval_ns);
-  color_checks_ = 0;
+  color_checks_ = color_confirmations_ = 0;
   observer_.reset();
   Search search{observer_.observeLargest(now.regions, now.hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
   if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
   if (by_color) {
-    std::vector<RegionFit> fits = fitsByColor(observer_, now, search);
+    std::vector<RegionFit> fits = fitsByColor(observer_, now, search, 0.0);
     if (!fits.empty()) search = {std::move(fits.front().found), {fits.front().fit.pose}};
   }
   still_contours_.weigh(search.found.seen);
@@ -66,7 +67,8 @@ ActiveTrack ContourTracker::start(const Frame& now) {
 
 bool ContourTracker::needsCheck(const Frame& now) const {
   if (now.stamp_ns < next_check_ns_) return false;
-  return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks);
+  return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks &&
+                        color_confirmations_ < kColorConfirmations);
 }
 
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
@@ -88,11 +90,12 @@ ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& ac
   const RegionObserver observer = observer_.withoutColors();
   Search search{observer.observeLargest(now.regions, now.hull), {}};
   search.poses = proposals(now, search.found.seen);
-  const std::vector<RegionFit> others = fitsByColor(observer, now, search);
   const ContourPose& pose = active.track.fit.pose;
   std::vector<RegionFit> fits =
       searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_,
                     {pose, withLegsSwapped(*contour_body_, pose)});
+  const std::vector<RegionFit> others =
+      fitsByColor(observer, now, search, fits.empty() ? 0.0 : fits.front().score());
   if (!others.empty() &&
       (fits.empty() || others.front().score() > fits.front().score() + kMinCheckGain))
     fits = others;
@@ -100,8 +103,10 @@ ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& ac
   const RegionFit& best = fits.front();
   if (!limbsDiffer(*contour_body_, best.fit.pose, active.track.fit.pose)) {
     hypotheses_.confirm();
+    ++color_confirmations_;
     return active;
   }
+  color_confirmations_ = 0;
   observer_.reset();
   take(best.found);
   return hypotheses_.startFrom(now.stamp_ns, best.fit);
