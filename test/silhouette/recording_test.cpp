@@ -140,6 +140,15 @@ TEST(RecordingLearner, FurnitureThatIsBroughtInLeavesTheFirstImagesEmpty) {
   EXPECT_FALSE(learner.isOccupiedAtFirst());
 }
 
+TEST(RecordingLearner, SunThatWandersAwayIsNobodyWhoLeaves) {
+  const cv::Mat scene = makeScene(3);
+  cv::Mat sunny = scene.clone();
+  sunny(kPerson) *= 1.35;
+  RecordingLearner learner({}, kFrames);
+  for (int i = 0; i < kFrames; ++i) learner.add(withNoise(i < 35 ? sunny : scene, i));
+  EXPECT_FALSE(learner.isOccupiedAtFirst());
+}
+
 TEST(RecordingLearner, PersonWhoStandsStillAtFirstAndThenLeavesIsNoticed) {
   const cv::Mat scene = makeScene(3);
   RecordingLearner learner({}, kFrames);

@@ -1,5 +1,6 @@
 #include "silhouette/recording/first_images.h"
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "silhouette/background/light_gain.h"
@@ -18,6 +19,8 @@ constexpr float kConstantShare = 0.8f;  ///< of the later images
 constexpr size_t kFewest = 4;           ///< later images to decide by
 constexpr int kOpen = 3;
 constexpr int kRing = 7;               ///< width of the ring around a region, px
+constexpr int kAround = 5;             ///< what detail is compared with, px
+constexpr double kSameDetail = 0.5;    ///< correlation of a surface's detail in other light
 constexpr float kConstantRing = 0.8f;  ///< fraction of the ring that is constant later
 
 std::vector<PixelCandidates> candidatesOf(const std::vector<cv::Mat>& images,
@@ -56,6 +59,26 @@ cv::Mat edgesOf(const cv::Mat& color) {
   edges = cv::abs(dx) + cv::abs(dy);
   cv::transform(edges, edges, cv::Matx13f(1, 1, 1));
   return edges;
+}
+
+/// Grey levels above or below those around.
+cv::Mat detailOf(const cv::Mat& color) {
+  cv::Mat grey, around;
+  color.convertTo(grey, CV_32F);
+  cv::transform(grey, grey, cv::Matx13f(1, 1, 1));
+  cv::blur(grey, around, {kAround, kAround});
+  return grey - around;
+}
+
+/// Whether the region shows the same surface before and after, only under other light: sun that
+/// wanders, a lamp, a shadow.
+bool isOtherLight(const cv::Mat& region, const Scene& before, const Scene& after) {
+  cv::Mat inner;
+  cv::erode(region, inner, cv::Mat::ones(kAround, kAround, CV_8UC1));
+  const cv::Mat a = detailOf(before.color), b = detailOf(after.color);
+  const double both = cv::mean(a.mul(b), inner)[0];
+  return both >
+         kSameDetail * std::sqrt(cv::mean(a.mul(a), inner)[0] * cv::mean(b.mul(b), inner)[0]);
 }
 
 cv::Mat changedPixels(const Scene& before, const Scene& after) {
@@ -100,7 +123,7 @@ bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& la
   const int n = cv::connectedComponentsWithStats(changed, labels, stats, centers);
   for (int label = 1; label < n; ++label)
     if (stats.at<int>(label, cv::CC_STAT_AREA) > kLeftFraction * first.size.area() &&
-        hasLeft(labels == label, before, after))
+        hasLeft(labels == label, before, after) && !isOtherLight(labels == label, before, after))
       return true;
   return false;
 }
