@@ -165,9 +165,12 @@ class HullOfTwoGoodCameras(Diagnosed):
             for publisher, size in zip(masks, (SIZE, SIZE, (32, 24))):
                 publisher.publish(mask(stamp, 0, size))
         self.send_until('the masks of all 2 cameras are empty', send)
-        rospy.sleep(0.3)
+        end = rospy.get_time() + 20  # the third camera may be connected last
+        while not used or 'is 32 x 24 pixels' not in used[-1].reasons[2]:
+            self.assertLess(rospy.get_time(), end, used and used[-1].reasons)
+            send(rospy.Time.now())
+            rospy.sleep(0.05)
         self.assertEqual([True, True, False], list(used[-1].usable))
-        self.assertIn('is 32 x 24 pixels', used[-1].reasons[2])
 
 
 class HullWithRigFile(HullNode):
