@@ -52,7 +52,7 @@ class ContourTracker : public BodyTracker {
   void setBody(std::shared_ptr<const TrackedBody> body);
   /// Returns true if an estimate was available.
   bool useEstimatedShape();
-  /// Of the best of the fits with the mean body of a stature, metres.
+  /// Quality of the best fit of the mean body. \param stature metres
   double qualityAt(double stature, const ContourObservation& seen,
                    const std::vector<ContourPose>& poses) const;
   void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);

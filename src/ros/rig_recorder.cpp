@@ -124,13 +124,8 @@ void CameraRecorder::add(const sensor_msgs::Image& image, int64_t received_ns,
   seen.width = int(image.width);
   seen.height = int(image.height);
   seen.fingerprint = fingerprintOf(image.data);
-  if (detail.pixels || detail.picture) try {
-      addPixels(seen_.masks_only ? maskFromMessage(image) : sharedMatFromMessage(image), detail,
-                &seen);
-    } catch (const std::invalid_argument&) {
-      ++seen_.unreadable;
-    }
-  seen_.images.push_back(std::move(seen));
+  keep(std::move(seen), detail,
+       [&] { return seen_.masks_only ? maskFromMessage(image) : sharedMatFromMessage(image); });
 }
 
 void CameraRecorder::add(const sensor_msgs::CompressedImage& image, int64_t received_ns,
@@ -139,11 +134,18 @@ void CameraRecorder::add(const sensor_msgs::CompressedImage& image, int64_t rece
   seen.stamp_ns = nanosecondsOf(image.header.stamp);
   seen.received_ns = received_ns;
   seen.fingerprint = fingerprintOf(image.data);
-  if (detail.pixels || detail.picture) try {
-      addPixels(matFromMessage(image), detail, &seen);
+  keep(std::move(seen), detail, [&] { return matFromMessage(image); });
+}
+
+template <class Decode>
+void CameraRecorder::keep(SeenImage seen, const ImageDetail& detail, const Decode& decode) {
+  if (detail.pixels || detail.picture) {
+    try {
+      addPixels(decode(), detail, &seen);
     } catch (const std::invalid_argument&) {
       ++seen_.unreadable;
     }
+  }
   seen_.images.push_back(std::move(seen));
 }
 

@@ -43,6 +43,9 @@ class CameraRecorder {
   void forgetBefore(int64_t received_ns);
 
  private:
+  /// \param decode gives the pixels; called only if they are wanted
+  template <class Decode>
+  void keep(SeenImage seen, const ImageDetail& detail, const Decode& decode);
   void addPixels(const cv::Mat& image, const ImageDetail& detail, SeenImage* seen);
   void findOutline(const cv::Mat& small, SeenImage* seen);
 

@@ -21,7 +21,7 @@ struct RegionFit {
 /// person, and the pose is fitted to that person. Then the same with other places of the limbs,
 /// which the silhouettes propose.
 /// \param poses may be wrong by tenths of a radian and decimetres
-/// \param rival a score that is known; limbs are not searched where they could not reach it
+/// \param rival a score that is known; limbs are not searched where they would hardly reach it
 /// \return one result per pose, best first; poses that cannot be fitted are left out
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,

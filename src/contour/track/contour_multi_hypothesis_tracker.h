@@ -51,8 +51,9 @@ class ContourMultiHypothesisTracker {
   /// True if a pose is tracked and there is no alternative, or the alternative has turned out
   /// clearly worse.
   bool isUnambiguous() const;
-  /// A start on a later frame has led to the same body.
+  /// Says that a start on a later frame has led to the same body.
   void confirm() { confirmed_ = true; }
+  /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.

@@ -13,9 +13,9 @@ namespace {
 constexpr double kPoorQuality = 0.86;
 constexpr int64_t kStartInterval_ns = 50000000;
 
-// A search by colour takes longer. Of five starts on the beam film one had a wrong arm or exchanged
-// legs, but later searches found the right pose, whose score was higher by 0.03 and more. So each
-// start is checked by searches after this time, twice this, four times this ...
+// A search by colour takes longer. Of seventeen starts on the beam film five had a wrong arm or
+// exchanged legs; later searches found the right pose, with a higher score. So each start is
+// checked by searches after this time, and again after twice, four times and eight times this.
 constexpr int64_t kFirstColorCheck_ns = 100000000;
 constexpr int kColorChecks = 4;         // at most
 constexpr int kColorConfirmations = 2;  // in a row are enough
