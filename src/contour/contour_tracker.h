@@ -55,7 +55,9 @@ class ContourTracker : public BodyTracker {
   /// Quality of the best fit of the mean body. \param stature metres
   double qualityAt(double stature, const ContourObservation& seen,
                    const std::vector<ContourPose>& poses) const;
-  void initializeStature(const ContourObservation& seen, const std::vector<ContourPose>& poses);
+  /// Takes the stature that fits best, as long as the person has not been measured. Colours are not
+  /// asked: they were found around a body of some stature.
+  void initializeStature(const Frame& now, const std::vector<ContourPose>& poses);
   ActiveTrack start(const Frame& now);
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {
@@ -68,6 +70,8 @@ class ContourTracker : public BodyTracker {
   /// \param rival see searchByColor()
   std::vector<RegionFit> fitsByColor(const RegionObserver& observer, const Frame& now,
                                      const Search& search, double rival) const;
+  /// Replaces the poses by the most promising one that colours show, if there is one.
+  void findByColor(const Frame& now, Search& search);
   /// True if the pose of a start is to be compared with that of another start now.
   bool needsCheck(const Frame& now) const;
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.

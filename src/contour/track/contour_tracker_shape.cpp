@@ -22,8 +22,9 @@ double ContourTracker::qualityAt(double stature, const ContourObservation& seen,
 
 // The shape estimate converges only from nearby, so it starts with the stature of best quality. A
 // child, or a calibration whose metre is wrong, is beyond the usual ones.
-void ContourTracker::initializeStature(const ContourObservation& seen,
-                                       const std::vector<ContourPose>& poses) {
+void ContourTracker::initializeStature(const Frame& now, const std::vector<ContourPose>& poses) {
+  if (!shape_estimator_ || poses.empty()) return;
+  const ContourObservation seen = observer_.observe(now.regions).seen;
   double best_stature = person_.stature, best_quality = 0.0;
   const auto isBetter = [&](double stature) {
     const double quality = qualityAt(stature, seen, poses);

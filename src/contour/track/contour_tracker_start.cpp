@@ -45,6 +45,21 @@ std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observe
   return searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_, starts, rival);
 }
 
+// Colours find the pose of a body whose stature is about right, and a pose tells the stature better
+// than proposals do. So the stature comes first only if no pose of the usual body is found.
+void ContourTracker::findByColor(const Frame& now, Search& search) {
+  std::vector<RegionFit> fits = fitsByColor(observer_, now, search, 0.0);
+  if (fits.empty() && shape_estimator_) {
+    initializeStature(now, search.poses);
+    fits = fitsByColor(observer_, now, search, 0.0);
+  }
+  if (fits.empty()) return;
+  search.poses.clear();
+  for (const RegionFit& one : fits) search.poses.push_back(one.fit.pose);
+  initializeStature(now, search.poses);
+  search = {std::move(fits.front().found), {fits.front().fit.pose}};
+}
+
 ActiveTrack ContourTracker::start(const Frame& now) {
   const bool by_color = now.regions.needsColors();
   if (by_color && now.stamp_ns < next_color_start_ns_) return {};
@@ -55,11 +70,10 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   Search search{observer_.observeLargest(now.regions, now.hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
-  if (shape_estimator_ && !search.poses.empty()) initializeStature(search.found.seen, search.poses);
-  if (by_color) {
-    std::vector<RegionFit> fits = fitsByColor(observer_, now, search, 0.0);
-    if (!fits.empty()) search = {std::move(fits.front().found), {fits.front().fit.pose}};
-  }
+  if (by_color)
+    findByColor(now, search);
+  else
+    initializeStature(now, search.poses);
   still_contours_.weigh(search.found.seen);
   take(search.found);
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
