@@ -110,6 +110,7 @@ class HullCarver::State {
   FaultyCameraFinder faults_;
   VoxelColoring coloring_;
   std::optional<VoxelBox> followed_;  ///< box around the last person
+  std::optional<VoxelComponent> last_person_;
 };
 
 VisualHull HullCarver::State::carve(const std::vector<HullView>& all_views) {
@@ -123,6 +124,8 @@ VisualHull HullCarver::State::carve(const std::vector<HullView>& all_views) {
     followed_.reset();
     hull = carveIn(voting_.bounds(), views);
   }
+  if (hull.status == HullStatus::kNobody || hull.status == HullStatus::kEmptyMasks)
+    last_person_.reset();
   hull.cameras_left_out.insert(hull.cameras_left_out.begin(), unknown.begin(), unknown.end());
   return hull;
 }
@@ -150,9 +153,10 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
                      options_.min_component_litres, &hull);
   MaskSummary left = masks;
   left.empty &= found.voters;
-  const VoxelComponent* person =
-      selectPerson(components, options_.min_component_litres, left, rig_, &hull);
+  const VoxelComponent* person = selectPerson(components, options_.min_component_litres, left, rig_,
+                                              last_person_ ? &*last_person_ : nullptr, &hull);
   if (person == nullptr) return hull;
+  last_person_ = *person;
   describe(*person, found.voters, views, &hull);
   if (options_.follow) {
     const int margin = int(std::ceil(options_.follow_margin / lattice_.pitch));

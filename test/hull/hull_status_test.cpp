@@ -103,6 +103,32 @@ TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
 }
 
 /// Two balls and a third that joins them, of 12 cameras; two silhouettes have a gap at the third.
+TEST(HullStatus, WhoWasThereStaysThePersonWhenAnotherBodyComes) {
+  const CameraRig rig = makeRig(16);
+  HullCarver carver(rig, makeOptions());
+  const Sphere other{{-0.3, 0, 0}, 0.25};
+  const VisualHull alone = carver.carve(renderViews(rig, {Sphere{{0.3, 0, 0}, 0.22}}));
+  const VisualHull both = carver.carve(renderViews(rig, {other, Sphere{{0.33, 0, 0}, 0.22}}));
+  ASSERT_EQ(both.status, HullStatus::kOk) << both.reason;
+  EXPECT_NEAR(both.litres(), alone.litres(), 0.1 * alone.litres());
+  EXPECT_GE(both.components.size(), 2u);
+  // After an empty room nobody is known.
+  EXPECT_EQ(carver.carve(renderViews(rig, {})).status, HullStatus::kEmptyMasks);
+  EXPECT_EQ(carver.carve(renderViews(rig, {other, Sphere{{0.33, 0, 0}, 0.22}})).status,
+            HullStatus::kSeveralBodies);
+}
+
+TEST(HullStatus, BodiesThatPartAreBothThePersonSoNoneIs) {
+  const CameraRig rig = makeRig(16);
+  HullCarver carver(rig, makeOptions());
+  EXPECT_EQ(carver.carve(renderViews(rig, {Sphere{{-0.2, 0, 0}, 0.25}, Sphere{{0.2, 0, 0}, 0.25}}))
+                .status,
+            HullStatus::kOk);
+  EXPECT_EQ(carver.carve(renderViews(rig, {Sphere{{-0.3, 0, 0}, 0.22}, Sphere{{0.3, 0, 0}, 0.22}}))
+                .status,
+            HullStatus::kSeveralBodies);
+}
+
 std::vector<HullView> viewsWithAGap(const CameraRig& rig) {
   const std::vector<Sphere> ends = {Sphere{{-0.3, 0, 0}, 0.2}, Sphere{{0.3, 0, 0}, 0.2}};
   std::vector<HullView> views = renderViews(rig, {ends[0], ends[1], Sphere{{0, 0, 0}, 0.2}});

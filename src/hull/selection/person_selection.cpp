@@ -13,6 +13,9 @@ constexpr double kFullMaskFraction = 0.95;
 /// one's.
 constexpr double kSecondBodyFraction = 0.4;
 constexpr double kSecondBodyLitres = 15.0;
+/// Of several bodies, the last person's has at least the first fraction of the last person's
+/// voxels, and at least the second one of what all of them have.
+constexpr double kStayedFraction = 0.3, kPlainFraction = 0.8;
 /// A component is poorly seen if the number of cameras that see it is at most this fraction of the
 /// number that see another component. Its size is then not comparable.
 constexpr double kPoorlySeenFraction = 0.5;
@@ -38,6 +41,29 @@ double meanViews(const VoxelComponent& component, const ProjectionTable& table, 
 /// Whether the component may be a body.
 bool isTrusted(const HullComponent& component) {
   return !component.poorly_seen && !component.suspect_ghost;
+}
+
+/// How many of the ranked components are as large as a body, at least 1.
+size_t numberOfBodies(const std::vector<HullComponent>& ranked) {
+  size_t bodies = 1;
+  while (bodies < ranked.size() && isTrusted(ranked[bodies]) &&
+         ranked[bodies].litres >= kSecondBodyFraction * ranked[0].litres &&
+         ranked[bodies].litres >= kSecondBodyLitres)
+    ++bodies;
+  return bodies;
+}
+
+/// Which of the first `bodies` components is the last person; null if that is not plain.
+const VoxelComponent* sameAsLast(const std::vector<VoxelComponent>& components, size_t bodies,
+                                 const VoxelComponent* last) {
+  if (last == nullptr) return nullptr;
+  std::vector<size_t> common;
+  for (size_t i = 0; i < bodies; ++i) common.push_back(commonVoxels(components[i], *last));
+  const size_t best = size_t(std::max_element(common.begin(), common.end()) - common.begin());
+  const size_t all = std::accumulate(common.begin(), common.end(), size_t(0));
+  const bool stayed = double(common[best]) >= kStayedFraction * double(last->voxels);
+  return stayed && double(common[best]) >= kPlainFraction * double(all) ? &components[best]
+                                                                        : nullptr;
 }
 
 }  // namespace
@@ -110,7 +136,8 @@ std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> component
 
 const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components,
                                    double min_component_litres, const MaskSummary& masks,
-                                   const CameraRig& rig, VisualHull* hull) {
+                                   const CameraRig& rig, const VoxelComponent* last,
+                                   VisualHull* hull) {
   const std::vector<HullComponent>& summaries = hull->components;
   if (summaries.empty() || summaries[0].litres < min_component_litres) {
     hull->status = HullStatus::kNobody;
@@ -122,9 +149,10 @@ const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components
       hull->reason += "; the mask of " + namesOf(masks.empty, rig) + " is empty";
     return nullptr;
   }
-  if (summaries.size() > 1 && isTrusted(summaries[1]) &&
-      summaries[1].litres >= kSecondBodyFraction * summaries[0].litres &&
-      summaries[1].litres >= kSecondBodyLitres) {
+  const size_t bodies = numberOfBodies(summaries);
+  const VoxelComponent* person =
+      bodies > 1 ? sameAsLast(components, bodies, last) : &components.front();
+  if (person == nullptr) {
     hull->status = HullStatus::kSeveralBodies;
     hull->reason = "there are several bodies: components of " + oneDecimal(summaries[0].litres) +
                    " and " + oneDecimal(summaries[1].litres) + " litres";
@@ -132,7 +160,7 @@ const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components
   }
   hull->status = HullStatus::kOk;
   hull->reason.clear();
-  return &components[0];
+  return person;
 }
 
 }  // namespace markerless_mocap

@@ -30,10 +30,12 @@ std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> component
                                            const ProjectionTable& table, CameraSet voters,
                                            double min_component_litres, VisualHull* hull);
 
-/// Selects the person, the first of the ranked components, and sets status and reason. Returns
-/// nullptr unless the status is kOk.
+/// Selects the person, the first of the ranked components, and sets status and reason. Of several
+/// bodies it is the one that is where the last person was. Returns nullptr unless the status is
+/// kOk. \param last the last person; null if there was none
 const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components,
                                    double min_component_litres, const MaskSummary& masks,
-                                   const CameraRig& rig, VisualHull* hull);
+                                   const CameraRig& rig, const VoxelComponent* last,
+                                   VisualHull* hull);
 
 }  // namespace markerless_mocap

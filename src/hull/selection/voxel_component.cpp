@@ -52,6 +52,17 @@ VoxelBox boxOf(const VoxelComponent& component, const VoxelLattice& lattice) {
   return box;
 }
 
+size_t commonVoxels(const VoxelComponent& one, const VoxelComponent& other) {
+  size_t common = 0;
+  auto b = other.cells.begin();
+  for (const BrickVoxels& a : one.cells) {
+    while (b != other.cells.end() && b->brick < a.brick) ++b;
+    if (b == other.cells.end()) break;
+    if (b->brick == a.brick) common += size_t(__builtin_popcountll(a.voxels & b->voxels));
+  }
+  return common;
+}
+
 VoxelComponent unionOf(std::vector<BrickVoxels> cells) {
   std::sort(cells.begin(), cells.end(),
             [](const BrickVoxels& a, const BrickVoxels& b) { return a.brick < b.brick; });

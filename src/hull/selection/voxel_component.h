@@ -78,6 +78,9 @@ std::vector<ComponentVoxel> inLatticeOrder(const VoxelComponent& component,
 /// The bounding box of the component.
 VoxelBox boxOf(const VoxelComponent& component, const VoxelLattice& lattice);
 
+/// Number of voxels that are in both components.
+size_t commonVoxels(const VoxelComponent& one, const VoxelComponent& other);
+
 /// The union of cells, given in any order; a brick may have several cells.
 VoxelComponent unionOf(std::vector<BrickVoxels> cells);
 
