@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <set>
 #include <sstream>
@@ -13,6 +12,7 @@
 
 #include "camera/number_text.h"
 #include "files/text_file.h"
+#include "files/whole_file.h"
 
 namespace markerless_mocap {
 namespace {
@@ -225,10 +225,7 @@ std::vector<CameraCalibration> rigFromText(const std::string& text, const std::s
 
 void writeRig(const std::string& path, const std::vector<CameraCalibration>& rig) {
   const std::string text = rigText(rig);
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write the rig " + path);
+  writeWholeFile(path, text);
 }
 
 std::vector<CameraCalibration> readRig(const std::string& path) {

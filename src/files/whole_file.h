@@ -12,7 +12,7 @@ namespace markerless_mocap {
 
 /// Lets `write` fill a file beside <path> and renames it to <path>: the file is complete or as it
 /// was. Throws std::runtime_error if the path is no regular file or cannot be written.
-/// \param write bool(const std::string& path); false: failed
+/// \param write bool(const std::string& path); false: failed. What it throws is passed on
 template <class Write>
 void writeWholeFileBy(const std::string& path, const Write& write) {
   static std::atomic<int> count{0};
@@ -26,10 +26,16 @@ void writeWholeFileBy(const std::string& path, const Write& write) {
     throw std::runtime_error("cannot write " + path +
                              ": its folder is missing or may not be written");
   error.clear();
-  const bool written = write(active);
+  bool written = false;
+  std::error_code ignored;
+  try {
+    written = write(active);
+  } catch (...) {
+    std::filesystem::remove(active, ignored);
+    throw;
+  }
   if (written) std::filesystem::rename(active, path, error);
   if (written && !error) return;
-  std::error_code ignored;
   std::filesystem::remove(active, ignored);
   throw std::runtime_error("cannot write " + path + (error ? ": " + error.message() : ""));
 }

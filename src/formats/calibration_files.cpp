@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
 #include "files/text_file.h"
+#include "files/whole_file.h"
 #include "formats/parts/camera_parts.h"
 #include "markerless_mocap/camera/rig_file.h"
 
@@ -107,10 +107,7 @@ void writeText(const TextFile& file) {
   const fs::path folder = fs::path(file.path).parent_path();
   std::error_code error;
   if (!folder.empty()) fs::create_directories(folder, error);
-  std::ofstream stream(file.path, std::ios::binary);
-  stream << file.text;
-  stream.close();
-  if (!stream) throw std::runtime_error("cannot write " + file.path);
+  writeWholeFile(file.path, file.text);
 }
 
 /// Coefficients that are zero, and lists shorter than OpenCV's.

@@ -1,16 +1,13 @@
 #include "ros/package_files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <ros/package.h>
 
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "files/whole_file.h"
 #include "markerless_mocap/tracking/shape_file.h"
 
 namespace markerless_mocap {
@@ -28,10 +25,7 @@ std::string readText(const std::string& path) {
 }
 
 void writeText(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
+  writeWholeFile(path, text);
 }
 
 PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
@@ -44,15 +38,15 @@ PersonResources readPersonResources(const std::string& body_id, const std::strin
 }
 
 void writeBodyFile(const std::string& path, const ShapeParameters& shape) {
-  const std::string unfinished = path + ".part";
-  std::remove(unfinished.c_str());  // or it would keep its permissions
-  const int made = open(unfinished.c_str(), O_CREAT | O_EXCL | O_WRONLY, S_IRUSR | S_IWUSR);
-  if (made >= 0) close(made);
-  std::ofstream file(unfinished);
-  file << shapeToYaml(shape);
-  file.close();
-  if (made < 0 || !file || std::rename(unfinished.c_str(), path.c_str()) != 0)
-    throw std::runtime_error("cannot write the body file " + path);
+  writeWholeFileBy(path, [&](const std::string& active) {
+    namespace fs = std::filesystem;
+    std::error_code error;  // before there is anything to read in it
+    fs::permissions(active, fs::perms::owner_read | fs::perms::owner_write, error);
+    std::ofstream file(active);
+    file << shapeToYaml(shape);
+    file.close();
+    return !error && file;
+  });
 }
 
 }  // namespace markerless_mocap

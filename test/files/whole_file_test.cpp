@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "error_text_of.h"
+#include "files/output_lock.h"
 
 namespace markerless_mocap {
 namespace {
@@ -46,6 +47,32 @@ TEST_F(WholeFile, StaysAsItWasIfWritingFails) {
             "cannot write " + path("a"));
   EXPECT_EQ(bytesOf("a"), "first");
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WholeFile, AnExceptionLeavesNoDraft) {
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] {
+              writeWholeFileBy(path("a"), [](const std::string&) -> bool {
+                throw std::runtime_error("no more room");
+              });
+            }),
+            "no more room");
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(WholeFile, TheSecondWriterOfAnOutputIsRefused) {
+  {
+    const OutputLock first(path("a"));
+    EXPECT_EQ(errorTextOf<std::runtime_error>([&] { OutputLock second(path("a")); }),
+              "cannot write " + path("a") + ": another program is writing it now");
+    const OutputLock other(path("b"));
+  }
+  EXPECT_EQ(files(), 0);
+  EXPECT_NO_THROW(OutputLock(path("a")));
+}
+
+TEST_F(WholeFile, ALockThatAKilledProgramLeftBehindHoldsNothing) {
+  std::ofstream(path("a.lock")) << "";
+  EXPECT_NO_THROW(OutputLock(path("a")));
 }
 
 TEST_F(WholeFile, WhatIsNoFileIsTold) {

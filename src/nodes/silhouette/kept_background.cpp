@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "files/whole_file.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -95,14 +97,14 @@ void KeptBackground::keep(const SilhouetteResult& result) {
   }
 }
 
-// Written beside and renamed, so that whoever reads it finds either the old one or the new one.
 void KeptBackground::save() {
   if (file_.empty())
     throw std::invalid_argument("background_folder is empty, allowed is the folder to write to");
-  const std::string draft = file_ + ".new";
-  extractor_->saveBackground(draft);
-  fs::permissions(draft, fs::perms::owner_read | fs::perms::owner_write);
-  fs::rename(draft, file_);
+  writeWholeFileBy(file_, [&](const std::string& draft) {
+    fs::permissions(draft, fs::perms::owner_read | fs::perms::owner_write);
+    extractor_->saveBackground(draft);
+    return true;
+  });
 }
 
 }  // namespace markerless_mocap

@@ -1,10 +1,10 @@
 #include "tools/calibrate_rig/calibration_files.h"
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "files/whole_file.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
 #include "tools/calibrate_rig/calibration_page.h"
@@ -35,10 +35,7 @@ std::vector<double> rowsOf(const Eigen::Matrix3d& m, bool with_fourth_column) {
 
 void writeFile(const fs::path& path, const std::string& text) {
   fs::create_directories(path.parent_path());
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path.string());
+  writeWholeFile(path.string(), text);
 }
 
 std::vector<CameraCalibration> rigOf(const RigCalibration& result) {

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 
+#include "files/whole_file.h"
 #include "tools/check/check_recording.h"
 #include "tools/common/configuration.h"
 #include "tools/common/progress.h"
@@ -47,10 +47,7 @@ void writeJson(const CheckResult& result, const std::string& path) {
     std::cout << jsonOf(result);
     return;
   }
-  std::ofstream file(path);
-  file << jsonOf(result);
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
+  writeWholeFile(path, jsonOf(result));
 }
 
 CheckResult checkBag(const Arguments& a, const PipelineOptions& pipeline) {

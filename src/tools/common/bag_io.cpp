@@ -28,7 +28,7 @@ void openForReading(const std::string& path, rosbag::Bag& bag) {
 
 namespace {
 
-/// Two runs with one output write to files of their own.
+/// Files of their own, where two runs with one output cannot be told apart by a lock.
 std::string activePathOf(const std::string& path) {
   static std::atomic<int> count{0};
   return path + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".active";
@@ -48,6 +48,7 @@ BagWriter::BagWriter(std::string path, rosbag::CompressionType compression)
       active_path_(activePathOf(path_)),
       bag_(std::make_unique<rosbag::Bag>()) {
   checkTarget(path_);
+  lock_ = std::make_unique<OutputLock>(path_);
   try {
     bag_->open(active_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException&) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/output_lock.h"
+
 namespace markerless_mocap {
 
 /// Opens a bag for reading. Throws std::runtime_error if the file is missing, is not a bag, or has
@@ -34,7 +36,8 @@ Message firstMessage(const rosbag::Bag& bag, const std::string& topic) {
 }
 
 /// Writes a bag to a file of its own beside <path>; commit() renames it to <path>. Without commit()
-/// the file is removed. What cannot be written is a std::runtime_error that says why.
+/// the file is removed. What cannot be written is a std::runtime_error that says why, and so is an
+/// output that another program is writing.
 class BagWriter {
  public:
   /// Throws std::runtime_error if the file cannot be written, or the path is no regular file.
@@ -84,6 +87,7 @@ class BagWriter {
   void abandon();
 
   std::string path_, active_path_;
+  std::unique_ptr<OutputLock> lock_;  ///< of path_
   bool committed_ = false;
   std::unique_ptr<rosbag::Bag> bag_;
 };

@@ -1,24 +1,12 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 
+#include "files/whole_file.h"
 #include "tools/common/board_arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/make_board/board_pdf.h"
 
-namespace {
-
 using namespace markerless_mocap;
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Writes a calibration board as a PDF at true size, and its board file.",
@@ -37,8 +25,8 @@ int main(int argc, char** argv) {
     const std::string stem = output.size() > 4 && output.substr(output.size() - 4) == ".pdf"
                                  ? output.substr(0, output.size() - 4)
                                  : output;
-    write(stem + ".pdf", pdf);
-    write(stem + ".yaml", boardText(board.options()));
+    writeWholeFile(stem + ".pdf", pdf);
+    writeWholeFile(stem + ".yaml", boardText(board.options()));
     std::cout << "Print " << stem << ".pdf at 100 %, measure its ruler, and glue it to something "
               << "flat. For calibrate_rig: --board " << stem << ".yaml\n";
   });
