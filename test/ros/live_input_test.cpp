@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "nodes/common/end_process.h"
@@ -7,6 +9,7 @@
 #include "nodes/common/input_watch.h"
 #include "nodes/common/stamp_order.h"
 #include "nodes/common/sudden_change.h"
+#include "ros/jpeg_image.h"
 
 namespace markerless_mocap {
 namespace {
@@ -122,6 +125,77 @@ TEST(SuddenChange, AnUnreadableImageBetweenEndsTheRun) {
     EXPECT_TRUE(change.add(picture(33, i)));
     EXPECT_TRUE(change.add(picture(33, i)));
     change.interrupt();
+  }
+}
+
+/// A room with structures of all sizes.
+cv::Mat emptyRoom() {
+  cv::Mat fine(240, 320, CV_8UC3);
+  cv::theRNG().state = 11;
+  cv::randu(fine, 0, 256);
+  cv::Mat coarse = fine.clone(), room;
+  cv::GaussianBlur(fine, fine, {}, 3.0);
+  cv::GaussianBlur(coarse, coarse, {}, 24.0);
+  cv::normalize(0.3 * fine + 0.7 * coarse, room, 20, 235, cv::NORM_MINMAX);
+  return room;
+}
+
+/// With the noise of a sensor.
+cv::Mat room(int noise) {
+  static const cv::Mat empty = emptyRoom();
+  cv::Mat grain(empty.size(), CV_8UC3);
+  cv::theRNG().state = uint64_t(noise + 1);
+  cv::randn(grain, 8, 3);
+  return empty + grain;
+}
+
+double changedPixels(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat difference;
+  cv::absdiff(a, b, difference);
+  return cv::countNonZero(difference.reshape(1) > 12) / double(difference.reshape(1).total());
+}
+
+TEST(SuddenChange, DamagedJpegsWithoutAWarningAreLeftOut) {
+  SuddenChange change;
+  int decoded = 0, told = 0;
+  for (int seed = 0; seed < 300; ++seed) {
+    const cv::Mat image = room(seed % 7);
+    EXPECT_FALSE(change.add(image)) << seed;
+    std::vector<uint8_t> bytes;
+    cv::imencode(".jpg", image, bytes);
+    cv::RNG random(uint64_t(seed) + 1);
+    bytes[size_t(random.uniform(700, int(bytes.size()) - 50))] = uint8_t(random.uniform(0, 255));
+    try {
+      const cv::Mat damaged = decodedJpeg(bytes);
+      if (changedPixels(damaged, image) < 0.05) continue;  // harmless
+      ++decoded;
+      told += change.add(damaged);
+    } catch (const std::invalid_argument&) {
+      change.interrupt();
+    }
+  }
+  EXPECT_GT(decoded, 20);
+  EXPECT_GE(told, 0.85 * decoded) << decoded;
+}
+
+TEST(SuddenChange, AScreenBelowIsNoDamage) {
+  SuddenChange change;
+  int left_out = 0;
+  for (int i = 0; i < 300; ++i) {
+    cv::Mat image = room(i % 7);
+    if (i % 2) image.rowRange(200, 240) += cv::Scalar(40, 40, 40);
+    left_out += change.add(image);
+  }
+  EXPECT_GT(left_out, 5);
+  EXPECT_LT(left_out, 40);
+}
+
+TEST(SuddenChange, APersonWhoMovesIsNoDamage) {
+  SuddenChange change;
+  for (int i = 0; i < 60; ++i) {
+    cv::Mat image = room(i % 7);
+    cv::ellipse(image, {20 + 5 * i, 190}, {60, 120}, 0, 0, 360, cv::Scalar(20, 20, 200), -1);
+    EXPECT_FALSE(change.add(image)) << i;
   }
 }
 

@@ -5,8 +5,9 @@
 
 namespace markerless_mocap {
 
-/// Tells an image that differs from the last one nearly everywhere, as a damaged one does that
-/// could be decoded all the same. Where the change stays, as of a lamp, the third image is taken.
+/// Tells an image that differs from the last one nearly everywhere, or from some row down to the
+/// bottom: a damaged JPEG that could be decoded all the same is wrong from the damage on. Where the
+/// change stays, as of a lamp, the third image is taken.
 class SuddenChange {
  public:
   /// \return whether the image is to be left out
@@ -16,30 +17,55 @@ class SuddenChange {
     const bool stays = !changed_.empty() && isLike(sample, changed_) && ++run_ >= kStays;
     if (last_.empty() || isLike(sample, last_) || stays) {
       last_ = sample;
-      interrupt();
+      changed_.release();
+      usual_ *= kForgotten;
       return false;
     }
     if (changed_.empty() || !isLike(sample, changed_)) run_ = 1;
     changed_ = sample;
+    usual_ += 1.0;
     return true;
   }
   /// An image between could not be read at all.
-  void interrupt() { changed_.release(); }
+  void interrupt() {
+    changed_.release();
+    usual_ = 0.0;  // what changes is damaged, not the room
+  }
 
  private:
-  static constexpr int kSide = 48, kStays = 3;
+  static constexpr int kSide = 48, kStays = 3, kMinRows = 2;
   static constexpr double kLevels = 20.0, kMost = 0.6;
+  static constexpr double kPartLevels = 12.0, kMostOfPart = 0.5;
+  // Images left out lately, of which 700 good ones forget half: a screen that flickers is no
+  // damage.
+  static constexpr double kForgotten = 0.999, kUsual = 20.0;
 
-  static bool isLike(const cv::Mat& a, const cv::Mat& b) {
+  bool isLike(const cv::Mat& a, const cv::Mat& b) const {
     if (a.type() != b.type()) return false;
     cv::Mat difference;
     cv::absdiff(a, b, difference);
-    const cv::Mat values = difference.reshape(1);
-    return double(cv::countNonZero(values > kLevels)) <= kMost * double(values.total());
+    if (changed(difference.reshape(1), kLevels) > kMost) return false;
+    return usual_ > kUsual || !isOtherBelow(difference);
+  }
+
+  /// Whether from some row down to the bottom nearly everything differs, in any channel.
+  static bool isOtherBelow(const cv::Mat& difference) {
+    cv::Mat largest;
+    cv::reduce(difference.reshape(1, kSide * kSide), largest, 1, cv::REDUCE_MAX);
+    const cv::Mat pixels = largest.reshape(1, kSide);
+    for (int row = 0; row <= kSide - kMinRows; ++row)
+      if (changed(pixels.rowRange(row, kSide), kPartLevels) > kMostOfPart) return true;
+    return false;
+  }
+
+  /// Fraction of the values.
+  static double changed(const cv::Mat& values, double levels) {
+    return double(cv::countNonZero(values > levels)) / double(values.total());
   }
 
   cv::Mat last_, changed_;
-  int run_ = 0;  ///< images in a row that are like changed_
+  int run_ = 0;         ///< images in a row that are like changed_
+  double usual_ = 0.0;  ///< images left out lately, see kForgotten
 };
 
 }  // namespace markerless_mocap
