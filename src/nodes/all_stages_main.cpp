@@ -1,22 +1,25 @@
-#include <nodelet/loader.h>
 #include <ros/ros.h>
+
+#include <string>
+#include <vector>
+
+#include "nodes/common/stage_host.h"
 
 // Runs all stages named on the command line in one process, so that messages are passed without
 // copies. A nodelet manager is no alternative: the processes that loaded its nodelets unload them,
-// and a manager that is stopped together with those processes can crash.
+// and a manager that is stopped together with those processes can crash. --retry as in host_main.
 int main(int argc, char** argv) {
   ros::init(argc, argv, "mocap");
-  if (argc < 2) {
+  std::vector<markerless_mocap::HostedStage> stages;
+  std::vector<std::string> arguments;
+  for (const std::string& argument : std::vector<std::string>(argv + 1, argv + argc))
+    if (argument.rfind("--", 0) == 0)
+      arguments.push_back(argument);
+    else
+      stages.push_back({ros::names::resolve(argument), "markerless_mocap/" + argument});
+  if (stages.empty()) {
     ROS_FATAL("mocap: no stage is given, allowed are names such as silhouette visual_hull");
     return 1;
   }
-  nodelet::Loader loader(false);
-  for (int i = 1; i < argc; ++i) {
-    const std::string stage = argv[i];
-    if (!loader.load(ros::names::resolve(stage), "markerless_mocap/" + stage,
-                     ros::names::getRemappings(), {}))
-      return 1;
-  }
-  ros::spin();
-  return 0;
+  return markerless_mocap::runStages(stages, arguments);
 }

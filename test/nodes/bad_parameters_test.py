@@ -1,11 +1,17 @@
 #!/usr/bin/python3
-"""Each bad parameter gets its sentence, and the node ends with exit code 1."""
+"""Each bad parameter gets its sentence, and the node ends with exit code 1, or waits with --retry.
+A node that waits, and one whose roscore was started again, need nobody to go on."""
+import os
+import socket
 import subprocess
 import tempfile
+import time
 import unittest
+import xmlrpc.client
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 
 
 def refusal(node, *arguments):
@@ -105,6 +111,94 @@ class Refusals(unittest.TestCase):
         self.expect_of_file('lacks the shape parameter torso', 'body_file', 'height: 1.8')
 
 
+def node(name, uri=None, **options):
+    environment = dict(os.environ, ROS_MASTER_URI=uri) if uri else None
+    return subprocess.Popen(['rosrun', 'markerless_mocap', name, '--retry', '__name:=' + name],
+                            env=environment, **options)
+
+
+def wait_for(condition, seconds=60):
+    end = time.time() + seconds
+    while time.time() < end and not condition():
+        time.sleep(0.1)
+    return condition()
+
+
+def answer_of(call, *arguments):
+    """The master's answer; None if it refuses or is not there."""
+    try:
+        code, _, answer = call('/bad_parameters_test', *arguments)
+    except OSError:
+        return None
+    return answer if code == 1 else None
+
+
+class Waiting(unittest.TestCase):
+    def test_a_node_tells_once_and_starts_when_its_parameters_are_good(self):
+        rospy.set_param('/visual_hull/cameras', ['a'])
+        told = []
+        rospy.Subscriber('/diagnostics', DiagnosticArray, lambda array: told.extend(
+            s.message for s in array.status if s.name == 'visual_hull: start'))
+        with tempfile.TemporaryFile('w+') as log:
+            process = node('visual_hull', stdout=log, stderr=subprocess.STDOUT)
+            try:
+                self.assertTrue(wait_for(lambda: len(told) > 7), told)  # it has tried again
+                self.assertIsNone(process.poll())
+                rospy.set_param('/visual_hull/cameras', ['a', 'b'])
+                self.assertTrue(wait_for(lambda: '/hull/points' in dict(
+                    rospy.get_published_topics())))
+            finally:
+                process.terminate()
+                process.wait()
+                rospy.delete_param('/visual_hull')
+            log.seek(0)
+            self.assertEqual(1, log.read().count('lists 1 cameras, allowed is 2 to 32'))
+        self.assertIn('lists 1 cameras, allowed is 2 to 32', told[0])
+
+
+class RoscoreStartsAgain(unittest.TestCase):
+    def start_master(self):
+        return subprocess.Popen(['rosmaster', '--core', '-p', str(self.port)],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def publishers(self, topic):
+        published = (answer_of(self.master.getSystemState) or [[]])[0]
+        return [nodes for name, nodes in published if name == topic]
+
+    def subscribers(self, topic):
+        subscribed = (answer_of(self.master.getSystemState) or [[], []])[1]
+        return [nodes for name, nodes in subscribed if name == topic]
+
+    def test_a_node_registers_again(self):
+        with socket.socket() as free:
+            free.bind(('localhost', 0))
+            self.port = free.getsockname()[1]
+        uri = 'http://localhost:%d' % self.port
+        self.master = xmlrpc.client.ServerProxy(uri)
+        first = self.start_master()
+        self.assertTrue(wait_for(lambda: answer_of(self.master.getPid)))
+        self.master.setParam('/test', '/visual_hull', {'cameras': ['a', 'b']})
+        process = node('visual_hull', uri)
+        try:
+            self.assertTrue(wait_for(lambda: self.publishers('/hull/points')))
+            time.sleep(1.0)
+            first.terminate()
+            first.wait()
+            second = self.start_master()
+            try:
+                for topic in ('/hull/points', '/hull/cameras_used'):
+                    self.assertTrue(wait_for(lambda: self.publishers(topic)), topic)
+                self.assertTrue(wait_for(lambda: self.subscribers('/a/silhouette')))
+                self.assertEqual(['a', 'b'], answer_of(self.master.getParam,
+                                                       '/visual_hull/cameras'))
+            finally:
+                second.terminate()
+                second.wait()
+        finally:
+            process.terminate()
+            process.wait()
+
+
 if __name__ == '__main__':
     rospy.init_node('bad_parameters_test')
-    rostest.rosrun('markerless_mocap', 'bad_parameters', Refusals)
+    rostest.rosrun('markerless_mocap', 'bad_parameters', 'bad_parameters_test')
