@@ -45,14 +45,14 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
 }
 
 /// A mask that cannot be used is left out; if none can, the first reason is thrown.
-std::vector<cv::Mat> masksOf(const FittingMessages& input) {
+std::vector<cv::Mat> masksOf(const FittingMessages& input, const CameraRig& rig) {
   std::vector<cv::Mat> masks(input.masks.size());
   std::string fault;
   bool any = false;
   for (size_t i = 0; i < masks.size(); ++i) {
     if (!input.masks[i]) continue;
     try {
-      masks[i] = maskOfCamera((*input.rig)[i], *input.masks[i]);
+      masks[i] = maskOfCamera(rig[i], *input.masks[i]);
       any = true;
     } catch (const std::exception& error) {
       if (fault.empty()) fault = error.what();
@@ -87,6 +87,14 @@ BodyParts partsOf(const FittingMessages& input) {
 
 PoseTree treeOf(const FittingMessages& input) {
   return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
+}
+
+BodyPose updated(BodyTracker& tracker, const CameraRig& rig, const FittingMessages& input,
+                 int64_t stamp_ns, bool images_required) {
+  const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
+  const std::vector<cv::Mat> masks = masksOf(input, rig);
+  const std::vector<cv::Mat> images = imagesOf(input, images_required);
+  return tracker.update({stamp_ns, masks, images, hull, partsOf(input), treeOf(input)});
 }
 
 /// Message part that names the stage without data for this frame set.
@@ -149,15 +157,14 @@ void FittingStage::work() {
 BodyPose FittingStage::fit(const FittingMessages& input) {
   try {
     if (!input.error.empty()) throw std::invalid_argument(input.error);
-    prepareTracker(input);
-    const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
-    const std::vector<cv::Mat> masks = masksOf(input);
-    const std::vector<cv::Mat> images = imagesOf(input, needsOf(options_.method).images);
-    BodyPose pose = tracker_->update(
-        {steadyStamp(input.header.stamp), masks, images, hull, partsOf(input), treeOf(input)});
+    const int64_t stamp_ns = steadyStamp(input.header.stamp);
+    prepareTracker(input, stamp_ns);
+    BodyPose pose = updated(*tracker_, *rig_, input, stamp_ns, needsOf(options_.method).images);
+    follows_ = pose.status != PoseStatus::kLost;
     if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);
     return pose;
   } catch (const std::exception& error) {
+    follows_ = false;
     BodyPose lost;
     lost.reason = error.what();
     return lost;
@@ -180,10 +187,24 @@ int64_t FittingStage::steadyStamp(const ros::Time& stamp) {
   return stamp_ns + shift_ns_;
 }
 
-void FittingStage::prepareTracker(const FittingMessages& input) {
-  if (tracker_ && input.rig == rig_) return;
+void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns) {
+  if (tracker_ && input.rig == rig_) return successor_.forget();
   if (body_->shape_estimated) resources_.known_shape = body_->shape;
-  tracker_ = makeBodyTracker(*input.rig, resources_, options_);
+  std::unique_ptr<BodyTracker> next;
+  if (tracker_ && follows_) {
+    next = successor_.look(
+        input.rig,
+        [rig = input.rig, resources = resources_, options = options_] {
+          return makeBodyTracker(*rig, resources, options);
+        },
+        [input, stamp_ns, images = needsOf(options_.method).images](BodyTracker& tracker) {
+          return updated(tracker, *input.rig, input, stamp_ns, images);
+        });
+    if (!next) return;
+  } else {
+    next = successor_.takeOf(input.rig);
+  }
+  tracker_ = next ? std::move(next) : makeBodyTracker(*input.rig, resources_, options_);
   rig_ = input.rig;
 }
 

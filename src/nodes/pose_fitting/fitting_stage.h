@@ -18,6 +18,7 @@
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
+#include "nodes/pose_fitting/tracker_successor.h"
 #include "ros/node_options.h"
 
 namespace markerless_mocap {
@@ -40,8 +41,9 @@ class FittingStage {
   BodyPose fit(const FittingMessages& input);
   /// The tracker's time of a stamp: it goes on when the clock is set back a little.
   int64_t steadyStamp(const ros::Time& stamp);
-  /// Makes a new tracker if the rig has changed. An estimated shape is kept.
-  void prepareTracker(const FittingMessages& input);
+  /// Makes a tracker if there is none of the rig. While the old one follows the person, it goes on
+  /// until the new one has found the person, too.
+  void prepareTracker(const FittingMessages& input, int64_t stamp_ns);
   /// Withdraws the announcement of the old body and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
@@ -62,12 +64,14 @@ class FittingStage {
   std::optional<PoseFilter> filter_;          ///< for body_
   std::shared_ptr<const CameraRig> rig_;      ///< of tracker_
   std::unique_ptr<BodyTracker> tracker_;      ///< null until the rig is known
+  bool follows_ = false;                      ///< the person, in the last frame set
   int64_t last_stamp_ns_ = 0, shift_ns_ = 0;  ///< of the tracker
   int64_t period_ns_ = 0;                     ///< between the last frame sets
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
   LatencyMeter fitting_times_, latencies_;
   CatchUpQueue<FittingMessages> queue_;
   std::unique_ptr<FittingInputs> inputs_;
+  TrackerSuccessor successor_;
   std::thread worker_;
   ros::WallTimer timer_;
   CallbackGate gate_;

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "camera/timing_remarks.h"
@@ -121,8 +122,11 @@ void HullStage::followRig() {
     next_look_ = now + kLookInterval;
     std::vector<std::string> remarks;
     if (rig_.settle(tf_, now, &remarks)) {
-      carver_.reset();
       carver_error_.clear();
+      if (carver_ && rig_.missing(tf_).empty())
+        next_carver_ = std::async(std::launch::async, [rig = rig_.rig(tf_), options = options_] {
+          return HullCarver(rig, options);
+        });
     }
     for (const std::string& remark : remarks) status_.remark(remark);
   }
@@ -164,8 +168,9 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
   header.stamp = rosTime(frame_set.stamp_ns);
   header.frame_id = node_options_.world_frame;
   VisualHull hull;
-  followRig();
   try {
+    followRig();
+    takeNextCarver(header);
     prepareCarver(header);
     const std::vector<CameraImage> images = takeImages(frame_set);
     std::vector<LeftOutCamera> unreadable;
@@ -244,6 +249,24 @@ void HullStage::prepareCarver(const std_msgs::Header& header) {
     carver_error_ = error.what();
     throw;
   }
+  publishRig(header);
+}
+
+void HullStage::takeNextCarver(const std_msgs::Header& header) {
+  if (!next_carver_.valid() ||
+      next_carver_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return;
+  try {
+    carver_.emplace(next_carver_.get());
+  } catch (const std::invalid_argument& error) {
+    carver_.reset();
+    carver_error_ = error.what();
+    throw;
+  }
+  publishRig(header);
+}
+
+void HullStage::publishRig(const std_msgs::Header& header) {
   grid_.publish(messageFromLattice(carver_->lattice(), header));
   markers_.publish(cameraMarkers(carver_->rig(), header, kMarkerDepth));
 }

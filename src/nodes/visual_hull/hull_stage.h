@@ -3,6 +3,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,8 +53,11 @@ class HullStage {
   bool isStray(const Assembler::FrameSet& frame_set) const;
   void publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
                       const std_msgs::Header& header);
-  /// Takes over what has changed about the cameras.
+  /// Takes over what has changed about the cameras. The old carver is used until the new one is
+  /// made.
   void followRig();
+  void takeNextCarver(const std_msgs::Header& header);
+  void publishRig(const std_msgs::Header& header);
   void reportCounts();
 
   HullOptions options_;
@@ -65,6 +69,7 @@ class HullStage {
   StampCache<CameraImage> images_;
   HoldingQueue<Assembler::FrameSet> waiting_;
   std::optional<HullCarver> carver_;
+  std::future<HullCarver> next_carver_;  ///< of a rig that has changed
   std::string carver_error_;  ///< why the rig cannot be used; valid until the rig changes
   StageStatus status_;
   std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
