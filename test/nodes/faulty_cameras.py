@@ -137,7 +137,12 @@ class Cameras:
         self.frame += 1
 
     def nearest(self, stamp_ns):
-        return min(self.content, key=lambda s: abs(s - stamp_ns))
+        return min(list(self.content), key=lambda s: abs(s - stamp_ns))
+
+    def limb_error(self, found, limb, stamp_ns):
+        """The distance of a joint from the truth, m."""
+        truth = self.recording.places[self.content[self.nearest(stamp_ns)]]
+        return math.dist(found[limb], truth[limb]) if truth else 9.0
 
     def error(self, found, stamp_ns):
         """The largest distance of a joint from the truth, m."""
