@@ -1,0 +1,26 @@
+# Fuzz targets: fuzz/<name>_fuzz.cpp takes any bytes where the package reads what others wrote.
+# mocap_fuzz(<name> <room>...): fuzz/corpus/<name> is replayed as a test; with clang and
+# MARKERLESS_MOCAP_FUZZERS the program <name>_fuzz looks for more (scripts/fuzz).
+function(mocap_fuzz name)
+  list(TRANSFORM ARGN PREPEND mocap_)
+  if(MARKERLESS_MOCAP_TESTS)
+    add_executable(${name}_replay fuzz/${name}_fuzz.cpp fuzz/replay_main.cpp)
+    target_link_libraries(${name}_replay ${ARGN})
+    set_target_properties(${name}_replay PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+    add_test(NAME fuzz_${name} COMMAND ${name}_replay ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name})
+  endif()
+  if(MARKERLESS_MOCAP_FUZZERS)
+    add_executable(${name}_fuzz fuzz/${name}_fuzz.cpp)
+    target_link_libraries(${name}_fuzz ${ARGN})
+    target_link_options(${name}_fuzz PRIVATE -fsanitize=fuzzer)
+    set_target_properties(${name}_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  endif()
+endfunction()
+
+mocap_fuzz(rig camera)
+mocap_fuzz(options tracking)
+mocap_fuzz(urdf body resources)
+mocap_fuzz(motion motion)
+if(MARKERLESS_MOCAP_WITH_ROS)
+  mocap_fuzz(messages ros)
+endif()
