@@ -50,5 +50,5 @@ mocap_room(exports DEPENDS body character evaluation files motion
 
 # Pictures to joints, over all rooms.
 if(MARKERLESS_MOCAP_TESTS)
-  mocap_room_tests(accuracy mocap_pipeline mocap_capture mocap_evaluation)
+  mocap_room_tests(accuracy mocap_pipeline mocap_capture mocap_evaluation mocap_calibration)
 endif()

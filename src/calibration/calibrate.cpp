@@ -11,8 +11,8 @@
 #include "calibration/adjust/uncertainty.h"
 #include "calibration/check/findings.h"
 #include "calibration/check/loose_cameras.h"
+#include "calibration/check/median.h"
 #include "calibration/origin/world_frame.h"
-#include "calibration/start/camera_start.h"
 #include "calibration/start/pose_graph.h"
 #include "calibration/time/instants.h"
 #include "calibration/time/offset_search.h"
@@ -82,25 +82,13 @@ class Calibrator {
     if (const auto& given = input_.cameras[i].given) {
       camera.intrinsics = intrinsicsOf(*given);
       camera.intrinsics_fixed = true;
-      camera.lens = given->D.size() == 8   ? LensModel::kRational
-                    : given->D.size() == 5 ? LensModel::kPlumbBob
-                    : given->D.size() == 4 ? LensModel::kTangential
-                                           : LensModel::kNone;
+      camera.lens = modelOf(*given);
       return;
     }
-    const std::vector<const BoardView*> views = viewsOf(input_, i);
-    const Intrinsics start = startIntrinsics(board_, input_.cameras[i], views);
-    if (input_.lens) {
-      camera.lens = *input_.lens;
-    } else {
-      const LensChoice choice = chooseLens(board_, views, start);
-      camera.lens = choice.lens;
-      for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
-    }
-    constexpr size_t kViews = 60;
-    std::vector<const BoardView*> different;
-    for (const size_t k : differentViews(board_, views, kViews)) different.push_back(views[k]);
-    camera.intrinsics = adjustIntrinsics(board_, different, start, camera.lens);
+    const LensChoice choice = lensFromViews(board_, input_.cameras[i], viewsOf(input_, i),
+                                            input_.lens, &camera.intrinsics);
+    camera.lens = choice.lens;
+    for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
   }
 
   void startLenses() {
@@ -110,7 +98,8 @@ class Calibrator {
   void estimatePosesOfViews() {
     poses_.resize(views_.size());
     tbb::parallel_for(size_t(0), views_.size(), [&](size_t i) {
-      poses_[i] = boardPose(board_, views_[i].corners, state_.cameras[views_[i].camera].intrinsics);
+      const CameraState& camera = state_.cameras[views_[i].camera];
+      poses_[i] = boardPose(board_, views_[i].corners, camera.intrinsics, camera.lens);
     });
   }
 
@@ -246,9 +235,7 @@ class Calibrator {
     std::vector<double> errors;
     for (const BoardPose& pose : poses_)
       if (std::isfinite(pose.rms)) errors.push_back(pose.rms);
-    if (errors.empty()) return 0.0;
-    std::nth_element(errors.begin(), errors.begin() + long(errors.size() / 2), errors.end());
-    return errors[errors.size() / 2];
+    return medianOf(std::move(errors));
   }
 
   RigCalibration result() const {
@@ -268,27 +255,12 @@ class Calibrator {
       result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
     result.outliers = outliers_;
     result.clocks_corrected = offsets_free_ && !input_.estimate_offsets;
+    if (offsets_free_ && input_.clocks_last) keepOffsets(&result);
     if (input_.locate && input_.walk && !input_.floor && state_.points.empty())
-      putFloorUnderWalk(&result);
+      putFloorUnderWalk(input_, &result);
     result.turned_guessed = board_.looksSameTurned() && !boardMoved();
     writeVerdict(input_, &result);
     return result;
-  }
-
-  void putFloorUnderWalk(RigCalibration* result) const {
-    CameraRig cameras;
-    std::vector<double> offsets;
-    for (const CalibratedCamera& camera : result->cameras) {
-      cameras.emplace_back(camera.calibration);
-      offsets.push_back(camera.time_offset);
-    }
-    result->walk = floorFromWalk(cameras, input_.walk(offsets));
-    result->floor_known = true;
-    for (CalibratedCamera& camera : result->cameras) {
-      Eigen::Isometry3d& pose = camera.calibration.T_world_camera;
-      pose = result->walk->new_old * pose;
-      pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
-    }
   }
 
   const CalibrationInput& input_;

@@ -36,6 +36,9 @@ struct CalibrationInput {
   /// The views are films, so that the board's motion tells whether the cameras' clocks agree; if
   /// they clearly do not, their offsets are estimated and told.
   bool check_clocks = false;
+  /// The clocks are those of later recordings, too, as stamps of a bag are: offsets that are found
+  /// become part of the calibrations.
+  bool clocks_last = false;
   bool locate = true;  ///< false: intrinsics only
   int threads = 2;
 };

@@ -4,8 +4,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "camera/lens_distortion.h"
 
 namespace markerless_mocap {
 namespace {
@@ -13,89 +14,6 @@ namespace {
 constexpr int kMaxPixels = 65536;  // along an edge of an image
 constexpr double kMaxK = 1e7;      // pixels
 constexpr double kFarthest = 1e4;  // of a camera from the origin on an axis, metres
-
-/// The radial factor (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3) of s = r^2.
-struct RadialFactor {
-  double numerator, denominator;
-  double numerator_slope, denominator_slope;  ///< derivatives with respect to s
-
-  RadialFactor(const double (&k)[8], double s)
-      : numerator(1 + s * (k[0] + s * (k[1] + s * k[4]))),
-        denominator(1 + s * (k[5] + s * (k[6] + s * k[7]))),
-        numerator_slope(k[0] + s * (2 * k[1] + 3 * s * k[4])),
-        denominator_slope(k[5] + s * (2 * k[6] + 3 * s * k[7])) {}
-
-  double value() const { return numerator / denominator; }
-  double slope() const {
-    return (numerator_slope * denominator - numerator * denominator_slope) /
-           (denominator * denominator);
-  }
-  /// Whether the distorted radius r * value(r^2) grows with r at s.
-  bool grows(double s) const {
-    return denominator > 0 &&
-           numerator * denominator +
-                   2 * s * (numerator_slope * denominator - numerator * denominator_slope) >
-               0;
-  }
-};
-
-/// Maps an undistorted image-plane point to the distorted one.
-Eigen::Vector2d distort(const double (&k)[8], const Eigen::Vector2d& p) {
-  const double x = p.x(), y = p.y(), s = p.squaredNorm();
-  const double radial = RadialFactor(k, s).value();
-  return {x * radial + 2 * k[2] * x * y + k[3] * (s + 2 * x * x),
-          y * radial + k[2] * (s + 2 * y * y) + 2 * k[3] * x * y};
-}
-
-Eigen::Matrix2d distortionJacobian(const double (&k)[8], const Eigen::Vector2d& p) {
-  const RadialFactor radial(k, p.squaredNorm());
-  const double cross = 2 * k[2] * p.x() + 2 * k[3] * p.y();
-  Eigen::Matrix2d tangential;
-  tangential << 2 * k[2] * p.y() + 6 * k[3] * p.x(), cross, cross,
-      6 * k[2] * p.y() + 2 * k[3] * p.x();
-  return radial.value() * Eigen::Matrix2d::Identity() + 2 * radial.slope() * p * p.transpose() +
-         tangential;
-}
-
-/// Squared radius up to which the distorted radius grows; infinity if it always grows.
-double foldRadiusSquared(const double (&k)[8]) {
-  const auto grows = [&](double r) { return RadialFactor(k, r * r).grows(r * r); };
-  constexpr double kMaxRadius = 100;  // 89.4 degrees off the axis
-  double inside = 0;
-  while (inside < kMaxRadius) {
-    double outside = inside + 1e-3 * std::max(1.0, inside);
-    if (grows(outside)) {
-      inside = outside;
-      continue;
-    }
-    for (int i = 0; i < 50; ++i) {
-      const double middle = (inside + outside) / 2;
-      (grows(middle) ? inside : outside) = middle;
-    }
-    return inside * inside;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
-/// Inverts distort() by Newton's method inside the radius where it is invertible.
-Eigen::Vector2d undistort(const double (&k)[8], double max_radius_squared,
-                          const Eigen::Vector2d& distorted) {
-  // Slightly inside the maximum radius, where the Jacobian is singular.
-  const double max_radius = std::sqrt(max_radius_squared) * (1 - 1e-6);
-  const auto clamped = [&](const Eigen::Vector2d& p) {
-    const double r = p.norm();
-    return Eigen::Vector2d(r > max_radius ? p * (max_radius / r) : p);
-  };
-  Eigen::Vector2d p = clamped(distorted);
-  for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector2d residual = distorted - distort(k, p);
-    const Eigen::Vector2d next = clamped(p + distortionJacobian(k, p).inverse() * residual);
-    const bool converged = (next - p).squaredNorm() < 1e-24;
-    p = next;
-    if (converged) break;
-  }
-  return p;
-}
 
 [[noreturn]] void throwError(const std::string& name, const std::string& what) {
   throw std::invalid_argument("camera '" + name + "': " + what);
@@ -118,9 +36,10 @@ void validateIntrinsics(const CameraCalibration& c) {
   if (c.K(1, 0) != 0 || c.K.row(2) != Eigen::RowVector3d(0, 0, 1))
     throwError(c.name, "K must be upper triangular with a last row of 0 0 1");
   const size_t n = c.D.size();
-  if (n != 0 && n != 4 && n != 5 && n != 8)
-    throwError(c.name,
-               "D has " + std::to_string(n) + " distortion coefficients, allowed are 0, 4, 5 or 8");
+  const bool fisheye = c.lens == LensType::kFisheye;
+  if (n != 0 && n != 4 && (fisheye || (n != 5 && n != 8)))
+    throwError(c.name, "D has " + std::to_string(n) + " distortion coefficients, allowed are " +
+                           (fisheye ? "0 or 4 of a fisheye" : "0, 4, 5 or 8"));
   for (const double d : c.D)
     if (!std::isfinite(d)) throwError(c.name, "D holds a value that is not finite");
 }
@@ -131,30 +50,18 @@ Eigen::Vector2d distortedPlane(const Eigen::Matrix3d& K, const Eigen::Vector2d& 
   return {(pixel.x() - K(0, 2) - K(0, 1) * y) / K(0, 0), y};
 }
 
-/// Whether a point of the distorted image plane has a ray, and the lens moves it as lenses do.
-bool isSeenByLens(const double (&k)[8], double max_radius_squared, const Eigen::Vector2d& distorted,
-                  double tolerance) {
-  constexpr double kMinScale = 0.05, kMaxScale = 3;  // distorted by undistorted radius
-  const Eigen::Vector2d plane = undistort(k, max_radius_squared, distorted);
-  const double from = plane.norm(), to = distorted.norm();
-  return (distort(k, plane) - distorted).norm() < tolerance &&
-         (to < tolerance || (to >= kMinScale * from && to <= kMaxScale * from));
-}
-
 /// A model that folds the image or blows it up is not of a lens. Those of wide lenses may fold in
 /// the corners, where they were not measured.
 void validateDistortion(const CameraCalibration& c) {
   constexpr int kColumns = 16, kRows = 12;
   constexpr int kMinPercent = 40;
-  double k[8] = {};
-  std::copy(c.D.begin(), c.D.end(), k);
-  const double max_radius_squared = foldRadiusSquared(k);
+  const LensNumbers lens = lensNumbersOf(c);
   int seen = 0;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
       const Eigen::Vector2d pixel((column + 0.5) / kColumns * c.width - 0.5,
                                   (row + 0.5) / kRows * c.height - 0.5);
-      seen += isSeenByLens(k, max_radius_squared, distortedPlane(c.K, pixel), 0.5 / c.K(0, 0));
+      seen += isSeenByLens(lens, distortedPlane(c.K, pixel), 0.5 / c.K(0, 0));
     }
   if (const int percent = 100 * seen / (kColumns * kRows); percent < kMinPercent)
     throwError(c.name, "the distortion D is not of a lens: it can be removed in " +
@@ -186,17 +93,13 @@ void CameraCalibration::validate() const {
 Camera::Camera(CameraCalibration calibration) : calibration_(std::move(calibration)) {
   calibration_.validate();
   T_camera_world_ = calibration_.T_world_camera.inverse();
-  std::copy(calibration_.D.begin(), calibration_.D.end(), k_);
-  max_radius_squared_ = foldRadiusSquared(k_);
+  lens_ = lensNumbersOf(calibration_);
 }
 
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_world) const {
-  const Eigen::Vector3d p = T_camera_world_ * point_world;
-  if (!(p.z() > 0)) return std::nullopt;
-  const Eigen::Vector2d plane = p.head<2>() / p.z();
-  if (!(plane.squaredNorm() < max_radius_squared_)) return std::nullopt;
-  const Eigen::Vector3d distorted = distort(k_, plane).homogeneous();
-  return Eigen::Vector2d(calibration_.K.topRows<2>() * distorted);
+  const std::optional<Eigen::Vector2d> plane = distortedPoint(lens_, T_camera_world_ * point_world);
+  if (!plane) return std::nullopt;
+  return Eigen::Vector2d(calibration_.K.topRows<2>() * plane->homogeneous());
 }
 
 std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& point_world) const {
@@ -209,8 +112,21 @@ std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& poin
 
 Eigen::Vector3d Camera::rayDirection(const Eigen::Vector2d& pixel) const {
   const Eigen::Matrix3d& K = calibration_.K;
-  const Eigen::Vector2d plane = undistort(k_, max_radius_squared_, distortedPlane(K, pixel));
-  return (calibration_.T_world_camera.linear() * plane.homogeneous()).normalized();
+  const Eigen::Vector3d in_camera = undistortedDirection(lens_, distortedPlane(K, pixel));
+  return (calibration_.T_world_camera.linear() * in_camera).normalized();
+}
+
+LocalView Camera::localView(const Eigen::Vector3d& point_world) const {
+  const Eigen::Matrix3d& K = calibration_.K;
+  LocalView view{calibration_.T_world_camera.linear(), K(0, 0), K(1, 1)};
+  if (lens_.type == LensType::kPolynomial) return view;
+  const Eigen::Vector3d in_camera = T_camera_world_ * point_world;
+  view.R_world_view =
+      view.R_world_view * Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), in_camera);
+  const double scale = fisheyeScale(lens_, in_camera);
+  view.fx *= scale;
+  view.fy *= scale;
+  return view;
 }
 
 CameraCalibration decomposeProjection(const Eigen::Matrix<double, 3, 4>& P) {

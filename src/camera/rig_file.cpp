@@ -21,7 +21,8 @@ constexpr const char* kHead =
     "# A rig of calibrated cameras.\n"
     "# World: metres, z up, floor at z = 0. A camera's optical frame: x right, y down, z forward.\n"
     "# size: width and height, pixels. fx fy cx cy skew: pixels; integer coordinates are pixel\n"
-    "# centres. distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6]], [] for none.\n"
+    "# centres. distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6]], [] for none. lens: fisheye for\n"
+    "# OpenCV's fisheye model, whose distortion is k1 k2 k3 k4; without it polynomial.\n"
     "# position and orientation: of the optical frame in the world, m and quaternion x y z w.\n"
     "# time_offset: s, added to the camera's stamps; without it 0.\n";
 
@@ -66,6 +67,7 @@ std::string cameraText(const CameraCalibration& c) {
                                                     {"cy", c.K(1, 2)},
                                                     {"skew", c.K(0, 1)}};
   for (const auto& [key, value] : pinhole) out << "  " << key << ": " << numberText(value) << '\n';
+  if (c.lens == LensType::kFisheye) out << "  lens: fisheye\n";
   out << "  distortion: " << list(c.D) << "\n  position: " << list(std::array{t.x(), t.y(), t.z()})
       << "\n  orientation: " << list(std::array{q.x(), q.y(), q.z(), q.w()}) << '\n';
   if (c.time_offset != 0.0) out << "  time_offset: " << numberText(c.time_offset) << '\n';
@@ -139,6 +141,15 @@ int pixelsOf(double value, const StrictMap& camera) {
   return int(value);
 }
 
+LensType lensIn(StrictMap& camera) {
+  const YAML::Node node = camera.optional("lens");
+  const std::string name = node ? node.as<std::string>("") : "polynomial";
+  if (name != "polynomial" && name != "fisheye")
+    throwError(camera.where(), "'lens' is " + (name.empty() ? "no word" : name) +
+                                   ", allowed are polynomial and fisheye");
+  return name == "fisheye" ? LensType::kFisheye : LensType::kPolynomial;
+}
+
 Eigen::Quaterniond orientationIn(StrictMap& camera) {
   constexpr double kTolerance = 1e-3;  // for quaternions that are written with few digits
   const auto v = camera.numbers("orientation", 4, "a quaternion x y z w");
@@ -169,6 +180,7 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
   const double cx = camera.number("cx"), fy = camera.number("fy"), cy = camera.number("cy");
   c.K << fx, s, cx, 0, fy, cy, 0, 0, 1;
   c.D = camera.numbers("distortion");
+  c.lens = lensIn(camera);
   const auto t = camera.numbers("position", 3, "x y z, m");
   c.T_world_camera.translation() << t[0], t[1], t[2];
   c.T_world_camera.linear() = orientationIn(camera).toRotationMatrix();

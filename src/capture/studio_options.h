@@ -23,14 +23,15 @@ struct StudioOptions {
   double duration = 0.0;
   /// largest distance of a joint from the centre in x and in y, m
   double volume_half_width = 1.8;
-  /// ring8, ring7_overhead, ring4, ceiling4, random8 or path of a rig file; the cameras of the
-  /// named rigs are cam0, cam1, ...
+  /// ring8, ring7_overhead, ring4, ceiling4, random8, wide6 (fisheye lenses) or path of a rig file;
+  /// the cameras of the named rigs are cam0, cam1, ...
   std::string rig = "ring7_overhead";
   /// image width, px; a rig file has its own
   int width = 640;
   /// image height, px; a rig file has its own
   int height = 480;
-  /// first radial distortion coefficient; random8 and rig files have their own
+  /// first radial distortion coefficient; random8, wide6 and rig files have their
+  /// own
   double distortion_k1 = 0.0;
   /// frame rate, Hz
   double fps = 30.0;

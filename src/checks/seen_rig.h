@@ -49,6 +49,7 @@ struct SeenInfo {
   int width = 0, height = 0;
   Eigen::Matrix3d K = Eigen::Matrix3d::Zero();
   std::vector<double> D;
+  LensType lens = LensType::kPolynomial;
   std::string frame;
   double time_offset = 0;  ///< s, to be added to the stamps, as a rig file has it
   std::string problem;  ///< why it cannot be used for another reason than K and size; empty: none

@@ -113,6 +113,10 @@ void writeText(const TextFile& file) {
 /// Coefficients that are zero, and lists shorter than OpenCV's.
 void tidyLens(CameraCalibration* camera) {
   std::vector<double>& D = camera->D;
+  if (camera->lens == LensType::kFisheye) {
+    while (D.size() > 4 && D.back() == 0.0) D.pop_back();
+    return;
+  }
   while (D.size() > 8 && D.back() == 0.0) D.pop_back();
   if (!D.empty() && D.size() < 4) D.resize(4, 0.0);
   if (D.size() == 6 || D.size() == 7) D.resize(8, 0.0);

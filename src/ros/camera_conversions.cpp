@@ -18,9 +18,10 @@ using Matrix3RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 void checkModel(const std::string& name, const sensor_msgs::CameraInfo& info) {
   namespace models = sensor_msgs::distortion_models;
   const std::string& model = info.distortion_model;
-  if (!model.empty() && model != models::PLUMB_BOB && model != models::RATIONAL_POLYNOMIAL)
+  if (!model.empty() && model != models::PLUMB_BOB && model != models::RATIONAL_POLYNOMIAL &&
+      lensTypeOf(model) != LensType::kFisheye)
     refuse(name, "has the distortion model \"" + model +
-                     "\", allowed are plumb_bob and rational_polynomial");
+                     "\", allowed are plumb_bob, rational_polynomial and equidistant");
   if (info.binning_x > 1 || info.binning_y > 1) refuse(name, "has binning, allowed is none");
   const auto& roi = info.roi;
   const bool whole = (roi.width == 0 || roi.width == info.width) &&
@@ -53,6 +54,12 @@ ros::Time rosTime(int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<uint64_t>(nanoseconds));
 }
 
+LensType lensTypeOf(const std::string& distortion_model) {
+  const bool fisheye = distortion_model == sensor_msgs::distortion_models::EQUIDISTANT ||
+                       distortion_model == "fisheye";  // of older drivers
+  return fisheye ? LensType::kFisheye : LensType::kPolynomial;
+}
+
 CameraCalibration calibrationFromMessage(const std::string& name,
                                          const sensor_msgs::CameraInfo& info,
                                          const geometry_msgs::Transform& T_world_camera) {
@@ -63,6 +70,7 @@ CameraCalibration calibrationFromMessage(const std::string& name,
   calibration.height = static_cast<int>(info.height);
   calibration.K = Eigen::Map<const Matrix3RowMajor>(info.K.data());
   calibration.D = info.D;
+  calibration.lens = lensTypeOf(info.distortion_model);
   calibration.T_world_camera = poseOf(name, T_world_camera);
   calibration.validate();
   return calibration;
@@ -73,10 +81,12 @@ sensor_msgs::CameraInfo messageFromCalibration(const CameraCalibration& calibrat
   sensor_msgs::CameraInfo info;
   info.width = static_cast<uint32_t>(calibration.width);
   info.height = static_cast<uint32_t>(calibration.height);
-  info.distortion_model =
-      calibration.D.size() > 5 ? models::RATIONAL_POLYNOMIAL : models::PLUMB_BOB;
+  const bool fisheye = calibration.lens == LensType::kFisheye;
+  info.distortion_model = fisheye                    ? models::EQUIDISTANT
+                          : calibration.D.size() > 5 ? models::RATIONAL_POLYNOMIAL
+                                                     : models::PLUMB_BOB;
   info.D = calibration.D;
-  if (info.D.empty()) info.D.assign(5, 0.0);
+  if (info.D.empty()) info.D.assign(fisheye ? 4 : 5, 0.0);
   Eigen::Map<Matrix3RowMajor>(info.K.data()) = calibration.K;
   Eigen::Map<Matrix3RowMajor>(info.R.data()).setIdentity();
   Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> P(info.P.data());

@@ -18,10 +18,13 @@ namespace markerless_mocap {
 int64_t nanosecondsOf(const ros::Time& stamp);
 ros::Time rosTime(int64_t nanoseconds);
 
+/// \param distortion_model as in camera_info
+LensType lensTypeOf(const std::string& distortion_model);
+
 /// Calibration of a camera from camera_info and tf. Throws std::invalid_argument, naming the
 /// camera, if the size is 0, if K is all zero or not finite, if the distortion model is not
-/// plumb_bob or rational_polynomial, if there is a region of interest or binning (K would not fit
-/// the pixels), or if the transform is not finite or its quaternion has not length 1.
+/// plumb_bob, rational_polynomial or equidistant, if there is a region of interest or binning (K
+/// would not fit the pixels), or if the transform is not finite or its quaternion has not length 1.
 CameraCalibration calibrationFromMessage(const std::string& name,
                                          const sensor_msgs::CameraInfo& info,
                                          const geometry_msgs::Transform& T_world_camera);

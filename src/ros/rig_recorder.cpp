@@ -21,6 +21,7 @@ SeenInfo infoOf(const std::string& name, const sensor_msgs::CameraInfo& message,
   info.height = int(message.height);
   info.K = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(message.K.data());
   info.D = message.D;
+  info.lens = lensTypeOf(message.distortion_model);
   info.frame = message.header.frame_id;
   geometry_msgs::Transform identity;
   identity.rotation.w = 1;
@@ -34,7 +35,7 @@ SeenInfo infoOf(const std::string& name, const sensor_msgs::CameraInfo& message,
 
 bool isSame(const SeenInfo& a, const SeenInfo& b) {
   return a.width == b.width && a.height == b.height && a.K == b.K && a.D == b.D &&
-         a.frame == b.frame && a.problem == b.problem;
+         a.lens == b.lens && a.frame == b.frame && a.problem == b.problem;
 }
 
 cv::Mat scaledTo(const cv::Mat& image, int width) {
@@ -111,6 +112,7 @@ void CameraRecorder::useCalibration(const CameraCalibration& calibration) {
   info.height = calibration.height;
   info.K = calibration.K;
   info.D = calibration.D;
+  info.lens = calibration.lens;
   info.time_offset = calibration.time_offset;
   seen_.infos = {info};
   seen_.T_world_camera = calibration.T_world_camera;

@@ -18,12 +18,14 @@ namespace markerless_mocap {
 class FilmedCapture {
  public:
   explicit FilmedCapture(const StudioOptions& options)
-      : studio_(options, packageFiles(), "person1") {
+      : studio_(options, packageFiles(), "person1"), rig_(studio_.rig()) {
     truth_.names = groundTruthNames();
     for (int i = 0; i < studio_.frameSetCount(); ++i) add(studio_.render(i));
   }
 
-  const CameraRig& rig() const { return studio_.rig(); }
+  /// The studio's, or what is taken for it.
+  const CameraRig& rig() const { return rig_; }
+  void useRig(const CameraRig& rig) { rig_ = rig; }
   const JointTrack& truth() const { return truth_; }
   const std::vector<FrameSet>& frameSets() const { return frame_sets_; }
 
@@ -51,6 +53,7 @@ class FilmedCapture {
   }
 
   VirtualStudio studio_;
+  CameraRig rig_;
   std::vector<FrameSet> frame_sets_;
   JointTrack truth_;
 };

@@ -9,8 +9,8 @@
 namespace markerless_mocap {
 namespace {
 
-TEST(CornerCost, DerivativesAreThoseOfTheResidual) {
-  const CornerResidual corner{{0.3, 0.2}, {400, 300}, {{50, -20}, {30, 90}}, 0.04};
+void compareDerivatives(LensType type) {
+  const CornerResidual corner{{0.3, 0.2}, {400, 300}, {{50, -20}, {30, 90}}, 0.04, type};
   const std::array<double, 12> lens = {800,  820,    640,  360, -0.2, 0.07,
                                        0.01, -0.006, 0.02, 0.1, 0.03, -0.01};
   const std::array<double, 6> camera = {0.4, -1.3, 0.6, 0.2, -0.1, 2.0};
@@ -33,6 +33,14 @@ TEST(CornerCost, DerivativesAreThoseOfTheResidual) {
       EXPECT_NEAR(by_hand[block][i], automatic[block][i],
                   1e-9 * (1 + std::abs(automatic[block][i])))
           << block << ' ' << i;
+}
+
+TEST(CornerCost, DerivativesAreThoseOfTheResidual) {
+  compareDerivatives(LensType::kPolynomial);
+}
+
+TEST(CornerCost, DerivativesOfAFisheyeAreThoseOfTheResidual) {
+  compareDerivatives(LensType::kFisheye);
 }
 
 }  // namespace

@@ -61,6 +61,87 @@ TEST(Camera, ProjectsAsOpenCV) {
   }
 }
 
+CameraCalibration makeFisheye(std::vector<double> D) {
+  CameraCalibration c = makeCalibration(std::move(D));
+  c.K << 300, 0, 320.5, 0, 306, 241.25, 0, 0, 1;
+  c.lens = LensType::kFisheye;
+  return c;
+}
+
+const std::vector<double> kFisheye{-0.03, 0.006, -0.002, 0.0003};
+
+TEST(Camera, FisheyeProjectsAsOpenCV) {
+  const Camera camera(makeFisheye(kFisheye));
+  // Pixels are those of cv::fisheye::projectPoints.
+  const std::pair<Eigen::Vector3d, Eigen::Vector2d> cases[] = {
+      {{0.1, -0.2, 1.5}, {340.34080999, 200.77474762}},
+      {{-0.6, 0.4, 2}, {234.4246352, 299.78124806}},
+      {{3.0, 0.5, 1.2}, {661.67859039, 299.25036037}},
+      {{-1.2, -2.1, 0.6}, {131.25014532, -96.56099061}}};
+  for (const auto& [point, pixel] : cases)
+    EXPECT_LT((camera.project(point).value() - pixel).norm(), 1e-5) << point.transpose();
+  EXPECT_EQ(camera.project({0, 0, 2}).value(), Eigen::Vector2d(320.5, 241.25));
+}
+
+TEST(Camera, FisheyeSeesBesideAndBehindItself) {
+  const Camera camera(makeFisheye({}));  // the angle is the radius
+  EXPECT_NEAR(camera.project({1, 0, 0}).value().x(), 320.5 + 300 * M_PI / 2, 1e-9);
+  EXPECT_NEAR(camera.project({1, 0, -1}).value().x(), 320.5 + 300 * 3 * M_PI / 4, 1e-9);
+  EXPECT_FALSE(camera.project({0, 0, -1}));
+  EXPECT_FALSE(camera.project({0, 0, 0}));
+  // 1.2 (1 - 0.2 * 1.2^2 ...) stops to grow at 1.29.
+  const Camera folded(makeFisheye({-0.2, 0, 0, 0}));
+  EXPECT_TRUE(folded.project({std::sin(1.28), 0, std::cos(1.28)}));
+  EXPECT_FALSE(folded.project({std::sin(1.30), 0, std::cos(1.30)}));
+}
+
+TEST(Camera, FisheyeRayGoesThroughThePointOfItsPixel) {
+  CameraCalibration calibration = makeFisheye(kFisheye);
+  calibration.K(0, 0) = calibration.K(1, 1) = 180;  // the corners are behind the camera
+  calibration.T_world_camera = makePose();
+  const Camera camera(calibration);
+  double widest = 1;
+  for (double u = 0; u < 640; u += 21.3)
+    for (double v = 0; v < 480; v += 19.7) {
+      const Eigen::Vector3d direction = camera.rayDirection({u, v});
+      EXPECT_NEAR(direction.norm(), 1, 1e-12);
+      widest = std::min(widest, direction.x());  // the optical axis
+      const auto again = camera.project(camera.position() + 3 * direction);
+      ASSERT_TRUE(again) << u << ' ' << v;
+      EXPECT_LT((*again - Eigen::Vector2d(u, v)).norm(), 1e-6);
+    }
+  EXPECT_LT(widest, -0.3);
+}
+
+TEST(Camera, LocalViewShowsSizesAsTheFisheyeDoes) {
+  CameraCalibration calibration = makeFisheye(kFisheye);
+  calibration.T_world_camera = makePose();
+  const Camera camera(calibration);
+  for (const double angle : {0.0, 0.6, 1.3, 1.8}) {
+    const Eigen::Vector3d in_camera =
+        2.0 * Eigen::Vector3d(0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle));
+    const Eigen::Vector3d point = calibration.T_world_camera * in_camera;
+    const LocalView view = camera.localView(point);
+    EXPECT_NEAR(view.R_world_view.col(2).dot(point - camera.position()), 2.0, 1e-9);
+    // The area of a small square that faces the camera.
+    const Eigen::Vector3d right = 1e-4 * view.R_world_view.col(0);
+    const Eigen::Vector3d down = 1e-4 * view.R_world_view.col(1);
+    const Eigen::Vector2d u = *camera.project(point + right) - *camera.project(point - right);
+    const Eigen::Vector2d v = *camera.project(point + down) - *camera.project(point - down);
+    const double area = u.x() * v.y() - u.y() * v.x();
+    EXPECT_NEAR(area / (1e-8 * view.fx * view.fy), 1.0, 1e-3) << angle;
+  }
+}
+
+TEST(Camera, FisheyesOfNoLensAreRefused) {
+  CameraCalibration c = makeFisheye({0.1, 0, 0, 0, 0});
+  EXPECT_EQ(errorTextOf([&] { c.validate(); }),
+            "camera 'left': D has 5 distortion coefficients, allowed are 0 or 4 of a fisheye");
+  c = makeFisheye({-40, 0, 0, 0});
+  EXPECT_EQ(
+      errorTextOf([&] { c.validate(); }).rfind("camera 'left': the distortion D is not of", 0), 0u);
+}
+
 TEST(Camera, DistortionsOfNoLensAreRefused) {
   for (const std::vector<double>& D : {std::vector<double>{1e6, -1e9, 0, 0, 1e6},
                                        {1e6, 0, 0, 0},

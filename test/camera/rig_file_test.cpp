@@ -82,6 +82,19 @@ TEST(RigFileTest, aTimeOffsetIsKeptAndWrittenOnlyWhereThereIsOne) {
             "rig.yaml, camera 'a': 'time_offset' holds soon, allowed are finite numbers");
 }
 
+TEST(RigFileTest, aFisheyeIsKeptAndWrittenOnlyWhereThereIsOne) {
+  auto rig = twoCameras();
+  EXPECT_EQ(rigText(rig).find("  lens:"), std::string::npos);
+  rig[1].lens = LensType::kFisheye;
+  rig[1].D = {-0.02, 0.01, 0.001, 0.0};
+  const auto again = rigFromText(rigText(rig), "rig.yaml");
+  EXPECT_EQ(again[0].lens, LensType::kPolynomial);
+  EXPECT_EQ(again[1].lens, LensType::kFisheye);
+  EXPECT_EQ(again[1].D, rig[1].D);
+  EXPECT_EQ(errorForCamera("fx: 70", "lens: wide\n  fx: 70"),
+            "rig.yaml, camera 'a': 'lens' is wide, allowed are polynomial and fisheye");
+}
+
 TEST(RigFileTest, theFormatIsThatOfTheManual) {
   const auto rig = rigFromText(std::string("cameras:\n") + kCamera, "rig.yaml");
   EXPECT_EQ(rig[0].K, (Eigen::Matrix3d() << 70, 0, 39.5, 0, 72, 29.5, 0, 0, 1).finished());
@@ -111,7 +124,7 @@ TEST(RigFileTest, faultsAreNamed) {
             "rig.yaml, camera 'a': key 'cy' is repeated");
   EXPECT_EQ(errorForCamera("cy: 29.5", "cy: 29.5\n  zoom: 3"),
             "rig.yaml, camera 'a': key 'zoom' is unknown, allowed are cx, cy, distortion, fx, fy, "
-            "name, orientation, position, size, skew, time_offset");
+            "lens, name, orientation, position, size, skew, time_offset");
 }
 
 TEST(RigFileTest, valuesThatAreNoCameraAreNamed) {

@@ -78,8 +78,9 @@ TEST_F(BadCalibration, TomlThatIsBrokenOrWrongIsToldWithTheCamera) {
                                   "[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]\n")),
             "a.toml, camera cam_0: the rotation is no rotation matrix (determinant -1, allowed is "
             "1)");
-  EXPECT_EQ(of("a.toml", kAnipose + "fisheye = true\n"),
-            "a.toml, camera cam_0: the lens is a fisheye, allowed are k1 k2 p1 p2 [k3 [k4 k5 k6]]");
+  EXPECT_EQ(of("a.toml", replaced(kAnipose, "[0.0, 0.0, 0.0, 0.0, 0.0]", "[0.0, 0.0, 0.0, 0.0, 0.1]") +
+                             "fisheye = true\n"),
+            "a.toml: camera 'A': D has 5 distortion coefficients, allowed are 0 or 4 of a fisheye");
   EXPECT_EQ(of("a.toml", replaced(kAnipose, "rotation = [1.0, 0.0, 0.0]\n", "")),
             "a.toml: the calibration has no cameras");
   EXPECT_EQ(of("a.toml", kAnipose + replaced(kAnipose, "[cam_0]", "[cam_1]")),
@@ -89,8 +90,8 @@ TEST_F(BadCalibration, TomlThatIsBrokenOrWrongIsToldWithTheCamera) {
 TEST_F(BadCalibration, CamchainsOfOtherLensesAreTold) {
   EXPECT_EQ(of("c.yaml", replaced(kKalibr, "pinhole", "omni")),
             "c.yaml, cam0: 'camera_model' is omni, allowed is pinhole");
-  EXPECT_EQ(of("c.yaml", replaced(kKalibr, "radtan", "equidistant")),
-            "c.yaml, cam0: 'distortion_model' is equidistant, allowed is radtan");
+  EXPECT_EQ(of("c.yaml", replaced(kKalibr, "radtan", "fov")),
+            "c.yaml, cam0: 'distortion_model' is fov, allowed are radtan, equidistant and none");
   EXPECT_EQ(of("c.yaml", kKalibr + replaced(kKalibr, "cam0", "cam1")),
             "c.yaml, cam1: key 'T_cn_cnm1' is missing");
   EXPECT_EQ(of("c.yaml", replaced(kKalibr, "[640, 480]", "[640, 0]")),
@@ -104,9 +105,9 @@ TEST_F(BadCalibration, CameraInfoWithoutTransformOrCalibrationIsTold) {
   EXPECT_EQ(of("front.yaml", replaced(kInfo, "[500, 0, 320, 0, 500, 240, 0, 0, 1]",
                                       "[0, 0, 0, 0, 0, 0, 0, 0, 0]")),
             "front.yaml: the camera matrix is all zero, so the camera is not calibrated");
-  EXPECT_EQ(of("front.yaml", kInfo + "distortion_model: equidistant\n"),
-            "front.yaml: 'distortion_model' is equidistant, allowed are plumb_bob and "
-            "rational_polynomial");
+  EXPECT_EQ(of("front.yaml", kInfo + "distortion_model: fov\n"),
+            "front.yaml: 'distortion_model' is fov, allowed are plumb_bob, rational_polynomial and "
+            "equidistant");
   const std::string info = write("front.yaml", kInfo);
   const auto with = [&](const std::string& args) {
     return refusal({info, write("tf.launch",
@@ -144,10 +145,11 @@ TEST_F(BadCalibration, HalvesAreTold) {
 
 TEST_F(BadCalibration, ColmapLensesThatAreUnknownAreTold) {
   const std::string images = write("images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n");
-  EXPECT_EQ(refusal({write("cameras.txt", "1 OPENCV_FISHEYE 9 9 5 5 3 2 0 0 0 0\n"), images}),
-            "cameras.txt, line '1 OPENCV_FISHEYE 9 9 5 5 3 2 0 0 0 0': the camera model is "
-            "OPENCV_FISHEYE, allowed are FULL_OPENCV, OPENCV, PINHOLE, RADIAL, SIMPLE_PINHOLE, "
-            "SIMPLE_RADIAL");
+  EXPECT_EQ(
+      refusal({write("cameras.txt", "1 THIN_PRISM_FISHEYE 9 9 5 5 3 2 0 0 0 0 0 0 0 0\n"), images}),
+      "cameras.txt, line '1 THIN_PRISM_FISHEYE 9 9 5 5 3 2 0 0 0 0 0 0 0 0': the camera model is "
+      "THIN_PRISM_FISHEYE, allowed are FULL_OPENCV, OPENCV, OPENCV_FISHEYE, PINHOLE, RADIAL, "
+      "SIMPLE_PINHOLE, SIMPLE_RADIAL");
   EXPECT_EQ(refusal({write("cameras.txt", "1 PINHOLE 640 480 500 500 320\n"), images}),
             "cameras.txt, line '1 PINHOLE 640 480 500 500 320': PINHOLE has 3 numbers, allowed are "
             "4");

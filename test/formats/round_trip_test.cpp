@@ -15,15 +15,17 @@ struct Case {
   Format format;
   size_t lens;         ///< coefficients
   const char* output;  ///< file or folder
+  bool fisheye = false;
 };
 
-std::vector<CameraCalibration> studioRig(size_t lens) {
+std::vector<CameraCalibration> studioRig(size_t lens, bool fisheye = false) {
   std::vector<CameraCalibration> rig;
   for (const Camera& camera : makeRig({"random8", 640, 480, 0.0, 3})) {
     rig.push_back(camera.calibration());
     const double k = 0.01 * double(rig.size());
     const std::vector<double> D = {-0.2 + k, 0.05, 1e-3, -2e-3 + k * 0.1, 0.01, 0.02, 0.01, 0.003};
     rig.back().D.assign(D.begin(), D.begin() + lens);
+    if (fisheye) rig.back().lens = LensType::kFisheye;
   }
   return rig;
 }
@@ -48,7 +50,7 @@ double largestPixelDifference(const CameraCalibration& a, const CameraCalibratio
 class RoundTrip : public FormatTest, public ::testing::WithParamInterface<Case> {};
 
 TEST_P(RoundTrip, TheCamerasComeBack) {
-  const std::vector<CameraCalibration> rig = studioRig(GetParam().lens);
+  const std::vector<CameraCalibration> rig = studioRig(GetParam().lens, GetParam().fisheye);
   const auto files = writeCalibration(path(GetParam().output), GetParam().format, rig);
   EXPECT_TRUE(std::filesystem::exists(files.front()));
   const CalibrationSet set = readCalibration({path(GetParam().output)});
@@ -76,24 +78,40 @@ TEST_P(RoundTrip, TheCamerasComeBack) {
 
 INSTANTIATE_TEST_SUITE_P(
     Formats, RoundTrip,
-    ::testing::Values(Case{Format::kRig, 8, "rig.yaml"}, Case{Format::kRos, 0, "ros"},
-                      Case{Format::kRos, 5, "ros"}, Case{Format::kRos, 8, "ros"},
-                      Case{Format::kKalibr, 4, "camchain.yaml"}, Case{Format::kOpenCv, 0, "cv"},
-                      Case{Format::kOpenCv, 5, "cv"}, Case{Format::kOpenCv, 8, "cv"},
-                      Case{Format::kMatrices, 0, "matrices"},
-                      Case{Format::kQualisys, 5, "Calib.qca.txt"},
-                      Case{Format::kAnipose, 5, "calibration.toml"},
-                      Case{Format::kAnipose, 8, "calibration.toml"},
-                      Case{Format::kCaliscope, 5, "camera_array.toml"},
-                      Case{Format::kFreeMoCap, 5, "freemocap.toml"},
-                      Case{Format::kPose2Sim, 4, "Calib.toml"},
-                      Case{Format::kEasyMocap, 5, "easymocap"}, Case{Format::kColmap, 0, "sparse"},
-                      Case{Format::kColmap, 4, "sparse"}, Case{Format::kColmap, 8, "sparse"}),
+    ::testing::Values(
+        Case{Format::kRig, 8, "rig.yaml"}, Case{Format::kRos, 0, "ros"},
+        Case{Format::kRos, 5, "ros"}, Case{Format::kRos, 8, "ros"},
+        Case{Format::kKalibr, 4, "camchain.yaml"}, Case{Format::kOpenCv, 0, "cv"},
+        Case{Format::kOpenCv, 5, "cv"}, Case{Format::kOpenCv, 8, "cv"},
+        Case{Format::kMatrices, 0, "matrices"}, Case{Format::kQualisys, 5, "Calib.qca.txt"},
+        Case{Format::kAnipose, 5, "calibration.toml"},
+        Case{Format::kAnipose, 8, "calibration.toml"},
+        Case{Format::kCaliscope, 5, "camera_array.toml"},
+        Case{Format::kFreeMoCap, 5, "freemocap.toml"}, Case{Format::kPose2Sim, 4, "Calib.toml"},
+        Case{Format::kEasyMocap, 5, "easymocap"}, Case{Format::kColmap, 0, "sparse"},
+        Case{Format::kColmap, 4, "sparse"}, Case{Format::kColmap, 8, "sparse"},
+        Case{Format::kRig, 4, "rig.yaml", true}, Case{Format::kRos, 4, "ros", true},
+        Case{Format::kRos, 0, "ros", true}, Case{Format::kKalibr, 4, "camchain.yaml", true},
+        Case{Format::kOpenCv, 4, "cv", true}, Case{Format::kAnipose, 4, "calibration.toml", true},
+        Case{Format::kCaliscope, 4, "camera_array.toml", true},
+        Case{Format::kFreeMoCap, 4, "freemocap.toml", true},
+        Case{Format::kPose2Sim, 4, "Calib.toml", true}, Case{Format::kColmap, 4, "sparse", true}),
     [](const auto& info) {
-      return nameOf(info.param.format) + std::string("_") + std::to_string(info.param.lens);
+      return nameOf(info.param.format) + std::string("_") + std::to_string(info.param.lens) +
+             (info.param.fisheye ? "_fisheye" : "");
     });
 
 class Writing : public FormatTest {};
+
+TEST_F(Writing, AFisheyeIsRefusedWhereTheFormatHasNone) {
+  for (const Format format : {Format::kMatrices, Format::kQualisys, Format::kEasyMocap}) {
+    const std::string sentence =
+        errorTextOf([&] { writeCalibration(path("out"), format, studioRig(4, true)); });
+    EXPECT_NE(sentence.find("camera 'cam0': the lens is a fisheye, this format holds none"),
+              std::string::npos)
+        << sentence;
+  }
+}
 
 TEST_F(Writing, ALensThatAFormatCannotHoldIsRefused) {
   const auto refused = [&](Format format, size_t lens) {

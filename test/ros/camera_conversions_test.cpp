@@ -31,6 +31,19 @@ TEST(CameraConversions, CalibrationComesBackAsItWas) {
   EXPECT_TRUE(back.T_world_camera.isApprox(there.T_world_camera, 1e-12));
 }
 
+TEST(CameraConversions, FisheyeComesBackAsItWas) {
+  CameraCalibration there = sampleCalibration();
+  there.lens = LensType::kFisheye;
+  there.D = {-0.02, 0.01, 0.001, 0.0};
+  const sensor_msgs::CameraInfo info = messageFromCalibration(there);
+  EXPECT_EQ(info.distortion_model, "equidistant");
+  const CameraCalibration back = calibrationFromMessage("cam3", info, samplePose());
+  EXPECT_EQ(back.lens, LensType::kFisheye);
+  EXPECT_EQ(back.D, there.D);
+  there.D.clear();
+  EXPECT_EQ(messageFromCalibration(there).D, std::vector<double>(4, 0.0));
+}
+
 TEST(CameraConversions, MatrixIsRowByRow) {
   const sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
   EXPECT_EQ(info.K[0], 500.0);

@@ -7,15 +7,22 @@
 
 namespace markerless_mocap {
 
+/// OpenCV's two families of lenses.
+enum class LensType {
+  kPolynomial,  ///< sensor_msgs plumb_bob and rational_polynomial
+  kFisheye      ///< cv::fisheye, sensor_msgs equidistant: Kannala and Brandt (2006)
+};
+
 /// Calibration of one camera: pinhole model with lens distortion, and pose in the world.
 struct CameraCalibration {
   std::string name;
   int width = 0;                                ///< pixels
   int height = 0;                               ///< pixels
   Eigen::Matrix3d K = Eigen::Matrix3d::Zero();  ///< pixels; pixel centres have integer coordinates
-  /// Distortion, OpenCV order k1 k2 p1 p2 [k3 [k4 k5 k6]]; empty, 4, 5 or 8 values
-  /// (sensor_msgs plumb_bob and rational_polynomial).
+  /// Distortion, OpenCV order k1 k2 p1 p2 [k3 [k4 k5 k6]]; empty, 4, 5 or 8 values. Of a fisheye
+  /// k1 k2 k3 k4; empty or 4 values.
   std::vector<double> D;
+  LensType lens = LensType::kPolynomial;
   /// Optical frame (x right, y down, z forward; REP-103) to world, metres.
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double time_offset = 0.0;  ///< s, to be added to the camera's stamps for the rig's common time
@@ -24,6 +31,22 @@ struct CameraCalibration {
   /// in most of the image, a pose that is not rigid or beyond 10 km, or a time offset that is not
   /// finite. The message names the camera.
   void validate() const;
+};
+
+/// A lens in the form that projections need.
+struct LensNumbers {
+  LensType type = LensType::kPolynomial;
+  double k[8] = {};  ///< as CameraCalibration::D, missing coefficients zero
+  /// How far from the axis the model is monotonic: the squared radius of undistorted image-plane
+  /// points; of a fisheye the angle, rad.
+  double reach = 0.0;
+};
+
+/// A pinhole camera at the place of another one. Near the point for which it was made it shows
+/// sizes as the other one does; distortion is left out.
+struct LocalView {
+  Eigen::Matrix3d R_world_view;  ///< x and y as in the image, z forward
+  double fx, fy;                 ///< pixels
 };
 
 /// Projects points with the full lens model. Immutable; may be shared by threads.
@@ -38,9 +61,9 @@ class Camera {
   int height() const { return calibration_.height; }
   Eigen::Vector3d position() const { return calibration_.T_world_camera.translation(); }
 
-  /// Projects a world point (metres) to a pixel. Empty if the point is behind the camera, or so far
-  /// from the optical axis that the distortion polynomial is no longer monotonic. The pixel may lie
-  /// outside the image.
+  /// Projects a world point (metres) to a pixel. Empty if the point is behind the camera (a fisheye
+  /// may see it), or so far from the optical axis that the distortion polynomial is no longer
+  /// monotonic. The pixel may lie outside the image.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_world) const;
 
   /// As project(), but also empty if the nearest pixel is not in the image.
@@ -49,12 +72,15 @@ class Camera {
   /// Unit direction in the world of the viewing ray through a pixel, with distortion removed.
   Eigen::Vector3d rayDirection(const Eigen::Vector2d& pixel) const;
 
+  /// The view of what is near a point. For polynomial lenses it is K and the axes of this camera
+  /// everywhere; for a fisheye the view looks at the point. \param point_world not the camera's own
+  /// position
+  LocalView localView(const Eigen::Vector3d& point_world) const;
+
  private:
   CameraCalibration calibration_;
   Eigen::Isometry3d T_camera_world_;
-  double k_[8] = {};           ///< OpenCV order, missing coefficients zero
-  double max_radius_squared_;  ///< of undistorted image-plane points, up to which the model is
-                               ///< monotonic
+  LensNumbers lens_;
 };
 
 using CameraRig = std::vector<Camera>;

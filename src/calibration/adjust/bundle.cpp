@@ -74,7 +74,7 @@ class Bundle {
       for (const CornerSight& corner : view.corners) {
         if (!corner.used) continue;
         const CornerResidual residual{board_.corners()[corner.id], corner.pixel, corner.motion,
-                                      instant->time - view.time};
+                                      instant->time - view.time, typeOf(camera.lens)};
         problem_->AddResidualBlock(new CornerCost(residual), &loss_, camera.intrinsics.data(),
                                    camera.camera_world.data(), instant->world_board.data(),
                                    &camera.time_offset);
@@ -85,8 +85,9 @@ class Bundle {
   void addPoint(const KnownPoint& point) {
     for (const auto& [index, pixel] : point.pixels) {
       CameraState& camera = state_.cameras[index];
-      problem_->AddResidualBlock(new PointCost(new PointResidual{point.position, pixel}), &loss_,
-                                 camera.intrinsics.data(), camera.camera_world.data());
+      problem_->AddResidualBlock(
+          new PointCost(new PointResidual{point.position, pixel, typeOf(camera.lens)}), &loss_,
+          camera.intrinsics.data(), camera.camera_world.data());
     }
   }
 

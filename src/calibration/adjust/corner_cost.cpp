@@ -1,6 +1,7 @@
 #include "calibration/adjust/corner_cost.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace markerless_mocap {
@@ -40,15 +41,7 @@ Slopes<kColumns> slopesAt(double* jacobian) {
   return Slopes<kColumns>(jacobian);
 }
 
-}  // namespace
-
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-PixelSlopes pixelSlopes(const double* in, const Eigen::Vector3d& p) {
+PixelSlopes polynomialSlopes(const double* in, const Eigen::Vector3d& p) {
   const double *k = in + 4, iz = 1 / p.z(), x = p.x() * iz, y = p.y() * iz, s = x * x + y * y;
   const double N = 1 + s * (k[0] + s * (k[1] + s * k[4]));
   const double D = 1 + s * (k[5] + s * (k[6] + s * k[7]));
@@ -77,6 +70,43 @@ PixelSlopes pixelSlopes(const double* in, const Eigen::Vector3d& p) {
   return slopes;
 }
 
+/// OpenCV's fisheye: a point's angle to the axis gives its radius.
+PixelSlopes fisheyeSlopes(const double* in, const Eigen::Vector3d& p) {
+  const double* k = in + 4;
+  const Eigen::Vector2d focal(in[0], in[1]), across = p.head<2>();
+  const double r = std::max(across.norm(), 1e-12), angle = std::atan2(r, p.z()), s = angle * angle;
+  const double radius = angle * (1 + s * (k[0] + s * (k[1] + s * (k[2] + s * k[3]))));
+  const double slope = 1 + s * (3 * k[0] + s * (5 * k[1] + s * (7 * k[2] + s * 9 * k[3])));
+  const Eigen::Vector2d outward = across / r;
+  const Eigen::Matrix2d radial = outward * outward.transpose();
+  const double around = r > 1e-9 ? radius / r : 1 / p.z(), squared = p.squaredNorm();
+  Eigen::Matrix<double, 2, 3> plane;  // derivative of the distorted point
+  plane.leftCols<2>() =
+      around * Eigen::Matrix2d::Identity() + (slope * p.z() / squared - around) * radial;
+  plane.col(2) = -slope * r / squared * outward;
+  PixelSlopes slopes;
+  slopes.point = focal.asDiagonal() * plane;
+  slopes.intrinsics.setZero();
+  slopes.intrinsics(0, 0) = around * across.x();
+  slopes.intrinsics(1, 1) = around * across.y();
+  slopes.intrinsics(0, 2) = slopes.intrinsics(1, 3) = 1;
+  for (int i = 0; i < 4; ++i)
+    slopes.intrinsics.col(4 + i) = focal.asDiagonal() * outward * std::pow(angle, 2 * i + 3);
+  return slopes;
+}
+
+}  // namespace
+
+Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+PixelSlopes pixelSlopes(LensType lens, const double* in, const Eigen::Vector3d& p) {
+  return lens == LensType::kFisheye ? fisheyeSlopes(in, p) : polynomialSlopes(in, p);
+}
+
 bool CornerCost::Evaluate(double const* const* parameters, double* residuals,
                           double** jacobians) const {
   if (!corner_(parameters[0], parameters[1], parameters[2], parameters[3], residuals)) return false;
@@ -85,7 +115,7 @@ bool CornerCost::Evaluate(double const* const* parameters, double* residuals,
   const Eigen::Map<const Eigen::Vector3d> camera_at(parameters[1] + 3), board_at(parameters[2] + 3);
   const Eigen::Vector3d on_board(corner_.place.x(), corner_.place.y(), 0);
   const Eigen::Vector3d world = board.R * on_board + board_at;
-  const PixelSlopes pixel = pixelSlopes(parameters[0], camera.R * world + camera_at);
+  const PixelSlopes pixel = pixelSlopes(corner_.lens, parameters[0], camera.R * world + camera_at);
   if (jacobians[0]) slopesAt<12>(jacobians[0]) = pixel.intrinsics;
   if (jacobians[1]) {
     Slopes<6> J = slopesAt<6>(jacobians[1]);

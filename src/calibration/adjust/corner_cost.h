@@ -23,7 +23,7 @@ struct PixelSlopes {
   Eigen::Matrix<double, 2, 12> intrinsics;
 };
 
-PixelSlopes pixelSlopes(const double* intrinsics, const Eigen::Vector3d& point);
+PixelSlopes pixelSlopes(LensType lens, const double* intrinsics, const Eigen::Vector3d& point);
 
 /// The matrix of the cross product v x.
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v);

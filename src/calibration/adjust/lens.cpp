@@ -12,9 +12,9 @@ struct ModelFacts {
 };
 
 const ModelFacts& factsOf(LensModel model) {
-  static constexpr ModelFacts kFacts[] = {{"none", 0, 0},           {"k1", 1, 4},
-                                          {"k1 k2", 2, 4},          {"k1 k2 p1 p2", 4, 4},
-                                          {"k1 k2 p1 p2 k3", 5, 5}, {"rational", 8, 8}};
+  static constexpr ModelFacts kFacts[] = {
+      {"none", 0, 0},           {"k1", 1, 4},      {"k1 k2", 2, 4},   {"k1 k2 p1 p2", 4, 4},
+      {"k1 k2 p1 p2 k3", 5, 5}, {"fisheye", 4, 4}, {"rational", 8, 8}};
   return kFacts[size_t(model)];
 }
 
@@ -37,6 +37,15 @@ int coefficientsOf(LensModel model) {
   return factsOf(model).coefficients;
 }
 
+LensModel modelOf(const CameraCalibration& calibration) {
+  if (calibration.lens == LensType::kFisheye) return LensModel::kFisheye;
+  const size_t coefficients = calibration.D.size();
+  return coefficients == 8   ? LensModel::kRational
+         : coefficients == 5 ? LensModel::kPlumbBob
+         : coefficients == 4 ? LensModel::kTangential
+                             : LensModel::kNone;
+}
+
 std::vector<int> fixedIntrinsics(LensModel model) {
   std::vector<int> fixed;
   for (int i = 4 + coefficientsOf(model); i < 12; ++i) fixed.push_back(i);
@@ -45,6 +54,7 @@ std::vector<int> fixedIntrinsics(LensModel model) {
 
 void setIntrinsics(const Intrinsics& in, LensModel model, CameraCalibration* calibration) {
   calibration->K << in[0], 0, in[2], 0, in[1], in[3], 0, 0, 1;
+  calibration->lens = typeOf(model);
   calibration->D.assign(in.begin() + 4, in.begin() + 4 + factsOf(model).length);
 }
 

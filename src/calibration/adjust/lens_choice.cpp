@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "calibration/adjust/bundle.h"
 #include "calibration/start/board_pose.h"
@@ -20,7 +21,7 @@ RigState aloneState(const Board& board, const std::vector<const BoardView*>& vie
   for (const int fixed : fixedIntrinsics(lens)) state.cameras[0].intrinsics[fixed] = 0.0;
   state.cameras[0].lens = lens;
   for (const BoardView* view : views) {
-    const BoardPose pose = boardPose(board, view->corners, state.cameras[0].intrinsics);
+    const BoardPose pose = boardPose(board, view->corners, state.cameras[0].intrinsics, lens);
     if (!std::isfinite(pose.rms)) continue;
     Instant instant;
     instant.located = true;
@@ -71,10 +72,34 @@ std::vector<double> errorsOnViewsLeftOut(const Board& board,
   return errors;
 }
 
-double meanOf(const std::vector<double>& values) {
+/// Pixels; infinite if the model cannot be fitted to the views.
+double rmsOnViewsLeftOut(const Board& board, const std::vector<const BoardView*>& views,
+                         const Intrinsics& start, LensModel lens) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> errors;
+  try {
+    errors = errorsOnViewsLeftOut(board, views, start, lens);
+  } catch (const std::runtime_error&) {
+    return kNone;
+  }
+  if (errors.empty()) return kNone;
   double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / double(values.size());
+  for (const double error : errors) sum += error;
+  return std::isfinite(sum) ? std::sqrt(sum / double(errors.size())) : kNone;
+}
+
+constexpr double kBetter = 0.995;  // of an error: a difference that counts
+
+/// Pixels, below which a fisheye is chosen instead.
+double fisheyeLimit(const LensTrial& polynomial) {
+  constexpr double kClearlyBetter = 0.98;
+  return polynomial.rms * (polynomial.lens == LensModel::kRational ? 1 / kBetter : kClearlyBetter);
+}
+
+Intrinsics startOf(LensModel lens, const Board& board, const CameraToCalibrate& camera,
+                   const std::vector<const BoardView*>& views) {
+  return lens == LensModel::kFisheye ? startFisheye(board, camera, views)
+                                     : startIntrinsics(board, camera, views);
 }
 
 }  // namespace
@@ -86,21 +111,47 @@ Intrinsics adjustIntrinsics(const Board& board, const std::vector<const BoardVie
   return state.cameras[0].intrinsics;
 }
 
-LensChoice chooseLens(const Board& board, const std::vector<const BoardView*>& views,
-                      const Intrinsics& start) {
+LensChoice chooseLens(const Board& board, const CameraToCalibrate& camera,
+                      const std::vector<const BoardView*>& views) {
   constexpr size_t kViews = 40, kManyViews = 15;
   std::vector<const BoardView*> chosen;
   for (const size_t i : differentViews(board, views, kViews)) chosen.push_back(views[i]);
+  const Intrinsics polynomial = startOf(LensModel::kRational, board, camera, views);
+  const Intrinsics fisheye = startOf(LensModel::kFisheye, board, camera, views);
   LensChoice choice;
-  double least = std::numeric_limits<double>::infinity();
+  choice.start = polynomial;
+  LensTrial best{LensModel::kPlumbBob, std::numeric_limits<double>::infinity()}, wide = best;
   for (const LensModel lens : kLensModels) {
-    const double error = std::sqrt(meanOf(errorsOnViewsLeftOut(board, chosen, start, lens)));
-    choice.trials.push_back({lens, error});
+    const bool is_wide = lens == LensModel::kFisheye;
+    const Intrinsics& start = is_wide ? fisheye : polynomial;
+    const LensTrial trial{lens, rmsOnViewsLeftOut(board, chosen, start, lens)};
+    choice.trials.push_back(trial);
     if (views.size() >= kManyViews && coefficientsOf(lens) < 4) continue;
-    if (!(error < 0.995 * least)) continue;
-    least = error;
-    choice.lens = lens;
+    if (is_wide)
+      wide = trial;
+    else if (trial.rms < kBetter * best.rms)
+      best = trial;
   }
+  choice.lens = best.lens;
+  if (wide.rms < fisheyeLimit(best)) {
+    choice.lens = LensModel::kFisheye;
+    choice.start = fisheye;
+  }
+  return choice;
+}
+
+LensChoice lensFromViews(const Board& board, const CameraToCalibrate& camera,
+                         const std::vector<const BoardView*>& views,
+                         const std::optional<LensModel>& lens, Intrinsics* intrinsics) {
+  constexpr size_t kViews = 60;
+  LensChoice choice;
+  if (lens)
+    choice = {*lens, startOf(*lens, board, camera, views), {}};
+  else
+    choice = chooseLens(board, camera, views);
+  std::vector<const BoardView*> different;
+  for (const size_t k : differentViews(board, views, kViews)) different.push_back(views[k]);
+  *intrinsics = adjustIntrinsics(board, different, choice.start, choice.lens);
   return choice;
 }
 

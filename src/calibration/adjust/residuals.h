@@ -4,22 +4,31 @@
 
 #include <Eigen/Core>
 
+#include "camera/lens_equations.h"
+#include "markerless_mocap/camera/camera.h"
+
 namespace markerless_mocap {
 
 /// A rotation vector (rad) and a translation (m).
 using PoseVector = Eigen::Matrix<double, 6, 1>;
 
-/// Pixel of a point in the camera's frame; the lens model of Camera.
+/// Pixel of a point in the camera's frame; the lens models of Camera.
 template <class T>
-void projectPoint(const T* intrinsics, const T* p, T* pixel) {
-  const T x = p[0] / p[2], y = p[1] / p[2], s = x * x + y * y;
-  const T* k = intrinsics + 4;
-  const T radial =
-      (T(1) + s * (k[0] + s * (k[1] + s * k[4]))) / (T(1) + s * (k[5] + s * (k[6] + s * k[7])));
-  pixel[0] = intrinsics[0] * (x * radial + T(2) * k[2] * x * y + k[3] * (s + T(2) * x * x)) +
-             intrinsics[2];
-  pixel[1] = intrinsics[1] * (y * radial + k[2] * (s + T(2) * y * y) + T(2) * k[3] * x * y) +
-             intrinsics[3];
+void projectPoint(LensType lens, const T* intrinsics, const T* p, T* pixel) {
+  T plane[2];
+  if (lens == LensType::kFisheye)
+    distortFisheye(intrinsics + 4, p, plane);
+  else
+    distortPolynomial(intrinsics + 4, T(p[0] / p[2]), T(p[1] / p[2]), plane);
+  for (int i = 0; i < 2; ++i) pixel[i] = intrinsics[i] * plane[i] + intrinsics[2 + i];
+}
+
+/// Whether a lens may see a point in the camera's frame. A fisheye sees all but what is straight
+/// behind it.
+template <class T>
+bool maySee(LensType lens, const T* p) {
+  if (p[2] > T(1e-6)) return true;
+  return lens == LensType::kFisheye && p[0] * p[0] + p[1] * p[1] > T(1e-6) + T(0.01) * p[2] * p[2];
 }
 
 template <class T>
@@ -40,6 +49,7 @@ struct CornerResidual {
   Eigen::Vector2d pixel;
   CornerMotion motion;
   double lag = 0.0;  ///< s: time of the board's pose minus the camera's clock at the view
+  LensType lens = LensType::kPolynomial;
 
   /// \param offset s, to be added to the camera's clock
   template <class T>
@@ -49,8 +59,8 @@ struct CornerResidual {
     T world[3], in_camera[3], projected[2];
     transformPoint(world_board, on_board, world);
     transformPoint(camera_world, world, in_camera);
-    if (!(in_camera[2] > T(1e-6))) return false;
-    projectPoint(intrinsics, in_camera, projected);
+    if (!maySee(lens, in_camera)) return false;
+    projectPoint(lens, intrinsics, in_camera, projected);
     const T after = T(lag) - offset[0];
     for (int i = 0; i < 2; ++i)
       residual[i] =
@@ -64,16 +74,16 @@ struct CornerResidual {
 struct PointResidual {
   Eigen::Vector3d position;
   Eigen::Vector2d pixel;
-  double weight = 1.0;
+  LensType lens = LensType::kPolynomial;
 
   template <class T>
   bool operator()(const T* intrinsics, const T* camera_world, T* residual) const {
     const T world[3] = {T(position.x()), T(position.y()), T(position.z())};
     T in_camera[3], projected[2];
     transformPoint(camera_world, world, in_camera);
-    if (!(in_camera[2] > T(1e-6))) return false;
-    projectPoint(intrinsics, in_camera, projected);
-    for (int i = 0; i < 2; ++i) residual[i] = T(weight) * (projected[i] - T(pixel[i]));
+    if (!maySee(lens, in_camera)) return false;
+    projectPoint(lens, intrinsics, in_camera, projected);
+    for (int i = 0; i < 2; ++i) residual[i] = projected[i] - T(pixel[i]);
     return true;
   }
 };

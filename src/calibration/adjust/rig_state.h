@@ -73,7 +73,7 @@ inline Eigen::Vector2d residualOf(const RigState& state, const Board& board, con
                                   const ViewSight& view, const CornerSight& corner) {
   const CameraState& camera = state.cameras[view.camera];
   const CornerResidual residual{board.corners()[corner.id], corner.pixel, corner.motion,
-                                instant.time - view.time};
+                                instant.time - view.time, typeOf(camera.lens)};
   Eigen::Vector2d out;
   if (!residual(camera.intrinsics.data(), camera.camera_world.data(), instant.world_board.data(),
                 &camera.time_offset, out.data()))

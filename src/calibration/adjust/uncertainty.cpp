@@ -104,7 +104,8 @@ class NormalEquations {
     Eigen::Vector3d on_board;
     on_board << board_.corners()[corner.id], 0;
     const Eigen::Vector3d in_camera = camera_board * on_board;
-    const PixelSlopes pixel = pixelSlopes(camera.intrinsics.data(), in_camera);
+    const LensType lens = typeOf(camera.lens);
+    const PixelSlopes pixel = pixelSlopes(lens, camera.intrinsics.data(), in_camera);
     const double after = instant.time - view.time - camera.time_offset;
     Slopes s;
     s.residual = residualOf(state_, board_, instant, view, corner);
@@ -120,9 +121,11 @@ class NormalEquations {
     for (const auto& [index, pixel] : point.pixels) {
       const CameraState& camera = state_.cameras[index];
       const Eigen::Vector3d in_camera = isometry(camera.camera_world) * point.position;
-      const auto J = cameraSlopes(pixelSlopes(camera.intrinsics.data(), in_camera), in_camera);
+      const LensType lens = typeOf(camera.lens);
+      const auto J =
+          cameraSlopes(pixelSlopes(lens, camera.intrinsics.data(), in_camera), in_camera);
       Eigen::Vector2d projected;
-      projectPoint(camera.intrinsics.data(), in_camera.data(), projected.data());
+      projectPoint(lens, camera.intrinsics.data(), in_camera.data(), projected.data());
       const Eigen::Vector2d r = projected - pixel;
       const double w = weightOf(r);
       const int at = kPerCamera * int(index);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "calibration/check/median.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -59,8 +61,8 @@ double rmsOfPoints(const RigState& state) {
     for (const auto& [index, pixel] : point.pixels) {
       const CameraState& camera = state.cameras[index];
       Eigen::Vector2d r;
-      PointResidual{point.position, pixel}(camera.intrinsics.data(), camera.camera_world.data(),
-                                           r.data());
+      PointResidual{point.position, pixel, typeOf(camera.lens)}(
+          camera.intrinsics.data(), camera.camera_world.data(), r.data());
       sum += r.squaredNorm();
       ++count;
     }
@@ -108,6 +110,30 @@ RigCalibration summarise(const Board& board, const CalibrationInput& input, cons
   result.points_rms = rmsOfPoints(state);
   result.floor_known = input.floor.has_value() || !input.points.empty();
   return result;
+}
+
+void keepOffsets(RigCalibration* result) {
+  std::vector<double> offsets;
+  for (const CalibratedCamera& camera : result->cameras) offsets.push_back(camera.time_offset);
+  const double middle = medianOf(offsets);
+  for (CalibratedCamera& camera : result->cameras)
+    camera.calibration.time_offset = camera.time_offset - middle;
+}
+
+void putFloorUnderWalk(const CalibrationInput& input, RigCalibration* result) {
+  CameraRig cameras;
+  std::vector<double> offsets;
+  for (const CalibratedCamera& camera : result->cameras) {
+    cameras.emplace_back(camera.calibration);
+    offsets.push_back(camera.time_offset);
+  }
+  result->walk = floorFromWalk(cameras, input.walk(offsets));
+  result->floor_known = true;
+  for (CalibratedCamera& camera : result->cameras) {
+    Eigen::Isometry3d& pose = camera.calibration.T_world_camera;
+    pose = result->walk->new_old * pose;
+    pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+  }
 }
 
 }  // namespace markerless_mocap

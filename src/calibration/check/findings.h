@@ -11,4 +11,10 @@ RigCalibration summarise(const Board& board, const CalibrationInput& input, cons
 /// Fills in `verdict` and `good`.
 void writeVerdict(const CalibrationInput& input, RigCalibration* result);
 
+/// Offsets against the middle one of all cameras become part of the calibrations.
+void keepOffsets(RigCalibration* result);
+
+/// Moves the world so that the person of the input's walk trod on its floor.
+void putFloorUnderWalk(const CalibrationInput& input, RigCalibration* result);
+
 }  // namespace markerless_mocap

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/check/median.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -11,11 +13,6 @@ struct Shift {
   double time;
   Eigen::Vector2d pixels;
 };
-
-double medianOf(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 template <class Iterator>
 Eigen::Vector2d medianShift(Iterator begin, Iterator end) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "calibration/check/findings.h"
+#include "calibration/check/median.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,12 +19,6 @@ std::string clockTime(double seconds) {
   const int whole = int(std::floor(seconds));
   if (whole < 60) return text("%.1f s", seconds);
   return text("%d:%02d", whole / 60, whole % 60);
-}
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 std::string looseSentence(const CalibratedCamera& camera) {
@@ -117,10 +112,11 @@ class Verdict {
     for (const CalibratedCamera& camera : result_.cameras) offsets.push_back(camera.time_offset);
     for (const CalibratedCamera& camera : result_.cameras)
       if (const double late = medianOf(offsets) - camera.time_offset; std::abs(late) > kLeast)
-        doubt(text(
-            "The stamps of %s are %.0f ms too %s, by the motion of the board. That was "
-            "corrected here; correct it in recordings, too.",
-            camera.calibration.name.c_str(), 1e3 * std::abs(late), late > 0 ? "late" : "early"));
+        doubt(text("The stamps of %s are %.0f ms too %s, by the motion of the board. %s",
+                   camera.calibration.name.c_str(), 1e3 * std::abs(late),
+                   late > 0 ? "late" : "early",
+                   input_.clocks_last ? "The rig file corrects it (time_offset)."
+                                      : "That was corrected here; correct it in recordings, too."));
   }
 
   void judgeWalk(const WalkFloor& walk) {

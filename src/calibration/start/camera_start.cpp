@@ -5,6 +5,8 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
+#include "calibration/start/board_pose.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -72,6 +74,27 @@ Intrinsics startIntrinsics(const Board& board, const CameraToCalibrate& camera,
                       cv::CALIB_FIX_K3 | cv::CALIB_ZERO_TANGENT_DIST);
   return {K.at<double>(0, 0), K.at<double>(1, 1), K.at<double>(0, 2),
           K.at<double>(1, 2), D.at<double>(0),    D.at<double>(1)};
+}
+
+Intrinsics startFisheye(const Board& board, const CameraToCalibrate& camera,
+                        const std::vector<const BoardView*>& views) {
+  constexpr size_t kViews = 25;
+  constexpr double kWidest = 3.8, kNarrowest = 1.0, kStep = 0.92;  // rad, across the image
+  const std::vector<size_t> different = differentViews(board, views, kViews);
+  Intrinsics best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (double angle = kWidest; angle > kNarrowest; angle *= kStep) {
+    const double focal = camera.width / angle;
+    const Intrinsics in{focal, focal, (camera.width - 1) / 2.0, (camera.height - 1) / 2.0};
+    double sum = 0;
+    for (const size_t i : different)
+      sum += std::min(boardPose(board, views[i]->corners, in, LensModel::kFisheye).rms,
+                      double(camera.width));
+    if (!(sum < least)) continue;
+    least = sum;
+    best = in;
+  }
+  return best;
 }
 
 }  // namespace markerless_mocap

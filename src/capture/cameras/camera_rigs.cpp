@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "camera/lens_equations.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "numerics/split_mix.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kVolumeRadius = 1.3, kVolumeHeight = 2.4;
 constexpr double kRingRadius = 4.2, kRingHeight = 1.9, kOverhead = 4.6;
+constexpr double kWideRadius = 2.2, kWideHeight = 2.3;
 constexpr double kCeilingCorner = 2.6, kCeilingHeight = 2.7;
 /// Fraction of the half image that the volume fills.
 constexpr double kFilled = 0.97;
@@ -23,6 +25,7 @@ struct LensPlan {
   double k1 = 0.0, k2 = 0.0;
   double aspect = 1.0;          ///< fy / fx
   Eigen::Vector2d shift{0, 0};  ///< of the principal point, fraction of the image size
+  std::vector<double> fisheye;  ///< coefficients; empty: k1 and k2 are those of the lens
   double wider = 1.0;  ///< field of view (tangent) relative to the one that just shows the volume
 };
 
@@ -49,7 +52,8 @@ double focalLength(const Eigen::Isometry3d& T_world_camera, const LensPlan& lens
     const Eigen::Vector3d p = T_world_camera.inverse() * point;
     const Eigen::Vector2d plane = p.head<2>() / p.z();
     const double s = plane.squaredNorm();
-    const Eigen::Vector2d seen = plane * (1.0 + s * (lens.k1 + s * lens.k2));
+    Eigen::Vector2d seen = plane * (1.0 + s * (lens.k1 + s * lens.k2));
+    if (!lens.fisheye.empty()) distortFisheye(lens.fisheye.data(), p.data(), seen.data());
     focal = std::min(
         {focal, free.x() / std::abs(seen.x()), free.y() / (lens.aspect * std::abs(seen.y()))});
   }
@@ -66,6 +70,10 @@ CameraCalibration placed(const RigPlan& plan, const Eigen::Isometry3d& T_world_c
   c.K << focal, 0, (plan.width - 1) / 2.0 + lens.shift.x() * plan.width, 0, focal * lens.aspect,
       (plan.height - 1) / 2.0 + lens.shift.y() * plan.height, 0, 0, 1;
   c.D = {lens.k1, lens.k2, 0, 0, 0};
+  if (!lens.fisheye.empty()) {
+    c.D = lens.fisheye;
+    c.lens = LensType::kFisheye;
+  }
   return c;
 }
 
@@ -75,16 +83,16 @@ Eigen::Vector3d onCircle(double turns, double radius, double height) {
 
 using Places = std::vector<Eigen::Vector3d>;
 
-Places ringOf(int cameras) {
+Places ringOf(int cameras, double radius = kRingRadius, double height = kRingHeight) {
   Places places;
-  for (int i = 0; i < cameras; ++i)
-    places.push_back(onCircle((i + 0.5) / cameras, kRingRadius, kRingHeight));
+  for (int i = 0; i < cameras; ++i) places.push_back(onCircle((i + 0.5) / cameras, radius, height));
   return places;
 }
 
 Places placesOf(const std::string& kind) {
   if (kind == "ring8") return ringOf(8);
   if (kind == "ring4") return ringOf(4);
+  if (kind == "wide6") return ringOf(6, kWideRadius, kWideHeight);
   if (kind == "ceiling4") {
     Places corners;
     for (int i = 0; i < 4; ++i)
@@ -121,6 +129,7 @@ std::vector<CameraCalibration> plannedRig(const RigPlan& plan) {
   if (plan.kind == "random8") return randomRig(plan);
   LensPlan lens;
   lens.k1 = plan.distortion_k1;
+  if (plan.kind == "wide6") lens.fisheye = {-0.03, 0.006, -0.002, 0.0003};
   std::vector<CameraCalibration> rig;
   for (const Eigen::Vector3d& place : placesOf(plan.kind))
     rig.push_back(placed(plan, lookAt(place, kTarget), lens));
@@ -144,8 +153,8 @@ Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d&
 }
 
 const std::vector<std::string>& rigKinds() {
-  static const std::vector<std::string> kinds = {"ring8", "ring7_overhead", "ring4", "ceiling4",
-                                                 "random8"};
+  static const std::vector<std::string> kinds = {"ring8",    "ring7_overhead", "ring4",
+                                                 "ceiling4", "random8",        "wide6"};
   return kinds;
 }
 

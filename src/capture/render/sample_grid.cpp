@@ -5,8 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace markerless_mocap {
+namespace {
+
+/// Least cosine to the axis. Straight edges are straight on a plane only, which no fisheye shows
+/// whole.
+constexpr double kBeside = 0.1;
+
+[[noreturn]] void throwTooWide(const Camera& camera) {
+  throw std::invalid_argument(
+      "camera '" + camera.name() +
+      "' sees beyond 84 degrees off its axis, which the studio does not render");
+}
+
+}  // namespace
 
 SampleGrid::SampleGrid(const Camera& camera)
     : camera_(camera),
@@ -17,6 +31,7 @@ SampleGrid::SampleGrid(const Camera& camera)
     for (int x = 0; x < size_.width; ++x) {
       const Eigen::Vector3d ray =
           T_camera_world_.linear() * camera_.rayDirection({0.5 * (x - 1), 0.5 * (y - 1)});
+      if (!(ray.z() > kBeside)) throwTooWide(camera_);
       plane_[size_t(y) * size_.width + x] = ray.hnormalized().cast<float>();
     }
   });

@@ -112,6 +112,7 @@ std::optional<CameraCalibration> calibrationOf(const SeenCamera& camera) {
   calibration.height = info.height;
   calibration.K = info.K;
   calibration.D = info.D;
+  calibration.lens = info.lens;
   calibration.time_offset = info.time_offset;
   calibration.T_world_camera = *camera.T_world_camera;
   return calibration;

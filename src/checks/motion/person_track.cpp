@@ -21,8 +21,16 @@ Eigen::Vector2d turned(const Eigen::Vector2d& pixel, const PersonTrack& track, I
   return out;
 }
 
+Eigen::Vector2d upInFisheye(const Camera& camera, const Eigen::Vector2d& pixel) {
+  constexpr double kStep = 0.01;  // m, at 1 m
+  const Eigen::Vector3d seen = camera.position() + camera.rayDirection(pixel);
+  const auto above = camera.project(seen + kStep * Eigen::Vector3d::UnitZ());
+  return above ? Eigen::Vector2d((*above - pixel) / kStep) : Eigen::Vector2d::Zero();
+}
+
 /// The image direction in which the world's z rises at a pixel.
 Eigen::Vector2d upAt(const CameraCalibration& camera, const Eigen::Vector2d& pixel) {
+  if (camera.lens == LensType::kFisheye) return upInFisheye(Camera(camera), pixel);
   const Eigen::Vector3d up = camera.T_world_camera.linear().row(2).transpose();
   const Eigen::Vector2d plane((pixel.x() - camera.K(0, 2)) / camera.K(0, 0),
                               (pixel.y() - camera.K(1, 2)) / camera.K(1, 1));

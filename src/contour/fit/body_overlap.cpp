@@ -25,9 +25,9 @@ std::optional<Disk> diskOf(const Camera& camera, int step, const Eigen::Vector3d
                            double radius) {
   const auto pixel = camera.project(middle);
   if (!pixel) return std::nullopt;
-  const CameraCalibration& lens = camera.calibration();
-  const double depth = lens.T_world_camera.linear().col(2).dot(middle - camera.position());
-  const double f = 0.5 * (lens.K(0, 0) + lens.K(1, 1));
+  const LocalView view = camera.localView(middle);
+  const double depth = view.R_world_view.col(2).dot(middle - camera.position());
+  const double f = 0.5 * (view.fx + view.fy);
   const Disk disk{*pixel / step, f * radius / depth / step};
   const double reach = disk.middle.cwiseAbs().maxCoeff() + disk.radius;
   if (!(reach < kMaxReach)) return std::nullopt;

@@ -58,14 +58,14 @@ std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView
   const auto pixel = camera.projectInside(middle);
   if (!pixel) return std::nullopt;
   const BorderDistance border = sample(view, *pixel);
-  const CameraCalibration& lens = camera.calibration();
-  const Vector3d p = lens.T_world_camera.linear().transpose() * (middle - camera.position());
-  const double fx = lens.K(0, 0), fy = lens.K(1, 1), f = 0.5 * (fx + fy);
+  const LocalView lens = camera.localView(middle);
+  const Vector3d p = lens.R_world_view.transpose() * (middle - camera.position());
+  const double fx = lens.fx, fy = lens.fy, f = 0.5 * (fx + fy);
   SphereInView sphere;
   sphere.outside = border.value * p.z() / f + radius;
   const double gx = border.gradient.x() * fx / f, gy = border.gradient.y() * fy / f;
   const Vector3d gradient(gx, gy, border.value / f - (gx * p.x() + gy * p.y()) / p.z());
-  sphere.gradient = lens.T_world_camera.linear() * gradient;
+  sphere.gradient = lens.R_world_view * gradient;
   return sphere;
 }
 

@@ -7,13 +7,14 @@ namespace markerless_mocap {
 RayTable::RayTable(const Camera& camera)
     : columns_(camera.width() / kStep + 2),
       rows_(camera.height() / kStep + 2),
+      wide_(camera.calibration().lens == LensType::kFisheye),
       R_world_camera_(camera.calibration().T_world_camera.linear()) {
   nodes_.reserve(size_t(columns_) * size_t(rows_));
   for (int y = 0; y < rows_; ++y)
     for (int x = 0; x < columns_; ++x) {
       const Eigen::Vector3d ray =
           R_world_camera_.transpose() * camera.rayDirection({x * kStep, y * kStep});
-      nodes_.push_back(ray.hnormalized());
+      nodes_.push_back(wide_ ? Eigen::Vector2d(ray.head<2>() / (1 + ray.z())) : ray.hnormalized());
     }
 }
 
@@ -24,7 +25,9 @@ Eigen::Vector3d RayTable::direction(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d* node = &nodes_[size_t(j) * size_t(columns_) + size_t(i)];
   const Eigen::Vector2d plane = (1 - v) * ((1 - u) * node[0] + u * node[1]) +
                                 v * ((1 - u) * node[columns_] + u * node[columns_ + 1]);
-  return R_world_camera_ * plane.homogeneous();
+  if (!wide_) return R_world_camera_ * plane.homogeneous();
+  const double s = plane.squaredNorm();
+  return R_world_camera_ * Eigen::Vector3d(2 * plane.x(), 2 * plane.y(), 1 - s);
 }
 
 }  // namespace markerless_mocap

@@ -18,6 +18,7 @@ class RayTable {
  private:
   static constexpr int kStep = 8;  ///< pixels between nodes
   int columns_, rows_;
+  bool wide_;  ///< whether the nodes are stereographic, as a fisheye sees beside itself
   std::vector<Eigen::Vector2d> nodes_;  ///< undistorted, on the plane at depth 1
   Eigen::Matrix3d R_world_camera_;
 };

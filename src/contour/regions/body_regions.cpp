@@ -42,9 +42,9 @@ ProjectedBody projected(const Camera& camera, int step, const ContourBody& body,
   ContourWorldCones cones;
   body.place(pose, frames);
   body.place(frames, cones);
-  const CameraCalibration& lens = camera.calibration();
-  const Eigen::Vector3d forward = lens.T_world_camera.linear().col(2);
-  const double f = 0.5 * (lens.K(0, 0) + lens.K(1, 1)) / step;
+  const LocalView lens = camera.localView(pose.position);
+  const Eigen::Vector3d forward = lens.R_world_view.col(2);
+  const double f = 0.5 * (lens.fx + lens.fy) / step;
   const auto depthOf = [&](const Eigen::Vector3d& p) { return forward.dot(p - camera.position()); };
   const Eigen::Vector2d centre = Eigen::Vector2d::Constant(0.5 * (step - 1));
   ProjectedBody out;

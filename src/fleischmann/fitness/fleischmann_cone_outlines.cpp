@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "camera/lens_distortion.h"
+#include "camera/lens_equations.h"
 #include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
@@ -100,6 +102,25 @@ MOCAP_WIDEST void projectCorners(const FleischmannWorldCones& w, const ViewCamer
   result = out;
 }
 
+/// As projectCorners(). What a fisheye does not see has depth 0.
+void projectFisheyeCorners(const FleischmannWorldCones& w, const ViewCamera::Numbers& n,
+                           const ConeVectors& center, const ConeFloats& scale,
+                           const ConeFloats& cosine, const ConeFloats& sine, CornerLanes& out) {
+  for (int i = 0; i < kConeLanes; ++i) {
+    const float c = cosine[i] * scale[i], s = sine[i] * scale[i];
+    float in_world[3], p[3], plane[2];
+    for (int k = 0; k < 3; ++k) in_world[k] = center[k][i] + c * w.u[k][i] + s * w.v[k][i];
+    for (int k = 0; k < 3; ++k)
+      p[k] = n.R[k][0] * in_world[0] + n.R[k][1] * in_world[1] + n.R[k][2] * in_world[2] + n.t[k];
+    distortFisheye(n.k, p, plane);
+    out.x[i] = n.fx * plane[0] + n.skew * plane[1] + n.cx;
+    out.y[i] = n.fy * plane[1] + n.cy;
+    const bool seen = std::atan2(std::hypot(p[0], p[1]), p[2]) < n.max_angle;
+    out.depth[i] = seen ? std::hypot(p[0], p[1], p[2]) : 0.0f;
+    out.radius_squared[i] = 0.0f;
+  }
+}
+
 /// Camera has no accessor for this radius. It is found by bisection on whether a point is
 /// projected.
 double largestRadius(const Camera& camera) {
@@ -177,6 +198,8 @@ ViewCamera::ViewCamera(const Camera& camera, int downsampling)
   numbers_.cy = float(s * (c.K(1, 2) + 0.5) - 0.5);
   std::fill(std::begin(numbers_.k), std::end(numbers_.k), 0.0f);
   std::copy(c.D.begin(), c.D.end(), numbers_.k);
+  numbers_.fisheye = c.lens == LensType::kFisheye;
+  numbers_.max_angle = float(lensNumbersOf(c).reach);
   const double radius = largestRadius(camera);
   numbers_.max_radius_squared = float(radius * radius);
 }
@@ -195,7 +218,8 @@ void ViewCamera::outlines(const FleischmannWorldCones& cones, ConeCorners& out) 
     out.seen[i] = places.inside[i] > kMinSquaredDistance;
   const auto corner = [&](int at, const ConeVectors& center, const ConeFloats& scale, int side) {
     CornerLanes lanes;
-    projectCorners(cones, numbers_, center, scale, lines.cosine[side], lines.sine[side], lanes);
+    const auto project = numbers_.fisheye ? projectFisheyeCorners : projectCorners;
+    project(cones, numbers_, center, scale, lines.cosine[side], lines.sine[side], lanes);
     out.x[at] = lanes.x;
     out.y[at] = lanes.y;
     for (int i = 0; i < kFleischmannConeCount; ++i)

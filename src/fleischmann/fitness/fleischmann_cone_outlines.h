@@ -65,6 +65,8 @@ class ViewCamera {
     float fx, skew, cx, fy, cy;
     float k[8];                ///< OpenCV order
     float max_radius_squared;  ///< maximum radius of undistorted image-plane points
+    float max_angle;           ///< of a fisheye, to the axis, rad
+    bool fisheye;
   };
 
  private:

@@ -19,6 +19,7 @@ struct Model {
   int count;
   int fx, fy, cx, cy;
   std::vector<int> lens;
+  LensType type = LensType::kPolynomial;
 };
 
 const std::map<std::string, Model>& models() {
@@ -28,6 +29,7 @@ const std::map<std::string, Model>& models() {
       {"SIMPLE_RADIAL", {4, 0, 0, 1, 2, {3, -1, -1, -1}}},
       {"RADIAL", {5, 0, 0, 1, 2, {3, 4, -1, -1}}},
       {"OPENCV", {8, 0, 1, 2, 3, {4, 5, 6, 7}}},
+      {"OPENCV_FISHEYE", {8, 0, 1, 2, 3, {4, 5, 6, 7}, LensType::kFisheye}},
       {"FULL_OPENCV", {12, 0, 1, 2, 3, {4, 5, 6, 7, 8, 9, 10, 11}}}};
   return kModels;
 }
@@ -103,6 +105,7 @@ CameraCalibration lensFrom(const std::string& line, const std::string& where, in
   checkNumbers(p, m.count, name, where);
   camera.K = cameraMatrixFrom(
       {p[m.fx], 0, p[m.cx] - kPixelCentre, 0, p[m.fy], p[m.cy] - kPixelCentre, 0, 0, 1}, where);
+  camera.lens = m.type;
   for (const int index : m.lens) camera.D.push_back(index < 0 ? 0.0 : p[index]);
   return camera;
 }
@@ -137,10 +140,15 @@ std::string lensText(const CameraCalibration& camera) {
   checkNoSkew(camera, kFormat);
   const Eigen::Matrix3d& K = camera.K;
   std::vector<double> p = {K(0, 0), K(1, 1), K(0, 2) + kPixelCentre, K(1, 2) + kPixelCentre};
-  const bool full = camera.D.size() > 4;
-  if (!camera.D.empty())
+  const bool full = camera.D.size() > 4, fisheye = camera.lens == LensType::kFisheye;
+  if (fisheye)
+    for (const double d : fisheyeDistortion(camera)) p.push_back(d);
+  else if (!camera.D.empty())
     for (const double d : distortionOfLength(camera, full ? 8 : 4, kFormat)) p.push_back(d);
-  std::string out = camera.D.empty() ? "PINHOLE" : full ? "FULL_OPENCV" : "OPENCV";
+  std::string out = fisheye            ? "OPENCV_FISHEYE"
+                    : camera.D.empty() ? "PINHOLE"
+                    : full             ? "FULL_OPENCV"
+                                       : "OPENCV";
   out += ' ' + std::to_string(camera.width) + ' ' + std::to_string(camera.height);
   for (const double value : p) out += ' ' + numberText(value);
   return out + '\n';

@@ -46,8 +46,13 @@ CameraCalibration cameraIn(const YAML::Node& node, const std::string& where) {
   const auto f = yamlNumbers(yamlRequired(node, "intrinsics", where), "intrinsics", where);
   checkNumbers(f, 4, "'intrinsics'", where);
   camera.K = cameraMatrixFrom({f[0], 0, f[2], 0, f[1], f[3], 0, 0, 1}, where);
-  if (node["distortion_model"].as<std::string>("") != "none") {
-    checkModel(node, "distortion_model", "radtan", where);
+  const std::string model = node["distortion_model"].as<std::string>("");
+  if (model != "none") {
+    if (model == "equidistant")
+      camera.lens = LensType::kFisheye;
+    else if (model != "radtan")
+      throwFormatError(
+          where, "'distortion_model' is " + model + ", allowed are radtan, equidistant and none");
     camera.D =
         yamlNumbers(yamlRequired(node, "distortion_coeffs", where), "distortion_coeffs", where);
     checkNumbers(camera.D, 4, "'distortion_coeffs'", where);
@@ -74,11 +79,14 @@ std::string cameraText(const CameraCalibration& camera, size_t index,
                        const Eigen::Isometry3d* previous) {
   checkNoSkew(camera, kFormat);
   const Eigen::Matrix3d& K = camera.K;
+  const bool fisheye = camera.lens == LensType::kFisheye;
   std::ostringstream out;
   out << keyOf(index) << ":\n  camera_model: pinhole\n  intrinsics: ["
       << numbersText(std::array{K(0, 0), K(1, 1), K(0, 2), K(1, 2)})
-      << "]\n  distortion_model: radtan\n  distortion_coeffs: ["
-      << numbersText(distortionOfLength(camera, 4, kFormat)) << "]\n";
+      << "]\n  distortion_model: " << (fisheye ? "equidistant" : "radtan")
+      << "\n  distortion_coeffs: ["
+      << numbersText(fisheye ? fisheyeDistortion(camera) : distortionOfLength(camera, 4, kFormat))
+      << "]\n";
   if (previous) {
     const Eigen::Matrix4d T = (camera.T_world_camera.inverse() * *previous).matrix();
     out << "  T_cn_cnm1:\n";

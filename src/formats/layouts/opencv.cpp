@@ -19,6 +19,7 @@ const Keys kDistortion = {"DistortionCoeffs",
                           "distortion",
                           "dist",
                           "D"};
+const Keys kFisheye = {"fisheye_model", "fisheye"};
 const Keys kRotation = {"Rotation", "rotation", "rotation_matrix", "R", "rvec", "Rvec"};
 const Keys kTranslation = {"Translation", "translation", "translation_vector", "T", "t",
                            "tvec",        "Tvec"};
@@ -57,6 +58,8 @@ void readLens(const TextFile& file, CameraCalibration* camera) {
   camera->K = cameraMatrixFrom(required(storage, kCameraMatrix, file.path), file.path);
   const std::string lens = storageKeyAmong(storage, kDistortion);
   if (!lens.empty()) camera->D = storageNumbers(storage, lens, file.path);
+  const std::string fisheye = storageKeyAmong(storage, kFisheye);
+  if (!fisheye.empty() && storage[fisheye].real() != 0) camera->lens = LensType::kFisheye;
   camera->width = pixelsIn(storage, kWidth);
   camera->height = pixelsIn(storage, kHeight);
 }
@@ -102,6 +105,7 @@ std::string storageText(const CameraCalibration& camera) {
   cv::FileStorage out("camera.xml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
   out << "image_width" << camera.width << "image_height" << camera.height << "CameraMatrix"
       << storageMatrix(rowsOf(camera.K), 3);
+  if (camera.lens == LensType::kFisheye) out << "fisheye_model" << 1;
   if (!camera.D.empty()) out << "DistortionCoeffs" << storageMatrix(camera.D, 1);
   out << "Rotation" << storageMatrix(rowsOf(T.linear()), 3) << "Translation"
       << storageMatrix(rowsOf(T.translation()), 3);

@@ -35,9 +35,11 @@ CameraCalibration cameraIn(const TextFile& file) {
     throwFormatError(file.path, "the camera matrix is all zero, so the camera is not calibrated");
   camera.K = cameraMatrixFrom(K, file.path);
   const std::string model = root["distortion_model"].as<std::string>("plumb_bob");
-  if (model != "plumb_bob" && model != "rational_polynomial" && !model.empty())
+  if (model == "equidistant" || model == "fisheye")
+    camera.lens = LensType::kFisheye;
+  else if (model != "plumb_bob" && model != "rational_polynomial" && !model.empty())
     throwFormatError(file.path, "'distortion_model' is " + model +
-                                    ", allowed are plumb_bob and rational_polynomial");
+                                    ", allowed are plumb_bob, rational_polynomial and equidistant");
   if (root["distortion_coefficients"])
     camera.D = dataIn(root, "distortion_coefficients", file.path);
   return camera;
@@ -60,16 +62,17 @@ std::string matrixText(const char* key, size_t rows, const std::vector<double>& 
 }
 
 std::string cameraInfoText(const CameraCalibration& camera) {
-  const bool rational = camera.D.size() == 8;
+  const bool rational = camera.D.size() == 8, fisheye = camera.lens == LensType::kFisheye;
+  const char* model = fisheye ? "equidistant" : rational ? "rational_polynomial" : "plumb_bob";
   Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Zero();
   P.leftCols<3>() = camera.K;
   std::ostringstream out;
   out << "image_width: " << camera.width << "\nimage_height: " << camera.height
       << "\ncamera_name: " << yamlQuoted(camera.name) << '\n'
-      << matrixText("camera_matrix", 3, rowsOf(camera.K))
-      << "distortion_model: " << (rational ? "rational_polynomial" : "plumb_bob") << '\n'
+      << matrixText("camera_matrix", 3, rowsOf(camera.K)) << "distortion_model: " << model << '\n'
       << matrixText("distortion_coefficients", 1,
-                    distortionOfLength(camera, rational ? 8 : 5, kFormat))
+                    fisheye ? fisheyeDistortion(camera)
+                            : distortionOfLength(camera, rational ? 8 : 5, kFormat))
       << matrixText("rectification_matrix", 3, rowsOf(Eigen::Matrix3d::Identity()))
       << matrixText("projection_matrix", 3, rowsOf(P));
   return out.str();

@@ -71,8 +71,7 @@ CameraCalibration cameraIn(const CameraTable& entry, bool caliscope, const std::
   const std::string where = path + ", camera " + entry.key;
   CameraCalibration camera;
   camera.name = nameOf(entry, caliscope);
-  if (table["fisheye"].value_or(false))
-    throwFormatError(where, "the lens is a fisheye, allowed are k1 k2 p1 p2 [k3 [k4 k5 k6]]");
+  if (table["fisheye"].value_or(false)) camera.lens = LensType::kFisheye;
   const auto size = numbersOf(table, "size", where);
   if (!size.empty()) {
     checkNumbers(size, 2, "'size'", where);
@@ -105,9 +104,11 @@ CalibrationFormat formatOf(const toml::table& root) {
   for (const char* key :
        {"charuco_square_size", "date_time_calibrated", "path_to_recorded_videos_folder"})
     if (metadata[key]) return CalibrationFormat::kFreeMoCap;
+  // anipose says it of fisheyes only, and its cameras are cam_0, cam_1, ...
   for (const auto& [key, value] : root)
     if (const toml::table* table = value.as_table(); table && table->contains("fisheye"))
-      return CalibrationFormat::kPose2Sim;
+      if (key.str().rfind("cam_", 0) != 0 || !(*table)["fisheye"].value_or(false))
+        return CalibrationFormat::kPose2Sim;
   return CalibrationFormat::kAnipose;
 }
 

@@ -11,6 +11,7 @@ struct Dialect {
   const char* format;
   double unit = 1.0;  ///< metres
   bool float_size = false;
+  bool says_fisheye = false;  ///< of every lens
 };
 
 /// A number as TOML's float: Python's reader wants all entries of an array to be of one type.
@@ -40,16 +41,22 @@ std::string sizeText(const CameraCalibration& camera, const Dialect& dialect) {
   return '[' + std::to_string(camera.width) + ", " + std::to_string(camera.height) + ']';
 }
 
-/// size, matrix and distortions, alike in all dialects.
+/// size, matrix and distortions, alike in all dialects; "fisheye" where the dialect says it or the
+/// lens is one.
 std::string lensText(const CameraCalibration& camera, const Dialect& dialect) {
-  const bool rational = camera.D.size() == 8;
+  const bool rational = camera.D.size() == 8, fisheye = camera.lens == LensType::kFisheye;
+  const std::string kind = fisheye                ? "fisheye = true\n"
+                           : dialect.says_fisheye ? "fisheye = false\n"
+                                                  : "";
   return "size = " + sizeText(camera, dialect) + "\nmatrix = " + arrayText(rowsOf(camera.K), 3) +
          "\ndistortions = " +
-         arrayText(distortionOfLength(camera, rational ? 8 : 5, dialect.format)) + '\n';
+         arrayText(fisheye ? fisheyeDistortion(camera)
+                           : distortionOfLength(camera, rational ? 8 : 5, dialect.format)) +
+         '\n' + kind;
 }
 
 std::string anyAniposeText(const std::vector<CameraCalibration>& rig, const Dialect& dialect,
-                           bool keys_are_names, const char* each, const char* end) {
+                           bool keys_are_names, const char* end) {
   std::string out;
   for (size_t i = 0; i < rig.size(); ++i) {
     const Eigen::Isometry3d T = rig[i].T_world_camera.inverse();
@@ -57,7 +64,7 @@ std::string anyAniposeText(const std::vector<CameraCalibration>& rig, const Dial
     out += '[' + key + "]\nname = " + quoted(rig[i].name) + '\n' + lensText(rig[i], dialect) +
            "rotation = " + arrayText(rowsOf(rotationVector(T.linear()))) +
            "\ntranslation = " + arrayText(rowsOf(Eigen::Vector3d(T.translation() / dialect.unit))) +
-           '\n' + each + '\n';
+           "\n\n";
   }
   return out + end;
 }
@@ -65,16 +72,16 @@ std::string anyAniposeText(const std::vector<CameraCalibration>& rig, const Dial
 }  // namespace
 
 std::vector<TextFile> writeAniposeFiles(const std::vector<CameraCalibration>& rig) {
-  return {{"", anyAniposeText(rig, {"anipose TOML"}, false, "", "[metadata]\n")}};
+  return {{"", anyAniposeText(rig, {"anipose TOML"}, false, "[metadata]\n")}};
 }
 
 std::vector<TextFile> writeFreeMoCapFiles(const std::vector<CameraCalibration>& rig) {
-  return {{"", anyAniposeText(rig, {"FreeMoCap TOML", 0.001}, false, "",
+  return {{"", anyAniposeText(rig, {"FreeMoCap TOML", 0.001}, false,
                               "[metadata]\nunits = \"millimetres\"\n")}};
 }
 
 std::vector<TextFile> writePose2SimFiles(const std::vector<CameraCalibration>& rig) {
-  return {{"", anyAniposeText(rig, {"Pose2Sim TOML", 1.0, true}, true, "fisheye = false\n",
+  return {{"", anyAniposeText(rig, {"Pose2Sim TOML", 1.0, true, true}, true,
                               "[metadata]\nadjusted = false\nerror = 0.0\n")}};
 }
 

@@ -72,6 +72,7 @@ Eigen::Isometry3d poseFromWorldToCamera(const Eigen::Matrix3d& rotation,
 
 std::vector<double> distortionOfLength(const CameraCalibration& camera, size_t wanted,
                                        const char* format) {
+  checkNoFisheye(camera, format);
   std::vector<double> D = camera.D;
   for (size_t i = wanted; i < D.size(); ++i)
     if (D[i] != 0.0)
@@ -79,6 +80,18 @@ std::vector<double> distortionOfLength(const CameraCalibration& camera, size_t w
                        "the lens has " + std::to_string(i + 1) +
                            " distortion coefficients, this format holds " + std::to_string(wanted));
   D.resize(wanted, 0.0);
+  return D;
+}
+
+void checkNoFisheye(const CameraCalibration& camera, const char* format) {
+  if (camera.lens == LensType::kFisheye)
+    throwFormatError(std::string(format) + ", camera '" + camera.name + "'",
+                     "the lens is a fisheye, this format holds none");
+}
+
+std::vector<double> fisheyeDistortion(const CameraCalibration& camera) {
+  std::vector<double> D = camera.D;
+  D.resize(4, 0.0);
   return D;
 }
 

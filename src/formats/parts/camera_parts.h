@@ -31,9 +31,13 @@ void checkNumbers(const std::vector<double>& values, size_t wanted, const std::s
                   const std::string& where);
 
 /// The lens as 4, 5 or 8 coefficients of OpenCV; trailing zeros beyond `wanted` are dropped. Throws
-/// if the lens has more.
+/// if the lens has more, or is a fisheye.
 std::vector<double> distortionOfLength(const CameraCalibration& camera, size_t wanted,
                                        const char* format);
+/// Throws if a lens is a fisheye, which the format cannot hold.
+void checkNoFisheye(const CameraCalibration& camera, const char* format);
+/// The four coefficients of a fisheye.
+std::vector<double> fisheyeDistortion(const CameraCalibration& camera);
 /// Throws if the camera has skew, which the format cannot hold.
 void checkNoSkew(const CameraCalibration& camera, const char* format);
 

@@ -19,11 +19,14 @@ constexpr float kFar = std::numeric_limits<float>::max();
 
 SurfaceVisibility::SurfaceVisibility(const CameraRig& rig, const ProjectionTable& table)
     : table_(table), volume_(table.lattice()), cell_of_brick_(volume_.count()) {
+  const VoxelLattice& lattice = table.lattice();
+  const Eigen::Vector3d middle = lattice.origin + 0.5 * lattice.pitch * lattice.size.cast<double>();
   for (const Camera& camera : rig) {
     Viewpoint v;
     v.position = camera.position();
-    v.forward = camera.calibration().T_world_camera.linear().col(2);
-    v.focal = std::max(camera.calibration().K(0, 0), camera.calibration().K(1, 1));
+    const LocalView view = camera.localView(middle);
+    v.forward = view.R_world_view.col(2);
+    v.focal = std::max(view.fx, view.fy);
     for (int bit = 0; bit < 64; ++bit)
       v.depth_in_brick[bit] = float(
           table.lattice().pitch * v.forward.dot(Eigen::Vector3d(bit & 3, bit >> 2 & 3, bit >> 4)));

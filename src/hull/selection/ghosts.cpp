@@ -33,14 +33,14 @@ class Coverage {
   template <class Visit>
   void forEachVoxel(const VoxelComponent& component, const PixelBox& part, Visit visit) const {
     const VoxelLattice& lattice = table_.lattice();
-    const Eigen::Isometry3d& pose = camera_.calibration().T_world_camera;
     for (const BrickVoxels& cell : component.cells) {
       const Eigen::Vector3d middle =
           lattice.origin +
           lattice.pitch *
               (cornerOf(lattice, cell.brick).cast<double>().array() + kBrickSide / 2.0).matrix();
-      const double depth = pose.linear().col(2).dot(middle - camera_.position());
-      const double focal = camera_.calibration().K(0, 0);
+      const LocalView view = camera_.localView(middle);
+      const double depth = view.R_world_view.col(2).dot(middle - camera_.position());
+      const double focal = view.fx;
       const int reach =
           int(std::ceil(0.5 * focal * lattice.pitch / std::max(depth, lattice.pitch)));
       const uint8_t* codes = table_.codes(cell.brick, index_);

@@ -94,6 +94,14 @@ bool areFilms(const CalibrateRigArguments& a) {
   return true;
 }
 
+/// Stamps of a bag or a table are made alike in later recordings; the beginning of a video is not.
+bool haveStamps(const CalibrateRigArguments& a) {
+  if (a.live || !a.times.empty()) return true;
+  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
+  return std::all_of(films.begin(), films.end(),
+                     [](const FilmSource& film) { return !film.topic.empty(); });
+}
+
 void checkOneWorld(const CalibrateRigArguments& a) {
   if (int(!a.floor.empty()) + int(!a.points.empty()) + int(!a.walk.empty()) > 1)
     throw std::invalid_argument(
@@ -118,6 +126,7 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   input.largest_offset = a.largest_offset;
   input.locate = !a.lens_only;
   input.check_clocks = areFilms(a);
+  input.clocks_last = haveStamps(a);
   return input;
 }
 

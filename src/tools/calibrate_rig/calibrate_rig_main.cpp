@@ -60,8 +60,8 @@ void describeMore(CLI::App& app, CalibrateRigArguments* a) {
   app.add_option("--lenses", a->lenses, "rig file whose intrinsics are kept");
   app.add_option(
          "--lens", a->lens,
-         "auto, none, 'k1', 'k1 k2', 'k1 k2 p1 p2', 'k1 k2 p1 p2 k3' or rational; auto: the "
-         "simplest that predicts views left out")
+         "auto, none, 'k1', 'k1 k2', 'k1 k2 p1 p2', 'k1 k2 p1 p2 k3', fisheye or rational; auto: "
+         "the simplest that predicts views left out")
       ->capture_default_str();
   app.add_flag("--lens-only", a->lens_only, "intrinsics only, no places");
   app.add_option("--most-images", a->most_images, "searched in each film, evenly spread")

@@ -48,12 +48,17 @@ std::vector<CameraCalibration> rigOf(const RigCalibration& result) {
 
 std::string cameraInfoText(const CameraCalibration& camera) {
   std::vector<double> D = camera.D;
-  if (D.size() < 5) D.resize(5, 0.0);
+  const bool fisheye = camera.lens == LensType::kFisheye;
+  if (!fisheye && D.size() < 5) D.resize(5, 0.0);
+  if (fisheye) D.resize(4, 0.0);
   std::ostringstream out;
   out << "image_width: " << camera.width << "\nimage_height: " << camera.height
       << "\ncamera_name: " << camera.name << '\n'
-      << matrixText("camera_matrix", 3, rowsOf(camera.K, false))
-      << "distortion_model: " << (D.size() == 8 ? "rational_polynomial" : "plumb_bob") << '\n'
+      << matrixText("camera_matrix", 3, rowsOf(camera.K, false)) << "distortion_model: "
+      << (fisheye         ? "equidistant"
+          : D.size() == 8 ? "rational_polynomial"
+                          : "plumb_bob")
+      << '\n'
       << matrixText("distortion_coefficients", 1, D)
       << matrixText("rectification_matrix", 3, rowsOf(Eigen::Matrix3d::Identity(), false))
       << matrixText("projection_matrix", 3, rowsOf(camera.K, true));
