@@ -9,7 +9,6 @@ file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
   rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs std_srvs tf2_msgs tf2_ros tf2_eigen
   cv_bridge diagnostic_updater)
-find_package(hri_msgs QUIET)
 
 file(GLOB messages RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
 add_message_files(FILES ${messages})
@@ -54,10 +53,6 @@ target_include_directories(markerless_mocap_nodelets PRIVATE ${PROJECT_SOURCE_DI
 target_link_libraries(markerless_mocap_nodelets PUBLIC mocap_ros mocap_pipeline mocap_capture
   opencv_videoio)
 mocap_use_ros(markerless_mocap_nodelets)
-if(hri_msgs_FOUND)
-  target_compile_definitions(markerless_mocap_nodelets PRIVATE MOCAP_WITH_HRI_MSGS)
-  target_include_directories(markerless_mocap_nodelets SYSTEM PRIVATE ${hri_msgs_INCLUDE_DIRS})
-endif()
 add_library(mocap_stage_host STATIC ${host_sources})
 target_include_directories(mocap_stage_host PUBLIC ${PROJECT_SOURCE_DIR}/src)
 mocap_use_ros(mocap_stage_host)

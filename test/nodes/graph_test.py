@@ -10,8 +10,10 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
+from hri_listener import HriListener
 from markerless_mocap.msg import BodyParts, BodyPose, PoseTree, VoxelGrid
 from sensor_msgs.msg import Image, JointState, PointCloud2
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 POSES_WANTED = 8
@@ -24,9 +26,9 @@ JOINT_BOUNDS = {'contour': (0.011, 0.019), 'hsiao': (0.032, 0.062)}
 LIMB_LENGTH_BOUND = 0.013
 
 
-def bones(body):
-    """Parent, child and distance of all joints in the description on the parameter server."""
-    robot = xml.etree.ElementTree.fromstring(rospy.get_param('/human_description_' + body))
+def bones(description):
+    """Parent, child and distance of all joints."""
+    robot = xml.etree.ElementTree.fromstring(description)
     found = []
     for joint in robot.findall('joint'):
         origin = joint.find('origin')
@@ -54,6 +56,9 @@ class Graph(unittest.TestCase):
         rospy.init_node('graph_test')
         cls.tf = tf2_ros.Buffer(cache_time=rospy.Duration(600))
         cls.listener = tf2_ros.TransformListener(cls.tf)
+        cls.hri = HriListener()
+        cls.body_stamps = set()
+        rospy.Subscriber('/tf', TFMessage, cls.keep_body_stamps, queue_size=200)
         cls.poses = Recorder('pose', BodyPose)
         cls.hulls = Recorder('hull/points', PointCloud2)
         cls.parts = Recorder('segmentation/parts', BodyParts)
@@ -69,6 +74,11 @@ class Graph(unittest.TestCase):
         while rospy.get_time() < end and not cls.is_complete():
             rospy.sleep(0.2)
         rospy.sleep(1.0)
+
+    @classmethod
+    def keep_body_stamps(cls, message):
+        cls.body_stamps |= {t.header.stamp for t in message.transforms
+                            if t.child_frame_id == 'body_person1'}
 
     @classmethod
     def is_complete(cls):
@@ -171,15 +181,16 @@ class Graph(unittest.TestCase):
     def test_measured_limbs_are_as_long_as_the_person_s(self):
         if self.method != 'contour':
             self.skipTest('skeletons are not measured')
-        length = {child.rsplit('_', 1)[0]: distance for _, child, distance in bones('person1')}
-        for _, child, distance in bones('truth'):
+        length = {child.rsplit('_', 1)[0]: distance
+                  for _, child, distance in bones(self.hri.description())}
+        for _, child, distance in bones(rospy.get_param('/human_description_truth')):
             joint = child.rsplit('_', 1)[0]
             if joint.endswith(('knee', 'ankle', 'elbow', 'wrist')):
                 self.assertLess(abs(length[joint] - distance), LIMB_LENGTH_BOUND, joint)
 
     def test_frames_are_as_far_apart_as_the_description_says(self):
         pose = self.whole()[-1]
-        described = bones('person1')
+        described = bones(self.hri.description())
         self.assertGreater(len(described), 20)
         for parent, child, distance in described:
             apart = math.hypot(*self.place(child, pose.header.stamp, parent))
@@ -208,8 +219,20 @@ class Graph(unittest.TestCase):
         self.assertEqual('world', grid.header.frame_id)
         self.assertGreater(min(grid.size), 0)
 
-    def test_the_body_is_on_the_parameter_server(self):
-        self.assertIn('body_person1', rospy.get_param('/human_description_person1'))
+    def test_who_is_told_of_the_body_finds_its_description_and_its_frames(self):
+        self.assertTrue(self.hri.announcements())
+        tracked = {p.header.stamp for p in self.tracked()}
+        for announced, description in self.hri.announcements():
+            self.assertEqual(['person1'], announced.ids)
+            self.assertIn('body_person1', description)
+            self.assertIn(announced.header.stamp, tracked)
+            self.place('body_person1', announced.header.stamp)
+
+    def test_frames_are_those_of_tracked_poses(self):
+        lost = {p.header.stamp for p in self.poses.messages if p.status == BodyPose.LOST}
+        self.assertTrue(lost)  # of the time before the person was found
+        self.assertFalse(lost & self.body_stamps)
+        self.assertTrue(self.body_stamps & {p.header.stamp for p in self.tracked()})
 
     def test_every_stage_reports(self):
         names = {s.name for d in self.diagnostics.messages for s in d.status}

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""A camera stops in the middle: the person is followed with the other seven, and it is said."""
+"""A camera stops in the middle: the person is followed with the other seven, and it is said. When the
+others have stopped, too, nobody is announced any more."""
 import unittest
 
 import rosnode
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from hri_listener import HriListener
 from markerless_mocap.msg import BodyPose
 
 LACK = 'frame sets without the silhouette of cam7'
@@ -14,7 +16,7 @@ LACK = 'frame sets without the silhouette of cam7'
 class StoppedCamera(unittest.TestCase):
     def setUp(self):
         rospy.init_node('stopped_camera_test')
-        self.poses, self.counts = [], {}
+        self.poses, self.counts, self.hri = [], {}, HriListener()
         rospy.Subscriber('pose', BodyPose, self.poses.append, queue_size=200)
         rospy.Subscriber('/diagnostics', DiagnosticArray, self.keep, queue_size=200)
 
@@ -45,6 +47,13 @@ class StoppedCamera(unittest.TestCase):
         self.assertGreaterEqual(len(self.tracked(stopped)), 10, {p.reason for p in after})
         self.assertLessEqual(len(after) - len(self.tracked(stopped)), 1, {p.reason for p in after})
         self.assertGreater(self.lacking(), before + 5)
+        self.wait_for(self.hri.bodies, 20)
+        self.assertEqual(['person1'], self.hri.bodies())
+        rosnode.kill_nodes(['/silhouette'])
+        described = lambda: rospy.has_param('/human_description_person1')
+        self.wait_for(lambda: not self.hri.bodies() and not described(), 60)
+        self.assertEqual([], self.hri.bodies())
+        self.assertFalse(described())
 
 
 if __name__ == '__main__':

@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// Publishes on /humans/bodies/tracked which body is tracked (REP-155). Does nothing in a build
-/// without hri_msgs.
+/// Publishes on /humans/bodies/tracked which body is tracked (REP-155): latched, at the start an
+/// empty list, so that clients drop what a node that ended without a word has announced.
 class BodyAnnouncer {
  public:
   BodyAnnouncer(ros::NodeHandle& handle, std::string id);
@@ -17,8 +17,11 @@ class BodyAnnouncer {
 
   /// Publishes only if something has changed.
   void announce(bool tracked, const ros::Time& stamp);
+  bool isTracked() const { return tracked_; }
 
  private:
+  void publish(const ros::Time& stamp);
+
   std::string id_;
   bool tracked_ = false;
   ros::Publisher publisher_;

@@ -5,12 +5,23 @@
 namespace markerless_mocap {
 
 BodyDescription::~BodyDescription() {
-  if (set_) ros::param::del(parameter_);
+  remove();
 }
 
 void BodyDescription::set(const TrackedBody& body) {
-  ros::param::set(parameter_, body.urdf);
+  urdf_ = body.urdf;
+  set_ = false;
+  restore();
+}
+
+void BodyDescription::restore() {
+  if (!set_) ros::param::set(parameter_, urdf_);
   set_ = true;
+}
+
+void BodyDescription::remove() {
+  if (set_) ros::param::del(parameter_);
+  set_ = false;
 }
 
 }  // namespace markerless_mocap

@@ -6,7 +6,7 @@
 
 namespace markerless_mocap {
 
-/// Sets the URDF of the body on the parameter server, in /human_description_<id>.
+/// The URDF of the body on the parameter server, in /human_description_<id>.
 class BodyDescription {
  public:
   explicit BodyDescription(const std::string& id) : parameter_("/human_description_" + id) {}
@@ -16,9 +16,12 @@ class BodyDescription {
   BodyDescription& operator=(const BodyDescription&) = delete;
 
   void set(const TrackedBody& body);
+  /// Sets the parameter again if it was removed.
+  void restore();
+  void remove();
 
  private:
-  std::string parameter_;
+  std::string parameter_, urdf_;
   bool set_ = false;
 };
 

@@ -31,6 +31,7 @@ constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 constexpr int64_t kLargestStep = 2'000'000'000;  // ns
 constexpr int64_t kLargestPeriod = 500'000'000;  // ns
+constexpr double kLongestSilence = 2.0;          // s of the wall clock, then nobody is announced
 
 bool isThere(const std::string& file) {
   std::error_code ignored;  // asked, not opened: opening a pipe blocks
@@ -210,10 +211,13 @@ void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns
 
 void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
   const bool newly_measured = body->shape_estimated && !resources_.known_shape;
-  announcer_.announce(false, ros::Time::now());
   body_ = body;
   filter_ = makePoseFilter(body_->model, options_.filter);
-  description_.set(*body_);
+  {
+    const std::lock_guard lock(announcing_);
+    announcer_.announce(false, ros::Time::now());
+    description_.set(*body_);
+  }
   if (!newly_measured) return;
   ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
            statureOf(body_->shape));
@@ -237,22 +241,40 @@ void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) 
   const BodyPose pose =
       filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
+  const std::lock_guard lock(announcing_);
+  last_published_ = ros::WallTime::now();
   status_.count(toString(pose.status));
   last_pose_ns_ = nanosecondsOf(header.stamp);
   if (tracked) {
     last_tracked_ns_ = nanosecondsOf(header.stamp);
+    description_.restore();
     joint_states_.publish(jointStateFromPose(model, pose, header));
     broadcaster_.sendTransform(linkTransforms(model, pose, header));
     status_.ok(pose.reason.empty() ? "the person is tracked" : pose.reason);
   } else {
     status_.problem(pose.reason);
   }
-  announcer_.announce(tracked, header.stamp);
+  announce(tracked, header.stamp);
   if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
   publishShared(pose_, messageFromPose(model, raw, header));
 }
 
+// Who is told of a body finds its description and tf; these go after the body (REP-155). Before the
+// first pose the description is there for RobotModel displays.
+void FittingStage::announce(bool tracked, const ros::Time& stamp) {
+  const bool lost = announcer_.isTracked() && !tracked;
+  announcer_.announce(tracked, stamp);
+  if (lost) description_.remove();
+}
+
+void FittingStage::withdrawIfSilent() {
+  const std::lock_guard lock(announcing_);
+  if ((ros::WallTime::now() - last_published_).toSec() > kLongestSilence)
+    announce(false, ros::Time::now());
+}
+
 void FittingStage::beat() {
+  withdrawIfSilent();
   MocapStatus message;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = node_options_.world_frame;

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -48,6 +49,8 @@ class FittingStage {
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
   void publish(const BodyPose& raw, const std_msgs::Header& header);
+  void announce(bool tracked, const ros::Time& stamp);
+  void withdrawIfSilent();
   /// Publishes the state, also when no images come.
   void beat();
   void reportTimes(double fitting, const ros::Time& stamp);
@@ -58,8 +61,10 @@ class FittingStage {
   StageStatus status_;
   ros::Publisher joint_states_, pose_, markers_, heartbeat_;
   tf2_ros::TransformBroadcaster broadcaster_;
+  std::mutex announcing_;  ///< for the next three
   BodyDescription description_;
   BodyAnnouncer announcer_;
+  ros::WallTime last_published_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<PoseFilter> filter_;          ///< for body_
   std::shared_ptr<const CameraRig> rig_;      ///< of tracker_
