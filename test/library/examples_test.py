@@ -227,6 +227,16 @@ class Examples(unittest.TestCase):
             self.assertTrue(all(a.stop for a in self.answers[count:] if said in a.reason))
             self.assert_arm_rests()
 
+    def test_d_poses_without_frames(self):
+        def bare(frame):
+            frame.tf.transforms = []
+            return [frame]
+        self.play_until(lambda: self.last(state=HandDistance.KNOWN) and self.following[-1].data)
+        self.play_until(lambda: self.last(state=HandDistance.LOST, stop=True), bare)
+        self.assertIn('person1', self.answers[-1].reason + self.answers[-1].body_id)
+        self.play_until(lambda: not self.following[-1].data, bare)
+        self.assert_arm_rests()
+
     def test_e_an_arm_that_is_not_seen_may_be_anywhere(self):
         def hide(frame):
             frame.pose.parts_not_seen = ['l_arm', 'r_arm']

@@ -105,7 +105,8 @@ class Graph(unittest.TestCase):
         masks = self.masks.stamps(self.since)
         for recorder in (self.hulls, self.parts, self.trees, self.skeletons, self.poses, self.joints):
             self.assertTrue(recorder.stamps(self.since))
-            self.assertLessEqual(recorder.stamps(self.since), masks)
+            stamps = {s for s in recorder.stamps(self.since) if s <= max(masks)}
+            self.assertLessEqual(stamps, masks)
             self.assertEqual({'world'}, {m.header.frame_id for m in recorder.messages})
 
     def test_no_hull_goes_missing(self):
