@@ -203,13 +203,14 @@ class Examples(unittest.TestCase):
         return max(angles)
 
     def test_c_lost_and_silent(self):
-        def lost(frame):
-            frame.pose.status, frame.pose.reason, frame.tf.transforms = BodyPose.LOST, 'gone', []
+        def lost(frame):  # with tf, so that nothing but the status says it
+            frame.pose.status, frame.pose.reason = BodyPose.LOST, 'gone'
             return [frame]
         self.play_until(lambda: self.last(state=HandDistance.KNOWN) and self.following[-1].data)
         self.play_until(lambda: self.last(state=HandDistance.LOST, stop=True), lost)
         self.assertIn('gone', self.answers[-1].reason)
         self.assertTrue(math.isnan(self.answers[-1].distance))
+        self.play_until(lambda: not self.following[-1].data, lost)
         self.assert_arm_rests()
         self.play_until(lambda: self.last(state=HandDistance.KNOWN) and self.following[-1].data)
         self.assertTrue(self.wait(lambda: self.last(state=HandDistance.STALE, stop=True)))
