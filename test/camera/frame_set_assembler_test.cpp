@@ -70,6 +70,39 @@ TEST(FrameSetAssembler, CompleteInstantClosesOlderOnesInOrder) {
   EXPECT_EQ(out[1].stamp_ns, 33 * kMs);
 }
 
+TEST(FrameSetAssembler, StampIsTheMeanOfTheItems) {
+  AssemblerOptions options;
+  options.tolerance = 0.017;
+  Assembler assembler(3, options);
+  // Cameras that take turns.
+  for (int64_t k = 0; k < 5; ++k) {
+    assembler.add(0, k * 33 * kMs, 1);
+    assembler.add(1, (33 * k + 11) * kMs, 2);
+    const Instants out = assembler.add(2, (33 * k - 5) * kMs, 3);
+    ASSERT_EQ(out.size(), 1u) << k;
+    EXPECT_EQ(out[0].stamp_ns, (33 * k + 2) * kMs);
+    EXPECT_EQ(out[0].stamps_ns[1], (33 * k + 11) * kMs);
+  }
+  // One of them is missing.
+  assembler.add(0, 200 * kMs, 1);
+  assembler.add(1, 210 * kMs, 2);
+  EXPECT_EQ(assembler.flush().back().stamp_ns, 205 * kMs);
+}
+
+TEST(FrameSetAssembler, StampsRiseThoughItemsAreMissing) {
+  AssemblerOptions options;
+  options.tolerance = 0.01;
+  Assembler assembler(8, options);
+  assembler.add(0, 10 * kMs, 1);
+  for (const size_t stream : {1, 2, 3}) assembler.add(stream, 20 * kMs, 1);
+  assembler.add(4, 21 * kMs, 2);
+  for (const size_t stream : {5, 6, 7}) assembler.add(stream, 16 * kMs, 2);
+  const Instants out = assembler.flush();
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_EQ(out[0].stamp_ns, 17'500'000);
+  EXPECT_EQ(out[1].stamp_ns, 17'500'001);  // their mean is 17.25 ms
+}
+
 TEST(FrameSetAssembler, LateAndRepeatedItemsAreCountedAndDropped) {
   Assembler assembler = makeAssembler(3);
   assembler.add(0, 100 * kMs, 1);
@@ -186,7 +219,7 @@ TEST(FrameSetAssembler, OffsetsAreAddedToTheStampsOfTheirStream) {
   assembler.add(0, kSecond, 1);
   const Instants out = assembler.add(1, kSecond + 252 * kMs, 2);
   ASSERT_EQ(out.size(), 1u);
-  EXPECT_EQ(out[0].stamp_ns, kSecond);
+  EXPECT_EQ(out[0].stamp_ns, kSecond + kMs);
   EXPECT_EQ(out[0].stamps_ns, (std::vector<int64_t>{kSecond, kSecond + 2 * kMs}));
   EXPECT_EQ(out[0].items, (std::vector<int>{1, 2}));
   EXPECT_TRUE(assembler.add(1, 2 * kSecond, 3).empty());
@@ -248,7 +281,8 @@ TEST(FrameSetAssembler, StampsComeOutAsTheyWereWithoutOffsets) {
     assembler.add(0, stamp, k);
     const Instants out = assembler.add(1, stamp + 4 * kMs, k);
     ASSERT_EQ(out.size(), 1u);
-    ASSERT_EQ(out[0].stamp_ns, stamp);
+    ASSERT_EQ(out[0].stamp_ns, stamp + 2 * kMs);
+    ASSERT_EQ(out[0].stamps_ns[0], stamp);
     ASSERT_EQ(out[0].stamps_ns[1], stamp + 4 * kMs);
   }
 }

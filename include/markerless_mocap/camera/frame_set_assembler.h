@@ -110,7 +110,9 @@ template <class Item>
 class FrameSetAssembler {
  public:
   struct FrameSet {
-    int64_t stamp_ns = 0;     ///< of the first item that arrived, with offset and without lag
+    /// The mean of the items' stamps, with offset and without lag: the time that a body in motion
+    /// is seen at, on the whole, where cameras are not in step.
+    int64_t stamp_ns = 0;
     std::vector<Item> items;  ///< one per stream; default-constructed where missing
     std::vector<bool> present;
     std::vector<int64_t> stamps_ns;  ///< one per stream, with offset and without lag; 0: missing
@@ -147,6 +149,8 @@ class FrameSetAssembler {
   /// With the offset and without the lag that is followed.
   int64_t commonTime(size_t stream, int64_t stamp_ns) const;
   int64_t followedLag(size_t stream) const;
+  /// Later than that of the frame set before.
+  int64_t meanStamp(const FrameSet& frame_set) const;
   void measureLags(const FrameSet& frame_set);
   void noteMissing(const FrameSet& frame_set);
   StampCheck checkStamp(size_t stream, int64_t stamp_ns);
@@ -189,7 +193,8 @@ class FrameSetAssembler {
   std::deque<int64_t> closed_ns_;                     ///< the last frame sets of most streams
   Pending pending_;
   std::optional<int64_t> newest_ns_;
-  std::optional<int64_t> last_out_ns_;
+  std::optional<int64_t> last_out_ns_;   ///< stamp of the first item of the last frame set
+  std::optional<int64_t> last_mean_ns_;  ///< FrameSet::stamp_ns of the last frame set
   std::vector<bool> last_out_present_;
   std::deque<Arrival> recent_;  ///< up to three per stream
 };

@@ -189,7 +189,21 @@ void FrameSetAssembler<Item>::closeOldest(std::vector<FrameSet>* out) {
   noteMissing(frame_set);
   noteMissed(frame_set);
   measureLags(frame_set);
+  frame_set.stamp_ns = meanStamp(frame_set);
+  last_mean_ns_ = frame_set.stamp_ns;
   out->push_back(std::move(frame_set));
+}
+
+template <class Item>
+int64_t FrameSetAssembler<Item>::meanStamp(const FrameSet& frame_set) const {
+  int64_t sum_ns = 0, count = 0;
+  for (size_t i = 0; i < streams_; ++i) {
+    if (!frame_set.present[i]) continue;
+    sum_ns += frame_set.stamps_ns[i] - frame_set.stamp_ns;
+    ++count;
+  }
+  const int64_t mean_ns = frame_set.stamp_ns + sum_ns / count;
+  return last_mean_ns_ ? std::max(mean_ns, *last_mean_ns_ + 1) : mean_ns;
 }
 
 template <class Item>
@@ -303,6 +317,7 @@ void FrameSetAssembler<Item>::forget() {
   pending_.clear();
   newest_ns_.reset();
   last_out_ns_.reset();
+  last_mean_ns_.reset();
   last_out_present_.clear();
   recent_.clear();
   lags_.reset();
