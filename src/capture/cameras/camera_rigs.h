@@ -24,7 +24,7 @@ struct RigPlan {
 
 /// ring8, ring7_overhead, ring4 (height 1.9 m, 4.2 m from the centre; the overhead camera at 4.6
 /// m), ceiling4 (in the upper corners of a square of 5.2 m), random8 (random positions and lenses
-/// near those of ring8), wide6 (fisheye lenses of 105 x 79 degrees, 2.2 m from the centre at 2.3 m
+/// near those of ring8), wide6 (fisheye lenses of 105 x 78 degrees, 2.2 m from the centre at 2.3 m
 /// height).
 const std::vector<std::string>& rigKinds();
 
