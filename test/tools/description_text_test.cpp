@@ -1,4 +1,4 @@
-#include "tools/describe_motion/description_text.h"
+#include "tools/common/description_text.h"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 
 #include "markerless_mocap/ros/messages.h"
 #include "tools/common/camera_bag_writer.h"
+#include "tools/page_reader.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -187,37 +188,29 @@ TEST_F(OfflineRun, ReportIsOnePageWithPicturesOfItsOwn) {
   writeBag();
   options_.report_folder = path("report");
   runOffline(options_, nullptr, false);
-  const std::string page = bytesOf("report/report.html");
-  EXPECT_NE(page.find("3 lost"), std::string::npos);
-  EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
-  EXPECT_EQ(page.find("http"), std::string::npos);
+  const Json content = contentOf(bytesOf("report/report.html"));
+  EXPECT_TRUE(says(content, "3 lost"));
+  EXPECT_TRUE(says(content, "learned from the first images"));
+  EXPECT_TRUE(says(content, "all of it is known"));
   EXPECT_TRUE(std::filesystem::exists(path("report/instant_000002.png")));
-  EXPECT_NE(page.find("learned from the first images"), std::string::npos);
-  EXPECT_NE(page.find("all of it is known"), std::string::npos);
+  const Json player = partUnder(content, "", "player");
+  EXPECT_EQ(floatsOf(player["seconds"]).size(), 3u);
+  EXPECT_EQ(player["cameras"].size(), 4u);
+  ASSERT_EQ(player["views"].size(), 3u);
+  const std::vector<uint8_t> jpeg = bytesOfBase64(player["views"][1]["cameras"][2]["jpeg"]);
+  EXPECT_EQ(cv::imdecode(jpeg, cv::IMREAD_COLOR).cols, 256);
 }
 
-std::vector<uint8_t> bytesOfBase64(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<uint8_t> bytes;
-  uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | uint32_t(digits.find(c));
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(uint8_t(bits >> count));
-  }
-  return bytes;
-}
-
-/// The first picture after a heading.
-cv::Mat pictureUnder(const std::string& page, const std::string& heading) {
-  const std::string start = "base64,";
-  const size_t begin = page.find(start, page.find(heading)) + start.size();
-  return cv::imdecode(bytesOfBase64(page.substr(begin, page.find('"', begin) - begin)),
-                      cv::IMREAD_COLOR);
+TEST_F(OfflineRun, ReportWithoutImagesHasNone) {
+  writeBag();
+  options_.report_folder = path("report");
+  options_.report_images = false;
+  runOffline(options_, nullptr, false);
+  const std::string page = bytesOf("report/report.html");
+  EXPECT_EQ(page.find("\"/9j/"), std::string::npos) << "the first bytes of a JPEG";
+  EXPECT_FALSE(std::filesystem::exists(path("report/instant_000002.png")));
+  const Json view = partUnder(contentOf(page), "", "player")["views"][1]["cameras"][2];
+  EXPECT_NE(view["mask"], "") << "outlines stay";
 }
 
 // A box of 24 x 40 pixels that sways by 8 covers 16 x 40 of the 80 x 60 pixels in every image.
@@ -235,10 +228,12 @@ TEST_F(OfflineRun, ReportTintsWhatTheBackgroundOfARecordingDoesNotKnow) {
   options_.pipeline.fitting.person.measure = false;
   options_.report_folder = path("report");
   runOffline(options_, nullptr, false);
-  const std::string page = bytesOf("report/report.html");
-  EXPECT_NE(page.find("learned from the whole recording; blue: never seen without the person"),
-            std::string::npos);
-  const cv::Mat background = pictureUnder(page, "<h3>cam2</h3>");
+  const Json picture = partUnder(contentOf(bytesOf("report/report.html")), "cam2", "picture");
+  EXPECT_EQ(
+      picture["caption"].get<std::string>().find(
+          "Background: learned from the whole recording; blue: never seen without the person"),
+      0u);
+  const cv::Mat background = cv::imdecode(bytesOfBase64(picture["jpeg"]), cv::IMREAD_COLOR);
   ASSERT_EQ(background.size(), cv::Size(80, 60));
   EXPECT_GT(background.at<cv::Vec3b>(30, 46)[0], 100) << "the box has 30";
   EXPECT_NEAR(background.at<cv::Vec3b>(5, 10)[0], 80, 6);

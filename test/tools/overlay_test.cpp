@@ -64,38 +64,5 @@ TEST(Overlay, ABodyAtTheEdgeStaysInTheImage) {
             cv::Size(320, 240));
 }
 
-/// Pixels of a colour, and those that are nearly so, as lines are smooth.
-int pixelsOf(const cv::Mat& view, const cv::Scalar& color) {
-  cv::Mat found;
-  cv::inRange(view, color - cv::Scalar::all(25), color + cv::Scalar::all(25), found);
-  return cv::countNonZero(found);
-}
-
-// Of 80 x 60 pixels, the left quarter is unknown; the person is 10 x 20, the body 6 x 30.
-TEST(Evidence, IsTheWholeViewWithTheUnknownTintedAndBothOutlines) {
-  cv::Mat mask = cv::Mat::zeros(60, 80, CV_8UC1), body = mask.clone();
-  mask(cv::Rect(0, 0, 20, 60)).setTo(128);
-  mask(cv::Rect(40, 20, 10, 20)).setTo(255);
-  body(cv::Rect(60, 20, 6, 30)).setTo(255);
-  const cv::Mat view = evidenceOf(oneCamera()[0], {smallImage(false), cv::Mat()}, mask, body);
-  ASSERT_EQ(view.size(), cv::Size(kEvidenceWidth, 345));
-  ASSERT_EQ(view.type(), CV_8UC3);
-  cv::Mat tinted;
-  cv::inRange(view, cv::Scalar(140, 80, 0), cv::Scalar(255, 160, 79), tinted);
-  EXPECT_NEAR(cv::countNonZero(tinted), 0.25 * view.total(), 0.01 * view.total());
-  const double scale = kEvidenceWidth / 80.0;
-  EXPECT_NEAR(pixelsOf(view, {40, 40, 230}), 2 * (10 + 20) * scale, 0.1 * 2 * (10 + 20) * scale);
-  EXPECT_NEAR(pixelsOf(view, {60, 200, 60}), 2 * (6 + 30) * scale, 0.1 * 2 * (6 + 30) * scale);
-  EXPECT_EQ(view.at<cv::Vec3b>(172, int(45 * scale)), cv::Vec3b(80, 80, 80)) << "inside the person";
-}
-
-TEST(Evidence, WithoutMaskAndBodyIsTheImage) {
-  const cv::Mat view =
-      evidenceOf(oneCamera()[0], {smallImage(true), cv::Mat()}, cv::Mat(), cv::Mat());
-  ASSERT_EQ(view.size(), cv::Size(kEvidenceWidth, 345));
-  EXPECT_EQ(view.at<cv::Vec3b>(5, 5), cv::Vec3b(80, 80, 80));
-  EXPECT_EQ(view.at<cv::Vec3b>(172, 230), cv::Vec3b(30, 200, 240));
-}
-
 }  // namespace
 }  // namespace markerless_mocap

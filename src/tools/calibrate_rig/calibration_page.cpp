@@ -2,162 +2,147 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
-#include "tools/common/html_text.h"
-#include "tools/common/svg_plot.h"
+#include "tools/common/number_format.h"
+#include "tools/common/page.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr double kDegrees = 180 / M_PI;
-const char* const kColors[] = {"#1f5fa8", "#c0392b", "#2a9d5c", "#e0a020",
-                               "#7d3c98", "#17a2b8", "#8d6e63", "#555555"};
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char buffer[600];
-  std::snprintf(buffer, sizeof buffer, format, args...);
-  return buffer;
+std::string plusMinus(const std::string& value, const char* format, double sigma) {
+  return value + (value.empty() ? "± " : " ± ") + formatNumber(format, sigma);
 }
 
-std::string cell(const std::string& content, bool number = true) {
-  return std::string(number ? "<td class=\"n\">" : "<td>") + content + "</td>";
-}
-
-std::string lensOf(const CalibratedCamera& camera) {
+std::string triedLenses(const CalibratedCamera& camera) {
   std::string tried;
   for (const LensTry& one : camera.lens_trials)
-    tried += (tried.empty() ? "" : "; ") + text("%s: %.3f", nameOf(one.lens).c_str(), one.rms);
-  return "<span title=\"pixels on views left out: " + escapeHtml(tried) + "\">" +
-         nameOf(camera.lens) + "</span>";
+    tried += (tried.empty() ? "" : "; ") + nameOf(one.lens) + formatNumber(": %.3f", one.rms);
+  return tried;
 }
 
-std::string cameraRow(const CalibratedCamera& c) {
+std::vector<std::string> cameraRow(const CalibratedCamera& c) {
   const Eigen::Matrix3d& K = c.calibration.K;
-  return "<tr>" + cell(escapeHtml(c.calibration.name), false) + cell(text("%zu", c.views.size())) +
-         cell(text("%.0f %%", 100 * c.coverage)) + cell(text("%.2f", c.rms)) +
-         cell(lensOf(c), false) + cell(text("%.1f &plusmn; %.1f", K(0, 0), c.focal_sigma.x())) +
-         cell(text("%.1f, %.1f &plusmn; %.1f", K(0, 2), K(1, 2), c.centre_sigma.maxCoeff())) +
-         cell(text("&plusmn; %.1f", 1e3 * c.position_sigma.norm())) +
-         cell(text("&plusmn; %.3f", kDegrees * c.direction_sigma.norm())) +
-         cell(text("%.1f &plusmn; %.1f", 1e3 * c.time_offset, 1e3 * c.time_sigma)) + "</tr>\n";
+  const std::string centre = formatNumber("%.1f, ", K(0, 2)) + formatNumber("%.1f", K(1, 2));
+  return {c.calibration.name,
+          std::to_string(c.views.size()),
+          formatNumber("%.0f %%", 100 * c.coverage),
+          formatNumber("%.2f", c.rms),
+          nameOf(c.lens),
+          plusMinus(formatNumber("%.1f", K(0, 0)), "%.1f", c.focal_sigma.x()),
+          plusMinus(centre, "%.1f", c.centre_sigma.maxCoeff()),
+          plusMinus("", "%.1f", 1e3 * c.position_sigma.norm()),
+          plusMinus("", "%.3f", kDegrees * c.direction_sigma.norm()),
+          plusMinus(formatNumber("%.1f", 1e3 * c.time_offset), "%.1f", 1e3 * c.time_sigma)};
 }
 
-std::string cameraTable(const RigCalibration& result) {
-  std::string table =
-      "<h2>Cameras</h2><table><tr><th>camera</th><th class=\"n\">views</th><th class=\"n\">image "
-      "covered</th><th class=\"n\">residual, px</th><th>lens</th><th class=\"n\">focal, px</th><th "
-      "class=\"n\">centre, px</th><th class=\"n\">place, mm</th><th class=\"n\">direction, "
-      "&deg;</th><th class=\"n\">time offset, ms</th></tr>\n";
-  for (const CalibratedCamera& camera : result.cameras) table += cameraRow(camera);
-  return table +
-         "</table>\n<p>Uncertainties are one standard deviation; of place and direction, relative "
-         "to "
-         "all cameras together. The lens model is the simplest one that predicts views that it was "
-         "not estimated from as well as the best one does (point at it to see what each "
-         "reached).</p>\n";
+void addCameras(const RigCalibration& result, Page* page) {
+  std::vector<std::vector<std::string>> cameras, lenses;
+  for (const CalibratedCamera& camera : result.cameras) {
+    cameras.push_back(cameraRow(camera));
+    lenses.push_back({camera.calibration.name, triedLenses(camera)});
+  }
+  page->heading("Cameras");
+  page->table({"camera", "#views", "#image covered", "#residual, px", "lens", "#focal, px",
+               "#centre, px", "#place, mm", "#direction, °", "#time offset, ms"},
+              cameras);
+  page->text(
+      "Uncertainties are one standard deviation; of place and direction, relative to all cameras "
+      "together. The lens model is the simplest one that predicts views that it was not estimated "
+      "from as well as the best one does:");
+  page->table({"camera", "pixels on views left out, by lens model"}, lenses);
 }
 
-std::string residualsOverTime(const RigCalibration& result) {
+void addResidualsOverTime(const RigCalibration& result, Page* page) {
   std::set<double> times;
   for (const CalibratedCamera& camera : result.cameras)
     for (const ViewError& view : camera.views) times.insert(view.instant);
   const std::vector<double> all(times.begin(), times.end());
   std::vector<double> seconds;
   for (const double time : all) seconds.push_back(time - all.front());
-  std::vector<PlotSeries> lines;
-  for (size_t i = 0; i < result.cameras.size(); ++i) {
-    const CalibratedCamera& camera = result.cameras[i];
-    PlotSeries line{camera.calibration.name, kColors[i % 8], std::vector<double>(all.size(), NAN)};
+  std::vector<PlotLine> lines;
+  for (const CalibratedCamera& camera : result.cameras) {
+    PlotLine line{camera.calibration.name, std::vector<double>(all.size(), NAN)};
     for (const ViewError& view : camera.views) {
       const auto at = std::lower_bound(all.begin(), all.end(), view.instant);
       line.values[size_t(at - all.begin())] = view.rms;
     }
     lines.push_back(line);
   }
-  return "<h2>Residuals of each view</h2><p>Root mean square of a view's corners, pixels. A camera "
-         "that moved steps up.</p>\n" +
-         plotLegend(lines) + linePlot(seconds, lines, 0.0, "px");
+  page->heading("Residuals of each view");
+  page->text("Root mean square of a view's corners, pixels. A camera that moved steps up.");
+  page->lines(seconds, "s", lines, "px");
 }
 
-/// Where corners were seen and by how much they are off, 20 times as long.
-std::string residualsOverImage(const CalibratedCamera& camera) {
-  constexpr double kLonger = 20;
+/// Where corners were seen and by how much they are off.
+Json residualsOverImage(const CalibratedCamera& camera) {
   constexpr size_t kMost = 1500;
-  const int width = camera.calibration.width, height = camera.calibration.height;
   size_t corners = 0;
   for (const ViewError& view : camera.views) corners += view.corners.size();
   const size_t every = 1 + corners / kMost;
-  std::string used, left_out;
+  std::vector<double> used, left_out;
   size_t number = 0;
   for (const ViewError& view : camera.views)
     for (const CornerError& corner : view.corners) {
       if (number++ % every != 0 || !corner.residual.allFinite()) continue;
-      const Eigen::Vector2d end = kLonger * corner.residual;
-      (corner.used ? used : left_out) +=
-          text("M%.0f %.0fl%.0f %.0f", corner.pixel.x(), corner.pixel.y(), end.x(), end.y());
+      std::vector<double>& out = corner.used ? used : left_out;
+      out.insert(out.end(),
+                 {corner.pixel.x(), corner.pixel.y(), corner.residual.x(), corner.residual.y()});
     }
-  const double stroke = width / 500.0;
-  return text("<figure><svg style=\"background:#f4f4f4\" viewBox=\"0 0 %d %d\">", width, height) +
-         text(
-             "<path stroke=\"#1f5fa8\" fill=\"none\" stroke-linecap=\"round\" "
-             "stroke-width=\"%.2f\" d=\"",
-             stroke) +
-         used +
-         text(
-             "\"/><path stroke=\"#c0392b\" fill=\"none\" stroke-linecap=\"round\" "
-             "stroke-width=\"%.2f\" d=\"",
-             stroke) +
-         left_out + "\"/></svg><figcaption>" + escapeHtml(camera.calibration.name) +
-         "</figcaption></figure>\n";
+  return {{"name", camera.calibration.name},
+          {"size", {camera.calibration.width, camera.calibration.height}},
+          {"used", packed(used)},
+          {"left_out", packed(left_out)}};
 }
 
-std::string imageSection(const RigCalibration& result) {
-  std::string html =
-      "<h2>Residuals over the image</h2><p>A line at each corner, 20 times as long as its "
-      "residual; "
-      "red: left out. Lines that all point the same way in one part of the image say that the lens "
-      "model does not fit there; empty parts were never shown the board.</p>\n<div "
-      "class=\"views\">";
-  for (const CalibratedCamera& camera : result.cameras) html += residualsOverImage(camera);
-  return html + "</div>\n";
-}
-
-std::string pairTable(const RigCalibration& result) {
-  if (result.cameras.size() < 2) return "";
-  std::string table =
-      "<h2>Seen together</h2><p>Instants in which both cameras saw the board. Cameras without any "
-      "are joined over others.</p><table><tr><th></th>";
+void addResidualsOverImage(const RigCalibration& result, Page* page) {
+  page->heading("Residuals over the image");
+  page->text(
+      "A line at each corner, 20 times as long as its residual; red: left out. Lines that all "
+      "point the same way in one part of the image say that the lens model does not fit there; "
+      "empty parts were never shown the board.");
+  Json cameras = Json::array();
   for (const CalibratedCamera& camera : result.cameras)
-    table += "<th class=\"n\">" + escapeHtml(camera.calibration.name) + "</th>";
-  table += "</tr>\n";
+    cameras.push_back(residualsOverImage(camera));
+  page->add({{"kind", "residuals"}, {"longer", 20}, {"cameras", cameras}});
+}
+
+int sharedViews(const RigCalibration& result, size_t a, size_t b) {
+  for (const SharedViews& pair : result.pairs)
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.shared;
+  return 0;
+}
+
+void addPairs(const RigCalibration& result, Page* page) {
+  if (result.cameras.size() < 2) return;
+  std::vector<std::string> head{""};
+  std::vector<std::vector<std::string>> rows;
   for (size_t a = 0; a < result.cameras.size(); ++a) {
-    table += "<tr>" + cell(escapeHtml(result.cameras[a].calibration.name), false);
-    for (size_t b = 0; b < result.cameras.size(); ++b) {
-      int shared = 0;
-      for (const SharedViews& pair : result.pairs)
-        if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) shared = pair.shared;
-      table += cell(a == b ? "" : std::to_string(shared));
-    }
-    table += "</tr>\n";
+    head.push_back("#" + result.cameras[a].calibration.name);
+    rows.push_back({result.cameras[a].calibration.name});
+    for (size_t b = 0; b < result.cameras.size(); ++b)
+      rows.back().push_back(a == b ? "" : std::to_string(sharedViews(result, a, b)));
   }
-  return table + "</table>\n";
+  page->heading("Seen together");
+  page->text(
+      "Instants in which both cameras saw the board. Cameras without any are joined over others.");
+  page->table(head, rows);
 }
 
 }  // namespace
 
 std::string calibrationPage(const RigCalibration& result) {
-  std::string body;
-  for (size_t i = 0; i < result.verdict.size(); ++i)
-    body += (i == 0 ? "<p><b>" : "<p>") + escapeHtml(result.verdict[i]) + (i == 0 ? "</b>" : "") +
-            "</p>\n";
-  body += text("<p>%d places of the board; %d corners left out as outliers.</p>\n", result.instants,
-               result.outliers);
-  body +=
-      cameraTable(result) + residualsOverTime(result) + imageSection(result) + pairTable(result);
-  return htmlPage("Calibration of the cameras", body);
+  Page page("Calibration of the cameras");
+  for (size_t i = 0; i < result.verdict.size(); ++i) page.text(result.verdict[i], i == 0);
+  page.text(std::to_string(result.instants) + " places of the board; " +
+            std::to_string(result.outliers) + " corners left out as outliers.");
+  addCameras(result, &page);
+  addResidualsOverTime(result, &page);
+  addResidualsOverImage(result, &page);
+  addPairs(result, &page);
+  return page.html();
 }
 
 }  // namespace markerless_mocap

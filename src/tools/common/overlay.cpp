@@ -38,26 +38,10 @@ void drawMask(const cv::Mat& mask, cv::Mat* picture) {
   drawOutline(personPixels(mask), kMaskColor, picture);
 }
 
-/// The box around mask and body with a margin, in the aspect ratio of the image.
-cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& body) {
-  const cv::Rect whole({0, 0}, image);
-  cv::Rect shown;
-  if (!mask.empty()) shown |= cv::boundingRect(personPixels(mask));
-  if (!body.empty()) shown |= cv::boundingRect(body);
-  if (shown.empty()) return whole;
-  const double fraction =
-      std::min(1.0, kMarginFactor * std::max(double(shown.width) / image.width,
-                                             double(shown.height) / image.height));
-  const cv::Size size(int(fraction * image.width), int(fraction * image.height));
-  const cv::Point middle = (shown.tl() + shown.br()) / 2;
-  return {{std::clamp(middle.x - size.width / 2, 0, image.width - size.width),
-           std::clamp(middle.y - size.height / 2, 0, image.height - size.height)},
-          size};
-}
-
-cv::Mat resized(const cv::Mat& mat, int interpolation, int width = kTileWidth) {
+cv::Mat resized(const cv::Mat& mat, int interpolation) {
   cv::Mat out;
-  cv::resize(mat, out, {width, std::max(1, width * mat.rows / mat.cols)}, 0, 0, interpolation);
+  cv::resize(mat, out, {kTileWidth, std::max(1, kTileWidth * mat.rows / mat.cols)}, 0, 0,
+             interpolation);
   return out;
 }
 
@@ -93,6 +77,22 @@ cv::Mat tileOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& ma
 
 }  // namespace
 
+cv::Rect partToShow(const cv::Size& image, const cv::Mat& mask, const cv::Mat& body) {
+  const cv::Rect whole({0, 0}, image);
+  cv::Rect shown;
+  if (!mask.empty()) shown |= cv::boundingRect(personPixels(mask));
+  if (!body.empty()) shown |= cv::boundingRect(body);
+  if (shown.empty()) return whole;
+  const double fraction =
+      std::min(1.0, kMarginFactor * std::max(double(shown.width) / image.width,
+                                             double(shown.height) / image.height));
+  const cv::Size size(int(fraction * image.width), int(fraction * image.height));
+  const cv::Point middle = (shown.tl() + shown.br()) / 2;
+  return {{std::clamp(middle.x - size.width / 2, 0, image.width - size.width),
+           std::clamp(middle.y - size.height / 2, 0, image.height - size.height)},
+          size};
+}
+
 cv::Mat overlayOf(const CameraRig& rig, const std::vector<CameraFrame>& frames,
                   const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& bodies) {
   std::vector<cv::Mat> tiles;
@@ -109,21 +109,6 @@ cv::Mat overlayOf(const CameraRig& rig, const std::vector<CameraFrame>& frames,
     tiles[i].copyTo(sheet(cv::Rect(corner, tiles[i].size())));
   }
   return sheet;
-}
-
-cv::Mat evidenceOf(const Camera& camera, const CameraFrame& frame, const cv::Mat& mask,
-                   const cv::Mat& body) {
-  const cv::Mat picture = backdrop(camera, frame, mask);
-  const bool smaller = picture.cols > kEvidenceWidth;
-  cv::Mat view = resized(picture, smaller ? cv::INTER_AREA : cv::INTER_LINEAR, kEvidenceWidth);
-  if (!mask.empty()) {
-    const cv::Mat shown = resized(mask, cv::INTER_NEAREST, kEvidenceWidth);
-    view = unknownTinted(view, shown == kUnknownPixel);
-    drawOutline(personPixels(shown), kMaskColor, &view);
-  }
-  if (!body.empty())
-    drawOutline(resized(body, cv::INTER_NEAREST, kEvidenceWidth), kBodyColor, &view);
-  return view;
 }
 
 cv::Mat unknownTinted(const cv::Mat& picture, const cv::Mat& area) {

@@ -2,9 +2,9 @@
 #include <iostream>
 
 #include "files/whole_file.h"
+#include "tools/common/description_text.h"
 #include "tools/common/person_motion_reader.h"
 #include "tools/common/run_tool.h"
-#include "tools/describe_motion/description_text.h"
 
 int main(int argc, char** argv) {
   using namespace markerless_mocap;

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "ros/package_files.h"
+#include "files/whole_file.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/evaluate/evaluation.h"
@@ -27,7 +27,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--truth", request.truth, "bag with /ground_truth; may be the same file")
       ->required();
   app.add_option("--json", arguments->json, "write all results as JSON to this file");
-  app.add_option("--html", arguments->html, "write a self-contained HTML report to this file");
+  app.add_option("--html", arguments->html,
+                 "write a self-contained page to this file: it plays the motion beside "
+                 "the truth");
   app.add_option("--skip", request.skip,
                  "leave out this many seconds at the begin of the ground truth")
       ->check(CLI::NonNegativeNumber);
@@ -36,20 +38,21 @@ void describe(CLI::App& app, Arguments* arguments) {
                  "rig file of the run: body and hull are drawn with its cameras");
   app.add_option("--config", request.config,
                  "configuration of the run: its hull options are used for the true hull");
-  app.add_flag("--no-images", arguments->no_images, "do not evaluate silhouettes and hull");
+  app.add_flag("--no-images", arguments->no_images,
+               "do not evaluate silhouettes and hull, and show no images");
   app.add_flag("--quiet", arguments->quiet, "no progress and no table");
 }
 
 void run(Arguments* arguments) {
   EvaluationRequest& request = arguments->request;
   request.images = !arguments->no_images;
-  request.pictures = request.images && !arguments->html.empty();
+  request.page = !arguments->html.empty();
   Progress progress("evaluate", arguments->quiet ? nullptr : &std::cerr, isStderrTerminal());
   const Evaluation evaluation =
       evaluate(request, [&](double fraction) { progress.update(fraction); });
   progress.finish();
-  if (!arguments->json.empty()) writeText(arguments->json, evaluationJson(evaluation));
-  if (!arguments->html.empty()) writeText(arguments->html, evaluationPage(evaluation));
+  if (!arguments->json.empty()) writeWholeFile(arguments->json, evaluationJson(evaluation));
+  if (!arguments->html.empty()) writeWholeFile(arguments->html, evaluationPage(evaluation));
   if (!arguments->quiet) printEvaluation(evaluation, std::cout);
 }
 

@@ -78,6 +78,8 @@ void evaluateStatus(const TruthRecord& truth, const ResultRecord& results, int64
     const ResultFrame* frame = index < 0 ? nullptr : &results.frames[index];
     out->statuses.push_back(frame ? frame->status : FrameStatus::kMissing);
     out->reasons.push_back(frame ? frame->reason : "");
+    out->frames.push_back(frame ? *frame : ResultFrame());
+    out->frames.back().stamp_ns = out->stamps_ns[out->frames.size() - 1];
   }
   out->record = trackingContinuity(out->stamps_ns, out->statuses);
   std::vector<double> latencies;
@@ -134,16 +136,6 @@ void evaluateBodyParts(const TruthRecord& truth, int64_t tolerance_ns, Evaluatio
   out->parts = evaluateParts(truth.joints, truth.world_frame, parts, tolerance_ns);
 }
 
-/// The frames with minimum, median and maximum D.
-std::vector<std::pair<const char*, size_t>> representativeFrames(const std::vector<double>& D) {
-  std::vector<size_t> order;
-  for (size_t f = 0; f < D.size(); ++f)
-    if (std::isfinite(D[f])) order.push_back(f);
-  if (order.empty()) return {};
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return D[a] < D[b]; });
-  return {{"worst", order.back()}, {"median", order[order.size() / 2]}, {"best", order.front()}};
-}
-
 std::vector<int64_t> imageFrameStamps(const Evaluation& evaluation) {
   const size_t stride = 1 + (evaluation.stamps_ns.size() - 1) / kMaxImageFrames;
   std::vector<int64_t> stamps;
@@ -154,16 +146,6 @@ std::vector<int64_t> imageFrameStamps(const Evaluation& evaluation) {
   std::sort(stamps.begin(), stamps.end());
   stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
   return stamps;
-}
-
-void takePictures(ImageEvaluator* judge, Evaluation* out) {
-  for (const auto& frame : representativeFrames(out->joints.D)) {
-    const double since = double(out->stamps_ns[frame.second] - out->stamps_ns.front()) * 1e-9;
-    char caption[96];
-    std::snprintf(caption, sizeof caption, "%s: D = %.0f mm at %.2f s, %s", frame.first,
-                  out->joints.D[frame.second], since, toString(out->statuses[frame.second]));
-    out->pictures.push_back({caption, judge->picture(out->stamps_ns[frame.second])});
-  }
 }
 
 void evaluateImages(const ResultRecord& results, int64_t tolerance_ns,
@@ -188,10 +170,19 @@ void evaluateImages(const ResultRecord& results, int64_t tolerance_ns,
   else
     out->notes.push_back(
         "Silhouettes and hull are not evaluated: the ground truth has no exact masks.");
-  if (out->request.pictures) takePictures(&*judge, out);
+  if (out->request.page) judge->show(out->stamps_ns, &out->shown);
 }
 
 }  // namespace
+
+std::vector<std::pair<const char*, size_t>> representativeFrames(const std::vector<double>& D) {
+  std::vector<size_t> order;
+  for (size_t f = 0; f < D.size(); ++f)
+    if (std::isfinite(D[f])) order.push_back(f);
+  if (order.empty()) return {};
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return D[a] < D[b]; });
+  return {{"worst", order.back()}, {"median", order[order.size() / 2]}, {"best", order.front()}};
+}
 
 Evaluation evaluate(const EvaluationRequest& request, const std::function<void(double)>& progress) {
   TruthRecord truth = readTruth(request.truth);
@@ -205,13 +196,17 @@ Evaluation evaluate(const EvaluationRequest& request, const std::function<void(d
   Evaluation out;
   out.request = request;
   out.body_id = results.body_id;
+  out.body = results.body;
+  out.has_description = results.has_description;
   out.stamps_ns = truth.joints.stamps_ns;
+  out.truth = truth.joints.select(bodyPointNames());
   evaluateStatus(truth, results, tolerance, &out);
   evaluateJoints(truth, results, &out);
   evaluateAngles(truth, results, tolerance, &out);
   evaluatePoseTrees(truth, tolerance, &out);
   evaluateBodyParts(truth, tolerance, &out);
-  if (request.images || request.pictures) evaluateImages(results, tolerance, progress, &out);
+  if (request.page) out.shown.hulls = readHulls(request.results, out.stamps_ns, tolerance);
+  if (request.images) evaluateImages(results, tolerance, progress, &out);
   progress(1.0);
   return out;
 }

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "evaluation/angle_error.h"
@@ -27,7 +29,7 @@ struct EvaluationRequest {
   std::string rig;             ///< rig file of the run; empty: the cameras of the ground truth
   std::string config;  ///< configuration of the run, for the options of the hull; empty: defaults
   bool images = true;  ///< evaluate silhouettes and hull
-  bool pictures = false;  ///< make overlay images
+  bool page = false;   ///< keep what the player of a page shows; with `images` its pictures, too
 };
 
 /// All results of an evaluation.
@@ -37,6 +39,11 @@ struct Evaluation {
   std::vector<int64_t> stamps_ns;  ///< of the frames of the ground truth
   std::vector<FrameStatus> statuses;
   std::vector<std::string> reasons;
+  std::shared_ptr<const BodyModel> body;
+  bool has_description = false;     ///< false: of the body only its names are valid
+  std::vector<ResultFrame> frames;  ///< the result in each frame of the ground truth
+  JointTrack truth;                 ///< bodyPointNames()
+  ShownImages shown;                ///< empty unless a page is wanted
   JointErrors joints;
   TrackingContinuity record;
   Delay delay;
@@ -49,11 +56,13 @@ struct Evaluation {
                                                    ///< deviation
   std::vector<AngleError> angles;
   ImageMetrics images;
-  std::vector<EvaluatedPicture> pictures;
   std::optional<TreeEvaluation> trees;   ///< empty if the results have no pose trees
   std::optional<PartsEvaluation> parts;  ///< empty if the results have no segmented hulls
   std::vector<std::string> notes;        ///< messages about what could not be evaluated
 };
+
+/// The frames with maximum, median and minimum D, with these names.
+std::vector<std::pair<const char*, size_t>> representativeFrames(const std::vector<double>& D);
 
 /// Throws std::runtime_error or std::invalid_argument if an evaluation is not possible: a bag that
 /// cannot be read, no ground truth, no results, different world frames, or no overlap in time.

@@ -45,37 +45,31 @@ void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std:
                  formatPercent(one.fraction_within_two_sigma));
 }
 
-JsonObject deviationsObject(const std::vector<UncertaintyCalibration>& deviations) {
-  JsonObject out;
+Json deviationsJson(const std::vector<UncertaintyCalibration>& deviations) {
+  Json out = Json::object();
   for (const UncertaintyCalibration& one : deviations) {
-    JsonObject point;
-    point.add("frames", one.frames);
-    point.add("expected_mm", one.expected_mm);
-    point.add("actual_mm", one.actual_mm);
-    point.add("fraction_within_two_sigma", one.fraction_within_two_sigma);
-    std::string bins;
+    Json bins = Json::array();
     for (const UncertaintyBin& bin : one.bins)
-      bins += (bins.empty() ? "[" : ", [") + JsonObject::number(double(bin.frames)) + ", " +
-              JsonObject::number(bin.expected_mm) + ", " + JsonObject::number(bin.actual_mm) + "]";
-    point.addList("fifths_frames_expected_actual", bins);
-    out.add(one.point, point);
+      bins.push_back({bin.frames, bin.expected_mm, bin.actual_mm});
+    out[one.point] = {{"frames", one.frames},
+                      {"expected_mm", one.expected_mm},
+                      {"actual_mm", one.actual_mm},
+                      {"fraction_within_two_sigma", one.fraction_within_two_sigma},
+                      {"fifths_frames_expected_actual", bins}};
   }
   return out;
 }
 
-std::string deviationsSection(const std::vector<UncertaintyCalibration>& deviations) {
-  if (deviations.empty()) return "";
-  std::string out =
-      "<h2>Estimated and actual errors</h2>\n<p>root mean squares, mm; estimated : actual, by "
-      "fifths of "
-      "the frames</p>\n<table><tr><th>point</th><th class=n>estimated</th><th class=n>actual</th>"
-      "<th class=n>within two sigma</th><th class=n>by fifths</th></tr>\n";
+void addDeviations(const std::vector<UncertaintyCalibration>& deviations, Page* page) {
+  if (deviations.empty()) return;
+  page->heading("Estimated and actual errors");
+  page->text("root mean squares, mm; estimated : actual, by fifths of the frames");
+  std::vector<std::vector<std::string>> rows;
   for (const UncertaintyCalibration& one : deviations)
-    out += "<tr><td>" + one.point + "</td><td class=n>" + formatNumber("%.0f", one.expected_mm) +
-           "</td><td class=n>" + formatNumber("%.0f", one.actual_mm) + "</td><td class=n>" +
-           formatPercent(one.fraction_within_two_sigma) + "</td><td class=n>" +
-           binsText(one, " &nbsp; ") + "</td></tr>\n";
-  return out + "</table>\n";
+    rows.push_back({one.point, formatNumber("%.0f", one.expected_mm),
+                    formatNumber("%.0f", one.actual_mm),
+                    formatPercent(one.fraction_within_two_sigma), binsText(one, "  ")});
+  page->table({"point", "#estimated", "#actual", "#within two sigma", "#by fifths"}, rows);
 }
 
 }  // namespace markerless_mocap

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "evaluation/uncertainty_calibration.h"
+#include "tools/common/page.h"
 #include "tools/common/result_record.h"
-#include "tools/evaluate/json_text.h"
 
 namespace markerless_mocap {
 
@@ -18,8 +18,8 @@ std::vector<UncertaintyCalibration> evaluateDeviations(const JointTrack& truth,
                                                        const std::vector<int>& match);
 
 void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std::ostream& out);
-JsonObject deviationsObject(const std::vector<UncertaintyCalibration>& deviations);
-/// Section of the report; empty without data.
-std::string deviationsSection(const std::vector<UncertaintyCalibration>& deviations);
+Json deviationsJson(const std::vector<UncertaintyCalibration>& deviations);
+/// Section of the report; nothing without data.
+void addDeviations(const std::vector<UncertaintyCalibration>& deviations, Page* page);
 
 }  // namespace markerless_mocap

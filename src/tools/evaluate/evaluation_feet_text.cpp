@@ -1,82 +1,66 @@
 #include "tools/evaluate/evaluation_feet_text.h"
 
-#include "tools/common/html_text.h"
 #include "tools/common/number_format.h"
-#include "tools/common/svg_plot.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr const char *kBlue = "#1f5fa8", *kOrange = "#e08a2c";
-constexpr const char *kBoth = "#2a9d5c", *kTruthOnly = "#e0a020", *kEstimateOnly = "#c0392b",
-                     *kNone = "#e4e6e8";
+constexpr const char *kBlue = "#1f5fa8", *kOrange = "#e08a2c", *kNone = "#e4e6e8",
+                     *kWrong = "#c0392b";
 constexpr const char* kSides[] = {"left", "right"};
 
 std::string padded(const std::string& text) {
   return text.size() < 8 ? std::string(8 - text.size(), ' ') + text : text;
 }
 
-JsonObject slideObject(const FootContact& contact) {
-  JsonObject out;
-  out.add("contacts", contact.contacts.size());
-  out.add("precision", contact.precision);
-  out.add("recall", contact.recall);
-  out.add("slide_mm_mean", contact.max_slide_mm.mean);
-  out.add("slide_mm_max", contact.max_slide_mm.max);
-  out.add("slide_mm_per_s_mean", contact.path_mm_per_s.mean);
-  out.add("true_slide_mm_mean", contact.true_max_slide_mm.mean);
-  out.add("true_slide_mm_per_s_mean", contact.true_path_mm_per_s.mean);
-  std::string list;
-  for (const FootSkate& slide : contact.contacts) {
-    JsonObject one;
-    one.add("first_frame", slide.run.first);
-    one.add("frames", slide.run.frames);
-    one.add("slide_mm", slide.max_slide_mm);
-    one.add("slide_mm_per_s", slide.path_mm_per_s);
-    list += (list.empty() ? "" : ", ") + one.text();
-  }
-  out.addList("each", list);
-  return out;
+Json slideJson(const FootContact& contact) {
+  Json each = Json::array();
+  for (const FootSkate& slide : contact.contacts)
+    each.push_back({{"first_frame", slide.run.first},
+                    {"frames", slide.run.frames},
+                    {"slide_mm", slide.max_slide_mm},
+                    {"slide_mm_per_s", slide.path_mm_per_s}});
+  return {{"contacts", contact.contacts.size()},
+          {"precision", contact.precision},
+          {"recall", contact.recall},
+          {"slide_mm_mean", contact.max_slide_mm.mean},
+          {"slide_mm_max", contact.max_slide_mm.max},
+          {"slide_mm_per_s_mean", contact.path_mm_per_s.mean},
+          {"true_slide_mm_mean", contact.true_max_slide_mm.mean},
+          {"true_slide_mm_per_s_mean", contact.true_path_mm_per_s.mean},
+          {"each", each}};
 }
 
-std::string cell(const std::string& text) {
-  return "<td class=n>" + text + "</td>";
+std::vector<std::string> slideRow(const std::string& name, const FootContact& contact) {
+  return {name,
+          std::to_string(contact.contacts.size()),
+          formatPercent(contact.precision),
+          formatPercent(contact.recall),
+          formatNumber("%.0f", contact.max_slide_mm.mean),
+          formatNumber("%.0f", contact.max_slide_mm.max),
+          formatNumber("%.0f", contact.path_mm_per_s.mean),
+          formatNumber("%.0f", contact.true_max_slide_mm.mean),
+          formatNumber("%.0f", contact.true_path_mm_per_s.mean)};
 }
 
-std::string slideRow(const std::string& name, const FootContact& contact) {
-  return "<tr><td>" + name + "</td>" + cell(std::to_string(contact.contacts.size())) +
-         cell(formatPercent(contact.precision)) + cell(formatPercent(contact.recall)) +
-         cell(formatNumber("%.0f", contact.max_slide_mm.mean)) +
-         cell(formatNumber("%.0f", contact.max_slide_mm.max)) +
-         cell(formatNumber("%.0f", contact.path_mm_per_s.mean)) +
-         cell(formatNumber("%.0f", contact.true_max_slide_mm.mean)) +
-         cell(formatNumber("%.0f", contact.true_path_mm_per_s.mean)) + "</tr>\n";
+Band contactBand(const FootContact& contact, const std::string& name) {
+  Band band{name, {}};
+  for (size_t f = 0; f < contact.truth.size(); ++f)
+    band.cells.push_back({size_t(contact.truth[f]) + 2 * size_t(contact.estimate[f]), ""});
+  return band;
 }
 
-std::string contactBand(const FootContact& contact, const std::vector<double>& seconds) {
-  std::vector<BandCell> cells;
-  for (size_t f = 0; f < seconds.size(); ++f) {
-    const bool real = contact.truth[f], said = contact.estimate[f];
-    cells.push_back({real ? (said ? kBoth : kTruthOnly) : (said ? kEstimateOnly : kNone),
-                     formatNumber("%.3f s", seconds[f])});
-  }
-  return timeBand(seconds, cells);
-}
-
-std::string soleTable(const FeetEvaluation& feet) {
-  std::string out =
-      "<table><tr><th>sole</th><th class=n>below the floor by over 10 mm</th>"
-      "<th class=n>mean depth</th><th class=n>deepest</th>"
-      "<th class=n>height while the foot stands</th></tr>\n";
+void addSoles(const FeetEvaluation& feet, Page* page) {
+  std::vector<std::vector<std::string>> rows;
   for (size_t side = 0; side < 2; ++side) {
     const SoleStatistics& sole = feet[side].sole;
-    out += std::string("<tr><td>") + kSides[side] + "</td>" +
-           cell(formatPercent(sole.fraction_below)) +
-           cell(formatNumber("%.1f", sole.mean_below_mm)) +
-           cell(formatNumber("%.0f", sole.deepest_mm)) +
-           cell(formatNumber("%.0f", sole.standing_mm.mean)) + "</tr>\n";
+    rows.push_back({kSides[side], formatPercent(sole.fraction_below),
+                    formatNumber("%.1f", sole.mean_below_mm), formatNumber("%.0f", sole.deepest_mm),
+                    formatNumber("%.0f", sole.standing_mm.mean)});
   }
-  return out + "</table>\n";
+  page->table({"sole", "#below the floor by over 10 mm", "#mean depth", "#deepest",
+               "#height while the foot stands"},
+              rows);
 }
 
 }  // namespace
@@ -107,49 +91,49 @@ void printFeet(const FeetEvaluation& feet, std::ostream& out) {
       [](const FootEvaluation& f) { return formatNumber("%.0f", f.sole.deepest_mm); });
 }
 
-JsonObject feetObject(const FeetEvaluation& feet) {
-  JsonObject out;
+Json feetJson(const FeetEvaluation& feet) {
+  Json out;
   for (size_t side = 0; side < 2; ++side) {
     const FootEvaluation& foot = feet[side];
-    JsonObject one, sole;
-    sole.add("frames", foot.sole.frames);
-    sole.add("fraction_below_10_mm", foot.sole.fraction_below);
-    sole.add("mean_below_mm", foot.sole.mean_below_mm);
-    sole.add("deepest_mm", foot.sole.deepest_mm);
-    sole.add("standing_height_mm_mean", foot.sole.standing_mm.mean);
-    sole.add("standing_height_mm_std", foot.sole.standing_mm.deviation);
-    one.add("ball", slideObject(foot.ball));
-    one.add("ankle", slideObject(foot.ankle));
-    one.add("sole", sole);
-    out.add(kSides[side], one);
+    out[kSides[side]] = {{"ball", slideJson(foot.ball)},
+                         {"ankle", slideJson(foot.ankle)},
+                         {"sole",
+                          {{"frames", foot.sole.frames},
+                           {"fraction_below_10_mm", foot.sole.fraction_below},
+                           {"mean_below_mm", foot.sole.mean_below_mm},
+                           {"deepest_mm", foot.sole.deepest_mm},
+                           {"standing_height_mm_mean", foot.sole.standing_mm.mean},
+                           {"standing_height_mm_std", foot.sole.standing_mm.deviation}}}};
   }
   return out;
 }
 
-std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& seconds) {
-  std::string out =
-      "<h2>Feet on the floor</h2>\n<p>A foot stands while its ball is low and slow. Slide: "
-      "distance that the estimated point moves along the floor meanwhile, mm per contact and mm/s "
-      "along its "
-      "path</p>\n<table><tr><th>point</th><th class=n>contacts</th><th class=n>precision</th>"
-      "<th class=n>recall</th><th class=n>slide</th><th class=n>maximum</th><th class=n>mm/s</th>"
-      "<th class=n>true slide</th><th class=n>mm/s</th></tr>\n";
+void addFeet(const FeetEvaluation& feet, Page* page) {
+  page->heading("Feet and the floor, against the truth");
+  page->text(
+      "A foot stands while its ball is low and slow. Slide: distance that the estimated point "
+      "moves along the floor meanwhile, mm per contact and mm/s along its path");
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Band> bands;
   for (size_t side = 0; side < 2; ++side) {
-    out += slideRow(std::string(kSides[side]) + " ball", feet[side].ball);
-    out += slideRow(std::string(kSides[side]) + " ankle", feet[side].ankle);
+    rows.push_back(slideRow(std::string(kSides[side]) + " ball", feet[side].ball));
+    rows.push_back(slideRow(std::string(kSides[side]) + " ankle", feet[side].ankle));
+    bands.push_back(contactBand(feet[side].ball, kSides[side]));
   }
-  out += "</table>\n" + soleTable(feet);
-  for (size_t side = 0; side < 2; ++side) {
-    const std::vector<PlotSeries> lines{
-        {std::string("true height of the ball, ") + kSides[side], kOrange, feet[side].true_ball_mm},
-        {"estimated", kBlue, feet[side].ball_mm}};
-    out += plotLegend(lines) + linePlot(seconds, lines, 0.0, "mm") +
-           contactBand(feet[side].ball, seconds);
-  }
-  return out + plotLegend({{"stands and is found", kBoth, {}},
-                           {"stands", kTruthOnly, {}},
-                           {"does not stand but seems to", kEstimateOnly, {}},
-                           {"in the air", kNone, {}}});
+  page->table({"point", "#contacts", "#precision", "#recall", "#slide", "#maximum", "#mm/s",
+               "#true slide", "#mm/s"},
+              rows);
+  addSoles(feet, page);
+  for (size_t side = 0; side < 2; ++side)
+    page->timeLines({{std::string("true height of the ball, ") + kSides[side],
+                      feet[side].true_ball_mm, kOrange},
+                     {"estimated", feet[side].ball_mm, kBlue}},
+                    "mm");
+  page->bands({{"in the air", kNone},
+               {"stands", "#e0a020"},
+               {"does not stand but seems to", kWrong},
+               {"stands and is found", "#2a9d5c"}},
+              bands);
 }
 
 void printLimbs(const std::vector<LimbLoss>& limbs, std::ostream& out) {
@@ -162,42 +146,33 @@ void printLimbs(const std::vector<LimbLoss>& limbs, std::ostream& out) {
                  padded(std::to_string(limb.not_published)) + " frames");
 }
 
-JsonObject limbsObject(const std::vector<LimbLoss>& limbs) {
-  JsonObject out;
-  for (const LimbLoss& limb : limbs) {
-    JsonObject one;
-    one.add("frames", limb.frames);
-    one.add("losses", limb.losses);
-    one.add("per_minute", limb.per_minute);
-    one.add("fraction_lost", limb.fraction_lost);
-    one.add("frames_far_off", limb.far_off);
-    one.add("frames_not_published", limb.not_published);
-    one.add("longest_s", limb.longest_s);
-    out.add(limb.limb, one);
-  }
+Json limbsJson(const std::vector<LimbLoss>& limbs) {
+  Json out = Json::object();
+  for (const LimbLoss& limb : limbs)
+    out[limb.limb] = {
+        {"frames", limb.frames},          {"losses", limb.losses},
+        {"per_minute", limb.per_minute},  {"fraction_lost", limb.fraction_lost},
+        {"frames_far_off", limb.far_off}, {"frames_not_published", limb.not_published},
+        {"longest_s", limb.longest_s}};
   return out;
 }
 
-std::string limbsSection(const std::vector<LimbLoss>& limbs, const std::vector<double>& seconds) {
-  std::string out =
-      "<h2>Lost limbs</h2>\n<p>after the first pose: the end is over 150 mm off or not "
-      "published</p>\n<table><tr><th>limb</th><th class=n>losses per minute</th>"
-      "<th class=n>of the frames</th><th class=n>longest</th><th class=n>frames far off</th>"
-      "<th class=n>not published</th></tr>\n";
-  for (const LimbLoss& limb : limbs)
-    out += "<tr><td>" + limb.limb + "</td>" + cell(formatNumber("%.1f", limb.per_minute)) +
-           cell(formatPercent(limb.fraction_lost)) + cell(formatNumber("%.2f s", limb.longest_s)) +
-           cell(std::to_string(limb.far_off)) + cell(std::to_string(limb.not_published)) +
-           "</tr>\n";
-  out += "</table>\n";
+void addLimbs(const std::vector<LimbLoss>& limbs, Page* page) {
+  page->heading("Lost limbs");
+  page->text("after the first pose: the end is over 150 mm off or not published");
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Band> bands;
   for (const LimbLoss& limb : limbs) {
-    if (limb.losses == 0) continue;
-    std::vector<BandCell> cells;
-    for (size_t f = 0; f < seconds.size(); ++f)
-      cells.push_back({limb.lost[f] ? kEstimateOnly : kNone, formatNumber("%.3f s", seconds[f])});
-    out += "<p>" + limb.limb + "</p>\n" + timeBand(seconds, cells);
+    rows.push_back({limb.limb, formatNumber("%.1f", limb.per_minute),
+                    formatPercent(limb.fraction_lost), formatNumber("%.2f s", limb.longest_s),
+                    std::to_string(limb.far_off), std::to_string(limb.not_published)});
+    bands.push_back({limb.limb, {}});
+    for (const bool lost : limb.lost) bands.back().cells.push_back({size_t(lost), ""});
   }
-  return out;
+  page->table({"limb", "#losses per minute", "#of the frames", "#longest", "#frames far off",
+               "#not published"},
+              rows);
+  page->bands({{"right", kNone}, {"lost", kWrong}}, bands);
 }
 
 }  // namespace markerless_mocap

@@ -4,19 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "tools/common/page.h"
 #include "tools/evaluate/evaluation_feet.h"
-#include "tools/evaluate/json_text.h"
 
 namespace markerless_mocap {
 
-/// Feet on the floor and lost limbs as terminal output, JSON and HTML.
+/// Feet on the floor and lost limbs as terminal output, JSON and parts of the page.
 void printFeet(const FeetEvaluation& feet, std::ostream& out);
-JsonObject feetObject(const FeetEvaluation& feet);
-/// \param seconds of each frame
-std::string feetSection(const FeetEvaluation& feet, const std::vector<double>& seconds);
+Json feetJson(const FeetEvaluation& feet);
+void addFeet(const FeetEvaluation& feet, Page* page);
 
 void printLimbs(const std::vector<LimbLoss>& limbs, std::ostream& out);
-JsonObject limbsObject(const std::vector<LimbLoss>& limbs);
-std::string limbsSection(const std::vector<LimbLoss>& limbs, const std::vector<double>& seconds);
+Json limbsJson(const std::vector<LimbLoss>& limbs);
+void addLimbs(const std::vector<LimbLoss>& limbs, Page* page);
 
 }  // namespace markerless_mocap

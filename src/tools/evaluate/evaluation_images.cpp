@@ -14,7 +14,6 @@
 #include "ros/hull_conversions.h"
 #include "ros/image_conversions.h"
 #include "tools/common/bag_io.h"
-#include "tools/common/overlay.h"
 
 namespace markerless_mocap {
 namespace {
@@ -76,6 +75,24 @@ double meanOf(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+PlayerHulls readHulls(const std::string& results, const std::vector<int64_t>& stamps_ns,
+                      int64_t tolerance_ns) {
+  PlayerHulls hulls;
+  const std::optional<VoxelGrid> grid = readGrid(results);
+  if (!grid) return hulls;
+  rosbag::Bag bag;
+  openForReading(results, bag);
+  for (const auto& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/points"))) {
+    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud) continue;
+    const int64_t* stamp =
+        nearestStamp(stamps_ns, nanosecondsOf(cloud->header.stamp), tolerance_ns);
+    const size_t frame = stamp ? size_t(stamp - stamps_ns.data()) : 0;
+    if (stamp && hulls.wants(frame)) hulls.add(frame, hullFromMessage(*cloud, *grid));
+  }
+  return hulls;
+}
 
 ImageEvaluator::ImageEvaluator(const std::string& truth, const std::string& rig,
                                const std::string& results, const ResultRecord& record,
@@ -164,16 +181,21 @@ void ImageEvaluator::measureHulls(const HullOptions& rules, ImageMetrics* measur
   measures->hull_iou = summaryStatistics(overlaps);
 }
 
-cv::Mat ImageEvaluator::picture(int64_t stamp_ns) {
-  return overlayOf(recording_.rig(), framesAt(stamp_ns), trueMasksAt(stamp_ns), bodiesAt(stamp_ns));
+void ImageEvaluator::show(const std::vector<int64_t>& frame_stamps_ns, ShownImages* shown) const {
+  shown->rig = recording_.rig();
+  rosbag::Bag bag;
+  openForReading(truth_, bag);
+  for (const int64_t stamp : stamps_ns_) {
+    const auto frame = std::lower_bound(frame_stamps_ns.begin(), frame_stamps_ns.end(), stamp);
+    shown->views.add(size_t(frame - frame_stamps_ns.begin()), recording_.rig(),
+                     framesAt(bag, stamp), trueMasksAt(stamp), bodiesAt(stamp));
+  }
 }
 
-std::vector<CameraFrame> ImageEvaluator::framesAt(int64_t stamp_ns) const {
+std::vector<CameraFrame> ImageEvaluator::framesAt(const rosbag::Bag& bag, int64_t stamp_ns) const {
   std::vector<std::string> topics;
   for (const RecordedCamera& camera : recording_.cameras()) topics.push_back(camera.image_topic);
   std::vector<CameraFrame> frames(topics.size());
-  rosbag::Bag bag;
-  openForReading(truth_, bag);
   rosbag::View near(bag, rosbag::TopicQuery(topics), rosTime(stamp_ns - kRecordedEarlier_ns),
                     rosTime(stamp_ns + kRecordedLater_ns));
   for (const rosbag::MessageInstance& entry : near) {

@@ -8,6 +8,8 @@
 
 #include "evaluation/joint_error.h"
 #include "markerless_mocap/hull/hull_carver.h"
+#include "tools/common/player_hulls.h"
+#include "tools/common/player_views.h"
 #include "tools/common/recording.h"
 #include "tools/common/result_record.h"
 #include "tools/evaluate/mask_store.h"
@@ -30,10 +32,17 @@ struct ImageMetrics {
   std::vector<FrameSetOverlap> frame_sets;
 };
 
-struct EvaluatedPicture {
-  std::string caption;
-  cv::Mat image;  ///< CV_8UC3
+/// What a page shows of a recording.
+struct ShownImages {
+  CameraRig rig;
+  PlayerViews views;
+  PlayerHulls hulls;
 };
+
+/// The hulls of a result. \param stamps_ns of the frames, ascending
+/// \param tolerance_ns maximum difference of a stamp
+PlayerHulls readHulls(const std::string& results, const std::vector<int64_t>& stamps_ns,
+                      int64_t tolerance_ns);
 
 /// Compares silhouettes, body and hull of a result with the exact masks at given stamps.
 class ImageEvaluator {
@@ -48,13 +57,14 @@ class ImageEvaluator {
   bool hasTrueMasks() const { return !true_masks_.empty(); }
   /// \param rules options of the hull stage; the lattice is that of the results
   ImageMetrics measure(const HullOptions& rules, const std::function<void(double)>& progress);
-  /// Overlay of the body and the images at one of the stamps; empty if there is nothing to show.
-  cv::Mat picture(int64_t stamp_ns);
+  /// Adds the rig and the views with the fitted body and the exact masks.
+  /// \param frame_stamps_ns of all frames of the page, ascending
+  void show(const std::vector<int64_t>& frame_stamps_ns, ShownImages* shown) const;
 
  private:
   const ResultFrame* frameAt(int64_t stamp_ns) const;
   std::vector<cv::Mat> bodiesAt(int64_t stamp_ns) const;
-  std::vector<CameraFrame> framesAt(int64_t stamp_ns) const;
+  std::vector<CameraFrame> framesAt(const rosbag::Bag& bag, int64_t stamp_ns) const;
   std::vector<cv::Mat> trueMasksAt(int64_t stamp_ns) const;
   void measureHulls(const HullOptions& rules, ImageMetrics* measures);
 

@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// A self-contained HTML page: numbers, status and error over time, error per joint, histogram,
-/// overlaps, angles, images.
+/// A self-contained HTML page: the player with the truth in grey, error over time and per joint,
+/// histogram, overlaps, angles.
 std::string evaluationPage(const Evaluation& evaluation);
 
 }  // namespace markerless_mocap

@@ -1,14 +1,9 @@
 #include "tools/evaluate/evaluation_parts_text.h"
 
-#include "tools/common/html_text.h"
 #include "tools/common/number_format.h"
-#include "tools/common/svg_plot.h"
 
 namespace markerless_mocap {
 namespace {
-
-constexpr const char *kRight = "#2a9d5c", *kWrong = "#c0392b", *kRightInvalid = "#a8d5ba",
-                     *kWrongInvalid = "#b9bec4";
 
 struct NamedFigures {
   const char *name, *words;
@@ -49,22 +44,16 @@ std::string figuresText(const PartStatistics& figures) {
          " of " + std::to_string(figures.frames);
 }
 
-std::string bandOf(const PartsEvaluation& parts, const std::vector<double>& seconds) {
-  std::vector<BandCell> cells;
-  for (size_t f = 0; f < seconds.size(); ++f) {
+Band bandOf(const PartsEvaluation& parts) {
+  Band band{"", {}};
+  for (size_t f = 0; f < parts.errors.verdicts.size(); ++f) {
     const PartEvaluation& verdict = parts.errors.verdicts[f];
-    std::string words = formatNumber("%.3f s: ", seconds[f]) +
-                        (verdict.free ? "free, " : "touching, ") +
+    std::string words = (verdict.free ? "free, " : "touching, ") +
                         formatPercent(verdict.fraction_correct) + " right";
     if (!parts.reasons[f].empty()) words += ": " + parts.reasons[f];
-    cells.push_back({verdict.valid ? (verdict.all_six_correct ? kRight : kWrong)
-                                   : (verdict.all_six_correct ? kRightInvalid : kWrongInvalid),
-                     words});
+    band.cells.push_back({size_t(!verdict.valid) * 2 + size_t(!verdict.all_six_correct), words});
   }
-  return timeBand(seconds, cells) + plotLegend({{"valid, six parts correct", kRight, {}},
-                                                {"valid and wrong", kWrong, {}},
-                                                {"invalid, all six correct", kRightInvalid, {}},
-                                                {"invalid", kWrongInvalid, {}}});
+  return band;
 }
 
 }  // namespace
@@ -82,37 +71,36 @@ void printParts(const PartsEvaluation& parts, std::ostream& out) {
   printRow(out, "curves, mm", curves + "   (from the bones' axes)");
 }
 
-JsonObject partsObject(const PartsEvaluation& parts) {
-  JsonObject out, statuses, curves;
-  out.add("fraction_valid", parts.errors.fraction_valid);
-  for (const auto& [status, count] : parts.status_counts) statuses.add(status, count);
-  out.add("status", statuses);
-  for (const NamedFigures& kind : figuresOf(parts.errors)) {
-    JsonObject figures;
-    figures.add("frames", kind.figures.frames);
-    figures.add("fraction_correct", kind.figures.fraction_correct);
-    figures.add("worst_correct", kind.figures.worst_correct);
-    figures.add("fraction_correct_inside", kind.figures.fraction_correct_inside);
-    figures.add("fraction_all_six", kind.figures.fraction_all_six);
-    out.add(kind.name, figures);
-  }
+Json partsJson(const PartsEvaluation& parts) {
+  Json curves;
+  Json out{{"fraction_valid", parts.errors.fraction_valid}, {"status", parts.status_counts}};
+  for (const NamedFigures& kind : figuresOf(parts.errors))
+    out[kind.name] = {{"frames", kind.figures.frames},
+                      {"fraction_correct", kind.figures.fraction_correct},
+                      {"worst_correct", kind.figures.worst_correct},
+                      {"fraction_correct_inside", kind.figures.fraction_correct_inside},
+                      {"fraction_all_six", kind.figures.fraction_all_six}};
   for (const NamedCurve& curve : curvesOf(parts.errors))
-    curves.add(curve.name, curve.distance_mm.mean);
-  out.add("curve_mean_mm", curves);
+    curves[curve.name] = curve.distance_mm.mean;
+  out["curve_mean_mm"] = curves;
   return out;
 }
 
-std::string partsSection(const PartsEvaluation& parts, const std::vector<double>& seconds) {
-  std::string out = "<h2>Body parts</h2>\n<p>" + formatPercent(parts.errors.fraction_valid) +
-                    " valid (" + escapeHtml(statusText(parts)) + ")</p>\n" +
-                    bandOf(parts, seconds) + "<table>\n";
+void addParts(const PartsEvaluation& parts, Page* page) {
+  page->heading("Body parts");
+  page->text(formatPercent(parts.errors.fraction_valid) + " valid (" + statusText(parts) + ")");
+  page->bands({{"valid, six parts correct", "#2a9d5c"},
+               {"valid and wrong", "#c0392b"},
+               {"invalid, all six correct", "#a8d5ba"},
+               {"invalid", "#b9bec4"}},
+              {bandOf(parts)});
+  std::vector<std::vector<std::string>> rows;
   for (const NamedFigures& kind : figuresOf(parts.errors))
-    out += "<tr><td>" + std::string(kind.words) + "</td><td>" + figuresText(kind.figures) +
-           "</td></tr>\n";
+    rows.push_back({kind.words, figuresText(kind.figures)});
   for (const NamedCurve& curve : curvesOf(parts.errors))
-    out += "<tr><td>curve of " + std::string(curve.name) + "</td><td>" +
-           formatNumber("%.0f mm from the bones' axis", curve.distance_mm.mean) + "</td></tr>\n";
-  return out + "</table>\n";
+    rows.push_back({std::string("curve of ") + curve.name,
+                    formatNumber("%.0f mm from the bones' axis", curve.distance_mm.mean)});
+  page->table({"", ""}, rows);
 }
 
 }  // namespace markerless_mocap

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <ostream>
-#include <string>
-#include <vector>
 
+#include "tools/common/page.h"
 #include "tools/evaluate/evaluation_parts.h"
-#include "tools/evaluate/json_text.h"
 
 namespace markerless_mocap {
 
@@ -13,10 +11,9 @@ namespace markerless_mocap {
 void printParts(const PartsEvaluation& parts, std::ostream& out);
 
 /// Fractions 0 to 1, distances in mm; null if there is no value.
-JsonObject partsObject(const PartsEvaluation& parts);
+Json partsJson(const PartsEvaluation& parts);
 
-/// Section of the report: numbers, correctness over time, curves. \param seconds of the frames of
-/// the ground truth
-std::string partsSection(const PartsEvaluation& parts, const std::vector<double>& seconds);
+/// Section of the report: numbers, correctness over time, curves.
+void addParts(const PartsEvaluation& parts, Page* page);
 
 }  // namespace markerless_mocap

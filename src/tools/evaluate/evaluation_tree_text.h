@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <ostream>
-#include <string>
-#include <vector>
 
+#include "tools/common/page.h"
 #include "tools/evaluate/evaluation_tree.h"
-#include "tools/evaluate/json_text.h"
 
 namespace markerless_mocap {
 
@@ -15,10 +12,10 @@ void printTrees(const TreeEvaluation& trees, std::ostream& out);
 
 /// Fractions 0 to 1, errors in mm, the curve as [threshold, precision, recall]; null if there is no
 /// value.
-JsonObject treesObject(const TreeEvaluation& trees);
+Json treesJson(const TreeEvaluation& trees);
 
 /// Section of the report: numbers, correctness over time, errors, precision and recall over the
-/// threshold. \param seconds of the frames of the ground truth
-std::string treesSection(const TreeEvaluation& trees, const std::vector<double>& seconds);
+/// threshold.
+void addTrees(const TreeEvaluation& trees, Page* page);
 
 }  // namespace markerless_mocap

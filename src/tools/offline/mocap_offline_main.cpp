@@ -49,8 +49,12 @@ void describe(CLI::App& app, Arguments* arguments) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--duration", run.recording.duration, "seconds to process")
       ->check(CLI::PositiveNumber);
-  app.add_option("--report", run.report_folder,
-                 "folder for report.html and overlays of the body on the images");
+  app.add_option(
+      "--report", run.report_folder,
+      "folder for report.html, a page that plays the motion, and overlays of the body on "
+      "the images");
+  app.add_flag("!--report-without-images", run.report_images,
+               "no images of the person in the report, only outlines");
   app.add_flag("--masks-out", run.masks_out, "also write the silhouettes");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }

@@ -115,7 +115,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   Progress progress("mocap_offline", notes, terminal);
   std::optional<RunReport> report;
   if (!options.report_folder.empty())
-    report.emplace(options.report_folder, *body->model, pipeline.rig());
+    report.emplace(options.report_folder, *body->model, pipeline.rig(),
+                   makePoseFilter(body->model, stages.fitting.filter), options.report_images);
   std::optional<CalibrationCheck> calibration;
   if (options.check_calibration) calibration.emplace(pipeline, stages.fitting);
   const auto write = [&](const FrameSet& frame_set, const PipelineResult& result) {

@@ -21,6 +21,7 @@ struct OfflineOptions {
   std::string body_file;             ///< shape from an earlier run; empty: none
   std::string save_body;             ///< file for the estimated shape; empty: none
   std::string report_folder;         ///< empty: no report
+  bool report_images = true;         ///< the report has pictures of the cameras
   std::vector<std::string> remarks;  ///< lines at the top of the report
   bool masks_out = false;            ///< also write the silhouettes
   bool check_calibration = true;     ///< say if the calibration looks wrong

@@ -1,47 +1,37 @@
-#include "tools/offline/report_cameras.h"
-
 #include <cmath>
-#include <cstdio>
 
-#include "tools/common/html_text.h"
-#include "tools/common/svg_plot.h"
+#include "tools/common/number_format.h"
+#include "tools/offline/report_page.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr const char *kUnknownLine = "#e0a020", *kOverlapLine = "#1f5fa8";
 
-std::string percent(double fraction) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", 100 * fraction);
-  return text;
-}
-
-std::string backgroundPart(const ReportCamera& camera) {
+void addBackground(const ReportCamera& camera, Page* page) {
   const std::string source = "Background: " + camera.background_source;
-  if (camera.background.empty()) return "<p>" + escapeHtml(source) + "</p>\n";
-  const std::string unknown = camera.background_unknown > 0
-                                  ? "; blue: never seen without the person, " +
-                                        percent(camera.background_unknown) + " of the image"
-                                  : "; all of it is known";
-  return pictureTag(camera.background, source + unknown);
+  if (camera.background.empty()) {
+    page->text(source);
+    return;
+  }
+  page->picture(camera.background,
+                source + (camera.background_unknown > 0
+                              ? "; blue: never seen without the person, " +
+                                    formatPercent(camera.background_unknown) + " of the image"
+                              : "; all of it is known"));
 }
 
-std::string confidencePart(const ReportCamera& camera, const std::vector<double>& seconds) {
-  const std::vector<PlotSeries> lines = {
-      {"share of the mask that is unknown", kUnknownLine, camera.unknown_of_row},
-      {"overlap of body and mask (IoU), where the mask is known", kOverlapLine, camera.iou_of_row}};
+void addConfidence(const ReportCamera& camera, Page* page) {
   const double unknown = meanOfFinite(camera.unknown_of_row);
-  if (std::isnan(unknown)) return "<p>This camera gave no mask.</p>\n";
-  return "<p>Of its masks, " + percent(unknown) + " is unknown on average.</p>\n" +
-         plotLegend(lines) + linePlot(seconds, lines, 1.0, "");
-}
-
-std::string views(const ReportContent& content, size_t camera) {
-  std::string html = "<div class=\"views\">\n";
-  for (const ReportPicture& picture : content.pictures)
-    if (camera < picture.views.size()) html += pictureTag(picture.views[camera], picture.caption);
-  return html + "</div>\n";
+  if (std::isnan(unknown)) {
+    page->text("This camera gave no mask.");
+    return;
+  }
+  page->text("Of its masks, " + formatPercent(unknown) + " is unknown on average.");
+  page->timeLines({{"share of the mask that is unknown", camera.unknown_of_row, kUnknownLine},
+                   {"overlap of body and mask (IoU), where the mask is known", camera.iou_of_row,
+                    kOverlapLine}},
+                  "", 1.0);
 }
 
 }  // namespace
@@ -57,20 +47,21 @@ double meanOfFinite(const std::vector<double>& values) {
   return count == 0 ? NAN : sum / count;
 }
 
-std::string cameraSections(const ReportContent& content, const std::vector<double>& seconds) {
-  std::string html =
-      "<h2>What each camera saw</h2><p>In the views: red outline: what the mask says is the "
-      "person; "
-      "blue: unknown, the person may be there or not; green outline: the fitted body without the "
-      "parts that are not seen. Where red and green run together, the silhouette holds the body. "
-      "Inside blue there is no silhouette: there the body follows from the other cameras and, with "
-      "colour images, from the person's colours.</p>\n";
-  for (size_t i = 0; i < content.cameras.size(); ++i) {
-    const ReportCamera& camera = content.cameras[i];
-    html += "<h3>" + escapeHtml(camera.name) + "</h3>\n" + backgroundPart(camera) +
-            confidencePart(camera, seconds) + views(content, i);
+void addCameras(const ReportContent& content, Page* page) {
+  page->heading("What each camera saw");
+  page->text(
+      "Where the outlines of mask and body run together in the views, the silhouette holds the "
+      "body. Where the mask is unknown there is no silhouette: there the body follows from the "
+      "other cameras and, with colour images, from the person's colours.");
+  std::vector<std::vector<std::string>> rows;
+  for (const ReportCamera& camera : content.cameras)
+    rows.push_back({camera.name, formatNumber("%.3f", meanOfFinite(camera.iou_of_row))});
+  page->table({"camera", "#mean IoU"}, rows);
+  for (const ReportCamera& camera : content.cameras) {
+    page->heading(camera.name, 3);
+    addBackground(camera, page);
+    addConfidence(camera, page);
   }
-  return html;
 }
 
 }  // namespace markerless_mocap

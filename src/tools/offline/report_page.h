@@ -1,31 +1,20 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
 
 #include "markerless_mocap/products/body_pose.h"
+#include "tools/common/player.h"
 
 namespace markerless_mocap {
 
 /// One frame in the report; numbers are NaN if unknown.
 struct ReportRow {
-  int64_t stamp_ns = 0;
-  PoseStatus status = PoseStatus::kLost;
-  std::string reason;
   double mean_iou = 0.0;  ///< over the views
   double skeleton_error_m = 0.0;
-  std::array<bool, kPartCount> part_seen{};       ///< by PartLabel
-  std::array<double, kPartCount> part_sigma_m{};  ///< as BodyPose::part_sigma_m
-};
-
-/// One instant; the mats are CV_8UC3.
-struct ReportPicture {
-  std::string caption;
-  cv::Mat image;               ///< all views, cropped to the body
-  std::vector<cv::Mat> views;  ///< the whole view of each camera with its evidence
+  std::array<bool, kPartCount> part_seen{};  ///< by PartLabel
 };
 
 /// One camera; numbers are NaN if unknown.
@@ -42,13 +31,25 @@ struct ReportCamera {
 struct ReportContent {
   std::string title;
   std::vector<std::string> remarks;  ///< lines at the top of the page
-  std::vector<ReportRow> rows;
+  std::vector<ResultFrame> frames;   ///< with their status and reason
+  std::vector<ReportRow> rows;       ///< one per frame
   std::vector<ReportCamera> cameras;
-  std::vector<ReportPicture> pictures;
 };
 
-/// A self-contained HTML page: status band, overlap and error over time as SVG, mean overlap per
-/// camera, which parts were not seen and why, images as JPEG, and a section for each camera.
-std::string reportPage(const ReportContent& content);
+/// The page of a run: the player; overlap and error over time; joint angles, speeds, feet on the
+/// floor and expected errors; which parts were not seen and why; a section for each camera.
+/// \param player of the frames
+Page reportPage(const ReportContent& content, Json player, const BodyModel& body);
+
+/// What each camera contributed: its background, the share of its masks that is unknown and their
+/// overlap with the body over time.
+void addCameras(const ReportContent& content, Page* page);
+
+/// When and why parts of the body were not seen: a band over time for each part, a table of frames
+/// and expected errors, and the reasons that were given, counted.
+void addParts(const ReportContent& content, Page* page);
+
+/// Mean over the frames with a figure; NaN without any.
+double meanOfFinite(const std::vector<double>& values);
 
 }  // namespace markerless_mocap

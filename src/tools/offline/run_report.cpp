@@ -10,17 +10,14 @@
 #include <utility>
 
 #include "evaluation/body_silhouette.h"
+#include "files/whole_file.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "markerless_mocap/silhouette/background_picture.h"
-#include "ros/package_files.h"
 #include "ros/pose_conversions.h"
 #include "tools/common/overlay.h"
-#include "tools/offline/report_cameras.h"
 
 namespace markerless_mocap {
 namespace {
-
-constexpr size_t kMaxPictures = 8;
 
 /// Links of parts that are not seen are not drawn.
 std::vector<bool> seenLinks(const BodyModel& model, const BodyPose& pose) {
@@ -32,29 +29,13 @@ std::vector<bool> seenLinks(const BodyModel& model, const BodyPose& pose) {
   return seen;
 }
 
-std::string captionOf(const FrameSet& frame_set, const BodyPose& pose, double mean_iou) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.3f s, %s", frame_set.stamp_ns * 1e-9, toString(pose.status));
-  std::string caption = text;
-  if (std::isfinite(mean_iou)) {
-    std::snprintf(text, sizeof text, ", mean IoU %.2f", mean_iou);
-    caption += text;
-  }
-  return pose.reason.empty() ? caption : caption + ": " + pose.reason;
+FrameStatus statusOf(PoseStatus status) {
+  if (status == PoseStatus::kTracked) return FrameStatus::kTracked;
+  return status == PoseStatus::kReinitialized ? FrameStatus::kReinitialized : FrameStatus::kLost;
 }
 
 double unknownShare(const cv::Mat& mask) {
   return mask.empty() ? NAN : cv::countNonZero(mask == kUnknownPixel) / double(mask.total());
-}
-
-std::vector<cv::Mat> viewsOf(const CameraRig& rig, const FrameSet& frame_set,
-                             const std::vector<cv::Mat>& masks,
-                             const std::vector<cv::Mat>& bodies) {
-  std::vector<cv::Mat> views;
-  for (size_t i = 0; i < rig.size(); ++i)
-    views.push_back(
-        evidenceOf(rig[i], frame_set.frames[i], masks[i], bodies.empty() ? cv::Mat() : bodies[i]));
-  return views;
 }
 
 void show(const Background& background, const std::string& source, ReportCamera* camera) {
@@ -73,23 +54,42 @@ void makeReportFolder(const std::string& folder) {
     throw std::runtime_error("cannot make the folder " + folder + " or write into it");
 }
 
-RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig& rig)
-    : folder_(std::move(folder)), model_(model), rig_(rig), has_recorded_masks_(rig.size(), false) {
+RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig& rig,
+                     std::optional<PoseFilter> filter, bool images)
+    : folder_(std::move(folder)),
+      model_(model),
+      rig_(rig),
+      filter_(std::move(filter)),
+      images_(images),
+      views_(images),
+      has_recorded_masks_(rig.size(), false) {
   makeReportFolder(folder_);
   content_.cameras.resize(rig_.size());
   for (size_t i = 0; i < rig_.size(); ++i) content_.cameras[i].name = rig_[i].name();
 }
 
 std::vector<double> RunReport::add(const FrameSet& frame_set, const PipelineResult& result) {
+  const size_t row = content_.rows.size();
   const std::vector<cv::Mat> bodies = bodyMasks(result.pose);
   const std::vector<double> overlaps = addViews(frame_set, result, bodies);
   const bool lost = result.pose.status == PoseStatus::kLost;
-  const double mean = meanOfFinite(overlaps);
-  content_.rows.push_back({frame_set.stamp_ns, result.pose.status, result.pose.reason, mean,
-                           lost ? NAN : result.pose.skeleton_error_m, result.pose.part_seen,
-                           result.pose.part_sigma_m});
-  keepPicture(frame_set, result, bodies, captionOf(frame_set, result.pose, mean));
+  content_.rows.push_back(
+      {meanOfFinite(overlaps), lost ? NAN : result.pose.skeleton_error_m, result.pose.part_seen});
+  addFrame(frame_set, result.pose);
+  keepPictures(row, frame_set, result, bodies);
   return overlaps;
+}
+
+void RunReport::addFrame(const FrameSet& frame_set, const BodyPose& raw) {
+  ResultFrame frame{frame_set.stamp_ns, statusOf(raw.status), raw.reason, {}, raw.part_sigma_m};
+  const BodyPose pose = filter_ ? filter_->filtered(frame_set.stamp_ns, raw) : raw;
+  if (pose.status != PoseStatus::kLost) {
+    model_.forwardKinematics(pose.T_world_body, pose.angles, frame.T_world_link);
+    const std::vector<bool> seen = seenLinks(model_, pose);
+    for (size_t i = 0; i < seen.size(); ++i)
+      if (!seen[i]) frame.T_world_link[i].matrix().setConstant(NAN);
+  }
+  content_.frames.push_back(std::move(frame));
 }
 
 std::vector<double> RunReport::addViews(const FrameSet& frame_set, const PipelineResult& result,
@@ -111,7 +111,9 @@ void RunReport::addBackgrounds(const std::vector<SharedBackground>& from_recordi
                                const std::vector<SharedBackground>& in_use) {
   for (size_t i = 0; i < rig_.size(); ++i) {
     ReportCamera* camera = &content_.cameras[i];
-    if (!from_recording.empty() && from_recording[i])
+    if (!images_)
+      camera->background_source = "not shown: this report has no images";
+    else if (!from_recording.empty() && from_recording[i])
       show(*from_recording[i], "learned from the whole recording", camera);
     else if (in_use[i])
       show(*in_use[i], "learned from the first images, as it is at the end of the run", camera);
@@ -133,34 +135,25 @@ std::vector<cv::Mat> RunReport::bodyMasks(const BodyPose& pose) const {
   return bodies;
 }
 
-void RunReport::keepPicture(const FrameSet& frame_set, const PipelineResult& result,
-                            const std::vector<cv::Mat>& bodies, const std::string& caption) {
-  const size_t row = content_.rows.size() - 1;
-  if (row % picture_stride_ != 0) return;
-  content_.pictures.push_back({caption, overlayOf(rig_, frame_set.frames, result.masks, bodies),
-                               viewsOf(rig_, frame_set, result.masks, bodies)});
-  picture_rows_.push_back(row);
-  if (picture_rows_.size() <= kMaxPictures) return;
-  // Too many overlays: every second one is removed, and the stride is doubled.
-  picture_stride_ *= 2;
-  for (size_t i = 0; 2 * i < picture_rows_.size(); ++i) {
-    picture_rows_[i] = picture_rows_[2 * i];
-    content_.pictures[i] = content_.pictures[2 * i];
-  }
-  picture_rows_.resize((picture_rows_.size() + 1) / 2);
-  content_.pictures.resize(picture_rows_.size());
+void RunReport::keepPictures(size_t row, const FrameSet& frame_set, const PipelineResult& result,
+                             const std::vector<cv::Mat>& bodies) {
+  if (hulls_.wants(row)) hulls_.add(row, result.hull);
+  if (views_.wants(row)) views_.add(row, rig_, frame_set.frames, result.masks, bodies);
+  if (images_ && overlays_.wants(row))
+    overlays_.add(row, overlayOf(rig_, frame_set.frames, result.masks, bodies), 1);
 }
 
 void RunReport::write(const std::string& title, const std::vector<std::string>& remarks) {
   content_.title = title;
   content_.remarks = remarks;
-  for (size_t i = 0; i < picture_rows_.size(); ++i) {
+  for (const auto& [row, overlay] : overlays_.items()) {
     char name[32];
-    std::snprintf(name, sizeof name, "/instant_%06zu.png", picture_rows_[i]);
-    if (!cv::imwrite(folder_ + name, content_.pictures[i].image))
+    std::snprintf(name, sizeof name, "/instant_%06zu.png", row);
+    if (!cv::imwrite(folder_ + name, overlay.first))
       throw std::runtime_error("cannot write " + folder_ + name);
   }
-  writeText(folder_ + "/report.html", reportPage(content_));
+  const PlayerContent player{&model_, true, &content_.frames, &rig_, &hulls_, &views_, nullptr, {}};
+  writeWholeFile(folder_ + "/report.html", reportPage(content_, playerPart(player), model_).html());
 }
 
 }  // namespace markerless_mocap

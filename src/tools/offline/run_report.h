@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "markerless_mocap/pipeline/pipeline.h"
+#include "markerless_mocap/tracking/pose_filter.h"
 #include "tools/common/recording.h"
 #include "tools/offline/report_page.h"
 
@@ -12,11 +14,14 @@ namespace markerless_mocap {
 /// Throws std::runtime_error if the folder of a report cannot be made or written to.
 void makeReportFolder(const std::string& folder);
 
-/// Compares the fitted bodies with the masks: overlap of the silhouettes, and overlay images.
+/// Compares the fitted bodies with the masks, and collects what the page of a run shows.
 class RunReport {
  public:
   /// Creates the folder. Throws std::runtime_error if this fails.
-  RunReport(std::string folder, const BodyModel& model, const CameraRig& rig);
+  /// \param filter of the motion in the page; empty: as the tracker gives it
+  /// \param images false: no picture of a camera
+  RunReport(std::string folder, const BodyModel& model, const CameraRig& rig,
+            std::optional<PoseFilter> filter = std::nullopt, bool images = true);
 
   /// \return intersection over union of each view with a mask; empty if the pose is lost
   std::vector<double> add(const FrameSet& frame_set, const PipelineResult& result);
@@ -30,19 +35,25 @@ class RunReport {
   void write(const std::string& title, const std::vector<std::string>& remarks = {});
 
  private:
+  void addFrame(const FrameSet& frame_set, const BodyPose& raw);
   std::vector<cv::Mat> bodyMasks(const BodyPose& pose) const;
   std::vector<double> addViews(const FrameSet& frame_set, const PipelineResult& result,
                                const std::vector<cv::Mat>& bodies);
-  void keepPicture(const FrameSet& frame_set, const PipelineResult& result,
-                   const std::vector<cv::Mat>& bodies, const std::string& caption);
+  void keepPictures(size_t row, const FrameSet& frame_set, const PipelineResult& result,
+                    const std::vector<cv::Mat>& bodies);
+
+  static constexpr size_t kMaxOverlays = 8;
 
   std::string folder_;
   const BodyModel& model_;
   const CameraRig& rig_;
+  std::optional<PoseFilter> filter_;
+  bool images_;
   ReportContent content_;
+  PlayerHulls hulls_;
+  PlayerViews views_;
+  EveryNth<cv::Mat> overlays_{kMaxOverlays};
   std::vector<char> has_recorded_masks_;  ///< by camera
-  std::vector<size_t> picture_rows_;      ///< row of each overlay
-  size_t picture_stride_ = 1;             ///< an overlay is kept every this many rows
 };
 
 }  // namespace markerless_mocap

@@ -130,7 +130,7 @@ TEST(SppsoReport, pageAndLinesHoldEveryRun) {
   report.parameter = "right_shoulder_forward";
   report.time = {0.001, 0.001, 0.004, 0.002, 0.002};
   const std::string page = studyPage(report);
-  EXPECT_NE(page.find("1 &lt; 2 people"), std::string::npos);
+  EXPECT_NE(page.find("1 \\u003c 2 people"), std::string::npos);
   EXPECT_NE(page.find("6.2 Evaluations"), std::string::npos);
   EXPECT_NE(page.find("40.0 %"), std::string::npos);  // drawing's share of the time
   const std::string lines = studyCsv(report.tables);

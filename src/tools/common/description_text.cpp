@@ -1,4 +1,4 @@
-#include "tools/describe_motion/description_text.h"
+#include "tools/common/description_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,33 +17,31 @@ std::string withError(double value, double error, double scale, int digits) {
   return text;
 }
 
-void printAverage(const std::string& name, const Average& average, double scale, int digits,
-                  const char* unit, std::ostream& out) {
+void addAverage(const std::string& name, const Average& average, double scale, int digits,
+                const char* unit, DescriptionSection* out) {
   if (average.count == 0) return;
   const std::string format = "%." + std::to_string(digits) + "f";
-  printRow(out, name,
-           withError(average.mean, average.error, scale, digits) + " " + unit + ", " +
-               formatNumber(format.c_str(), scale * average.deviation) + " between " +
-               std::to_string(average.count));
+  out->rows.push_back({name, withError(average.mean, average.error, scale, digits) + " " + unit +
+                                 ", " + formatNumber(format.c_str(), scale * average.deviation) +
+                                 " between " + std::to_string(average.count)});
 }
 
-void printSteps(const MotionDescription& motion, std::ostream& out) {
+DescriptionSection steps(const MotionDescription& motion) {
   constexpr double kCentimetres = 1e2, kMilliseconds = 1e3;
-  out << "steps: " << motion.steps.size() << '\n';
-  printAverage("cadence", motion.cadence_per_min, 1, 1, "per minute", out);
-  printAverage("length", motion.length_m, kCentimetres, 1, "cm", out);
-  printAverage("length left", motion.left_length_m, kCentimetres, 1, "cm", out);
-  printAverage("length right", motion.right_length_m, kCentimetres, 1, "cm", out);
-  printAverage("width", motion.width_m, kCentimetres, 1, "cm", out);
-  printAverage("contact", motion.contact_s, kMilliseconds, 0, "ms", out);
-  printAverage("contact left", motion.left_contact_s, kMilliseconds, 0, "ms", out);
-  printAverage("contact right", motion.right_contact_s, kMilliseconds, 0, "ms", out);
+  DescriptionSection out{"steps: " + std::to_string(motion.steps.size()), {}};
+  addAverage("cadence", motion.cadence_per_min, 1, 1, "per minute", &out);
+  addAverage("length", motion.length_m, kCentimetres, 1, "cm", &out);
+  addAverage("length left", motion.left_length_m, kCentimetres, 1, "cm", &out);
+  addAverage("length right", motion.right_length_m, kCentimetres, 1, "cm", &out);
+  addAverage("width", motion.width_m, kCentimetres, 1, "cm", &out);
+  addAverage("contact", motion.contact_s, kMilliseconds, 0, "ms", &out);
+  addAverage("contact left", motion.left_contact_s, kMilliseconds, 0, "ms", &out);
+  addAverage("contact right", motion.right_contact_s, kMilliseconds, 0, "ms", &out);
+  return out;
 }
 
-void printLean(const char* name, const Average& lean, double low, double high, std::ostream& out) {
-  printRow(out, name,
-           withError(lean.mean, lean.error, 1, 1) + "°, from " + formatNumber("%.1f", low) +
-               "° to " + formatNumber("%.1f", high) + "°");
+std::string fromTo(double low, double high) {
+  return "°, from " + formatNumber("%.1f", low) + "° to " + formatNumber("%.1f", high) + "°";
 }
 
 json number(double value) {
@@ -76,20 +74,29 @@ json leanJson(const Average& lean, double low, double high) {
 
 }  // namespace
 
+std::vector<DescriptionSection> descriptionSections(const MotionDescription& motion) {
+  const TrunkLean& lean = motion.lean;
+  DescriptionSection ranges{"ranges of motion (percentiles 1 to 99)", {}};
+  for (const JointRange& range : motion.ranges)
+    ranges.rows.push_back(
+        {range.joint, withError(range.range_deg.value, range.range_deg.error, 1, 1) +
+                          fromTo(range.low_deg, range.high_deg)});
+  return {steps(motion),
+          {"trunk lean",
+           {{"forward", withError(lean.forward.mean, lean.forward.error, 1, 1) +
+                            fromTo(lean.forward_low, lean.forward_high)},
+            {"left", withError(lean.left.mean, lean.left.error, 1, 1) +
+                         fromTo(lean.left_low, lean.left_high)}}},
+          ranges};
+}
+
 void printDescription(const MotionDescription& motion, std::ostream& out) {
   out << formatNumber("%.1f", motion.seconds) << " s, " << motion.frames_with_pose << " of "
       << motion.frames << " frames with a pose; ± is the expected error\n";
-  printSteps(motion, out);
-  out << "trunk lean\n";
-  const TrunkLean& lean = motion.lean;
-  printLean("forward", lean.forward, lean.forward_low, lean.forward_high, out);
-  printLean("left", lean.left, lean.left_low, lean.left_high, out);
-  out << "ranges of motion (percentiles 1 to 99)\n";
-  for (const JointRange& range : motion.ranges)
-    printRow(out, range.joint,
-             withError(range.range_deg.value, range.range_deg.error, 1, 1) + "°, from " +
-                 formatNumber("%.1f", range.low_deg) + "° to " +
-                 formatNumber("%.1f", range.high_deg) + "°");
+  for (const DescriptionSection& section : descriptionSections(motion)) {
+    out << section.title << '\n';
+    for (const auto& [name, value] : section.rows) printRow(out, name, value);
+  }
 }
 
 std::string descriptionJson(const MotionDescription& motion) {

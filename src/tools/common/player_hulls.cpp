@@ -1,0 +1,86 @@
+#include "tools/common/player_hulls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kMinPitch = 0.03;  // metres
+
+/// Occupied cells of a box.
+struct Cells {
+  Eigen::Vector3i size;
+  std::vector<bool> inside;
+
+  size_t at(const Eigen::Vector3i& cell) const {
+    return (size_t(cell.z()) * size_t(size.y()) + size_t(cell.y())) * size_t(size.x()) +
+           size_t(cell.x());
+  }
+  bool holds(const Eigen::Vector3i& cell) const {
+    return (cell.array() >= 0).all() && (cell.array() < size.array()).all() && inside[at(cell)];
+  }
+  bool isSurface(const Eigen::Vector3i& cell) const {
+    if (!holds(cell)) return false;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1})
+        if (!holds(cell + step * Eigen::Vector3i::Unit(axis))) return true;
+    return false;
+  }
+};
+
+std::vector<uint8_t> surfaceBits(const Cells& cells) {
+  std::vector<uint8_t> bits((cells.inside.size() + 7) / 8, 0);
+  Eigen::Vector3i cell;
+  for (cell.z() = 0; cell.z() < cells.size.z(); ++cell.z())
+    for (cell.y() = 0; cell.y() < cells.size.y(); ++cell.y())
+      for (cell.x() = 0; cell.x() < cells.size.x(); ++cell.x())
+        if (cells.isSurface(cell)) bits[cells.at(cell) / 8] |= uint8_t(1u << cells.at(cell) % 8);
+  return bits;
+}
+
+}  // namespace
+
+PlayerHulls::Box PlayerHulls::boxOf(const VisualHull& hull) {
+  const VoxelLattice& lattice = hull.lattice;
+  Box box;
+  if (hull.voxels.empty()) return box;
+  const int joined = std::max(1, int(std::ceil(kMinPitch / lattice.pitch - 1e-6)));
+  const auto cellOf = [&](const HullVoxel& voxel) -> Eigen::Vector3i {
+    return lattice.coordinates(voxel.index) / joined;
+  };
+  Eigen::Vector3i low = cellOf(hull.voxels.front()), high = low;
+  for (const HullVoxel& voxel : hull.voxels) {
+    low = low.cwiseMin(cellOf(voxel));
+    high = high.cwiseMax(cellOf(voxel));
+  }
+  Cells cells{high - low + Eigen::Vector3i::Ones(), {}};
+  cells.inside.assign(size_t(cells.size.prod()), false);
+  for (const HullVoxel& voxel : hull.voxels) cells.inside[cells.at(cellOf(voxel) - low)] = true;
+  box.pitch = joined * lattice.pitch;
+  box.corner = lattice.origin + box.pitch * low.cast<double>();
+  box.size = cells.size;
+  box.bits = surfaceBits(cells);
+  return box;
+}
+
+void PlayerHulls::add(size_t frame, const VisualHull& hull) {
+  Box box = boxOf(hull);
+  const size_t bytes = box.bits.size();
+  hulls_.add(frame, std::move(box), bytes);
+}
+
+Json PlayerHulls::json() const {
+  Json out = Json::array();
+  for (const auto& [frame, hull] : hulls_.items()) {
+    const Box& box = hull.first;
+    out.push_back({{"frame", frame},
+                   {"pitch", box.pitch},
+                   {"corner", {box.corner.x(), box.corner.y(), box.corner.z()}},
+                   {"size", {box.size.x(), box.size.y(), box.size.z()}},
+                   {"bits", base64(box.bits.data(), box.bits.size())}});
+  }
+  return out;
+}
+
+}  // namespace markerless_mocap
