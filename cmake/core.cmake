@@ -48,6 +48,19 @@ mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
 mocap_room(exports DEPENDS body character evaluation files motion
   LIBRARIES nlohmann_json::nlohmann_json TESTS_USE capture)
 
+# templates/ and Debian's three.js are built in, so that a page needs nothing else.
+set(MOCAP_RESOURCE_SOURCES "")
+find_path(THREE_JS three.min.js PATHS /usr/share/javascript/three REQUIRED)
+foreach(resource "pageHtml templates/page.html" "pageStyle templates/page.css"
+    "pagePartsJs templates/parts.js" "pagePlayerJs templates/player.js"
+    "threeJs ${THREE_JS}/three.min.js"
+    "orbitControlsJs ${THREE_JS}/examples/js/controls/OrbitControls.js")
+  separate_arguments(resource)
+  mocap_resource(${resource} pages/page_resources.h)
+endforeach()
+mocap_room(pages DEPENDS products LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs
+  SOURCES ${MOCAP_RESOURCE_SOURCES})
+
 # Pictures to joints, over all rooms.
 if(MARKERLESS_MOCAP_TESTS)
   mocap_room_tests(accuracy mocap_pipeline mocap_capture mocap_evaluation mocap_calibration)

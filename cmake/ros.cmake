@@ -73,19 +73,9 @@ list(APPEND programs all_stages_host)
 
 # One program per src/<room>/<folder>/<program>_main.cpp. What users run lies in tools; studies are
 # for those who work on the methods and are not installed.
-# The pages that they write: templates/ and Debian's three.js, so that a page needs nothing else.
-set(MOCAP_RESOURCE_SOURCES "")
-find_path(THREE_JS three.min.js PATHS /usr/share/javascript/three REQUIRED)
-foreach(resource "pageHtml templates/page.html" "pageStyle templates/page.css"
-    "pagePartsJs templates/parts.js" "pagePlayerJs templates/player.js"
-    "threeJs ${THREE_JS}/three.min.js"
-    "orbitControlsJs ${THREE_JS}/examples/js/controls/OrbitControls.js")
-  separate_arguments(resource)
-  mocap_resource(${resource} tools/common/page_resources.h)
-endforeach()
-mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration checks
+mocap_room(tools DEPENDS ros pipeline capture evaluation exports formats calibration checks pages
   LIBRARIES nlohmann_json::nlohmann_json opencv_calib3d opencv_imgcodecs opencv_videoio
-  SOURCES ${MOCAP_RESOURCE_SOURCES} TESTS_USE clouds)
+  TESTS_USE clouds)
 mocap_room(studies DEPENDS tools)
 function(mocap_programs room)
   file(GLOB_RECURSE mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*_main.cpp)

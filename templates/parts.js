@@ -1,4 +1,4 @@
-// Shows the parts of a page (src/tools/common/page.h): texts, tables, plots.
+// Shows the parts of a page (src/pages/page.h): texts, tables, plots.
 'use strict';
 
 const COLORS = ['#1f5fa8', '#e08a2c', '#2a9d5c', '#c0392b', '#7d4fa0', '#17a2b8', '#8d6e63', '#555555'];

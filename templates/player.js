@@ -123,9 +123,9 @@ function makeSkeleton(parents, poses) {
   return lines;
 }
 
-/** Surface voxels as points; their bits are read when their time comes. */
+/** Surface voxels as points; they are read when their time comes. */
 function makeHull(hulls) {
-  const room = hulls.reduce((most, hull) => Math.max(most, hull.size[0] * hull.size[1] * hull.size[2]), 0);
+  const room = hulls.reduce((most, hull) => Math.max(most, hull.gaps.length), 0);  // base64: more than bytes
   const geometry = new THREE.BufferGeometry(), centers = new THREE.BufferAttribute(new Float32Array(3 * room), 3);
   geometry.setAttribute('position', centers);
   const material = new THREE.PointsMaterial({color: '#5b8fd0', size: 0.03, transparent: true, opacity: 0.3});
@@ -138,13 +138,16 @@ function makeHull(hulls) {
     shown = hull;
     let count = 0;
     if (hull) {
-      const bits = bytesOf(hull.bits), [nx, ny, nz] = hull.size, half = [0, 1, 2].map(k => hull.corner[k] + hull.pitch / 2);
-      for (let i = 0; i < nx * ny * nz; ++i)
-        if (bits[i >> 3] >> (i & 7) & 1) {
-          const cell = [i % nx, Math.floor(i / nx) % ny, Math.floor(i / (nx * ny))];
-          for (let k = 0; k < 3; ++k) centers.array[3 * count + k] = half[k] + hull.pitch * cell[k];
-          ++count;
-        }
+      const [nx, ny] = hull.size, half = hull.corner.map(value => value + hull.pitch / 2);
+      let next = 0;
+      for (const gap of bytesOf(hull.gaps)) {
+        next += gap;
+        if (gap === 255) continue;
+        const cell = [next % nx, Math.floor(next / nx) % ny, Math.floor(next / (nx * ny))];
+        for (let k = 0; k < 3; ++k) centers.array[3 * count + k] = half[k] + hull.pitch * cell[k];
+        ++count;
+        ++next;
+      }
       material.size = 2 * hull.pitch;  // three.js does not count the angle of view: a voxel's size is 2.7
     }
     geometry.setDrawRange(0, count);

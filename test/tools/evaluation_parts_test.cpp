@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "error_text_of.h"
+#include "pages/page_reader.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
 #include "tools/evaluation_fixture.h"
-#include "tools/page_reader.h"
 
 namespace markerless_mocap {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "error_text_of.h"
 #include "markerless_mocap/camera/rig_file.h"
+#include "pages/page_reader.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
 #include "tools/evaluation_fixture.h"
-#include "tools/page_reader.h"
 
 namespace markerless_mocap {
 namespace {

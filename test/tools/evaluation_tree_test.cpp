@@ -7,11 +7,11 @@
 #include <map>
 #include <sstream>
 
+#include "pages/page_reader.h"
 #include "tools/evaluate/evaluation_json.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
 #include "tools/evaluation_fixture.h"
-#include "tools/page_reader.h"
 
 namespace markerless_mocap {
 namespace {

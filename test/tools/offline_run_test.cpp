@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "markerless_mocap/ros/messages.h"
+#include "pages/page_reader.h"
 #include "tools/common/camera_bag_writer.h"
-#include "tools/page_reader.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {

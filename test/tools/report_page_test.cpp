@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "pages/page_reader.h"
 #include "tools/common/person_urdf.h"
-#include "tools/page_reader.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <numeric>
 
+#include "pages/page.h"
 #include "tools/common/number_format.h"
-#include "tools/common/page.h"
 
 namespace markerless_mocap {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "pages/page.h"
 #include "tools/common/number_format.h"
-#include "tools/common/page.h"
 
 namespace markerless_mocap {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
-#include "tools/common/page.h"
-#include "tools/common/player_hulls.h"
+#include "pages/page.h"
+#include "pages/player_hulls.h"
 #include "tools/common/player_views.h"
 #include "tools/common/result_record.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "tools/common/every_nth.h"
-#include "tools/common/page.h"
+#include "pages/every_nth.h"
+#include "pages/page.h"
 
 namespace markerless_mocap {
 

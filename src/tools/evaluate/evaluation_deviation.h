@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluation/uncertainty_calibration.h"
-#include "tools/common/page.h"
+#include "pages/page.h"
 #include "tools/common/result_record.h"
 
 namespace markerless_mocap {

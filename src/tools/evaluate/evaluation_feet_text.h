@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/common/page.h"
+#include "pages/page.h"
 #include "tools/evaluate/evaluation_feet.h"
 
 namespace markerless_mocap {

@@ -8,7 +8,7 @@
 
 #include "evaluation/joint_error.h"
 #include "markerless_mocap/hull/hull_carver.h"
-#include "tools/common/player_hulls.h"
+#include "pages/player_hulls.h"
 #include "tools/common/player_views.h"
 #include "tools/common/recording.h"
 #include "tools/common/result_record.h"

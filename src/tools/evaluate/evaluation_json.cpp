@@ -1,6 +1,6 @@
 #include "tools/evaluate/evaluation_json.h"
 
-#include "tools/common/page.h"
+#include "pages/page.h"
 #include "tools/evaluate/evaluation_feet_text.h"
 #include "tools/evaluate/evaluation_parts_text.h"
 #include "tools/evaluate/evaluation_tree_text.h"

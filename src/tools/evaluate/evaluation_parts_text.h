@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "tools/common/page.h"
+#include "pages/page.h"
 #include "tools/evaluate/evaluation_parts.h"
 
 namespace markerless_mocap {

@@ -1,8 +1,8 @@
-#include "tools/common/page.h"
+#include "pages/page.h"
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "tools/common/page_resources.h"
+#include "pages/page_resources.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,60 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "tools/common/player_hulls.h"
+#include "pages/page_reader.h"
 #include "tools/common/player_views.h"
-#include "tools/page_reader.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
 namespace {
-
-VisualHull hullOf(double pitch, const std::vector<Eigen::Vector3i>& cells) {
-  VisualHull hull;
-  hull.lattice.origin = {1, 2, 0};
-  hull.lattice.pitch = pitch;
-  hull.lattice.size = {40, 40, 40};
-  for (const Eigen::Vector3i& c : cells) {
-    hull.voxels.emplace_back();
-    hull.voxels.back().index = hull.lattice.index(c.x(), c.y(), c.z());
-  }
-  return hull;
-}
-
-std::vector<Eigen::Vector3i> block(int begin, int end) {
-  std::vector<Eigen::Vector3i> cells;
-  for (int z = begin; z < end; ++z)
-    for (int y = begin; y < end; ++y)
-      for (int x = begin; x < end; ++x) cells.push_back({x, y, z});
-  return cells;
-}
-
-int bitsIn(const Json& hull) {
-  int count = 0;
-  for (const uint8_t byte : bytesOfBase64(hull["bits"])) count += __builtin_popcount(byte);
-  return count;
-}
-
-TEST(PlayerHulls, KeepTheSurfaceInTheBoxAroundIt) {
-  PlayerHulls hulls;
-  hulls.add(0, hullOf(0.04, block(10, 13)));
-  hulls.add(1, hullOf(0.04, {}));
-  const Json json = hulls.json();
-  EXPECT_EQ(json[0]["size"], Json({3, 3, 3}));
-  EXPECT_NEAR(json[0]["corner"][0], 1.4, 1e-12);
-  EXPECT_NEAR(json[0]["corner"][2], 0.4, 1e-12);
-  EXPECT_EQ(bitsIn(json[0]), 26) << "all but the middle";
-  EXPECT_EQ(bytesOfBase64(json[0]["bits"])[13 / 8] >> 13 % 8 & 1, 0);
-  EXPECT_EQ(json[1]["size"], Json({0, 0, 0}));
-}
-
-TEST(PlayerHulls, SmallVoxelsAreJoined) {
-  PlayerHulls hulls;
-  hulls.add(0, hullOf(0.01, block(6, 12)));
-  const Json json = hulls.json();
-  EXPECT_NEAR(json[0]["pitch"], 0.03, 1e-12);
-  EXPECT_EQ(json[0]["size"], Json({2, 2, 2}));
-  EXPECT_NEAR(json[0]["corner"][1], 2.06, 1e-12);
-}
 
 CameraRig oneCamera() {
   return {Camera(ringOfFour()[0])};

@@ -1,11 +1,11 @@
-#include "tools/common/page.h"
+#include "pages/page.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tools/common/every_nth.h"
-#include "tools/page_reader.h"
+#include "pages/every_nth.h"
+#include "pages/page_reader.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/common/player_hulls.h"
+#include "pages/player_hulls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kMinPitch = 0.03;  // metres
+constexpr uint8_t kLongGap = 255;
 
 /// Occupied cells of a box.
 struct Cells {
@@ -29,14 +30,20 @@ struct Cells {
   }
 };
 
-std::vector<uint8_t> surfaceBits(const Cells& cells) {
-  std::vector<uint8_t> bits((cells.inside.size() + 7) / 8, 0);
+std::vector<uint8_t> surfaceGaps(const Cells& cells) {
+  std::vector<uint8_t> gaps;
+  size_t next = 0;  // cell after the last one of the surface
   Eigen::Vector3i cell;
   for (cell.z() = 0; cell.z() < cells.size.z(); ++cell.z())
     for (cell.y() = 0; cell.y() < cells.size.y(); ++cell.y())
-      for (cell.x() = 0; cell.x() < cells.size.x(); ++cell.x())
-        if (cells.isSurface(cell)) bits[cells.at(cell) / 8] |= uint8_t(1u << cells.at(cell) % 8);
-  return bits;
+      for (cell.x() = 0; cell.x() < cells.size.x(); ++cell.x()) {
+        if (!cells.isSurface(cell)) continue;
+        const size_t at = cells.at(cell);
+        for (; at - next >= kLongGap; next += kLongGap) gaps.push_back(kLongGap);
+        gaps.push_back(uint8_t(at - next));
+        next = at + 1;
+      }
+  return gaps;
 }
 
 }  // namespace
@@ -60,13 +67,13 @@ PlayerHulls::Box PlayerHulls::boxOf(const VisualHull& hull) {
   box.pitch = joined * lattice.pitch;
   box.corner = lattice.origin + box.pitch * low.cast<double>();
   box.size = cells.size;
-  box.bits = surfaceBits(cells);
+  box.gaps = surfaceGaps(cells);
   return box;
 }
 
 void PlayerHulls::add(size_t frame, const VisualHull& hull) {
   Box box = boxOf(hull);
-  const size_t bytes = box.bits.size();
+  const size_t bytes = box.gaps.size();
   hulls_.add(frame, std::move(box), bytes);
 }
 
@@ -78,7 +85,7 @@ Json PlayerHulls::json() const {
                    {"pitch", box.pitch},
                    {"corner", {box.corner.x(), box.corner.y(), box.corner.z()}},
                    {"size", {box.size.x(), box.size.y(), box.size.z()}},
-                   {"bits", base64(box.bits.data(), box.bits.size())}});
+                   {"gaps", base64(box.gaps.data(), box.gaps.size())}});
   }
   return out;
 }

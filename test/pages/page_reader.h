@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/common/page.h"
+#include "pages/page.h"
 
 namespace markerless_mocap {
 
