@@ -447,7 +447,7 @@ class Player {
     requestAnimationFrame(next => this.tick(next));
   }
   key(event) {
-    if (event.target.closest('input, select')) return;
+    if (event.target.closest(event.key === ' ' ? 'input, select, button' : 'input, select')) return;
     const steps = {ArrowLeft: -1, ArrowRight: 1};
     if (event.key === ' ') timeline.playing ? this.pause() : this.play();
     else if (event.key in steps) {
