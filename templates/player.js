@@ -67,11 +67,13 @@ function meshOf(cones, opacity) {
   return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors, transparent: opacity < 1, opacity}));
 }
 
-/** Whether the browser draws in space by software: smooth edges would cost half of the frames. */
-function drawsBySoftware() {
+/** Who draws in space: 'none', 'software', for which smooth edges would cost half of the frames, or 'hardware'. */
+function whoDraws() {
   const gl = document.createElement('canvas').getContext('webgl');
-  const info = gl && gl.getExtension('WEBGL_debug_renderer_info');
-  return Boolean(info) && /swiftshader|llvmpipe|software/i.test(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  if (!gl) return 'none';
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  return /swiftshader|llvmpipe|software/i.test(name) ? 'software' : 'hardware';
 }
 
 /** Poses of 7 numbers: place, then quaternion x y z w. */
@@ -225,9 +227,9 @@ function groundOf(poses, step) {
 
 /** Body, hull, skeleton, truth and cameras in space. */
 class Stage {
-  constructor(part) {
+  constructor(part, antialias) {
     this.node = html('div', {class: 'stage'});
-    this.renderer = new THREE.WebGLRenderer({antialias: !drawsBySoftware()});
+    this.renderer = new THREE.WebGLRenderer({antialias});
     this.renderer.setClearColor('#f3f5f7');
     this.node.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
@@ -271,7 +273,7 @@ class Stage {
     const bar = html('div', {class: 'layers'});
     for (const [name, layer] of Object.entries(this.layers)) {
       const tick = html('input', {type: 'checkbox'});
-      tick.checked = true;
+      layer.visible = tick.checked = name !== 'hull' || !part.truth;  // it would hide what is compared
       tick.addEventListener('change', () => { layer.visible = tick.checked; this.changed = true; });
       bar.append(html('label', {}, tick, ' ' + name));
       this.scene.add(layer);
@@ -403,11 +405,9 @@ function eventTable(events, player) {
 /** Plays the page. window.player is for those who want to drive it by a script. */
 class Player {
   constructor(part) {
-    try {
-      this.stage = new Stage(part);
-    } catch (error) {
-      this.stage = {node: html('p', {}, 'This browser has no WebGL: the body is not shown in space.'), show() {}, draw() {}};
-    }
+    const drawing = whoDraws();
+    this.stage = drawing !== 'none' ? new Stage(part, drawing === 'hardware') :
+      {node: html('p', {}, 'This browser has no WebGL: the body is not shown in space.'), show() {}, draw() {}};
     this.views = part.views.length ? new Views(part.views, part.cameras) : {node: null, show() {}};
     this.bar = new Bar(part, this);
     this.time = 0;

@@ -52,16 +52,19 @@ std::vector<Json> eventsOf(const Evaluation& evaluation) {
                       {"what", std::string(name) + " frame"},
                       {"why", formatNumber("D = %.0f mm", evaluation.joints.D[frame])}});
   for (const LimbLoss& limb : evaluation.limbs) {
+    const auto link = size_t(evaluation.body->linkIndex(limb.end));
     const auto lost = [&](size_t f) {
-      return f < limb.lost.size() && limb.lost[f] && !evaluation.frames[f].T_world_link.empty();
+      if (f >= limb.lost.size() || !limb.lost[f]) return false;
+      const LinkPoses& links = evaluation.frames[f].T_world_link;
+      return !links.empty() && links[link].matrix().allFinite();
     };
     for (size_t f = 0, next = 0; f < limb.lost.size(); f = next + 1) {
       for (next = f; lost(next);) ++next;
       if (next == f) continue;
       events.push_back({{"frame", f},
                         {"frames", next - f},
-                        {"what", limb.limb + " lost"},
-                        {"why", "its end is over 150 mm off or not published"}});
+                        {"what", limb.limb + " far off"},
+                        {"why", "its end is over 150 mm off"}});
     }
   }
   return events;
