@@ -195,7 +195,7 @@ function nameSprite(name) {
 
 /** A pyramid for each camera, with its name. */
 function makeCameras(cameras) {
-  const all = new THREE.Group(), depth = 0.3;
+  const all = new THREE.Group(), depth = 0.2;
   for (const camera of cameras) {
     const place = new THREE.Vector3(), turn = new THREE.Quaternion(), [x, y] = camera.tangents.map(t => t * depth);
     readPose(camera.place, 0, place, turn);
@@ -298,12 +298,21 @@ class Stage {
   }
 }
 
+/** The fewest columns in which all views are about as high as the stage. */
+function columnsFor(count, aspect) {
+  const width = 470, most = 620, caption = 24;
+  for (let columns = 1; columns < count; ++columns)
+    if (Math.ceil(count / columns) * (width / columns * aspect + caption) <= most) return columns;
+  return count;
+}
+
 /** The views of all cameras, each an image with outlines. */
 class Views {
   constructor(views, cameras) {
     this.views = views;
     this.canvases = cameras.map(camera => html('canvas', {width: VIEW_WIDTH, height: VIEW_WIDTH * 0.75, title: camera.name}));
-    this.node = html('div', {class: 'views'}, ...this.canvases.map(
+    const columns = columnsFor(cameras.length, Math.max(...views[0].cameras.map(view => view.aspect)));
+    this.node = html('div', {class: 'views', style: `grid-template-columns: repeat(${columns}, 1fr)`}, ...this.canvases.map(
       (canvas, i) => html('figure', {}, canvas, html('figcaption', {}, cameras[i].name))));
     this.pictures = new Map();  // by item: its images, made shortly before they are shown
   }
