@@ -41,7 +41,8 @@ mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao 
   TESTS_USE evaluation)
 
 mocap_room(motion DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(character DEPENDS motion options LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp)
+mocap_room(character DEPENDS motion options
+  LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp nlohmann_json::nlohmann_json)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)

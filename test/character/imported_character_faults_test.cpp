@@ -18,6 +18,24 @@ TEST_F(Imported, FaultsOfTheFile) {
   EXPECT_EQ(faultOf(file("empty.gltf")), "has no mesh");
 }
 
+TEST_F(Imported, WhatEndsTheImporterIsRefusedBefore) {
+  const std::string asset = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"scene":0,)";
+  std::ofstream(file("skin.gltf"))
+      << asset << R"("nodes":[{"name":"a"}],"skins":[{"joints":[0]}]})";
+  EXPECT_EQ(faultOf(file("skin.gltf")),
+            "its skin 0 has no inverseBindMatrices, export it with them");
+  for (const bool circle : {false, true}) {
+    std::ofstream deep(file("deep.gltf"));
+    const int nodes = circle ? 2 : 20000;
+    deep << asset << "\"nodes\":[";
+    for (int i = 0; i + 1 < nodes; ++i) deep << "{\"children\":[" << i + 1 << "]},";
+    deep << (circle ? "{\"children\":[0]}" : "{}") << "]}";
+    deep.close();
+    EXPECT_EQ(faultOf(file("deep.gltf")),
+              "its nodes are nested more than 500 deep, or in a circle");
+  }
+}
+
 TEST_F(Imported, FaultsOfTheRig) {
   BoxMan statue = mixamoMan();
   statue.has_bones = false;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "character/import/gltf_check.h"
 #include "character/import/material_colors.h"
 #include "character/import/node_joints.h"
 
@@ -142,6 +143,7 @@ RiggedScene::RiggedScene(const std::string& path)
     : path_(path), importer_(std::make_unique<Assimp::Importer>()) {
   if (!std::filesystem::is_regular_file(path))
     throw std::invalid_argument(path + ": there is no such file");
+  checkGltf(path);
   // Separate pivot nodes would be between the joints, and normals would keep equal vertices
   // separate.
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
