@@ -99,7 +99,8 @@ Camera::Camera(CameraCalibration calibration) : calibration_(std::move(calibrati
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_world) const {
   const std::optional<Eigen::Vector2d> plane = distortedPoint(lens_, T_camera_world_ * point_world);
   if (!plane) return std::nullopt;
-  return Eigen::Vector2d(calibration_.K.topRows<2>() * plane->homogeneous());
+  const Eigen::Vector3d distorted = plane->homogeneous();
+  return Eigen::Vector2d(calibration_.K.topRows<2>() * distorted);
 }
 
 std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& point_world) const {
