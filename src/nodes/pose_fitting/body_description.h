@@ -19,6 +19,10 @@ class BodyDescription {
   /// Sets the parameter again if it was removed.
   void restore();
   void remove();
+  /// Asks the master, which has lost it if it was started again. May be called at any time.
+  bool isThere() const;
+  /// The parameter is not there: restore() will set it.
+  void forget();
 
  private:
   std::string parameter_, urdf_;

@@ -267,14 +267,17 @@ void FittingStage::announce(bool tracked, const ros::Time& stamp) {
   if (lost) description_.remove();
 }
 
-void FittingStage::withdrawIfSilent() {
+void FittingStage::checkAnnouncement() {
+  const bool described = description_.isThere();
   const std::lock_guard lock(announcing_);
+  if (!described) description_.forget();
+  if (announcer_.isTracked()) description_.restore();
   if ((ros::WallTime::now() - last_published_).toSec() > kLongestSilence)
     announce(false, ros::Time::now());
 }
 
 void FittingStage::beat() {
-  withdrawIfSilent();
+  checkAnnouncement();
   MocapStatus message;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = node_options_.world_frame;

@@ -50,7 +50,8 @@ class FittingStage {
   void saveBody();
   void publish(const BodyPose& raw, const std_msgs::Header& header);
   void announce(bool tracked, const ros::Time& stamp);
-  void withdrawIfSilent();
+  /// Nobody is announced when no poses come, and nobody without a description.
+  void checkAnnouncement();
   /// Publishes the state, also when no images come.
   void beat();
   void reportTimes(double fitting, const ros::Time& stamp);
