@@ -48,6 +48,18 @@ class SilhouetteExtractor::Impl {
             found.changed_fraction, found.light_gain};
   }
 
+  void change(SilhouetteOptions options) {
+    options.model = options_.model;
+    options.background = options_.background;
+    options.background_frames = options_.background_frames;
+    options.max_megapixels = options_.max_megapixels;
+    options.network = options_.network;
+    options.validate();
+    options_ = options;
+    if (subtractor_) subtractor_->change(options_);
+    if (live_) live_->change(options_);
+  }
+
   void reset() {
     if (learns()) subtractor_.reset();
     live_.reset();
@@ -169,6 +181,10 @@ SilhouetteExtractor& SilhouetteExtractor::operator=(SilhouetteExtractor&&) noexc
 
 SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
   return impl_->update(image);
+}
+
+void SilhouetteExtractor::change(const SilhouetteOptions& options) {
+  impl_->change(options);
 }
 
 void SilhouetteExtractor::reset() {

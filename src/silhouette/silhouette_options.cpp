@@ -58,6 +58,10 @@ void SilhouetteOptions::visit(OptionVisitor& v) {
   v.section("network", network, "the model network: an ONNX file and how to run it");
 }
 
+std::set<std::string> SilhouetteOptions::fixedKeys() {
+  return {"model", "background", "background_frames", "max_megapixels", "network"};
+}
+
 void SilhouetteOptions::validate() const {
   checkFields(*this);
 }

@@ -33,6 +33,37 @@ TEST_P(BackgroundModel, FindsADiscAndNothingElse) {
   EXPECT_GT(iou(extractor.update(withNoise(image, 101)).mask, disc), 0.97);
 }
 
+TEST_P(BackgroundModel, SettingsChangeAndTheBackgroundStays) {
+  const cv::Mat scene = makeScene(3);
+  const SilhouetteOptions options = ofModel(GetParam());
+  SilhouetteExtractor extractor = learned(scene, options);
+  const cv::Mat image = withPerson(scene);
+  SilhouetteOptions blind = options;
+  blind.threshold_sigmas = blind.min_sigma = 50;  // nothing differs that much
+  blind.background_frames = 99;                   // is fixed
+  extractor.change(blind);
+  EXPECT_EQ(cv::countNonZero(extractor.update(image).mask), 0);
+  extractor.change(options);
+  EXPECT_GT(iou(extractor.update(image).mask, exactMask()), 0.95);
+  blind.threshold_sigmas = 99;
+  EXPECT_THROW(extractor.change(blind), std::invalid_argument);
+  EXPECT_GT(iou(extractor.update(image).mask, exactMask()), 0.95);
+}
+
+TEST_P(BackgroundModel, SettingsMayChangeWhileItLearns) {
+  const cv::Mat scene = makeScene(3);
+  SilhouetteOptions options = ofModel(GetParam());
+  SilhouetteExtractor extractor(options);
+  for (int i = 0; i < options.background_frames; ++i) {
+    if (i == 5) {
+      options.open_radius_px = 0;
+      extractor.change(options);
+    }
+    EXPECT_EQ(extractor.update(withNoise(scene, i)).state, SilhouetteState::kLearning);
+  }
+  EXPECT_GT(iou(extractor.update(withPerson(scene)).mask, exactMask()), 0.95);
+}
+
 class OwnModel : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Models, OwnModel, testing::Values("gaussian", "mean_shift"));
 

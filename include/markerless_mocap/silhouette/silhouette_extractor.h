@@ -44,6 +44,10 @@ class SilhouetteExtractor {
   ///   `background_frames` images. If somebody moves in them (option `background`), what these
   ///   images do not show is unknown, and is learned later, as people move.
   SilhouetteResult update(const cv::Mat& image);
+  /// Takes over all settings from the next image on, but what SilhouetteOptions::fixedKeys() names:
+  /// that stays, and so does the background. Throws std::invalid_argument as
+  /// SilhouetteOptions::validate(); then nothing changes.
+  void change(const SilhouetteOptions& options);
   /// Returns to the initial state: the background as it was loaded, or learning.
   void reset();
   /// Discards the background, also a loaded or given one, and starts learning.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "markerless_mocap/options/options.h"
@@ -60,6 +61,9 @@ struct SilhouetteOptions {
   NetworkOptions network;
 
   void visit(OptionVisitor& v);
+  /// Keys of what a running extractor cannot change: what the background is learned from, and the
+  /// size of the images.
+  static std::set<std::string> fixedKeys();
   /// Throws std::invalid_argument naming key, value and allowed range.
   void validate() const;
 };

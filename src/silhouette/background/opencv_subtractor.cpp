@@ -9,17 +9,25 @@ namespace {
 /// OpenCV's background subtractors with this room's clean-up, for comparison.
 class OpenCvSubtractor : public Subtractor {
  public:
-  explicit OpenCvSubtractor(const SilhouetteOptions& options) : options_(options) {
+  explicit OpenCvSubtractor(const SilhouetteOptions& options) {
+    if (options.model == "mog2")
+      subtractor_ = mog2_ = cv::createBackgroundSubtractorMOG2();
+    else
+      subtractor_ = knn_ = cv::createBackgroundSubtractorKNN();
+    change(options);
+  }
+
+  void change(const SilhouetteOptions& options) override {
+    options_ = options;
     const double variance = options.threshold_sigmas * options.threshold_sigmas;
-    if (options.model == "mog2") {
-      auto mog2 = cv::createBackgroundSubtractorMOG2(500, variance, options.remove_shadows);
-      mog2->setShadowThreshold(options.min_shadow_brightness);
-      subtractor_ = mog2;
+    if (mog2_) {
+      mog2_->setVarThreshold(variance);
+      mog2_->setDetectShadows(options.remove_shadows);
+      mog2_->setShadowThreshold(options.min_shadow_brightness);
     } else {
-      const double distance = variance * options.min_sigma * options.min_sigma;
-      auto knn = cv::createBackgroundSubtractorKNN(500, distance, options.remove_shadows);
-      knn->setShadowThreshold(options.min_shadow_brightness);
-      subtractor_ = knn;
+      knn_->setDist2Threshold(variance * options.min_sigma * options.min_sigma);
+      knn_->setDetectShadows(options.remove_shadows);
+      knn_->setShadowThreshold(options.min_shadow_brightness);
     }
   }
 
@@ -37,7 +45,9 @@ class OpenCvSubtractor : public Subtractor {
 
  private:
   SilhouetteOptions options_;
-  cv::Ptr<cv::BackgroundSubtractor> subtractor_;
+  cv::Ptr<cv::BackgroundSubtractorMOG2> mog2_;
+  cv::Ptr<cv::BackgroundSubtractorKNN> knn_;
+  cv::Ptr<cv::BackgroundSubtractor> subtractor_;  ///< one of the two
   cv::Mat classes_;
 };
 

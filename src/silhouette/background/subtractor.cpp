@@ -73,6 +73,11 @@ class ModelSubtractor : public Subtractor {
     return found;
   }
 
+  void change(const SilhouetteOptions& options) override {
+    options_ = options;
+    if (!background_.empty()) setThreshold();
+  }
+
   const Background* background() const override { return &background_; }
 
  private:

@@ -25,6 +25,8 @@ class Subtractor {
   /// Call this after the last image to learn from.
   virtual void finishLearning() = 0;
   virtual Extraction extract(const cv::Mat& image) = 0;
+  /// Takes over the settings; what was learned stays.
+  virtual void change(const SilhouetteOptions& options) = 0;
   /// nullptr if the model has no background that can be saved.
   virtual const Background* background() const { return nullptr; }
 };

@@ -11,6 +11,7 @@ class NetworkSubtractor : public Subtractor {
   explicit NetworkSubtractor(const SilhouetteOptions& options)
       : options_(options), net_(options.network) {}
 
+  void change(const SilhouetteOptions& options) override { options_ = options; }
   void learn(const cv::Mat&) override {}
   void finishLearning() override {}
 

@@ -12,6 +12,7 @@ class LiveLearner {
  public:
   explicit LiveLearner(const SilhouetteOptions& options);
 
+  void change(const SilhouetteOptions& options) { options_ = options; }
   /// \param image CV_8UC1 or CV_8UC3, always the same size and type
   void add(const cv::Mat& image);
   /// Whether something moves in the images so far, or option `background` is `recording`.
