@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 # Messages, conversions, nodelets with their executables, tools.
 find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
   rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs std_srvs tf2_msgs tf2_ros tf2_eigen
-  cv_bridge diagnostic_updater)
+  cv_bridge diagnostic_updater dynamic_reconfigure interactive_markers)
 
 file(GLOB messages RELATIVE ${PROJECT_SOURCE_DIR}/msg CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/msg/*.msg)
 add_message_files(FILES ${messages})
@@ -51,7 +51,7 @@ list(REMOVE_ITEM node_sources ${host_sources})
 add_library(markerless_mocap_nodelets SHARED ${node_sources})
 target_include_directories(markerless_mocap_nodelets PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(markerless_mocap_nodelets PUBLIC mocap_ros mocap_pipeline mocap_capture
-  opencv_videoio)
+  mocap_evaluation opencv_videoio)
 mocap_use_ros(markerless_mocap_nodelets)
 add_library(mocap_stage_host STATIC ${host_sources})
 target_include_directories(mocap_stage_host PUBLIC ${PROJECT_SOURCE_DIR}/src)

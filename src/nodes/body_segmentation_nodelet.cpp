@@ -1,12 +1,15 @@
 #include <nodelet/nodelet.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/segmentation/part_tracker.h"
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/hull_grids.h"
+#include "nodes/common/live_options.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "nodes/common/stage_inputs.h"
@@ -34,18 +37,25 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     inputs_.emplace(handle, status_.get());
     inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+                               [this](const VoxelGridConstPtr& grid) { grids_.add(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
+    live_.emplace(getMTPrivateNodeHandle(), options, std::set<std::string>(),
+                  [this](const SegmentationOptions& changed) {
+                    const std::lock_guard<std::mutex> lock(mutex_);
+                    segmenter_.emplace(changed);
+                    memory_ = PartTracker();
+                  });
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     VisualHull hull;
     BodyParts parts;
     try {
-      if (!grid_) throw std::invalid_argument("no hull/grid has been received yet");
-      hull = hullFromMessage(cloud, *grid_);
+      const VoxelGridConstPtr& grid = grids_.of(cloud.header.stamp);
+      hull = hullFromMessage(cloud, *grid);
       parts = segmenter_->segment(hull, int64_t(cloud.header.stamp.toNSec()), &memory_);
     } catch (const std::exception& error) {
       parts = BodyParts();
@@ -65,12 +75,14 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
       status_->problem(parts.reason);
   }
 
+  std::mutex mutex_;  ///< settings change between hulls
   std::optional<BodySegmenter> segmenter_;
   PartTracker memory_;
-  VoxelGridConstPtr grid_;
+  HullGrids grids_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher parts_, points_, curves_;
   std::optional<StageInputs> inputs_;
+  std::optional<LiveOptions<SegmentationOptions>> live_;
 };
 
 }  // namespace markerless_mocap

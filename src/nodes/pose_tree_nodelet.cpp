@@ -1,11 +1,14 @@
 #include <nodelet/nodelet.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/hull_grids.h"
+#include "nodes/common/live_options.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "nodes/common/stage_inputs.h"
@@ -34,18 +37,24 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     inputs_.emplace(handle, status_.get());
     inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+                               [this](const VoxelGridConstPtr& grid) { grids_.add(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
+    live_.emplace(getMTPrivateNodeHandle(), options, std::set<std::string>(),
+                  [this](const PoseTreeOptions& changed) {
+                    const std::lock_guard<std::mutex> lock(mutex_);
+                    builder_.emplace(changed);
+                  });
   }
 
   void receive(const sensor_msgs::PointCloud2& cloud) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     forgetOnTimeJump(cloud.header.stamp);
     PoseTree tree;
     try {
-      if (!grid_) throw std::invalid_argument("no hull/grid has been received yet");
-      tree = builder_->build(hullFromMessage(cloud, *grid_));
+      const VoxelGridConstPtr& grid = grids_.of(cloud.header.stamp);
+      tree = builder_->build(hullFromMessage(cloud, *grid));
     } catch (const std::exception& error) {
       tree = PoseTree();
       tree.reason = error.what();
@@ -76,12 +85,14 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     if (skeletons_.getNumSubscribers() > 0) publishShared(skeletons_, skeletonCloud(tree, header));
   }
 
+  std::mutex mutex_;  ///< settings change between hulls
   std::optional<PoseTreeBuilder> builder_;
-  VoxelGridConstPtr grid_;
+  HullGrids grids_;
   ros::Time last_stamp_;
   std::unique_ptr<StageStatus> status_;
   ros::Publisher trees_, markers_, skeletons_;
   std::optional<StageInputs> inputs_;
+  std::optional<LiveOptions<PoseTreeOptions>> live_;
 };
 
 }  // namespace markerless_mocap

@@ -64,7 +64,9 @@ void addTriangles(const Eigen::Isometry3d& T_world_link, const RoundCone& cone, 
   }
 }
 
-std_msgs::ColorRGBA colorOf(double deviation_m) {
+}  // namespace
+
+std_msgs::ColorRGBA colorOfDeviation(double deviation_m) {
   std_msgs::ColorRGBA color;
   color.a = kAlpha;
   color.r = color.g = color.b = 0.75f;
@@ -83,8 +85,6 @@ PartLabel partOfLink(const BodyModel& model, int link) {
   return partOfJoint(joint.substr(0, joint.size() - model.id().size() - 1));
 }
 
-}  // namespace
-
 visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPose& pose,
                                             const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
@@ -99,7 +99,7 @@ visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPo
     marker.action = lost || !pose.part_seen[part] ? Marker::DELETE : Marker::ADD;
     marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
     marker.pose.orientation.w = 1.0;
-    marker.color = colorOf(pose.part_sigma_m[part]);
+    marker.color = colorOfDeviation(pose.part_sigma_m[part]);
   }
   if (lost) return array;
   LinkPoses T_world_link;
@@ -109,6 +109,71 @@ visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPo
     if (marker.action == Marker::ADD) addTriangles(T_world_link[size_t(cone.link)], cone, &marker);
   }
   return array;
+}
+
+namespace {
+
+constexpr double kTextHeight = 0.09, kTextAboveHead = 0.35;  // metres
+constexpr size_t kLineLength = 44;                           // letters
+
+/// The text in lines of some forty letters.
+std::string wrapped(const std::string& text) {
+  std::string out;
+  size_t line = 0;
+  for (const char letter : text) {
+    const bool breaks = letter == ' ' && line >= kLineLength;
+    out += breaks ? '\n' : letter;
+    line = breaks ? 0 : line + 1;
+  }
+  return out;
+}
+
+/// Largest expected error of the parts that are seen; NaN if there is none.
+double largestError(const BodyPose& pose) {
+  double largest = NAN;
+  for (size_t part = 0; part < kPartCount; ++part)
+    if (pose.part_seen[part]) largest = std::fmax(largest, pose.part_sigma_m[part]);
+  return largest;
+}
+
+}  // namespace
+
+std::string poseSummary(const BodyPose& pose) {
+  if (pose.status == PoseStatus::kLost) return "lost: " + pose.reason;
+  std::string text = "tracked";
+  if (std::isfinite(pose.silhouette_overlap))
+    text += ", " + std::to_string(std::lround(100 * pose.silhouette_overlap)) + " % overlap";
+  if (const double error = largestError(pose); std::isfinite(error))
+    text += ", error " + std::to_string(std::lround(1000 * error)) + " mm";
+  std::string unseen;
+  for (size_t part = 0; part < kPartCount; ++part)
+    if (!pose.part_seen[part])
+      unseen += (unseen.empty() ? "" : ", ") + std::string(toString(PartLabel(part)));
+  return unseen.empty() ? text : text + "\nnot seen: " + unseen;
+}
+
+visualization_msgs::Marker poseTextMarker(const BodyModel& model, const BodyPose& pose,
+                                          const std_msgs::Header& header,
+                                          std::optional<Eigen::Vector3d>* last_head) {
+  const bool lost = pose.status == PoseStatus::kLost;
+  if (!lost) {
+    LinkPoses T_world_link;
+    model.forwardKinematics(pose.T_world_body, pose.angles, T_world_link);
+    *last_head = T_world_link[size_t(model.linkIndex("head"))].translation();
+  }
+  const Eigen::Vector3d at = last_head->value_or(Eigen::Vector3d(0, 0, 1.6));
+  Marker marker;
+  marker.header = header;
+  marker.ns = "text";
+  marker.type = Marker::TEXT_VIEW_FACING;
+  marker.pose.position =
+      tf2::toMsg(Eigen::Vector3d(at + kTextAboveHead * Eigen::Vector3d::UnitZ()));
+  marker.pose.orientation.w = 1.0;
+  marker.scale.z = kTextHeight;
+  marker.color.a = marker.color.r = 1.0f;
+  marker.color.g = marker.color.b = lost ? 0.5f : 1.0f;
+  marker.text = wrapped(poseSummary(pose));
+  return marker;
 }
 
 }  // namespace markerless_mocap

@@ -2,6 +2,9 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <optional>
+#include <string>
+
 #include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/products/body_pose.h"
 
@@ -12,5 +15,20 @@ namespace markerless_mocap {
 /// is none. Parts that are not seen, and all parts of a lost pose, are deleted.
 visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPose& pose,
                                             const std_msgs::Header& header);
+
+/// The colour of a part in bodyMarkers(). \param deviation_m NaN: unknown
+std_msgs::ColorRGBA colorOfDeviation(double deviation_m);
+/// The part that a link of the body belongs to.
+PartLabel partOfLink(const BodyModel& model, int link);
+
+/// How it stands with a pose, in a line or two: "tracked, 93 % overlap, error 14 mm", "not seen:
+/// arm 1", "lost: ...".
+std::string poseSummary(const BodyPose& pose);
+/// poseSummary() above the person's head, or above where the person was last.
+/// \param last_head where the head was last; set here; empty: nowhere, then a lost pose is told
+///   above the origin
+visualization_msgs::Marker poseTextMarker(const BodyModel& model, const BodyPose& pose,
+                                          const std_msgs::Header& header,
+                                          std::optional<Eigen::Vector3d>* last_head);
 
 }  // namespace markerless_mocap

@@ -81,6 +81,9 @@ void HullNodeOptions::visit(OptionVisitor& v) {
   v.field(
       "deadline", deadline, 0.0, 60.0,
       "a frame set older than the newest stamp by this is carved without the missing cameras, s");
+  v.field("volume_file", volume_file, {},
+          "file of the volume; read at the start if it is there, and written by the service "
+          "save_volume and the menu of the volume in rviz; empty: none");
 }
 
 void HullNodeOptions::validate() const {

@@ -48,6 +48,9 @@ struct HullNodeOptions {
   double stamp_tolerance = 0.005;
   /// a frame set older than the newest stamp by this is carved without the missing cameras, s
   double deadline = 0.5;
+  /// file of the volume; read at the start if it is there, and written by the service save_volume
+  /// and the menu of the volume in rviz; empty: none
+  std::string volume_file;
 
   void visit(OptionVisitor& v);
   void validate() const;

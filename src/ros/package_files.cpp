@@ -20,6 +20,11 @@ std::string packageFile(const std::string& relative_path) {
   return package + "/" + relative_path;
 }
 
+bool isThere(const std::string& path) {
+  std::error_code ignored;
+  return !path.empty() && std::filesystem::exists(path, ignored);
+}
+
 std::string readText(const std::string& path) {
   return readTextFile(path, path);
 }

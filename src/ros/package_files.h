@@ -10,6 +10,8 @@ namespace markerless_mocap {
 /// does not find the package.
 std::string packageFile(const std::string& relative_path);
 
+/// Whether a file is there; asked, not opened, as opening a pipe blocks. False for an empty path.
+bool isThere(const std::string& path);
 /// Text of a file. Throws std::runtime_error if it cannot be read.
 std::string readText(const std::string& path);
 /// Throws std::runtime_error if the file cannot be written.

@@ -89,6 +89,32 @@ TEST(BodyMarkers, UnseenPartsAndLostPosesAreDeleted) {
     EXPECT_EQ(marker.action, Marker::DELETE);
 }
 
+TEST(PoseText, SaysInALineHowItStands) {
+  BodyPose pose = standing();
+  EXPECT_EQ(poseSummary(pose), "tracked");
+  pose.silhouette_overlap = 0.934;
+  pose.part_sigma_m = {0.005, NAN, 0.2, 0.012, NAN, NAN};
+  pose.part_seen[kLeftArm] = false;
+  EXPECT_EQ(poseSummary(pose), std::string("tracked, 93 % overlap, error 12 mm\nnot seen: ") +
+                                   toString(PartLabel::kArm1));
+  BodyPose lost;
+  lost.reason = "no hull";
+  EXPECT_EQ(poseSummary(lost), "lost: no hull");
+}
+
+TEST(PoseText, StandsAboveTheHeadAndStaysThereWhenThePersonIsLost) {
+  std::optional<Eigen::Vector3d> head;
+  BodyPose lost;
+  lost.reason = "a reason that is far too long for a single line of text above the person's head";
+  EXPECT_EQ(poseTextMarker(person(), lost, {}, &head).pose.position.x, 0.0);
+  const auto at = poseTextMarker(person(), standing(), {}, &head).pose.position;
+  EXPECT_NEAR(at.x, 0.3, 0.1);
+  EXPECT_GT(at.z, 1.7);
+  const auto marker = poseTextMarker(person(), lost, {}, &head);
+  EXPECT_EQ(marker.pose.position.z, at.z);
+  EXPECT_NE(marker.text.find('\n'), std::string::npos);
+}
+
 TEST(BodyMarkers, ColourTellsTheExpectedError) {
   BodyPose pose = standing();
   pose.part_sigma_m = {0.005, 0.2, NAN, NAN, NAN, NAN};

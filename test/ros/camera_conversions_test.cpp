@@ -121,7 +121,7 @@ TEST(CameraConversions, StampsSurvive) {
 
 TEST(CameraMarkers, PyramidOpensAlongTheOpticalAxisAndCarriesTheName) {
   const Camera camera(sampleCalibration());
-  const auto markers = cameraMarkers({camera}, std_msgs::Header(), 0.5).markers;
+  const auto markers = cameraMarkers({camera}, {CameraHealth()}, std_msgs::Header(), 0.5).markers;
   ASSERT_EQ(markers.size(), 2u);
   ASSERT_EQ(markers[0].points.size(), 16u);
   const Eigen::Vector3d axis = camera.calibration().T_world_camera.linear().col(2);
@@ -131,6 +131,23 @@ TEST(CameraMarkers, PyramidOpensAlongTheOpticalAxisAndCarriesTheName) {
     EXPECT_NEAR(corner.dot(axis), 0.5, 1e-9);
   }
   EXPECT_EQ(markers[1].text, "cam3");
+}
+
+TEST(CameraMarkers, ColourAndTextTellTheHealth) {
+  const Camera camera(sampleCalibration());
+  const auto shown = [&](const CameraHealth& health) {
+    return cameraMarkers({camera}, {health}, std_msgs::Header(), 0.5).markers;
+  };
+  const auto used = shown({CameraHealth::kUsed, ""});
+  EXPECT_GT(used[0].color.g, used[0].color.r);
+  const auto left_out = shown({CameraHealth::kLeftOut, "its mask is full"});
+  EXPECT_GT(left_out[0].color.r, left_out[0].color.g + 0.3);
+  EXPECT_EQ(left_out[1].text, "cam3\nits mask is full");
+  const auto silent = shown({CameraHealth::kSilent, ""});
+  EXPECT_EQ(silent[0].color.r, silent[0].color.b);
+  const auto doubtful = shown({CameraHealth::kDoubtful, std::string(200, 'x')});
+  EXPECT_GT(doubtful[0].color.g, doubtful[0].color.b + 0.3);
+  EXPECT_LT(doubtful[1].text.size(), 100u);
 }
 
 }  // namespace

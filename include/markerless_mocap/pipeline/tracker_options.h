@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "markerless_mocap/contour/contour_options.h"
@@ -29,6 +30,10 @@ struct TrackerOptions {
   FleischmannOptions fleischmann;
 
   void visit(OptionVisitor& v);
+  /// Keys of what cannot be changed while a tracker follows a person: the method and its sections.
+  static std::set<std::string> fixedKeys() {
+    return {"method", "contour", "hsiao", "fleischmann"};
+  }
   void validate() const;
 };
 

@@ -63,7 +63,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
 void FittingInputs::listenToStages() {
   using sensor_msgs::PointCloud2;
   inputs_.listen<VoxelGrid>("hull/grid", 1, StageInputs::kOnce,
-                            [this](const VoxelGridConstPtr& grid) { grid_ = grid; });
+                            [this](const VoxelGridConstPtr& grid) { grids_.add(grid); });
   inputs_.listen<PointCloud2>("hull/points", kQueue, StageInputs::kRequired,
                               [this](const sensor_msgs::PointCloud2ConstPtr& hull) {
                                 receive(kHull, hull->header, {hull, {}, {}, {}});
@@ -135,7 +135,6 @@ void FittingInputs::join(Assembler::FrameSet frame_set) {
   FittingMessages input;
   input.hull = frame_set.items[kHull].cloud;
   input.header = input.hull->header;
-  input.grid = grid_;
   input.parts = frame_set.items[kParts].parts;
   input.labels = frame_set.items[kLabels].cloud;
   input.complete = frame_set.present[kParts] && frame_set.present[kLabels];
@@ -162,7 +161,8 @@ void FittingInputs::dispatchReady() {
   pending_.release([this](const FittingMessages& input) { return waitsForViews(input); },
                    [this](FittingMessages input) {
                      if (needs_.masks) addViews(&input);
-                     input.error = grid_ ? prepareRig() : "no hull/grid has been received yet";
+                     if (!grids_.empty()) input.grid = grids_.of(input.header.stamp);
+                     input.error = input.grid ? prepareRig() : "no hull/grid has been received yet";
                      input.rig = rig_;
                      sink_(std::move(input));
                    });

@@ -16,6 +16,7 @@
 #include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/ros/messages.h"
 #include "nodes/common/holding_queue.h"
+#include "nodes/common/hull_grids.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
 #include "nodes/pose_fitting/color_images.h"
@@ -113,7 +114,7 @@ class FittingInputs {
   StampCache<Mask> masks_;
   StampCache<CameraImage> images_;
   HoldingQueue<FittingMessages> pending_;  ///< joined, but without views
-  VoxelGridConstPtr grid_;
+  HullGrids grids_;
   double next_look_ = 0.0;  ///< s, when to look for changes of the rig
   mutable std::mutex states_mutex_;
   std::vector<CameraState> states_;    ///< by camera

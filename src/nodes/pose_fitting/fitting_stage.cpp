@@ -4,7 +4,6 @@
 #include <sensor_msgs/JointState.h>
 
 #include <exception>
-#include <filesystem>
 
 #include "markerless_mocap/tracking/shape_file.h"
 #include "nodes/common/camera_pixels.h"
@@ -32,11 +31,6 @@ constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 constexpr int64_t kLargestStep = 2'000'000'000;  // ns
 constexpr int64_t kLargestPeriod = 500'000'000;  // ns
 constexpr double kLongestSilence = 2.0;          // s of the wall clock, then nobody is announced
-
-bool isThere(const std::string& file) {
-  std::error_code ignored;  // asked, not opened: opening a pipe blocks
-  return !file.empty() && std::filesystem::exists(file, ignored);
-}
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {
   PersonResources resources = readPersonResources(
@@ -121,6 +115,9 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
+  text_ = handle.advertise<visualization_msgs::Marker>("pose/text", 4);
+  if (needsOf(options_.method).masks)
+    overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
   inputs_ =
       std::make_unique<FittingInputs>(handle, node_options_, needsOf(options_.method), &status_,
                                       [this](FittingMessages input) { enqueue(std::move(input)); });
@@ -128,11 +125,17 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
   timer_ = handle.createWallTimer(ros::WallDuration(1.0),
                                   gate_.guarded([this](const ros::WallTimerEvent&) { beat(); }));
+  live_.emplace(private_handle, options_, TrackerOptions::fixedKeys(),
+                [this](const TrackerOptions& changed) { apply(changed); });
+  services_.emplace(private_handle);
+  advertiseServices();
 }
 
 FittingStage::~FittingStage() {
   timer_.stop();
   gate_.close();
+  services_.reset();
+  live_.reset();
   inputs_.reset();
   queue_.close();
   worker_.join();
@@ -146,11 +149,16 @@ void FittingStage::enqueue(FittingMessages input) {
 
 void FittingStage::work() {
   while (const std::optional<FittingMessages> input = queue_.take()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!runs_) {
+      status_.ok("stopped by the service set_running");
+      continue;
+    }
     const ros::WallTime start = ros::WallTime::now();
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();
     if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
-    publish(pose, input->header);
+    publish(pose, *input);
     reportTimes(fitting, input->header.stamp);
   }
 }
@@ -236,7 +244,16 @@ void FittingStage::saveBody() {
   }
 }
 
-void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
+void FittingStage::display(const BodyPose& pose, const FittingMessages& input) {
+  const BodyModel& model = *body_->model;
+  if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, input.header));
+  if (text_.getNumSubscribers() > 0)
+    text_.publish(poseTextMarker(model, pose, input.header, &last_head_));
+  if (overlays_ && overlays_->isWanted()) overlays_->show({body_, pose, input.rig, input.masks});
+}
+
+void FittingStage::publish(const BodyPose& raw, const FittingMessages& input) {
+  const std_msgs::Header& header = input.header;
   const BodyModel& model = *body_->model;
   const BodyPose pose =
       filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
@@ -255,7 +272,7 @@ void FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) 
     status_.problem(pose.reason);
   }
   announce(tracked, header.stamp);
-  if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, header));
+  display(pose, input);
   publishShared(pose_, messageFromPose(model, raw, header));
 }
 

@@ -15,10 +15,13 @@
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/catch_up_queue.h"
 #include "nodes/common/latency_meter.h"
+#include "nodes/common/live_options.h"
+#include "nodes/common/stage_services.h"
 #include "nodes/common/stage_status.h"
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
+#include "nodes/pose_fitting/overlays.h"
 #include "nodes/pose_fitting/tracker_successor.h"
 #include "ros/node_options.h"
 
@@ -26,10 +29,11 @@ namespace markerless_mocap {
 
 /// Tracks the person and publishes the body and its pose: raw on `pose`, filtered as tf,
 /// joint_states and markers. It works in a thread of its own, so that callbacks do not wait.
+/// Settings and services act between two frame sets.
 class FittingStage {
  public:
   /// Throws std::invalid_argument or std::runtime_error as readPersonResources(), makeBodyTracker()
-  /// and FittingNodeOptions::requireCameras().
+  /// and FittingNodeOptions::requireCameras(). \param private_handle of several threads
   FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                const TrackerOptions& options, const FittingNodeOptions& node_options);
   ~FittingStage();
@@ -48,7 +52,19 @@ class FittingStage {
   /// Withdraws the announcement of the old body and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
-  void publish(const BodyPose& raw, const std_msgs::Header& header);
+  /// Starts again with this body.
+  void restartWith(const std::shared_ptr<const TrackedBody>& body);
+  void advertiseServices();
+  void apply(const TrackerOptions& options);
+  /// What the services do; they return what was done, or throw why it cannot be done.
+  std::string resetTracking();
+  std::string measurePerson();
+  std::string loadBody();
+  std::string saveMeasuredBody();
+  std::string setRunning(bool runs);
+  void publish(const BodyPose& raw, const FittingMessages& input);
+  /// Shows a pose to whoever looks on.
+  void display(const BodyPose& pose, const FittingMessages& input);
   void announce(bool tracked, const ros::Time& stamp);
   /// Nobody is announced when no poses come, and nobody without a description.
   void checkAnnouncement();
@@ -56,11 +72,12 @@ class FittingStage {
   void beat();
   void reportTimes(double fitting, const ros::Time& stamp);
 
+  std::mutex mutex_;  ///< held for a frame set, a service, a change of settings
   TrackerOptions options_;
   FittingNodeOptions node_options_;
   PersonResources resources_;
   StageStatus status_;
-  ros::Publisher joint_states_, pose_, markers_, heartbeat_;
+  ros::Publisher joint_states_, pose_, markers_, text_, heartbeat_;
   tf2_ros::TransformBroadcaster broadcaster_;
   std::mutex announcing_;  ///< for the next three
   BodyDescription description_;
@@ -74,12 +91,17 @@ class FittingStage {
   int64_t last_stamp_ns_ = 0, shift_ns_ = 0;  ///< of the tracker
   int64_t period_ns_ = 0;                     ///< between the last frame sets
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
+  std::optional<Eigen::Vector3d> last_head_;  ///< m in world, where the text is shown
+  std::atomic<bool> runs_{true};
   LatencyMeter fitting_times_, latencies_;
   CatchUpQueue<FittingMessages> queue_;
+  std::optional<Overlays> overlays_;
   std::unique_ptr<FittingInputs> inputs_;
   TrackerSuccessor successor_;
   std::thread worker_;
   ros::WallTimer timer_;
+  std::optional<LiveOptions<TrackerOptions>> live_;
+  std::optional<StageServices> services_;
   CallbackGate gate_;
 };
 

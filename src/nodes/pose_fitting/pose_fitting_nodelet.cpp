@@ -21,7 +21,7 @@ class PoseFittingNodelet : public nodelet::Nodelet {
     TrackerOptions options;
     FittingNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
-    stage_ = std::make_unique<FittingStage>(getNodeHandle(), getPrivateNodeHandle(), options,
+    stage_ = std::make_unique<FittingStage>(getNodeHandle(), getMTPrivateNodeHandle(), options,
                                             node_options);
   }
 

@@ -38,22 +38,33 @@ std::string seconds(double value) {
 }  // namespace
 
 SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                                   const std::string& camera, const SilhouetteOptions& options,
-                                   const SilhouetteNodeOptions& node_options)
-    : camera_(camera),
+                                   size_t camera, const SilhouetteOptions& options,
+                                   const SilhouetteNodeOptions& node_options, Settings* settings)
+    : number_(camera),
+      camera_(node_options.cameras.at(camera)),
+      settings_(settings),
       node_options_(node_options),
       extractor_(options),
-      status_(handle, private_handle, "silhouette of " + camera),
-      background_(camera, node_options, &extractor_, &status_),
+      status_(handle, private_handle, "silhouette of " + camera_),
+      background_(camera_, node_options, &extractor_, &status_),
       inputs_(handle, &status_) {
-  publisher_ = handle.advertise<sensor_msgs::Image>(camera + "/silhouette", kPublisherQueue);
-  inputs_.listenToImages(camera, node_options.image_transport, kQueue, StageInputs::kRequired,
+  publisher_ = handle.advertise<sensor_msgs::Image>(camera_ + "/silhouette", kPublisherQueue);
+  inputs_.listenToImages(camera_, node_options.image_transport, kQueue, StageInputs::kRequired,
                          [this](const CameraImage& image) { receive(image); });
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (isUsable(image)) process(image);
+  if (!isUsable(image)) return;
+  followSettings(image.header().stamp);
+  process(image);
+}
+
+void SilhouetteCamera::followSettings(const ros::Time& stamp) {
+  const Settings::Pointer settings = settings_->at(number_, nanosecondsOf(stamp));
+  if (settings == used_) return;
+  extractor_.change(*settings);
+  used_ = settings;
 }
 
 bool SilhouetteCamera::isUsable(const CameraImage& image) {

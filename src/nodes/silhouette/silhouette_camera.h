@@ -11,6 +11,7 @@
 #include "nodes/common/stamp_order.h"
 #include "nodes/common/sudden_change.h"
 #include "nodes/silhouette/kept_background.h"
+#include "nodes/silhouette/timed_settings.h"
 #include "ros/node_options.h"
 
 namespace markerless_mocap {
@@ -18,9 +19,12 @@ namespace markerless_mocap {
 /// Silhouette extraction of one camera: images in, masks out.
 class SilhouetteCamera {
  public:
-  SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                   const std::string& camera, const SilhouetteOptions& options,
-                   const SilhouetteNodeOptions& node_options);
+  using Settings = TimedSettings<SilhouetteOptions>;
+
+  /// \param camera number in node_options.cameras \param settings must outlive this object
+  SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, size_t camera,
+                   const SilhouetteOptions& options, const SilhouetteNodeOptions& node_options,
+                   Settings* settings);
 
   /// Both throw std::invalid_argument with the reason if they fail.
   void learnBackground();
@@ -32,13 +36,18 @@ class SilhouetteCamera {
   bool isUsable(const CameraImage& image);
   bool isInOrder(const ros::Time& stamp);
   bool isFrozen(const CameraImage& image);
+  /// Takes over settings that have changed.
+  void followSettings(const ros::Time& stamp);
   void process(const CameraImage& image);
   void publishMask(const cv::Mat& mask, const CameraImage& image);
   void publishSilhouette(const CameraImage& image);
   void reportSilhouette(const SilhouetteResult& silhouette);
   void checkInput() const;
 
+  size_t number_;
   std::string camera_;
+  Settings* settings_;
+  Settings::Pointer used_;  ///< null: those of the start
   SilhouetteNodeOptions node_options_;
   std::mutex mutex_;  ///< protects the extractor: services run in parallel with images
   SilhouetteExtractor extractor_;

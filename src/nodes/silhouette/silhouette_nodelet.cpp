@@ -1,14 +1,14 @@
 #include <nodelet/nodelet.h>
-#include <std_srvs/Trigger.h>
 
-#include <boost/function.hpp>
 #include <memory>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
 #include <vector>
 
-#include "nodes/common/callback_gate.h"
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/live_options.h"
+#include "nodes/common/stage_services.h"
 #include "nodes/silhouette/silhouette_camera.h"
 #include "ros/parameters.h"
 
@@ -18,6 +18,8 @@ namespace markerless_mocap {
 /// parallel. Services for all its cameras: `~learn_background`, `~save_background`.
 class SilhouetteNodelet : public nodelet::Nodelet {
  private:
+  using Settings = SilhouetteCamera::Settings;
+
   void onInit() override {
     guardedStart(getName(), [this] { start(); });
   }
@@ -26,42 +28,31 @@ class SilhouetteNodelet : public nodelet::Nodelet {
     SilhouetteOptions options;
     SilhouetteNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
-    for (const std::string& camera : node_options.cameras)
+    settings_ = std::make_unique<Settings>(node_options.cameras.size(), options);
+    for (size_t i = 0; i < node_options.cameras.size(); ++i)
       cameras_.push_back(std::make_unique<SilhouetteCamera>(
-          getMTNodeHandle(), getMTPrivateNodeHandle(), camera, options, node_options));
-    learn_ = advertise("learn_background", &SilhouetteCamera::learnBackground,
-                       "learning from the next " + std::to_string(options.background_frames) +
-                           " images of each camera");
-    save_ = advertise("save_background", &SilhouetteCamera::saveBackground,
-                      "saved in " + node_options.background_folder);
-  }
-
-  /// Advertises a service that calls `act` for each camera. The first failure ends it with the
-  /// reason.
-  ros::ServiceServer advertise(const std::string& name, void (SilhouetteCamera::*act)(),
-                               const std::string& done) {
-    using Response = std_srvs::Trigger::Response;
-    const auto run = gate_.guarded([this, act, done](Response* response) {
-      response->success = false;
-      try {
-        for (const auto& camera : cameras_) (camera.get()->*act)();
-        response->success = true;
-        response->message = done;
-      } catch (const std::exception& error) {
-        response->message = error.what();
-      }
+          getMTNodeHandle(), getMTPrivateNodeHandle(), i, options, node_options, settings_.get()));
+    live_.emplace(getMTPrivateNodeHandle(), options, SilhouetteOptions::fixedKeys(),
+                  [this](const SilhouetteOptions& changed) { settings_->change(changed); });
+    services_.emplace(getMTPrivateNodeHandle());
+    const std::string learning = "learning from the next " +
+                                 std::to_string(options.background_frames) +
+                                 " images of each camera";
+    services_->onTrigger("learn_background", [this, learning] {
+      for (const auto& camera : cameras_) camera->learnBackground();
+      return learning;
     });
-    const boost::function<bool(std_srvs::Trigger::Request&, Response&)> callback =
-        [run](std_srvs::Trigger::Request&, Response& response) {
-          run(&response);
-          return true;
-        };
-    return getMTPrivateNodeHandle().advertiseService(name, callback);
+    const std::string saved = "saved in " + node_options.background_folder;
+    services_->onTrigger("save_background", [this, saved] {
+      for (const auto& camera : cameras_) camera->saveBackground();
+      return saved;
+    });
   }
 
+  std::unique_ptr<Settings> settings_;
   std::vector<std::unique_ptr<SilhouetteCamera>> cameras_;
-  ros::ServiceServer learn_, save_;
-  CallbackGate gate_;
+  std::optional<LiveOptions<SilhouetteOptions>> live_;
+  std::optional<StageServices> services_;
 };
 
 }  // namespace markerless_mocap

@@ -11,7 +11,6 @@
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
-#include "ros/camera_markers.h"
 #include "ros/hull_conversions.h"
 #include "ros/image_conversions.h"
 
@@ -21,9 +20,8 @@ namespace {
 constexpr uint32_t kQueue = 16;    // messages per topic that wait while another stage uses the CPU
 constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
-constexpr double kMarkerDepth = 0.5;
-constexpr double kSilence = 0.3;  // s until frame sets no longer wait for a camera
-constexpr int kMaxMissed = 5;     // frame sets until they no longer wait for one with other stamps
+constexpr double kSilence = 0.3;   // s until frame sets no longer wait for a camera
+constexpr int kMaxMissed = 5;      // frame sets until they no longer wait for one with other stamps
 constexpr int64_t kStrayTime = 500'000'000;  // ns
 constexpr double kLookInterval = 0.1;        // s
 
@@ -56,21 +54,29 @@ std::string messageFor(const VisualHull& hull) {
 
 HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                      const HullOptions& options, const HullNodeOptions& node_options)
-    : options_(options),
-      node_options_(node_options),
+    : node_options_(node_options),
       tf_listener_(tf_),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
       images_(node_options.cameras.size(), kMaxImages),
       waiting_(kMaxWaiting),
+      carver_(options),
       status_(handle, private_handle, "visual hull"),
-      inputs_(handle, &status_) {
+      display_(handle, node_options.cameras.size()),
+      inputs_(handle, &status_),
+      live_(private_handle, options, {},
+            [this](const HullOptions& changed) { carver_.prepare(changed); }),
+      handles_(handle.resolveName("hull/volume"), node_options.world_frame,
+               {[this](const SettingChanges& changes) { live_.change(changes); },
+                [this] { return saveVolume(); }},
+               &status_),
+      services_(private_handle) {
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   cameras_ = handle.advertise<HullCameras>("hull/cameras_used", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
-  markers_ = handle.advertise<visualization_msgs::MarkerArray>("hull/cameras", 1, true);
   if (!rig_.unusedCameras().empty()) ROS_WARN_STREAM("visual hull: " << rig_.unusedCameras());
   if (rig_.isFromFile()) prepareBeforehand(ros::Time());
+  advertiseServices();
   subscribe();
 }
 
@@ -91,10 +97,7 @@ void HullStage::subscribe() {
 }
 
 void HullStage::receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info) {
-  if (rig_.add(camera, info)) {
-    carver_.reset();
-    carver_error_.clear();
-  }
+  if (rig_.add(camera, info)) carver_.forgetRig();
   if (!carver_) prepareBeforehand(info.header.stamp);
 }
 
@@ -121,13 +124,8 @@ void HullStage::followRig() {
   if (now >= next_look_ || now < next_look_ - kLookInterval) {
     next_look_ = now + kLookInterval;
     std::vector<std::string> remarks;
-    if (rig_.settle(tf_, now, &remarks)) {
-      carver_error_.clear();
-      if (carver_ && rig_.missing(tf_).empty())
-        next_carver_ = std::async(std::launch::async, [rig = rig_.rig(tf_), options = options_] {
-          return HullCarver(rig, options);
-        });
-    }
+    if (rig_.settle(tf_, now, &remarks) && rig_.missing(tf_).empty())
+      carver_.changeRig(rig_.rig(tf_));
     for (const std::string& remark : remarks) status_.remark(remark);
   }
 }
@@ -167,10 +165,10 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
   std_msgs::Header header;
   header.stamp = rosTime(frame_set.stamp_ns);
   header.frame_id = node_options_.world_frame;
+  if (!runs_) return status_.ok("stopped by the service set_running");
   VisualHull hull;
   try {
     followRig();
-    takeNextCarver(header);
     prepareCarver(header);
     const std::vector<CameraImage> images = takeImages(frame_set);
     std::vector<LeftOutCamera> unreadable;
@@ -212,6 +210,7 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
     message.reasons[size_t(at)] = camera.reason;
   }
   cameras_.publish(message);
+  display_.note(message);
 }
 
 std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
@@ -239,36 +238,19 @@ void HullStage::reportHull(const VisualHull& hull, const std::string& timing) {
 }
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {
+  if (carver_.takeNew()) announceCarver(header);
   if (carver_) return;
-  if (!carver_error_.empty()) throw std::invalid_argument(carver_error_);
+  if (!carver_.error().empty()) throw std::invalid_argument(carver_.error());
   const std::string missing = rig_.missing(tf_);
   if (!missing.empty()) throw std::invalid_argument(missing);
-  try {
-    carver_.emplace(rig_.rig(tf_), options_);
-  } catch (const std::invalid_argument& error) {
-    carver_error_ = error.what();
-    throw;
-  }
-  publishRig(header);
+  carver_.make(rig_.rig(tf_));
+  announceCarver(header);
 }
 
-void HullStage::takeNextCarver(const std_msgs::Header& header) {
-  if (!next_carver_.valid() ||
-      next_carver_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return;
-  try {
-    carver_.emplace(next_carver_.get());
-  } catch (const std::invalid_argument& error) {
-    carver_.reset();
-    carver_error_ = error.what();
-    throw;
-  }
-  publishRig(header);
-}
-
-void HullStage::publishRig(const std_msgs::Header& header) {
+void HullStage::announceCarver(const std_msgs::Header& header) {
   grid_.publish(messageFromLattice(carver_->lattice(), header));
-  markers_.publish(cameraMarkers(carver_->rig(), header, kMarkerDepth));
+  display_.setRig(carver_->rig(), header);
+  handles_.show(carver_.volume());
 }
 
 std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_set) {

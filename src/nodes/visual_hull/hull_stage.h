@@ -3,7 +3,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <future>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,16 +12,23 @@
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "nodes/common/holding_queue.h"
+#include "nodes/common/live_options.h"
 #include "nodes/common/stage_inputs.h"
+#include "nodes/common/stage_services.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/visual_hull/camera_display.h"
+#include "nodes/visual_hull/live_carver.h"
+#include "nodes/visual_hull/volume_handles.h"
 #include "ros/node_options.h"
 #include "ros/rig_collector.h"
 
 namespace markerless_mocap {
 
-/// Joins the masks of one time and carves the hull. Its callbacks run one at a time.
+/// Joins the masks of one time and carves the hull. Its callbacks run one at a time; settings and
+/// services come from other threads.
 class HullStage {
  public:
+  /// \param private_handle of several threads
   HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
             const HullOptions& options, const HullNodeOptions& node_options);
 
@@ -41,8 +48,14 @@ class HullStage {
   /// What is said of cameras that lag or are missing, each after "; "; empty: nothing.
   std::string timingRemarks(const Assembler::FrameSet& frame_set) const;
   void prepareBeforehand(const ros::Time& stamp);
-  /// Makes the carver as soon as rig and transforms are known; throws the reason if they are not.
+  /// Takes over new settings, and makes the carver as soon as rig and transforms are known; throws
+  /// the reason if they are not.
   void prepareCarver(const std_msgs::Header& header);
+  /// Publishes grid and cameras of a new carver.
+  void announceCarver(const std_msgs::Header& header);
+  void advertiseServices();
+  /// Thread-safe; returns what was done. Throws if the file cannot be written.
+  std::string saveVolume() const;
   std::vector<CameraImage> takeImages(const Assembler::FrameSet& frame_set);
   /// The result refers to the pixels of the images. A camera whose mask cannot be read is left out.
   std::vector<HullView> viewsOf(const Assembler::FrameSet& frame_set,
@@ -56,11 +69,8 @@ class HullStage {
   /// Takes over what has changed about the cameras. The old carver is used until the new one is
   /// made.
   void followRig();
-  void takeNextCarver(const std_msgs::Header& header);
-  void publishRig(const std_msgs::Header& header);
   void reportCounts();
 
-  HullOptions options_;
   HullNodeOptions node_options_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
@@ -68,14 +78,17 @@ class HullStage {
   Assembler assembler_;
   StampCache<CameraImage> images_;
   HoldingQueue<Assembler::FrameSet> waiting_;
-  std::optional<HullCarver> carver_;
-  std::future<HullCarver> next_carver_;  ///< of a rig that has changed
-  std::string carver_error_;  ///< why the rig cannot be used; valid until the rig changes
+  LiveCarver carver_;
   StageStatus status_;
   std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
   double next_look_ = 0.0;                 ///< s, when to look for changes of the rig
-  ros::Publisher points_, cameras_, grid_, markers_;
+  ros::Publisher points_, cameras_, grid_;
+  CameraDisplay display_;
+  std::atomic<bool> runs_{true};
   StageInputs inputs_;
+  LiveOptions<HullOptions> live_;
+  VolumeHandles handles_;
+  StageServices services_;
 };
 
 }  // namespace markerless_mocap

@@ -5,7 +5,9 @@
 
 #include "nodes/common/guarded_start.h"
 #include "nodes/visual_hull/hull_stage.h"
+#include "ros/package_files.h"
 #include "ros/parameters.h"
+#include "ros/volume_file.h"
 
 namespace markerless_mocap {
 
@@ -20,8 +22,10 @@ class VisualHullNodelet : public nodelet::Nodelet {
     HullOptions options;
     HullNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
-    stage_ =
-        std::make_unique<HullStage>(getNodeHandle(), getPrivateNodeHandle(), options, node_options);
+    if (isThere(node_options.volume_file))
+      options = withVolumeOf(node_options.volume_file, options);
+    stage_ = std::make_unique<HullStage>(getNodeHandle(), getMTPrivateNodeHandle(), options,
+                                         node_options);
   }
 
   std::unique_ptr<HullStage> stage_;
