@@ -78,10 +78,13 @@ TEST(CameraConversions, NoSizeIsRefused) {
 
 TEST(CameraConversions, ForeignLensModelAndCroppedImagesAreRefused) {
   sensor_msgs::CameraInfo info = messageFromCalibration(sampleCalibration());
-  info.distortion_model = "equidistant";
+  info.distortion_model = "thin_prism";
   EXPECT_EQ(refusal(info),
-            "camera_info of cam3 has the distortion model \"equidistant\", allowed are plumb_bob "
-            "and rational_polynomial");
+            "camera_info of cam3 has the distortion model \"thin_prism\", allowed are plumb_bob, "
+            "rational_polynomial and equidistant");
+  info.distortion_model = "equidistant";  // with five numbers
+  EXPECT_EQ(refusal(info),
+            "camera 'cam3': D has 5 distortion coefficients, allowed are 0 or 4 of a fisheye");
   info = messageFromCalibration(sampleCalibration());
   info.binning_x = 2;
   EXPECT_NE(refusal(info), "");
