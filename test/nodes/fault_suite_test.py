@@ -298,6 +298,7 @@ class FaultSuite(unittest.TestCase):
         self.cameras.place('cam6', 0.3)
         self.run_fault(2.0)
         self.cameras.place('cam6', 0.0)
+        time.sleep(SECONDS)  # the way back is believed after half a second, too, and then made ready
         self.expect('cam6 has moved by 0.300 m', least=0, silence=4.0)
 
     def test_z_silhouette_starts_again(self):
