@@ -31,9 +31,7 @@ struct TrackerOptions {
 
   void visit(OptionVisitor& v);
   /// Keys of what cannot be changed while a tracker follows a person: the method and its sections.
-  static std::set<std::string> fixedKeys() {
-    return {"method", "contour", "hsiao", "fleischmann"};
-  }
+  static std::set<std::string> fixedKeys() { return {"method", "contour", "hsiao", "fleischmann"}; }
   void validate() const;
 };
 
