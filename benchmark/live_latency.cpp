@@ -1,0 +1,191 @@
+/// Plays the raw images of a bag to running stages, with the stamps of now, and measures the time
+/// from sending the last image of a frame set until its tf and its pose are back:
+///
+///     roslaunch markerless_mocap mocap.launch nodelets:=true cameras:="[cam0, cam1]"
+///     live_latency capture.bag --rate 30 --seconds 120
+///
+/// The bag begins with the empty room and is played again and again, so there is a start in each
+/// round. `settled` is the time from two seconds after the first tf of a round until its end;
+/// `all` has starts and losses, too, and counts poses of any status. The period of the frame sets
+/// is the reference: each time is also given as a fraction of it.
+
+#include <markerless_mocap/BodyPose.h>
+#include <ros/ros.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr double kSettled = 2.0;  // s after the first tf of a round
+
+struct Arguments {
+  std::string bag;
+  double rate = 30.0, seconds = 120.0, warm_up = 4.0;
+};
+
+struct Recorded {
+  std::vector<std::string> cameras;
+  std::map<std::string, std::vector<sensor_msgs::ImagePtr>> images;  ///< by camera
+  std::map<std::string, sensor_msgs::CameraInfoPtr> infos;
+  tf2_msgs::TFMessage transforms;
+  size_t instants() const {
+    size_t count = images.begin()->second.size();
+    for (const auto& one : images) count = std::min(count, one.second.size());
+    return count;
+  }
+};
+
+Recorded readBag(const std::string& path) {
+  const std::string kImage = "/image_raw", kInfo = "/camera_info";
+  const auto endsWith = [](const std::string& text, const std::string& end) {
+    return text.size() > end.size() && !text.compare(text.size() - end.size(), end.size(), end);
+  };
+  Recorded recorded;
+  rosbag::Bag bag(path);
+  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
+    const std::string& topic = message.getTopic();
+    if (endsWith(topic, kImage))
+      recorded.images[topic.substr(0, topic.size() - kImage.size())].push_back(
+          message.instantiate<sensor_msgs::Image>());
+    if (endsWith(topic, kInfo))
+      recorded.infos[topic.substr(0, topic.size() - kInfo.size())] =
+          message.instantiate<sensor_msgs::CameraInfo>();
+    if (topic == "/tf_static") recorded.transforms = *message.instantiate<tf2_msgs::TFMessage>();
+  }
+  if (recorded.images.empty()) throw std::runtime_error(path + " has no */image_raw");
+  for (const auto& one : recorded.images) recorded.cameras.push_back(one.first);
+  return recorded;
+}
+
+/// When each frame set was sent and answered.
+class Times {
+ public:
+  struct FrameSet {
+    ros::WallTime sent, tf, pose;
+    bool settled = false;
+  };
+
+  void beginRound() { first_tf_ = ros::WallTime(); }
+  void sent(const ros::Time& stamp) {
+    const std::lock_guard lock(mutex_);
+    FrameSet& frame_set = frame_sets_[stamp];
+    frame_set.sent = ros::WallTime::now();
+    frame_set.settled = !first_tf_.isZero() && (frame_set.sent - first_tf_).toSec() > kSettled;
+  }
+  void tf(const tf2_msgs::TFMessageConstPtr& message) {
+    const std::lock_guard lock(mutex_);
+    FrameSet* frame_set = find(message->transforms.front().header.stamp);
+    if (frame_set && frame_set->tf.isZero()) frame_set->tf = ros::WallTime::now();
+    if (frame_set && first_tf_.isZero()) first_tf_ = ros::WallTime::now();
+  }
+  void pose(const markerless_mocap::BodyPoseConstPtr& message) {
+    const std::lock_guard lock(mutex_);
+    if (FrameSet* frame_set = find(message->header.stamp)) frame_set->pose = ros::WallTime::now();
+  }
+
+  void print(double period) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<double> settled, all;
+    size_t without_tf = 0, without_pose = 0, total = 0;
+    for (const auto& [stamp, one] : frame_sets_) {
+      if (one.sent > ros::WallTime::now() - ros::WallDuration(1.5)) continue;
+      ++total;
+      if (one.settled && one.tf.isZero()) ++without_tf;
+      if (one.settled && !one.tf.isZero()) settled.push_back((one.tf - one.sent).toSec());
+      if (one.pose.isZero()) ++without_pose;
+      if (!one.pose.isZero()) all.push_back((one.pose - one.sent).toSec());
+    }
+    std::printf("%zu frame sets, %zu without a pose message, %zu settled without tf\n", total,
+                without_pose, without_tf);
+    printLine("last image to tf, settled", settled, period);
+    printLine("last image to pose, all", all, period);
+    std::fflush(stdout);
+  }
+
+ private:
+  /// Stamps of a frame set are the mean of its images' stamps, to the nanosecond.
+  FrameSet* find(const ros::Time& stamp) {
+    const auto at = frame_sets_.find(stamp);
+    return at == frame_sets_.end() ? nullptr : &at->second;
+  }
+  static void printLine(const char* what, std::vector<double> times, double period) {
+    if (times.empty()) return;
+    std::sort(times.begin(), times.end());
+    const auto at = [&](double share) { return times[size_t(share * double(times.size() - 1))]; };
+    std::printf("%-28s median %6.1f ms (%.2f periods), 99 %% %6.1f ms (%.2f), worst %6.1f ms\n",
+                what, 1e3 * at(0.5), at(0.5) / period, 1e3 * at(0.99), at(0.99) / period,
+                1e3 * times.back());
+  }
+
+  mutable std::mutex mutex_;
+  std::map<ros::Time, FrameSet> frame_sets_;
+  ros::WallTime first_tf_;
+};
+
+void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle& handle,
+          Times* times) {
+  ros::Publisher transforms = handle.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  transforms.publish(recorded.transforms);
+  std::vector<ros::Publisher> images, infos;
+  for (const std::string& camera : recorded.cameras) {
+    images.push_back(handle.advertise<sensor_msgs::Image>(camera + "/image_raw", 4));
+    infos.push_back(handle.advertise<sensor_msgs::CameraInfo>(camera + "/camera_info", 4));
+  }
+  ros::WallDuration(arguments.warm_up).sleep();
+  const size_t instants = recorded.instants();
+  ros::WallRate rate(arguments.rate);
+  const auto count = size_t(arguments.seconds * arguments.rate);
+  for (size_t i = 0; i < count && ros::ok(); ++i) {
+    if (i % instants == 0) times->beginRound();
+    const ros::Time stamp = ros::Time::now();
+    for (size_t camera = 0; camera < images.size(); ++camera) {
+      const std::string& name = recorded.cameras[camera];
+      sensor_msgs::CameraInfoPtr info(new sensor_msgs::CameraInfo(*recorded.infos.at(name)));
+      info->header.stamp = stamp;
+      infos[camera].publish(info);
+      const sensor_msgs::ImagePtr& image = recorded.images.at(name)[i % instants];
+      image->header.stamp = stamp;
+      images[camera].publish(*image);
+    }
+    times->sent(stamp);
+    rate.sleep();
+  }
+  ros::WallDuration(2.0).sleep();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "live_latency", ros::init_options::AnonymousName);
+  Arguments arguments;
+  CLI::App app("Measures the time from the last image of a frame set to its tf.", "live_latency");
+  app.add_option("bag", arguments.bag, "bag with */image_raw, */camera_info and /tf_static")
+      ->required();
+  app.add_option("--rate", arguments.rate, "frame sets per second")->capture_default_str();
+  app.add_option("--seconds", arguments.seconds, "time to play")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const Recorded recorded = readBag(arguments.bag);
+  ros::NodeHandle handle;
+  Times times;
+  const auto options = ros::TransportHints().tcpNoDelay();
+  const ros::Subscriber tf =
+      handle.subscribe<tf2_msgs::TFMessage>("/tf", 256, &Times::tf, &times, options);
+  const ros::Subscriber pose = handle.subscribe<markerless_mocap::BodyPose>(
+      "/pose", 256, &Times::pose, &times, options);
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  play(arguments, recorded, handle, &times);
+  times.print(1.0 / arguments.rate);
+  return 0;
+}
