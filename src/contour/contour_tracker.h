@@ -36,12 +36,13 @@ class ContourTracker : public BodyTracker {
   /// A frame set; its masks show those parts only that are the person's.
   struct Frame {
     int64_t stamp_ns;
-    const VisualHull& hull;
-    const BodyParts& parts;
-    const PoseTree& tree;
+    ProductSource& products;
     RegionFrame regions;
   };
   BodyPose updateFrom(const Frame& now);
+  /// True if the last start has failed a short time ago and nobody has come since.
+  bool restsFromSearching(const TrackerInput& now) const;
+  BodyPose lost(const ContourObservation& seen, const ContourFit& fit);
   /// Continues the pose of the last frame or starts. \param found replaced if colours show other
   /// places of limbs
   ActiveTrack follow(const Frame& now, RegionObservation& found);
@@ -59,6 +60,8 @@ class ContourTracker : public BodyTracker {
   /// asked: they were found around a body of some stature.
   void initializeStature(const Frame& now, const std::vector<ContourPose>& poses);
   ActiveTrack start(const Frame& now);
+  /// When to check a start from this frame, and when to start again if it fails.
+  void scheduleStart(const Frame& now);
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {
     RegionObservation found;
@@ -103,7 +106,10 @@ class ContourTracker : public BodyTracker {
   bool accepted_ = false;  ///< the pose has been accepted since the last start
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_check_ns_ = 0;
-  int64_t next_limb_search_ns_ = 0, next_color_start_ns_ = 0, next_learning_ns_ = 0;
+  int64_t next_limb_search_ns_ = 0, next_start_ns_ = 0, next_learning_ns_ = 0;
+  int64_t start_interval_ns_ = 0, check_interval_ns_ = 0;  ///< to the next if this one fails
+  bool somebody_there_ = false;                            ///< at the last start: a hull
+  std::string lost_reason_;                                ///< of the last start
   int color_checks_ = 0, color_confirmations_ = 0;  ///< since the last start
   int64_t limb_search_interval_ns_ = 0;  ///< to the next search if this one has no success
   std::optional<OnlineShapeEstimator> shape_estimator_;

@@ -21,8 +21,10 @@ class OrientationSampler {
   OrientationSampler(const CameraRig& rig, const ContourOptions& contour, const TrackedBody& body,
                      size_t max_samples = 48);
 
-  /// \param now frames in the order of time \param pose of the person in this frame; may be lost
-  void add(const TrackerInput& now, const BodyPose& pose);
+  /// Frames come in the order of time. \param images, masks by camera, as of TrackerInput
+  /// \param pose of the person in this frame; may be lost
+  void add(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
+           const BodyPose& pose);
   const std::vector<OrientationSample>& samples() const { return samples_; }
 
  private:

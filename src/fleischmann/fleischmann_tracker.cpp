@@ -96,7 +96,8 @@ FleischmannEstimate FleischmannTracker::proposed(const TrackerInput& now,
                                                  const std::vector<FleischmannView>& views,
                                                  double better_than) {
   initializer_->reset();
-  const BodyPose seen = initializer_->update(now.stamp_ns, now.parts, now.hull);
+  const FrameProducts& made = now.products.ofThisFrame();
+  const BodyPose seen = initializer_->update(now.stamp_ns, made.parts, made.hull);
   if (seen.status == PoseStatus::kLost) {
     FleischmannEstimate none;
     none.reason = seen.reason;

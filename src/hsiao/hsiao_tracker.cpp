@@ -9,7 +9,8 @@ HsiaoTracker::HsiaoTracker(const PersonResources& resources, const PersonOptions
     : body_(initialBody(resources, person.stature)), tracker_(body_->model, options) {}
 
 BodyPose HsiaoTracker::update(const TrackerInput& now) {
-  return tracker_.update(now.stamp_ns, now.parts, now.hull);
+  const FrameProducts& made = now.products.ofThisFrame();
+  return tracker_.update(now.stamp_ns, made.parts, made.hull);
 }
 
 }  // namespace markerless_mocap

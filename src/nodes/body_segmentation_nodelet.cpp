@@ -49,8 +49,14 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
                   });
   }
 
+  bool isWanted() const {
+    return parts_.getNumSubscribers() + points_.getNumSubscribers() + curves_.getNumSubscribers() >
+           0;
+  }
+
   void receive(const sensor_msgs::PointCloud2& cloud) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!isWanted()) return status_->ok("it rests, nobody asks for parts");
     VisualHull hull;
     BodyParts parts;
     try {

@@ -48,8 +48,15 @@ class PoseTreeNodelet : public nodelet::Nodelet {
                   });
   }
 
+  bool isWanted() const {
+    return trees_.getNumSubscribers() + markers_.getNumSubscribers() +
+               skeletons_.getNumSubscribers() >
+           0;
+  }
+
   void receive(const sensor_msgs::PointCloud2& cloud) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!isWanted()) return status_->ok("it rests, nobody asks for trees");
     forgetOnTimeJump(cloud.header.stamp);
     PoseTree tree;
     try {

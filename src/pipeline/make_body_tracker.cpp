@@ -51,9 +51,9 @@ struct Method {
   Maker make;
 };
 
-constexpr Method kMethods[] = {{"contour", {true, false, true}, &makeContour},
-                               {"hsiao", {false, false, false}, &makeHsiao},
-                               {"fleischmann", {true, true, false}, &makeFleischmann}};
+constexpr Method kMethods[] = {{"contour", {true, false, true, true}, &makeContour},
+                               {"hsiao", {false, false, false, false}, &makeHsiao},
+                               {"fleischmann", {true, true, false, false}, &makeFleischmann}};
 
 const Method& methodNamed(const std::string& name) {
   for (const Method& method : kMethods)

@@ -49,6 +49,25 @@ std::vector<cv::Mat> trustedMasks(const CameraRig& rig, const PipelineResult& re
 
 }  // namespace
 
+/// The products of one frame set; parts and tree are made now if they have not been yet.
+class Pipeline::Products : public ProductSource {
+ public:
+  Products(Pipeline* pipeline, const FrameSet& frame_set, PipelineResult* result)
+      : pipeline_(*pipeline), frame_set_(frame_set), result_(*result) {}
+  const FrameProducts& ofThisFrame() override {
+    if (pipeline_.parts_on_demand_ && !made_) pipeline_.makeParts(frame_set_, &result_);
+    made_ = true;
+    return result_;
+  }
+  const FrameProducts& newest() override { return ofThisFrame(); }
+
+ private:
+  Pipeline& pipeline_;
+  const FrameSet& frame_set_;
+  PipelineResult& result_;
+  bool made_ = false;
+};
+
 Pipeline::Pipeline(CameraRig rig, const PersonResources& resources, const PipelineOptions& options)
     : min_views_(options.hull.min_views),
       carver_(std::move(rig), options.hull),
@@ -61,20 +80,21 @@ Pipeline::Pipeline(CameraRig rig, const PersonResources& resources, const Pipeli
 struct Pipeline::Stage {
   const char* name;
   void (Pipeline::*work)(const FrameSet&, PipelineResult*);
+  bool may_wait;  ///< until the tracker asks for its product
 };
 
 const std::vector<Pipeline::Stage>& Pipeline::stages() {
   static const std::vector<Stage> stages = {
-      {SilhouetteOptions::kStage, &Pipeline::extractSilhouettes},
-      {HullOptions::kStage, &Pipeline::carve},
-      {SegmentationOptions::kStage, &Pipeline::segment},
-      {PoseTreeOptions::kStage, &Pipeline::buildTree},
-      {TrackerOptions::kStage, &Pipeline::track}};
+      {SilhouetteOptions::kStage, &Pipeline::extractSilhouettes, false},
+      {HullOptions::kStage, &Pipeline::carve, false},
+      {SegmentationOptions::kStage, &Pipeline::segment, true},
+      {PoseTreeOptions::kStage, &Pipeline::buildTree, true},
+      {TrackerOptions::kStage, &Pipeline::track, false}};
   return stages;
 }
 
 void Pipeline::run(const Stage& stage, Work& work) {
-  if (work.result.learning) return;
+  if (work.result.learning || (stage.may_wait && parts_on_demand_)) return;
   watch_(stage.name, [&] { (this->*stage.work)(work.frame_set, &work.result); });
 }
 
@@ -167,10 +187,16 @@ void Pipeline::buildTree(const FrameSet&, PipelineResult* result) {
   result->tree = tree_builder_.build(result->hull);
 }
 
+void Pipeline::makeParts(const FrameSet& frame_set, PipelineResult* result) {
+  for (const Stage& stage : stages())
+    if (stage.may_wait) watch_(stage.name, [&] { (this->*stage.work)(frame_set, result); });
+}
+
 void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
   const std::vector<cv::Mat> masks = trustedMasks(rig(), *result);
-  result->pose = tracker_->update({frame_set.stamp_ns, masks, imagesOf(frame_set.frames),
-                                   result->hull, result->parts, result->tree});
+  const std::vector<cv::Mat> images = imagesOf(frame_set.frames);
+  Products products(this, frame_set, result);
+  result->pose = tracker_->update({frame_set.stamp_ns, masks, images, products});
   result->body = tracker_->body();
 }
 

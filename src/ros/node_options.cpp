@@ -109,8 +109,10 @@ void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
-          "largest difference between the stamps of a silhouette and its hull, s; as that of "
-          "visual_hull");
+          "stamps closer than this belong to one frame set, s; as that of visual_hull");
+  v.field("deadline", deadline, 0.0, 60.0,
+          "a frame set older than the newest stamp by this is fitted without the missing cameras, "
+          "s; as that of visual_hull");
   v.field("body_id", body_id, {}, kBodyMeaning);
   v.field("urdf_template", urdf_template, {}, kTemplateMeaning);
   v.field("body_file", body_file, {},
@@ -123,6 +125,9 @@ void FittingNodeOptions::validate() const {
   checkCameras(kStage, cameras, 0);
   checkWorldFrame(kStage, world_frame);
   checkBodyId(kStage, body_id);
+  if (deadline < stamp_tolerance)
+    throw std::invalid_argument("pose_fitting/deadline is " + std::to_string(deadline) +
+                                ", allowed is stamp_tolerance or more");
 }
 
 void FittingNodeOptions::requireCameras() const {

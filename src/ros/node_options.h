@@ -69,8 +69,11 @@ struct FittingNodeOptions {
   std::string rig_file;
   /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
-  /// largest difference between the stamps of a silhouette and its hull, s; as that of visual_hull
+  /// stamps closer than this belong to one frame set, s; as that of visual_hull
   double stamp_tolerance = 0.005;
+  /// a frame set older than the newest stamp by this is fitted without the missing cameras, s; as
+  /// that of visual_hull
+  double deadline = 0.5;
   /// suffix of the body's frames, joints and topics
   std::string body_id = "person1";
   /// file of the URDF template; empty: the package's own urdf/human.urdf.in

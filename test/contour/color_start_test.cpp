@@ -25,10 +25,11 @@ class ColorStartTest : public testing::Test, protected UnknownRoom {
   /// The pose after so many frames at 30 Hz, in which the colours flicker like those of clothes.
   BodyPose poseAfter(int frames, ContourTracker& tracker) {
     BodyPose found;
+    ReadyProducts products({hull, {}, {}});
     for (int64_t frame = 0; frame < frames; ++frame) {
       std::vector<cv::Mat> now;
       for (const cv::Mat& image : images) now.push_back(image + cv::Scalar::all(frame % 2 * 15));
-      found = tracker.update({1 + frame * 33333333, masks, now, hull, {}, {}});
+      found = tracker.update({1 + frame * 33333333, masks, now, products});
     }
     return found;
   }

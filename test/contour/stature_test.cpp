@@ -26,9 +26,10 @@ TEST_P(StatureTest, IsFoundWithoutBeingGiven) {
                          [&](std::shared_ptr<const BodyModel> model) {
                            return std::make_unique<CountedProposals>(model, pose, &proposals);
                          });
+  ReadyProducts products;
   for (int64_t frame = 0; frame < 5; ++frame) {
     pose.angles[RevoluteJoint::kLeftElbow] += 0.1;
-    tracker.update({1 + frame * 100000000, drawnMasks(rig, body, pose), {}, {}, {}, {}});
+    tracker.update({1 + frame * 100000000, drawnMasks(rig, body, pose), {}, products});
   }
   tracker.estimateShapeNow();
   ASSERT_TRUE(tracker.body()->shape_estimated);

@@ -11,11 +11,14 @@
 
 namespace markerless_mocap {
 
-/// What a method reads in addition to visual hull, body parts and pose tree.
+/// What a method reads. A method without masks reads visual hull and body parts of each frame set,
+/// the others read them as ProductSource says.
 struct TrackerNeeds {
   bool masks = false;   ///< silhouettes and calibrations of all cameras
   bool images = false;  ///< images of all cameras
   bool colors = false;  ///< colour images of the cameras whose masks have hasUnknownBackground()
+  /// a start takes as long as many frame sets, following less than the time between two
+  bool starts_by_search = false;
 };
 
 /// Throws std::invalid_argument on an unknown method.

@@ -57,14 +57,11 @@ struct FrameSet {
 };
 
 /// The results of all stages for one frame set.
-struct PipelineResult {
+struct PipelineResult : FrameProducts {
   bool learning = false;  ///< too few cameras have learned their background; all other members are
                           ///< empty
   std::vector<cv::Mat>
       masks;  ///< one per camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
-  VisualHull hull;
-  BodyParts parts;
-  PoseTree tree;
   BodyPose pose;
   std::shared_ptr<const TrackedBody> body;  ///< the body that `pose` refers to
 };
@@ -108,6 +105,9 @@ class Pipeline {
   /// As BodyTracker::estimateShapeNow().
   void estimateShapeNow() { tracker_->estimateShapeNow(); }
   void setStageWatch(StageWatch watch) { watch_ = std::move(watch); }
+  /// From now on, parts and tree are made only of frame sets where the tracker asks for them; they
+  /// are empty in the results of the others. The poses are the same. Hulls are always made.
+  void makePartsOnDemand() { parts_on_demand_ = true; }
 
  private:
   struct Work {
@@ -115,6 +115,7 @@ class Pipeline {
     PipelineResult result;
   };
   struct Stage;
+  class Products;
   static const std::vector<Stage>& stages();
 
   void run(const Stage& stage, Work& work);
@@ -123,9 +124,11 @@ class Pipeline {
   void carve(const FrameSet& frame_set, PipelineResult* result);
   void segment(const FrameSet& frame_set, PipelineResult* result);
   void buildTree(const FrameSet& frame_set, PipelineResult* result);
+  void makeParts(const FrameSet& frame_set, PipelineResult* result);
   void track(const FrameSet& frame_set, PipelineResult* result);
 
   int min_views_;
+  bool parts_on_demand_ = false;
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;

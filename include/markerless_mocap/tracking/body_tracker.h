@@ -5,10 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "markerless_mocap/products/body_parts.h"
 #include "markerless_mocap/products/body_pose.h"
-#include "markerless_mocap/products/pose_tree.h"
-#include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/tracking/product_source.h"
 #include "markerless_mocap/tracking/tracked_body.h"
 
 namespace markerless_mocap {
@@ -19,9 +17,7 @@ struct TrackerInput {
   const std::vector<cv::Mat>&
       masks;  ///< by camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   const std::vector<cv::Mat>& images;  ///< by camera, grey or BGR; empty where missing
-  const VisualHull& hull;
-  const BodyParts& parts;
-  const PoseTree& tree;
+  ProductSource& products;
 };
 
 /// Tracks the pose of one person over time. Every tracking method implements this interface. Not

@@ -20,11 +20,12 @@ OrientationSampler::OrientationSampler(const CameraRig& rig, const ContourOption
       body_(body.shape),
       max_samples_(max_samples) {}
 
-void OrientationSampler::add(const TrackerInput& now, const BodyPose& found) {
+void OrientationSampler::add(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks,
+                             const BodyPose& found) {
   if (found.status == PoseStatus::kLost) return;
   const ContourPose pose = converter_.poseOf(found.T_world_body, found.angles);
   if (!isAnotherPosture(pose) || postures_++ % stride_ != 0) return;
-  const RegionFrame frame(now.images, now.masks);
+  const RegionFrame frame(images, masks);
   observer_.learn(frame, body_, pose);
   samples_.push_back({observer_.observeNear(frame, body_, pose, kPoseError).seen, pose});
   if (samples_.size() > max_samples_) thinOut();

@@ -68,7 +68,8 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   still_contours_.reset();
   reconsider_until_ns_ = next_check_ns_ = next_reconsideration_ns_ = 0;
-  next_limb_search_ns_ = limb_search_interval_ns_ = next_color_start_ns_ = next_learning_ns_ = 0;
+  next_limb_search_ns_ = limb_search_interval_ns_ = next_start_ns_ = next_learning_ns_ = 0;
+  start_interval_ns_ = 0;
   initializer_->reset();
   converter_->reset();
   stamp_.reset();
@@ -93,7 +94,8 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
   if (!doubtful) limb_search_interval_ns_ = 0;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
-  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions, now.hull, *contour_body_,
+  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions,
+                                   now.products.newest().hull, *contour_body_,
                                    {found, active.track.fit});
   limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
                                     : std::clamp(2 * limb_search_interval_ns_,
@@ -104,18 +106,16 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);
 }
 
-// A valid pose tree is nearly always right, so it becomes the alternative if it contradicts the
-// pose. While the pose is uncertain, an invalid tree and exchanged sides are tried, too.
+// While the pose is in doubt, the pose of the pose tree and, after a start, exchanged sides are
+// tried.
 void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen,
                                 const ContourTrackingResult& track) {
   const bool started = now.stamp_ns < reconsider_until_ns_;
   const bool uncertain = started || track.status == ContourTrackingStatus::kLimbLost;
-  if (now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
+  if (!uncertain || now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
   std::vector<ContourPose> others;
-  const auto of_tree = poseFromPoseTree(now.tree);
-  if (of_tree && (now.tree.valid() || uncertain) &&
-      limbsDiffer(*contour_body_, track.fit.pose, *of_tree))
-    others.push_back(*of_tree);
+  const auto of_tree = poseFromPoseTree(now.products.newest().tree);
+  if (of_tree && limbsDiffer(*contour_body_, track.fit.pose, *of_tree)) others.push_back(*of_tree);
   if (started) {
     others.push_back(mirrored(*contour_body_, track.fit.pose));
     others.push_back(withLegsSwapped(*contour_body_, track.fit.pose));
@@ -129,6 +129,7 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   BodyPose pose;
   pose.status = active.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
   reported_ = true;
+  start_interval_ns_ = 0;
   converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
   reportEvidence(active.track.fit, limb_agreement_, pose);
   return pose;
@@ -175,9 +176,30 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
-  const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, now.hull, still_contours_.rig());
+  const bool follows = hypotheses_.predict(now.stamp_ns).has_value();
+  if (!follows && restsFromSearching(now)) {
+    still_contours_.watch(now.stamp_ns, now.images, now.masks);
+    BodyPose still_lost;
+    still_lost.reason = lost_reason_;
+    return still_lost;
+  }
+  const auto hull = [&]() -> const VisualHull& {
+    return (follows ? now.products.newest() : now.products.forStart()).hull;
+  };
+  const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
-  return updateFrom({now.stamp_ns, now.hull, now.parts, now.tree, {now.images, masks}});
+  return updateFrom({now.stamp_ns, now.products, {now.images, masks}});
+}
+
+bool ContourTracker::restsFromSearching(const TrackerInput& now) const {
+  if (now.stamp_ns >= next_start_ns_) return false;
+  return somebody_there_ || now.products.newest().hull.voxels.empty();
+}
+
+BodyPose ContourTracker::lost(const ContourObservation& seen, const ContourFit& fit) {
+  BodyPose pose;
+  pose.reason = lost_reason_ = whyLost(seen, fit, initializer_error_);
+  return pose;
 }
 
 BodyPose ContourTracker::updateFrom(const Frame& now) {
@@ -188,11 +210,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   const ActiveTrack active = follow(now, found);
   if (active.switched) reconsider_until_ns_ = now.stamp_ns + kReconsiderAfterStart_ns;
   const ContourFit& fit = active.track.fit;
-  if (active.track.status == ContourTrackingStatus::kLost) {
-    BodyPose lost;
-    lost.reason = whyLost(found.seen, fit, initializer_error_);
-    return lost;
-  }
+  if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   learn(now, active);
   still_contours_.compare(found.seen, *contour_body_, fit.pose);
   if (const std::optional<BodyPose> estimating = estimateShape(now.stamp_ns, found.seen, fit))

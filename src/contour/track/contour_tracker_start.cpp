@@ -11,7 +11,11 @@ namespace {
 
 // Default postures are tried if the proposals have a lower quality.
 constexpr double kPoorQuality = 0.86;
-constexpr int64_t kStartInterval_ns = 50000000;
+
+// A search costs as much as following the person over many frames. After a search without success
+// the next one waits, and after each further one twice as long, up to the last value.
+constexpr int64_t kFirstRest_ns = 25000000, kLongestRest_ns = 400000000;
+constexpr int64_t kFirstCheck_ns = 50000000;
 
 // A search by colour takes longer. Of seventeen starts on the beam film five had a wrong arm or
 // exchanged legs; later searches found the right pose, with a higher score. So each start is
@@ -26,13 +30,14 @@ constexpr double kMinCheckGain = 0.01;  // of the score
 std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
                                                    const ContourObservation& seen) {
   std::vector<ContourPose> poses;
-  const BodyPose pose = initializer_->update(now.stamp_ns, now.parts, now.hull);
+  const FrameProducts& made = now.products.ofThisFrame();
+  const BodyPose pose = initializer_->update(now.stamp_ns, made.parts, made.hull);
   initializer_error_ = pose.reason;
   if (pose.status != PoseStatus::kLost)
     poses.push_back(converter_->poseOf(pose.T_world_body, pose.angles));
-  if (const auto of_tree = poseFromPoseTree(now.tree)) poses.push_back(*of_tree);
+  if (const auto of_tree = poseFromPoseTree(made.tree)) poses.push_back(*of_tree);
   if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
-    for (const ContourPose& posture : defaultPostures(now.hull)) poses.push_back(posture);
+    for (const ContourPose& posture : defaultPostures(made.hull)) poses.push_back(posture);
   return poses;
 }
 
@@ -42,7 +47,8 @@ std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observe
   for (const ContourFit& fit :
        hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
     starts.push_back(fit.pose);
-  return searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_, starts, rival);
+  return searchByColor(observer, hypotheses_, now.regions, now.products.ofThisFrame().hull,
+                       *contour_body_, starts, rival);
 }
 
 // Colours find the pose of a body whose stature is about right, and a pose tells the stature better
@@ -60,14 +66,23 @@ void ContourTracker::findByColor(const Frame& now, Search& search) {
   search = {std::move(fits.front().found), {fits.front().fit.pose}};
 }
 
-ActiveTrack ContourTracker::start(const Frame& now) {
+void ContourTracker::scheduleStart(const Frame& now) {
   const bool by_color = now.regions.needsColors();
-  if (by_color && now.stamp_ns < next_color_start_ns_) return {};
-  next_color_start_ns_ = now.stamp_ns + 2 * kFirstColorCheck_ns;
-  next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kStartInterval_ns);
+  const int64_t least_rest = by_color ? 2 * kFirstColorCheck_ns : 0;
+  next_start_ns_ = now.stamp_ns + std::max(start_interval_ns_, least_rest);
+  start_interval_ns_ = std::clamp(2 * start_interval_ns_, kFirstRest_ns, kLongestRest_ns);
+  check_interval_ns_ = by_color ? kFirstColorCheck_ns : kFirstCheck_ns;
+  next_check_ns_ = now.stamp_ns + check_interval_ns_;
   color_checks_ = color_confirmations_ = 0;
+}
+
+ActiveTrack ContourTracker::start(const Frame& now) {
+  scheduleStart(now);
+  const bool by_color = now.regions.needsColors();
   observer_.reset();
-  Search search{observer_.observeLargest(now.regions, now.hull), {}};
+  const VisualHull& hull = now.products.forStart().hull;
+  somebody_there_ = !hull.voxels.empty();
+  Search search{observer_.observeLargest(now.regions, hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
   if (by_color)
@@ -88,7 +103,8 @@ bool ContourTracker::needsCheck(const Frame& now) const {
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   initializer_->reset();  // the proposal must depend on this frame only
   if (now.regions.needsColors()) return checkByColor(now, active);
-  next_check_ns_ = now.stamp_ns + kStartInterval_ns;
+  check_interval_ns_ = std::min(2 * check_interval_ns_, kLongestRest_ns);
+  next_check_ns_ = now.stamp_ns + check_interval_ns_;
   Search search{observer_.observe(now.regions), {}};
   search.poses = proposals(now, search.found.seen);
   still_contours_.weigh(search.found.seen);
@@ -102,11 +118,12 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
 ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& active) {
   next_check_ns_ = now.stamp_ns + (kFirstColorCheck_ns << std::min(++color_checks_, kColorChecks));
   const RegionObserver observer = observer_.withoutColors();
-  Search search{observer.observeLargest(now.regions, now.hull), {}};
+  const VisualHull& hull = now.products.ofThisFrame().hull;
+  Search search{observer.observeLargest(now.regions, hull), {}};
   search.poses = proposals(now, search.found.seen);
   const ContourPose& pose = active.track.fit.pose;
   std::vector<RegionFit> fits =
-      searchByColor(observer, hypotheses_, now.regions, now.hull, *contour_body_,
+      searchByColor(observer, hypotheses_, now.regions, hull, *contour_body_,
                     {pose, withLegsSwapped(*contour_body_, pose)});
   const std::vector<RegionFit> others =
       fitsByColor(observer, now, search, fits.empty() ? 0.0 : fits.front().score());

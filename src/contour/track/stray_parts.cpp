@@ -47,35 +47,63 @@ std::vector<int> areasOf(const cv::Mat& labels, int count) {
   return areas;
 }
 
-cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
-  const int cell = hullCellEdge(mask.cols);
-  cv::Mat joined, labels;
-  cv::dilate(cellsOfMask(mask, cell), joined, cv::Mat());
-  const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
-  const std::vector<int> areas = areasOf(labels, count);
-  const int all = std::accumulate(areas.begin(), areas.end(), 0);
-  const int largest = *std::max_element(areas.begin(), areas.end());
-  if (all - largest < kMinStray * largest || hasUnknownPixels(mask)) return mask;
-  const std::vector<bool> inside = labelsInCells(labels, count, hullCells(hull, camera, cell));
+/// The parts of a mask, told apart by cells.
+struct MaskParts {
+  cv::Mat labels;          ///< CV_32SC1, one per cell; 0 is the background
+  std::vector<int> areas;  ///< of each label, cells
+
+  int all() const { return std::accumulate(areas.begin(), areas.end(), 0); }
+  /// Whether large parts lie apart from the largest one.
+  bool areApart() const {
+    const int largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+    return all() - largest >= kMinStray * largest && largest > 0;
+  }
+};
+
+MaskParts partsOf(const cv::Mat& mask) {
+  MaskParts parts;
+  cv::Mat joined;
+  cv::dilate(cellsOfMask(mask, hullCellEdge(mask.cols)), joined, cv::Mat());
+  const int count = cv::connectedComponents(joined, parts.labels, 8, CV_32S);
+  parts.areas = areasOf(parts.labels, count);
+  return parts;
+}
+
+cv::Mat withoutStrayParts(const cv::Mat& mask, const MaskParts& parts, const VisualHull& hull,
+                          const Camera& camera) {
+  const int cell = hullCellEdge(mask.cols), count = int(parts.areas.size());
+  const std::vector<bool> inside =
+      labelsInCells(parts.labels, count, hullCells(hull, camera, cell));
   int kept = 0;
   for (int label = 1; label < count; ++label)
-    if (inside[size_t(label)]) kept += areas[size_t(label)];
-  if (kept == 0 || all - kept < kMinStray * kept) return mask;
+    if (inside[size_t(label)]) kept += parts.areas[size_t(label)];
+  if (kept == 0 || parts.all() - kept < kMinStray * kept) return mask;
   cv::Mat cleaned = mask.clone();
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x)
-      if (!inside[size_t(labels.at<int>(y / cell, x / cell))]) cleaned.at<uchar>(y, x) = 0;
+      if (!inside[size_t(parts.labels.at<int>(y / cell, x / cell))]) cleaned.at<uchar>(y, x) = 0;
   return cleaned;
 }
 
 }  // namespace
 
-std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks, const VisualHull& hull,
+std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks,
+                                       const std::function<const VisualHull&()>& hull,
                                        const CameraRig& rig) {
-  std::vector<cv::Mat> cleaned = masks;
-  if (hull.voxels.empty() || masks.size() != rig.size()) return cleaned;
+  if (masks.size() != rig.size()) return masks;
+  std::vector<MaskParts> parts(masks.size());
+  std::vector<char> apart(masks.size(), false);
   tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
-    if (!masks[i].empty()) cleaned[i] = withoutStrayParts(masks[i], hull, rig[i]);
+    if (masks[i].empty()) return;
+    parts[i] = partsOf(masks[i]);
+    apart[i] = parts[i].areApart() && !hasUnknownPixels(masks[i]);
+  });
+  if (!std::count(apart.begin(), apart.end(), true)) return masks;
+  const VisualHull& seen = hull();
+  if (seen.voxels.empty()) return masks;
+  std::vector<cv::Mat> cleaned = masks;
+  tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
+    if (apart[i]) cleaned[i] = withoutStrayParts(masks[i], parts[i], seen, rig[i]);
   });
   return cleaned;
 }

@@ -46,7 +46,7 @@ class StageInputs {
                                     uint32_t queue, Need need,
                                     const std::function<void(const CameraImage&)>& callback);
 
- private:
+  /// As listen(), until the result is destroyed.
   template <class MessageT, class CallbackT>
   ros::Subscriber subscribe(const std::string& topic, uint32_t queue, Need need,
                             CallbackT callback) {
@@ -63,6 +63,8 @@ class StageInputs {
             }),
         {}, lowLatencyTransport());
   }
+
+ private:
   void require(const std::string& topic, const std::string& type);
   /// The number of the topic in the status; none if it may be silent.
   std::optional<size_t> watch(const std::string& topic, Need need);

@@ -23,6 +23,9 @@ class ColorImages {
 
   /// To be called for each mask, before it is used.
   void noteMask(size_t camera, int64_t stamp_ns, bool unknown);
+  bool isNeeded(size_t camera, int64_t stamp_ns) const {
+    return demand_.isNeeded(camera, stamp_ns);
+  }
   /// True if the image of this time is needed and may still arrive.
   bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns,
                     int64_t max_behind_ns) const;

@@ -23,6 +23,7 @@ void FittingStage::advertiseServices() {
 void FittingStage::apply(const TrackerOptions& options) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::optional<PoseFilter> filter = makePoseFilter(body_->model, options.filter);  // may throw
+  const std::lock_guard<std::mutex> announcing(announcing_);
   filter_ = std::move(filter);
   options_ = options;
 }
@@ -30,6 +31,7 @@ void FittingStage::apply(const TrackerOptions& options) {
 std::string FittingStage::resetTracking() {
   successor_.forget();
   if (tracker_) tracker_->reset();
+  const std::lock_guard<std::mutex> announcing(announcing_);
   filter_ = makePoseFilter(body_->model, options_.filter);
   return "the person is searched for anew, the body is kept";
 }

@@ -6,17 +6,13 @@
 #include <exception>
 
 #include "markerless_mocap/tracking/shape_file.h"
-#include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
+#include "nodes/pose_fitting/tracker_update.h"
 #include "ros/body_markers.h"
 #include "ros/camera_conversions.h"
-#include "ros/hull_conversions.h"
-#include "ros/image_conversions.h"
 #include "ros/package_files.h"
 #include "ros/pose_conversions.h"
-#include "ros/pose_tree_conversions.h"
-#include "ros/segmentation_conversions.h"
 #include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
@@ -28,6 +24,7 @@ namespace {
 // frame sets go without.
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
+constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
 constexpr int64_t kLargestStep = 2'000'000'000;  // ns
 constexpr int64_t kLargestPeriod = 500'000'000;  // ns
 constexpr double kLongestSilence = 2.0;          // s of the wall clock, then nobody is announced
@@ -37,65 +34,6 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
       options.body_id, options.urdf_template, isThere(options.body_file) ? options.body_file : "");
   resources.in_background = true;
   return resources;
-}
-
-/// A mask that cannot be used is left out; if none can, the first reason is thrown.
-std::vector<cv::Mat> masksOf(const FittingMessages& input, const CameraRig& rig) {
-  std::vector<cv::Mat> masks(input.masks.size());
-  std::string fault;
-  bool any = false;
-  for (size_t i = 0; i < masks.size(); ++i) {
-    if (!input.masks[i]) continue;
-    try {
-      masks[i] = maskOfCamera(rig[i], *input.masks[i]);
-      any = true;
-    } catch (const std::exception& error) {
-      if (fault.empty()) fault = error.what();
-    }
-  }
-  if (!any && !fault.empty()) throw std::invalid_argument(fault);
-  return masks;
-}
-
-cv::Mat imageOrNothing(const CameraImage& image) {
-  try {
-    return image.mat();
-  } catch (const std::invalid_argument&) {
-    return cv::Mat();
-  }
-}
-
-/// \param required if not, images that cannot be read are left out
-std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
-  std::vector<cv::Mat> images(input.masks.size());
-  for (size_t i = 0; i < input.images.size(); ++i)
-    images[i] = required ? input.images[i].mat() : imageOrNothing(input.images[i]);
-  return images;
-}
-
-BodyParts partsOf(const FittingMessages& input) {
-  if (!input.parts || !input.labels) return BodyParts();
-  BodyParts parts = partsFromMessage(*input.parts);
-  parts.labels = labelsFromMessage(*input.labels);
-  return parts;
-}
-
-PoseTree treeOf(const FittingMessages& input) {
-  return input.tree ? poseTreeFromMessage(*input.tree) : PoseTree();
-}
-
-BodyPose updated(BodyTracker& tracker, const CameraRig& rig, const FittingMessages& input,
-                 int64_t stamp_ns, bool images_required) {
-  const VisualHull hull = hullFromMessage(*input.hull, *input.grid);
-  const std::vector<cv::Mat> masks = masksOf(input, rig);
-  const std::vector<cv::Mat> images = imagesOf(input, images_required);
-  return tracker.update({stamp_ns, masks, images, hull, partsOf(input), treeOf(input)});
-}
-
-/// Message part that names the stage without data for this frame set.
-std::string lackOf(const FittingMessages& input) {
-  const std::string what = !input.parts || !input.labels ? "body_segmentation" : "pose_tree";
-  return "; " + what + " has sent nothing for this frame set";
 }
 
 }  // namespace
@@ -120,7 +58,8 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
     overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
   inputs_ =
       std::make_unique<FittingInputs>(handle, node_options_, needsOf(options_.method), &status_,
-                                      [this](FittingMessages input) { enqueue(std::move(input)); });
+                                      [this](FittingMessages input) { enqueue(std::move(input)); },
+                                      [this] { searches_ = true; });
   heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
   timer_ = handle.createWallTimer(ros::WallDuration(1.0),
@@ -136,15 +75,30 @@ FittingStage::~FittingStage() {
   gate_.close();
   services_.reset();
   live_.reset();
-  inputs_.reset();
   queue_.close();
+  inputs_->products().close();
   worker_.join();
+  successor_.forget();
+  inputs_.reset();
 }
 
 void FittingStage::enqueue(FittingMessages input) {
   if (!needsOf(options_.method).images && queue_.waitingCount() >= kMaxWaitingWithImages)
     input.images.clear();
+  answerLate(input.header);
   queue_.push(std::move(input));
+}
+
+// Following takes less than a period, a search as long as many. While frame sets wait behind one,
+// those that come are lost, and are told so at once.
+void FittingStage::answerLate(const std_msgs::Header& newest) {
+  const std::lock_guard lock(announcing_);
+  answers_.await(newest);
+  if (!searches_ || !needsOf(options_.method).starts_by_search) return;
+  BodyPose lost;
+  lost.reason = "the person is being searched for";
+  while (const std::optional<std_msgs::Header> late = answers_.takeLate(kMaxLate))
+    publish(lost, *late);
 }
 
 void FittingStage::work() {
@@ -152,14 +106,16 @@ void FittingStage::work() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!runs_) {
       status_.ok("stopped by the service set_running");
+      const std::lock_guard announcing(announcing_);
+      answers_.take(input->header);
       continue;
     }
     const ros::WallTime start = ros::WallTime::now();
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();
     if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
-    publish(pose, *input);
-    reportTimes(fitting, input->header.stamp);
+    if (answer(pose, *input)) reportTimes(fitting, input->header.stamp);
+    if (queue_.waitingCount() == 0) searches_ = false;
   }
 }
 
@@ -168,9 +124,9 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     if (!input.error.empty()) throw std::invalid_argument(input.error);
     const int64_t stamp_ns = steadyStamp(input.header.stamp);
     prepareTracker(input, stamp_ns);
-    BodyPose pose = updated(*tracker_, *rig_, input, stamp_ns, needsOf(options_.method).images);
+    const BodyPose pose = updated(*tracker_, input, inputs_->products(), stamp_ns,
+                                  needsOf(options_.method).images);
     follows_ = pose.status != PoseStatus::kLost;
-    if (pose.status == PoseStatus::kLost && !input.complete) pose.reason += lackOf(input);
     return pose;
   } catch (const std::exception& error) {
     follows_ = false;
@@ -206,8 +162,8 @@ void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns
         [rig = input.rig, resources = resources_, options = options_] {
           return makeBodyTracker(*rig, resources, options);
         },
-        [input, stamp_ns, images = needsOf(options_.method).images](BodyTracker& tracker) {
-          return updated(tracker, *input.rig, input, stamp_ns, images);
+        [this, input, stamp_ns, images = needsOf(options_.method).images](BodyTracker& tracker) {
+          return updated(tracker, input, inputs_->products(), stamp_ns, images);
         });
     if (!next) return;
   } else {
@@ -219,10 +175,10 @@ void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns
 
 void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
   const bool newly_measured = body->shape_estimated && !resources_.known_shape;
-  body_ = body;
-  filter_ = makePoseFilter(body_->model, options_.filter);
   {
     const std::lock_guard lock(announcing_);
+    body_ = body;
+    filter_ = makePoseFilter(body_->model, options_.filter);
     announcer_.announce(false, ros::Time::now());
     description_.set(*body_);
   }
@@ -252,13 +208,18 @@ void FittingStage::display(const BodyPose& pose, const FittingMessages& input) {
   if (overlays_ && overlays_->isWanted()) overlays_->show({body_, pose, input.rig, input.masks});
 }
 
-void FittingStage::publish(const BodyPose& raw, const FittingMessages& input) {
-  const std_msgs::Header& header = input.header;
+bool FittingStage::answer(const BodyPose& raw, const FittingMessages& input) {
+  const std::lock_guard lock(announcing_);
+  if (!answers_.take(input.header)) return false;
+  display(publish(raw, input.header), input);
+  return true;
+}
+
+BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
   const BodyModel& model = *body_->model;
   const BodyPose pose =
       filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
-  const std::lock_guard lock(announcing_);
   last_published_ = ros::WallTime::now();
   status_.count(toString(pose.status));
   last_pose_ns_ = nanosecondsOf(header.stamp);
@@ -272,8 +233,8 @@ void FittingStage::publish(const BodyPose& raw, const FittingMessages& input) {
     status_.problem(pose.reason);
   }
   announce(tracked, header.stamp);
-  display(pose, input);
   publishShared(pose_, messageFromPose(model, raw, header));
+  return pose;
 }
 
 // Who is told of a body finds its description and tf; these go after the body (REP-155). Before the
@@ -294,6 +255,7 @@ void FittingStage::checkAnnouncement() {
 }
 
 void FittingStage::beat() {
+  inputs_->products().rest();
   checkAnnouncement();
   MocapStatus message;
   message.header.stamp = ros::Time::now();

@@ -18,6 +18,7 @@
 #include "nodes/common/live_options.h"
 #include "nodes/common/stage_services.h"
 #include "nodes/common/stage_status.h"
+#include "nodes/pose_fitting/answers.h"
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
@@ -42,6 +43,8 @@ class FittingStage {
 
  private:
   void enqueue(FittingMessages input);
+  /// While the person is searched for, answers the frame sets that have waited too long.
+  void answerLate(const std_msgs::Header& newest);
   void work();
   BodyPose fit(const FittingMessages& input);
   /// The tracker's time of a stamp: it goes on when the clock is set back a little.
@@ -62,7 +65,10 @@ class FittingStage {
   std::string loadBody();
   std::string saveMeasuredBody();
   std::string setRunning(bool runs);
-  void publish(const BodyPose& raw, const FittingMessages& input);
+  /// Publishes and displays a pose, unless its frame set has been answered; then it returns false.
+  bool answer(const BodyPose& raw, const FittingMessages& input);
+  /// Needs announcing_. \return the filtered pose
+  BodyPose publish(const BodyPose& raw, const std_msgs::Header& header);
   /// Shows a pose to whoever looks on.
   void display(const BodyPose& pose, const FittingMessages& input);
   void announce(bool tracked, const ros::Time& stamp);
@@ -79,20 +85,23 @@ class FittingStage {
   StageStatus status_;
   ros::Publisher joint_states_, pose_, markers_, text_, heartbeat_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  std::mutex announcing_;  ///< for the next three
+  std::mutex announcing_;  ///< for the next six
+  Answers answers_;
   BodyDescription description_;
   BodyAnnouncer announcer_;
   ros::WallTime last_published_;
-  std::shared_ptr<const TrackedBody> body_;
-  std::optional<PoseFilter> filter_;          ///< for body_
+  std::shared_ptr<const TrackedBody> body_;  ///< only the worker changes it
+  std::optional<PoseFilter> filter_;         ///< for body_
   std::shared_ptr<const CameraRig> rig_;      ///< of tracker_
   std::unique_ptr<BodyTracker> tracker_;      ///< null until the rig is known
   bool follows_ = false;                      ///< the person, in the last frame set
-  int64_t last_stamp_ns_ = 0, shift_ns_ = 0;  ///< of the tracker
+  int64_t last_stamp_ns_ = 0;                 ///< of the tracker
+  std::atomic<int64_t> shift_ns_{0};          ///< of the tracker's time
   int64_t period_ns_ = 0;                     ///< between the last frame sets
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
   std::optional<Eigen::Vector3d> last_head_;  ///< m in world, where the text is shown
   std::atomic<bool> runs_{true};
+  std::atomic<bool> searches_{false};  ///< frame sets may wait behind a search
   LatencyMeter fitting_times_, latencies_;
   CatchUpQueue<FittingMessages> queue_;
   std::optional<Overlays> overlays_;

@@ -9,6 +9,7 @@
 #include "camera/timing_remarks.h"
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
+#include "nodes/common/mask_sets.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
@@ -20,21 +21,11 @@ namespace {
 constexpr uint32_t kQueue = 16;    // messages per topic that wait while another stage uses the CPU
 constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
-constexpr double kSilence = 0.3;   // s until frame sets no longer wait for a camera
-constexpr int kMaxMissed = 5;      // frame sets until they no longer wait for one with other stamps
 constexpr int64_t kStrayTime = 500'000'000;  // ns
 constexpr double kLookInterval = 0.1;        // s
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
-  AssemblerOptions options;
-  options.tolerance = node.stamp_tolerance;
-  options.deadline = node.deadline;
-  options.min_streams = 1;  // the reason is published even if a frame set has too few cameras
-  options.offsets = rig.timeOffsets();
-  if (!options.offsets.empty()) options.max_drift = kFollowedDrift;
-  options.silence = kSilence;
-  options.max_missed = kMaxMissed;
-  return options;
+  return maskSetOptions(node.stamp_tolerance, node.deadline, rig.timeOffsets());
 }
 
 /// For example "hull of 2000 voxels without camera 'a': its mask is full; 2 components are suspect

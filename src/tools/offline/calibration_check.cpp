@@ -67,8 +67,7 @@ void addSample(const FrameSet& frame_set, const PipelineResult& result,
   if (result.pose.status == PoseStatus::kLost) return;
   std::vector<cv::Mat> images;
   for (const CameraFrame& frame : frame_set.frames) images.push_back(frame.image);
-  sampler->add({frame_set.stamp_ns, result.masks, images, result.hull, result.parts, result.tree},
-               result.pose);
+  sampler->add(images, result.masks, result.pose);
 }
 
 }  // namespace markerless_mocap

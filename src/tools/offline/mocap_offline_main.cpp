@@ -56,6 +56,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("!--report-without-images", run.report_images,
                "no images of the person in the report, only outlines");
   app.add_flag("--masks-out", run.masks_out, "also write the silhouettes");
+  app.add_flag("--poses-only", run.poses_only,
+               "do not write hull, body parts and pose tree; parts and tree are then made only "
+               "where the fit needs them, which is faster");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 

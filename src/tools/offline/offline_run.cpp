@@ -74,6 +74,7 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
   stages.fitting.method = "contour";  // the only method that estimates the shape
   Pipeline pipeline(recording.rig(), *resources, stages);
   pipeline.useBackgrounds(backgrounds);
+  pipeline.makePartsOnDemand();
   std::atomic<bool> measured = false;
   pipeline.processStream(
       [&] { return measured ? std::nullopt : nextFrameSet(options, &recording); },
@@ -107,8 +108,9 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   stages.fitting.person.measure = false;
   Pipeline pipeline(recording.rig(), resources, stages);
   pipeline.useBackgrounds(backgrounds);
+  if (options.poses_only) pipeline.makePartsOnDemand();
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
-  RunSummary summary;
+  RunSummary summary(!options.poses_only);
 
   ResultWriter writer(&bag, *body->model, options.recording.world_frame,
                       makePoseFilter(body->model, stages.fitting.filter));
@@ -127,7 +129,10 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     summary.add(result);
     if (options.masks_out) writer.writeMasks(frame_set.stamp_ns, recording.cameras(), result.masks);
     if (result.learning) return;
-    writer.write(frame_set.stamp_ns, result);
+    if (options.poses_only)
+      writer.writePose(frame_set.stamp_ns, result.pose);
+    else
+      writer.write(frame_set.stamp_ns, result);
     if (calibration) calibration->add(frame_set, result);
     if (report) summary.addOverlaps(report->add(frame_set, result));
   };

@@ -24,7 +24,9 @@ class ResultWriter {
   void writeStaticTransforms(int64_t stamp_ns, const tf2_msgs::TFMessage& transforms);
   /// Writes the URDF of the body, latched. Call this once, before the first frame set.
   void writeDescription(int64_t stamp_ns, const std::string& urdf);
+  /// Writes hull, parts, tree and pose.
   void write(int64_t stamp_ns, const PipelineResult& result);
+  void writePose(int64_t stamp_ns, const BodyPose& raw);
   /// \param masks one per camera; empty ones are skipped
   void writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
                   const std::vector<cv::Mat>& masks);
@@ -33,7 +35,6 @@ class ResultWriter {
   std_msgs::Header headerAt(int64_t stamp_ns) const;
   void writeHull(const std_msgs::Header& header, const VisualHull& hull);
   void writeParts(const std_msgs::Header& header, const PipelineResult& result);
-  void writePose(int64_t stamp_ns, const BodyPose& raw);
 
   BagWriter* bag_;
   const BodyModel& model_;

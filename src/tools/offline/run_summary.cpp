@@ -15,7 +15,7 @@ double secondsBetween(std::chrono::steady_clock::time_point a,
 
 }  // namespace
 
-RunSummary::RunSummary() : started_(Clock::now()) {
+RunSummary::RunSummary(bool with_trees) : started_(Clock::now()), with_trees_(with_trees) {
   for (const char* step :
        {kReading, SilhouetteOptions::kStage, HullOptions::kStage, SegmentationOptions::kStage,
         PoseTreeOptions::kStage, TrackerOptions::kStage, kWriting})
@@ -65,14 +65,14 @@ void RunSummary::print(std::ostream& out) const {
       << "poses          " << tracked_ << " tracked, " << reinitialized_ << " reinitialized, "
       << lost_ << " lost\n";
   printReasons(out);
-  out << "pose trees     " << valid_trees_ << " valid of " << processed() << '\n';
+  if (with_trees_) out << "pose trees     " << valid_trees_ << " valid of " << processed() << '\n';
   if (views_ > 0)
     out << "overlap        " << std::setprecision(3) << meanIou()
         << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
   printTimes(out);
   if (!calibration_finding_.empty()) out << calibration_finding_ << '\n';
   if (processed() > 0 && poses() == 0)
-    out << "No frame has a pose: hull and segmentation are written, all poses are LOST.\n";
+    out << "No frame has a pose: all poses in the bag are LOST.\n";
 }
 
 void RunSummary::printReasons(std::ostream& out) const {

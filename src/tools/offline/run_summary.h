@@ -19,7 +19,8 @@ class RunSummary {
  public:
   static constexpr const char *kReading = "reading", *kWriting = "writing";
 
-  RunSummary();
+  /// \param with_trees whether a pose tree is made of every frame set
+  explicit RunSummary(bool with_trees);
 
   /// Runs a step for one frame set and adds its duration; steps are the stages, kReading and
   /// kWriting. Thread-safe.
@@ -56,6 +57,7 @@ class RunSummary {
   std::vector<Time> times_;  ///< in the order of processing
   ReasonCounts reasons_;     ///< of lost poses
   int frame_sets_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
+  bool with_trees_;
   int valid_trees_ = 0;
   std::string calibration_finding_;
   double iou_sum_ = 0.0;

@@ -1,0 +1,163 @@
+#include "nodes/pose_fitting/live_products.h"
+
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "ros/camera_conversions.h"
+#include "ros/hull_conversions.h"
+#include "ros/pose_tree_conversions.h"
+#include "ros/segmentation_conversions.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr uint32_t kQueue = 64;               // callbacks only store messages
+constexpr int64_t kMaxAge_ns = 100'000'000;   // of the newest products
+constexpr double kKeptSubscribed = 3.0;       // s after a tracker asked last
+constexpr std::chrono::milliseconds kLook{20};  // while waiting
+
+double steadyNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+LiveProducts::LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool always,
+                           std::function<void(const std_msgs::Header&)> hull_came,
+                           std::function<void()> search_begins)
+    : inputs_(inputs),
+      tolerance_ns_(tolerance_ns),
+      always_(always),
+      hull_came_(std::move(hull_came)),
+      search_begins_(std::move(search_begins)) {
+  inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOnce,
+                             [this](const VoxelGridConstPtr& grid) {
+                               const std::lock_guard<std::mutex> lock(mutex_);
+                               grids_.add(grid);
+                             });
+  if (always_) subscribe();
+}
+
+LiveProducts::~LiveProducts() {
+  close();
+}
+
+void LiveProducts::close() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closed_ = true;
+  changed_.notify_all();
+}
+
+template <class MessageT>
+void LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
+  recent->expect(steadyNow());
+  subscribers_.push_back(inputs_->subscribe<MessageT>(
+      topic, kQueue, always_ ? StageInputs::kRequired : StageInputs::kOptional,
+      [this, recent](const boost::shared_ptr<const MessageT>& message) {
+        {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          recent->add(nanosecondsOf(message->header.stamp), message, steadyNow());
+          changed_.notify_all();
+        }
+        if constexpr (std::is_same_v<MessageT, sensor_msgs::PointCloud2>)
+          if (recent == &hulls_ && hull_came_) hull_came_(message->header);
+      }));
+}
+
+void LiveProducts::subscribe() {
+  listen("hull/points", &hulls_);
+  listen("segmentation/parts", &parts_);
+  listen("segmentation/points", &labels_);
+  listen("pose_tree", &trees_);
+}
+
+void LiveProducts::ask() {
+  const std::lock_guard<std::mutex> subscribing(subscribing_);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    asked_ = steadyNow();
+  }
+  if (subscribers_.empty()) subscribe();
+}
+
+void LiveProducts::rest() {
+  const std::lock_guard<std::mutex> subscribing(subscribing_);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (always_ || steadyNow() < asked_ + kKeptSubscribed) return;
+  }
+  subscribers_.clear();
+}
+
+LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  Messages found;
+  const auto look = [&](const auto& recent, auto* message) {
+    *message = recent.at(stamp_ns, tolerance_ns_);
+    return *message || !recent.mayCome(stamp_ns, steadyNow());
+  };
+  const auto complete = [&] {
+    const bool done[] = {look(hulls_, &found.hull), look(parts_, &found.parts),
+                         look(labels_, &found.labels), look(trees_, &found.tree)};
+    return closed_ || (done[0] && done[1] && done[2] && done[3]);
+  };
+  while (!complete()) changed_.wait_for(lock, kLook);
+  if (!found.parts || !found.labels)
+    found.lack = "; body_segmentation has sent nothing for this frame set";
+  else if (!found.tree)
+    found.lack = "; pose_tree has sent nothing for this frame set";
+  if (!found.hull) found.lack = "; visual_hull has sent nothing for this frame set";
+  if (found.hull) found.grid = grids_.of(found.hull->header.stamp);
+  return found;
+}
+
+LiveProducts::Messages LiveProducts::newest(int64_t stamp_ns) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Messages found;
+  found.hull = hulls_.newest(stamp_ns, kMaxAge_ns);
+  if (found.hull && !grids_.empty()) found.grid = grids_.of(found.hull->header.stamp);
+  found.tree = trees_.newest(stamp_ns, kMaxAge_ns);
+  return found;
+}
+
+std::unique_ptr<FrameProducts> LiveProducts::converted(const Messages& messages) {
+  auto products = std::make_unique<FrameProducts>();
+  if (messages.hull && messages.grid)
+    products->hull = hullFromMessage(*messages.hull, *messages.grid);
+  if (messages.parts && messages.labels) {
+    products->parts = partsFromMessage(*messages.parts);
+    products->parts.labels = labelsFromMessage(*messages.labels);
+  }
+  if (messages.tree) products->tree = poseTreeFromMessage(*messages.tree);
+  return products;
+}
+
+LiveProducts::Source LiveProducts::at(const ros::Time& stamp) {
+  return Source(this, nanosecondsOf(stamp));
+}
+
+const FrameProducts& LiveProducts::Source::ofThisFrame() {
+  if (of_this_frame_) return *of_this_frame_;
+  all_.ask();
+  const Messages messages = all_.wait(stamp_ns_);
+  lack_ = messages.lack;
+  of_this_frame_ = converted(messages);
+  return *of_this_frame_;
+}
+
+const FrameProducts& LiveProducts::Source::newest() {
+  if (of_this_frame_) return *of_this_frame_;
+  if (newest_) return *newest_;
+  all_.ask();
+  newest_ = converted(all_.newest(stamp_ns_));
+  return *newest_;
+}
+
+const FrameProducts& LiveProducts::Source::forStart() {
+  if (all_.search_begins_) all_.search_begins_();
+  return ofThisFrame();
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/ros/messages.h"
+#include "markerless_mocap/tracking/product_source.h"
+#include "nodes/common/hull_grids.h"
+#include "nodes/common/stage_inputs.h"
+#include "nodes/pose_fitting/recent_messages.h"
+
+namespace markerless_mocap {
+
+/// Hulls, parts and trees that the other stages publish. Where they are needed to start only, they
+/// are subscribed while a tracker asks for them and some seconds longer; nobody else needs parts and
+/// trees, so their stages rest meanwhile. Thread-safe.
+class LiveProducts {
+ public:
+  /// The products for one frame set. Conversions are done when they are asked for; they throw
+  /// std::invalid_argument on messages that cannot be used.
+  class Source : public ProductSource {
+   public:
+    Source(LiveProducts* products, int64_t stamp_ns) : all_(*products), stamp_ns_(stamp_ns) {}
+    const FrameProducts& ofThisFrame() override;
+    const FrameProducts& newest() override;
+    const FrameProducts& forStart() override;
+    /// Message part that names a stage that was waited for without result; else empty.
+    const std::string& lack() const { return lack_; }
+
+   private:
+    LiveProducts& all_;
+    int64_t stamp_ns_;
+    std::unique_ptr<FrameProducts> of_this_frame_, newest_;
+    std::string lack_;
+  };
+
+  /// \param always subscribe at once and for good; `hull_came` is then called for each hull
+  /// \param search_begins called when a tracker asks for the products of a start
+  LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool always,
+               std::function<void(const std_msgs::Header&)> hull_came,
+               std::function<void()> search_begins);
+  ~LiveProducts();
+
+  Source at(const ros::Time& stamp);
+  /// Ends all waiting.
+  void close();
+  /// To be called now and then: ends subscriptions that nobody needs any more.
+  void rest();
+
+ private:
+  struct Messages {
+    sensor_msgs::PointCloud2ConstPtr hull, labels;
+    BodyPartsMsg::ConstPtr parts;
+    PoseTreeMsg::ConstPtr tree;
+    VoxelGridConstPtr grid;
+    std::string lack;
+  };
+
+  void ask();
+  void subscribe();
+  template <class MessageT>
+  void listen(const char* topic, RecentMessages<MessageT>* recent);
+  /// Waits for the messages of this time.
+  Messages wait(int64_t stamp_ns);
+  Messages newest(int64_t stamp_ns);
+  static std::unique_ptr<FrameProducts> converted(const Messages& messages);
+
+  StageInputs* inputs_;
+  int64_t tolerance_ns_;
+  bool always_;
+  std::function<void(const std_msgs::Header&)> hull_came_;
+  std::function<void()> search_begins_;
+  std::mutex subscribing_;  ///< for subscribers_
+  std::vector<ros::Subscriber> subscribers_;
+  std::mutex mutex_;  ///< for all below
+  std::condition_variable changed_;
+  bool closed_ = false;
+  double asked_ = 0.0;  ///< s of the steady clock, when a tracker asked last
+  HullGrids grids_;
+  RecentMessages<sensor_msgs::PointCloud2> hulls_, labels_;
+  RecentMessages<BodyPartsMsg> parts_;
+  RecentMessages<PoseTreeMsg> trees_;
+};
+
+}  // namespace markerless_mocap

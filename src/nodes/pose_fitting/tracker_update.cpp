@@ -1,0 +1,58 @@
+#include "nodes/pose_fitting/tracker_update.h"
+
+#include <exception>
+#include <stdexcept>
+
+#include "nodes/common/camera_pixels.h"
+#include "ros/image_conversions.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// A mask that cannot be used is left out; if none can, the first reason is thrown.
+std::vector<cv::Mat> masksOf(const FittingMessages& input, const CameraRig& rig) {
+  std::vector<cv::Mat> masks(input.masks.size());
+  std::string fault;
+  bool any = false;
+  for (size_t i = 0; i < masks.size(); ++i) {
+    if (!input.masks[i]) continue;
+    try {
+      masks[i] = maskOfCamera(rig[i], *input.masks[i]);
+      any = true;
+    } catch (const std::exception& error) {
+      if (fault.empty()) fault = error.what();
+    }
+  }
+  if (!any && !fault.empty()) throw std::invalid_argument(fault);
+  return masks;
+}
+
+cv::Mat imageOrNothing(const CameraImage& image) {
+  try {
+    return image.mat();
+  } catch (const std::invalid_argument&) {
+    return cv::Mat();
+  }
+}
+
+/// \param required if not, images that cannot be read are left out
+std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
+  std::vector<cv::Mat> images(input.masks.size());
+  for (size_t i = 0; i < input.images.size(); ++i)
+    images[i] = required ? input.images[i].mat() : imageOrNothing(input.images[i]);
+  return images;
+}
+
+}  // namespace
+
+BodyPose updated(BodyTracker& tracker, const FittingMessages& input, LiveProducts& products,
+                 int64_t stamp_ns, bool images_required) {
+  const std::vector<cv::Mat> masks = masksOf(input, *input.rig);
+  const std::vector<cv::Mat> images = imagesOf(input, images_required);
+  LiveProducts::Source source = products.at(input.header.stamp);
+  BodyPose pose = tracker.update({stamp_ns, masks, images, source});
+  if (pose.status == PoseStatus::kLost) pose.reason += source.lack();
+  return pose;
+}
+
+}  // namespace markerless_mocap
