@@ -106,6 +106,11 @@ class Times {
       if (one.pose.isZero()) ++without_pose;
       if (!one.pose.isZero()) all.push_back((one.pose - one.sent).toSec());
     }
+    if (std::getenv("DUMP")) {
+      FILE* f = fopen(std::getenv("DUMP"), "w"); int i = 0;
+      for (const auto& [stamp, one] : frame_sets_) fprintf(f, "%d %.3f %.1f %.1f %d\n", i++, stamp.toSec(), one.tf.isZero() ? -1 : 1e3*(one.tf-one.sent).toSec(), one.pose.isZero() ? -1 : 1e3*(one.pose-one.sent).toSec(), int(one.settled));
+      fclose(f);
+    }
     std::printf("%zu frame sets, %zu without a pose message, %zu settled without tf\n", total,
                 without_pose, without_tf);
     printLine("last image to tf, settled", settled, period);

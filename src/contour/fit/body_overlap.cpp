@@ -1,7 +1,10 @@
 #include "contour/fit/body_overlap.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -82,10 +85,12 @@ double viewOverlap(const ContourView& view, const Camera& camera, const ContourW
 
 double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
                    const ContourWorldCones& cones) {
-  double sum = 0.0;
-  for (size_t v = 0; v < rig.size(); ++v)
+  std::vector<double> overlaps(rig.size(), 0.0);
+  tbb::parallel_for(size_t(0), rig.size(), [&](size_t v) {
     if (seen.views[v].status == ViewStatus::kUsable)
-      sum += viewOverlap(seen.views[v], rig[v], cones);
+      overlaps[v] = viewOverlap(seen.views[v], rig[v], cones);
+  });
+  const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
   const int usable = seen.usableViews();
   return usable ? sum / usable : 0.0;
 }

@@ -69,12 +69,13 @@ std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView
   return sphere;
 }
 
-/// Calls add(cone, sphere, s, result) for every sphere that lies outside a usable mask, for the
-/// cones with wanted(cone).
+/// Calls add(cone, sphere, s, result) for every sphere that lies outside a usable mask of the views
+/// from `first` to before `end`, for the cones with wanted(cone).
 template <typename Wanted, typename Add>
-void forEachViolation(const ContourObservation& seen, const CameraRig& rig,
-                      const ContourWorldCones& cones, const Wanted& wanted, const Add& add) {
-  for (size_t v = 0; v < rig.size(); ++v) {
+void forEachViolation(const ContourObservation& seen, const CameraRig& rig, size_t first,
+                      size_t end, const ContourWorldCones& cones, const Wanted& wanted,
+                      const Add& add) {
+  for (size_t v = first; v < end; ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
     for (size_t c = 0; c < kContourCones; ++c)
       for (size_t i = 0; wanted(c) && i < kSpheresPerCone; ++i) {
@@ -93,10 +94,16 @@ void forEachViolation(const ContourObservation& seen, const CameraRig& rig,
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight,
                                AllConeNormalEquations& sums) {
+  return addContainment(seen, rig, cones, weight, 0, rig.size(), sums);
+}
+
+SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
+                               const ContourWorldCones& cones, double weight, size_t first,
+                               size_t end, AllConeNormalEquations& sums) {
   SphereViolation max_outside{};
   const auto all = [](size_t) { return true; };
   forEachViolation(
-      seen, rig, cones, all, [&](size_t c, size_t i, double s, const SphereInView& sphere) {
+      seen, rig, first, end, cones, all, [&](size_t c, size_t i, double s, const SphereInView& sphere) {
         max_outside[c][i] = std::max(max_outside[c][i], sphere.outside);
         const double u[4] = {sphere.gradient.x(), sphere.gradient.y(), sphere.gradient.z(), 1.0};
         sums[c].add(s, u, sphere.outside,
@@ -109,7 +116,7 @@ double containmentEnergy(const ContourObservation& seen, const CameraRig& rig,
                          const ContourWorldCones& cones, ContourLimb::Id limb) {
   double sum = 0.0;
   const auto of_limb = [&](size_t cone) { return limbOfCone(int(cone)) == limb; };
-  forEachViolation(seen, rig, cones, of_limb,
+  forEachViolation(seen, rig, 0, rig.size(), cones, of_limb,
                    [&](size_t, size_t, double, const SphereInView& sphere) {
                      sum += gemanMcClureLoss(sphere.outside, kRobustScale);
                    });

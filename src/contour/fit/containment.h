@@ -21,6 +21,10 @@ using SphereViolation = std::array<std::array<double, kSpheresPerCone>, kContour
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight,
                                AllConeNormalEquations& sums);
+/// The same of the views from `first` to before `end`.
+SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
+                               const ContourWorldCones& cones, double weight, size_t first,
+                               size_t end, AllConeNormalEquations& sums);
 
 /// Sum of the robust losses of all containment residuals of a limb, in all views, m^2.
 double containmentEnergy(const ContourObservation& seen, const CameraRig& rig,

@@ -1,28 +1,58 @@
 #include "contour/fit/pose_problem.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "contour/fit/geman_mcclure.h"
 
 namespace markerless_mocap {
+namespace {
+
+constexpr size_t kRayBlocks = 4, kViewBlocks = 4;
+
+}  // namespace
 
 void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, double outlier) {
   body.place(pose, frames_);
   body.place(frames_, cones_);
+  blocks_.assign(kRayBlocks + kViewBlocks, {});
+  const PackedContourCones packed(cones_);
+  tbb::parallel_for(size_t(0), kRayBlocks + kViewBlocks, [&](size_t block) {
+    if (block < kRayBlocks)
+      addRays(packed, outlier, block);
+    else
+      addViews(block);
+  });
   for (ConeNormalEquations& sum : sums_) sum.clear();
-  addRays(outlier);
-  const double weight = options_.containment_weight / (options_.ray_sigma * options_.ray_sigma);
-  violation_ = addContainment(seen_, rig_, cones_, weight, sums_);
+  violation_ = {};
+  for (const Block& block : blocks_)
+    for (size_t cone = 0; cone < kContourCones; ++cone) {
+      sums_[cone].add(block.sums[cone]);
+      for (size_t i = 0; i < kSpheresPerCone; ++i)
+        violation_[cone][i] = std::max(violation_[cone][i], block.violation[cone][i]);
+    }
 }
 
-void PoseProblem::addRays(double outlier) {
-  matchRays(PackedContourCones(cones_), seen_.rays, matches_);
+void PoseProblem::addViews(size_t block) {
+  const double weight = options_.containment_weight / (options_.ray_sigma * options_.ray_sigma);
+  const size_t i = block - kRayBlocks, views = rig_.size();
+  blocks_[block].violation =
+      addContainment(seen_, rig_, cones_, weight, i * views / kViewBlocks,
+                     (i + 1) * views / kViewBlocks, blocks_[block].sums);
+}
+
+void PoseProblem::addRays(const PackedContourCones& cones, double outlier, size_t block) {
+  const size_t rays = seen_.rays.size(), first = block * rays / kRayBlocks,
+               end = (block + 1) * rays / kRayBlocks;
+  matchRays(cones, seen_.rays, first, end, matches_);
   const double one = options_.effective_rays / (options_.ray_sigma * options_.ray_sigma) /
                      std::max(1.0, double(seen_.rays.size()));
-  for (size_t i = 0; i < matches_.size(); ++i)
+  for (size_t i = first; i < end; ++i)
     addRay(seen_.rays[i], matches_[i],
-           one * seen_.rays[i].weight * gemanMcClureWeight(matches_[i].residual, outlier), sums_);
+           one * seen_.rays[i].weight * gemanMcClureWeight(matches_[i].residual, outlier),
+           blocks_[block].sums);
 }
 
 void addRay(const ContourRay& ray, const RayMatch& match, double weight,

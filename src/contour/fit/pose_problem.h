@@ -10,12 +10,13 @@
 namespace markerless_mocap {
 
 /// The fit of one body to one observation: scratch memory, and the normal equations at the last
-/// evaluated pose.
+/// evaluated pose. Blocks of rays and views are summed in parallel; the result does not depend on
+/// the number of threads.
 class PoseProblem {
  public:
   /// All arguments must outlive this object.
   PoseProblem(const ContourObservation& seen, const CameraRig& rig, const ContourOptions& options)
-      : seen_(seen), rig_(rig), options_(options) {}
+      : seen_(seen), rig_(rig), options_(options), matches_(seen.rays.size()) {}
 
   /// Places the body and accumulates rays and containment.
   /// \param outlier scale of the robust loss, metres
@@ -28,13 +29,19 @@ class PoseProblem {
   const SphereViolation& violation() const { return violation_; }
 
  private:
-  void addRays(double outlier);
+  struct Block {
+    AllConeNormalEquations sums;
+    SphereViolation violation{};
+  };
+  void addRays(const PackedContourCones& cones, double outlier, size_t block);
+  void addViews(size_t block);
 
   const ContourObservation& seen_;
   const CameraRig& rig_;
   const ContourOptions& options_;
   ContourFrames frames_;
   ContourWorldCones cones_;
+  std::vector<Block> blocks_;
   AllConeNormalEquations sums_;
   std::vector<RayMatch> matches_;
   SphereViolation violation_{};

@@ -70,8 +70,13 @@ PackedContourCones::PackedContourCones(const ContourWorldCones& cones) {
 void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches) {
   matches.resize(rays.size());
+  matchRays(cones, rays, 0, rays.size(), matches);
+}
+
+void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays, size_t first,
+               size_t end, std::vector<RayMatch>& matches) {
   Lanes lanes;
-  for (size_t r = 0; r < rays.size(); ++r) {
+  for (size_t r = first; r < end; ++r) {
     const ContourRay& ray = rays[r];
     measure(cones,
             {{ray.normal.x(), ray.normal.y(), ray.normal.z()},

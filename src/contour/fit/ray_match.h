@@ -32,5 +32,8 @@ struct RayMatch {
 /// cone back through the contour.
 void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches);
+/// The same of the rays from `first` to before `end`; `matches` has the size of `rays`.
+void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays, size_t first,
+               size_t end, std::vector<RayMatch>& matches);
 
 }  // namespace markerless_mocap

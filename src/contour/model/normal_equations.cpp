@@ -10,6 +10,12 @@ void ConeNormalEquations::clear() {
   std::fill(std::begin(gradient_), std::end(gradient_), 0.0);
 }
 
+void ConeNormalEquations::add(const ConeNormalEquations& other) {
+  for (int part = 0; part < 3; ++part)
+    for (int k = 0; k < 10; ++k) products_[part][k] += other.products_[part][k];
+  for (int i = 0; i < 8; ++i) gradient_[i] += other.gradient_[i];
+}
+
 Eigen::Matrix<double, 8, 8> ConeNormalEquations::hessian() const {
   Eigen::Matrix<double, 8, 8> H;
   for (int part = 0; part < 3; ++part) {

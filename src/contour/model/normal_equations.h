@@ -15,6 +15,7 @@ class ConeNormalEquations {
  public:
   ConeNormalEquations() { clear(); }
   void clear();
+  void add(const ConeNormalEquations& other);
   /// \param u derivatives of the residual with respect to x, y, z and radius at s
   void add(double s, const double (&u)[4], double residual, double weight) {
     const double t = 1.0 - s;

@@ -169,6 +169,7 @@ void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns
   } else {
     next = successor_.takeOf(input.rig);
   }
+  searches_ = true;  // making a tracker takes long, too
   tracker_ = next ? std::move(next) : makeBodyTracker(*input.rig, resources_, options_);
   rig_ = input.rig;
 }

@@ -62,7 +62,7 @@ void LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
           changed_.notify_all();
         }
         if constexpr (std::is_same_v<MessageT, sensor_msgs::PointCloud2>)
-          if (recent == &hulls_ && hull_came_) hull_came_(message->header);
+          if (recent == &hulls_ && always_) hull_came_(message->header);
       }));
 }
 

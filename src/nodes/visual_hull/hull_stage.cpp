@@ -23,6 +23,7 @@ constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
 constexpr int64_t kStrayTime = 500'000'000;  // ns
 constexpr double kLookInterval = 0.1;        // s
+constexpr double kImagesKept = 3.0;          // s after somebody listened last
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
   return maskSetOptions(node.stamp_tolerance, node.deadline, rig.timeOffsets());
@@ -78,13 +79,24 @@ void HullStage::subscribe() {
       inputs_.listen<sensor_msgs::CameraInfo>(
           camera + "/camera_info", kQueue, StageInputs::kOptional,
           [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
-    if (node_options_.color)
-      inputs_.listenToImages(camera, node_options_.image_transport, kQueue, StageInputs::kOptional,
-                             [this, i](const CameraImage& image) { receiveImage(i, image); });
     inputs_.listen<sensor_msgs::Image>(
         camera + "/silhouette", kQueue, StageInputs::kCamera,
         [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); });
   }
+}
+
+void HullStage::followDemand() {
+  if (!node_options_.color) return;
+  const double now = ros::WallTime::now().toSec();
+  if (isWanted()) wanted_until_ = now + kImagesKept;
+  if (now < wanted_until_ && image_subscribers_.empty())
+    for (size_t i = 0; i < node_options_.cameras.size(); ++i)
+      image_subscribers_.push_back(inputs_.subscribeToImages(
+          node_options_.cameras[i], node_options_.image_transport, kQueue, StageInputs::kOptional,
+          [this, i](const CameraImage& image) { receiveImage(i, image); }));
+  if (now < wanted_until_ || image_subscribers_.empty()) return;
+  image_subscribers_.clear();
+  images_ = StampCache<CameraImage>(node_options_.cameras.size(), kMaxImages);
 }
 
 void HullStage::receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info) {
@@ -125,6 +137,7 @@ void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mas
   if (mask->header.stamp.isZero())
     return status_.error("the stamps of " + node_options_.cameras[camera] +
                          "'s silhouettes are zero");
+  followDemand();
   rig_.noteImageSize(camera, int(mask->width), int(mask->height));
   const uint64_t jumps = assembler_.counts().time_jumps_back;
   auto frame_sets = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
@@ -173,7 +186,7 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
     status_.problem(error.what() + timingRemarks(frame_set));
   }
   publishCameras(frame_set, hull, header);
-  publishShared(points_, messageFromHull(hull, header));
+  if (isWanted()) publishShared(points_, messageFromHull(hull, header));
 }
 
 bool HullStage::isStray(const Assembler::FrameSet& frame_set) const {

@@ -36,6 +36,10 @@ class HullStage {
   using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
 
   void subscribe();
+  /// Whether somebody listens to the hull. Else it is carved to judge the cameras, no more.
+  bool isWanted() const { return points_.getNumSubscribers() > 0; }
+  /// Images are read while the hull is wanted, and a little longer.
+  void followDemand();
   void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   void receiveImage(size_t camera, const CameraImage& image);
@@ -80,6 +84,8 @@ class HullStage {
   HoldingQueue<Assembler::FrameSet> waiting_;
   LiveCarver carver_;
   StageStatus status_;
+  std::vector<ros::Subscriber> image_subscribers_;
+  double wanted_until_ = 0.0;              ///< s, when images are needed no more
   std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
   double next_look_ = 0.0;                 ///< s, when to look for changes of the rig
   ros::Publisher points_, cameras_, grid_;
