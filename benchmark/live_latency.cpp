@@ -4,8 +4,8 @@
 ///     roslaunch markerless_mocap mocap.launch nodelets:=true cameras:="[cam0, cam1]"
 ///     live_latency capture.bag --rate 30 --seconds 120
 ///
-/// The bag begins with the empty room and is played again and again, so there is a start in each
-/// round. `settled` is the time from two seconds after the first tf of a round until its end;
+/// The bag begins with the empty room. It is played forwards and backwards again and again, so there
+/// is a start in each round. `settled` is the time from two seconds after the first tf of a round until its end;
 /// `all` has starts and losses, too, and counts poses of any status. The period of the frame sets
 /// is the reference: each time is also given as a fraction of it.
 
@@ -152,14 +152,15 @@ void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle&
   ros::WallRate rate(arguments.rate);
   const auto count = size_t(arguments.seconds * arguments.rate);
   for (size_t i = 0; i < count && ros::ok(); ++i) {
-    if (i % instants == 0) times->beginRound();
+    const size_t step = i % (2 * instants), at = std::min(step, 2 * instants - 1 - step);
+    if (step == 0) times->beginRound();
     const ros::Time stamp = ros::Time::now();
     for (size_t camera = 0; camera < images.size(); ++camera) {
       const std::string& name = recorded.cameras[camera];
       sensor_msgs::CameraInfoPtr info(new sensor_msgs::CameraInfo(*recorded.infos.at(name)));
       info->header.stamp = stamp;
       infos[camera].publish(info);
-      const sensor_msgs::ImagePtr& image = recorded.images.at(name)[i % instants];
+      const sensor_msgs::ImagePtr& image = recorded.images.at(name)[at];
       image->header.stamp = stamp;
       images[camera].publish(*image);
     }

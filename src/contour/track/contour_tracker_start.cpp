@@ -12,10 +12,11 @@ namespace {
 // Default postures are tried if the proposals have a lower quality.
 constexpr double kPoorQuality = 0.86;
 
-// A search costs as much as following the person over many frames. After a search without success
-// the next one waits, and after each further one twice as long, up to the last value.
-constexpr int64_t kFirstRest_ns = 25000000, kLongestRest_ns = 400000000;
-constexpr int64_t kFirstCheck_ns = 50000000;
+// A search costs as much as following the person over many frames. After one the next waits for
+// this fraction of the time since the first, up to the last value.
+constexpr double kRest = 0.2;
+constexpr int64_t kLongestRest_ns = 400000000;
+constexpr int64_t kCheckInterval_ns = 50000000;
 
 // A search by colour takes longer. Of seventeen starts on the beam film five had a wrong arm or
 // exchanged legs; later searches found the right pose, with a higher score. So each start is
@@ -68,12 +69,16 @@ void ContourTracker::findByColor(const Frame& now, Search& search) {
 
 void ContourTracker::scheduleStart(const Frame& now) {
   const bool by_color = now.regions.needsColors();
-  const int64_t least_rest = by_color ? 2 * kFirstColorCheck_ns : 0;
-  next_start_ns_ = now.stamp_ns + std::max(start_interval_ns_, least_rest);
-  start_interval_ns_ = std::clamp(2 * start_interval_ns_, kFirstRest_ns, kLongestRest_ns);
-  check_interval_ns_ = by_color ? kFirstColorCheck_ns : kFirstCheck_ns;
-  next_check_ns_ = now.stamp_ns + check_interval_ns_;
+  if (!searching_since_ns_) searching_since_ns_ = now.stamp_ns;
+  next_start_ns_ =
+      now.stamp_ns + restAfterSearch(now.stamp_ns, by_color ? 2 * kFirstColorCheck_ns : 0);
+  next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kCheckInterval_ns);
   color_checks_ = color_confirmations_ = 0;
+}
+
+int64_t ContourTracker::restAfterSearch(int64_t stamp_ns, int64_t least_ns) const {
+  const double since = double(stamp_ns - searching_since_ns_.value_or(stamp_ns));
+  return std::max(least_ns, std::min(int64_t(kRest * since), kLongestRest_ns));
 }
 
 ActiveTrack ContourTracker::start(const Frame& now) {
@@ -81,7 +86,9 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   const bool by_color = now.regions.needsColors();
   observer_.reset();
   const VisualHull& hull = now.products.forStart().hull;
-  somebody_there_ = !hull.voxels.empty();
+  const bool somebody_there = !hull.voxels.empty();
+  if (somebody_there && !somebody_there_) searching_since_ns_ = now.stamp_ns;
+  somebody_there_ = somebody_there;
   Search search{observer_.observeLargest(now.regions, hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = proposals(now, search.found.seen);
@@ -103,8 +110,7 @@ bool ContourTracker::needsCheck(const Frame& now) const {
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   initializer_->reset();  // the proposal must depend on this frame only
   if (now.regions.needsColors()) return checkByColor(now, active);
-  check_interval_ns_ = std::min(2 * check_interval_ns_, kLongestRest_ns);
-  next_check_ns_ = now.stamp_ns + check_interval_ns_;
+  next_check_ns_ = now.stamp_ns + restAfterSearch(now.stamp_ns, kCheckInterval_ns);
   Search search{observer_.observe(now.regions), {}};
   search.poses = proposals(now, search.found.seen);
   still_contours_.weigh(search.found.seen);
