@@ -59,7 +59,7 @@ class Pipeline::Products : public ProductSource {
     made_ = true;
     return result_;
   }
-  const FrameProducts& newest() override { return ofThisFrame(); }
+  const VisualHull& newestHull() override { return result_.hull; }
 
  private:
   Pipeline& pipeline_;

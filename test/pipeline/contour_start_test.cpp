@@ -60,7 +60,8 @@ class ContourStartTest : public testing::Test {
   }
   void make() { tracker = makeBodyTracker(drawnRig(5), resources, options); }
   BodyPose show(int frame, const std::vector<cv::Mat>& masks, const PoseTree& tree) {
-    return tracker->update({(frame + 1) * kFrame_ns, masks, {}, hull, parts, tree});
+    ReadyProducts products({hull, parts, tree});
+    return tracker->update({(frame + 1) * kFrame_ns, masks, {}, products});
   }
   double error(const BodyPose& pose, int frame) const {
     return errorOf(*tracker->body()->model, pose, frame);

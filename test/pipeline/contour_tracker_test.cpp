@@ -29,7 +29,8 @@ class ContourMethodTest : public testing::Test {
     make();
   }
   BodyPose show(const std::vector<cv::Mat>& masks, const PoseTree& tree) {
-    return tracker->update({stamp_ns += kFrame_ns, masks, {}, hull, parts, tree});
+    ReadyProducts products({hull, parts, tree});
+    return tracker->update({stamp_ns += kFrame_ns, masks, {}, products});
   }
   BodyPose show(int frame) { return show(masksAt(frame), treeOf(person, at(frame), false)); }
   BodyPose showMasks(int frame) { return show(masksAt(frame), PoseTree{}); }

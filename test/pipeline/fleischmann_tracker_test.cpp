@@ -95,7 +95,8 @@ class FleischmannTrackerTest : public testing::Test {
   }
 
   BodyPose show(const Seen& seen, int64_t stamp_ns) {
-    return tracker_->update({stamp_ns, seen.masks, seen.images, seen.hull, seen.parts, seen.tree});
+    ReadyProducts products({seen.hull, seen.parts, seen.tree});
+    return tracker_->update({stamp_ns, seen.masks, seen.images, products});
   }
   BodyPose show(const Seen& seen) { return show(seen, stamp_ += kFrame_ns); }
 

@@ -85,6 +85,25 @@ TEST_F(PipelineTest, SphereIsNoPersonAndThePoseSaysSo) {
   EXPECT_FALSE(result.pose.reason.empty());
 }
 
+TEST_F(PipelineTest, PartsOnDemandAreMadeToStartAndChangeNoPose) {
+  Pipeline always = pipeline(), on_demand = pipeline();
+  on_demand.makePartsOnDemand();
+  int trees = 0;
+  on_demand.setStageWatch([&](const std::string& stage, const std::function<void()>& work) {
+    trees += stage == PoseTreeOptions::kStage;
+    work();
+  });
+  const int frames = 60;
+  for (int k = 0; k < frames; ++k) {
+    const PipelineResult one = always.process(k * 33333333, masksOnly());
+    const PipelineResult other = on_demand.process(k * 33333333, masksOnly());
+    EXPECT_EQ(one.pose.reason, other.pose.reason);
+    EXPECT_EQ(one.hull.voxels.size(), other.hull.voxels.size());
+  }
+  EXPECT_GE(trees, 1);
+  EXPECT_LT(trees, frames / 4);
+}
+
 TEST_F(PipelineTest, SphereHasNoLabelledTreeAndTheTreeSaysWhy) {
   Pipeline pipeline = this->pipeline();
   const PipelineResult result = pipeline.process(0, masksOnly());

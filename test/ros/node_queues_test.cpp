@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <boost/make_shared.hpp>
+
 #include <memory>
 #include <thread>
 #include <vector>
@@ -8,7 +10,9 @@
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/latency_meter.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/pose_fitting/answers.h"
 #include "nodes/pose_fitting/color_demand.h"
+#include "nodes/pose_fitting/recent_messages.h"
 
 namespace markerless_mocap {
 namespace {
@@ -178,6 +182,55 @@ TEST(LatencyMeter, MedianAndTailOfTheLastThreeHundred) {
   for (int i = 1; i <= 300; ++i) meter.add(1e-3 * i);
   EXPECT_NEAR(double(meter.milliseconds(0.5)), 150.0, 1.0);
   EXPECT_NEAR(double(meter.milliseconds(0.99)), 297.0, 1.0);
+}
+
+std_msgs::Header headerAt(double seconds) {
+  std_msgs::Header header;
+  header.stamp = ros::Time(seconds);
+  return header;
+}
+
+TEST(Answers, EachFrameSetIsAnsweredOnce) {
+  Answers answers;
+  for (const double stamp : {1.0, 2.0, 3.0, 4.0}) answers.await(headerAt(stamp));
+  const auto late = answers.takeLate(2);
+  ASSERT_TRUE(late);
+  EXPECT_EQ(late->stamp, ros::Time(1.0));
+  EXPECT_EQ(answers.takeLate(2)->stamp, ros::Time(2.0));
+  EXPECT_FALSE(answers.takeLate(2)) << "two may wait";
+  EXPECT_FALSE(answers.take(headerAt(2.0))) << "it came too late";
+  EXPECT_TRUE(answers.take(headerAt(4.0)));
+  EXPECT_FALSE(answers.take(headerAt(3.0))) << "earlier ones were dropped";
+}
+
+TEST(RecentMessages, AreFoundByStampOrAsTheNewest) {
+  RecentMessages<int> recent;
+  recent.expect(0.0);
+  for (const int stamp : {100, 110, 120}) recent.add(stamp, boost::make_shared<int>(stamp), 1.0);
+  EXPECT_EQ(*recent.at(111, 5), 110);
+  EXPECT_FALSE(recent.at(130, 5));
+  EXPECT_EQ(*recent.newest(150, 40), 120);
+  EXPECT_FALSE(recent.newest(150, 20));
+}
+
+TEST(RecentMessages, AreAwaitedUntilALaterOneHasComeOrTheStageIsSilent) {
+  RecentMessages<int> recent;
+  recent.expect(10.0);
+  EXPECT_TRUE(recent.mayCome(100, 10.9)) << "a stage that was at rest has to be connected";
+  EXPECT_FALSE(recent.mayCome(100, 11.1));
+  for (int i = 0; i < 20; ++i) recent.add(i, boost::make_shared<int>(i), 12.0 + 0.2 * i);
+  const double last = 12.0 + 0.2 * 19;
+  EXPECT_FALSE(recent.mayCome(18, last)) << "a later one has come";
+  EXPECT_TRUE(recent.mayCome(20, last + 0.5)) << "slow stages are given three times as long";
+  EXPECT_FALSE(recent.mayCome(20, last + 0.7));
+}
+
+TEST(RecentMessages, OfALoopThatBeganAgainAreNotThoseOfTheLast) {
+  RecentMessages<int> recent;
+  recent.add(500, boost::make_shared<int>(500), 1.0);
+  recent.add(100, boost::make_shared<int>(100), 1.1);
+  EXPECT_FALSE(recent.at(500, 5));
+  EXPECT_TRUE(recent.mayCome(110, 1.2));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ class ProductSource {
   /// As ofThisFrame(), for a search after which the person is followed; it may take as long as many
   /// frame sets.
   virtual const FrameProducts& forStart() { return ofThisFrame(); }
-  /// The newest products, of this frame set or of one up to 0.1 s before. Does not wait.
-  virtual const FrameProducts& newest() = 0;
+  /// The newest hull, of this frame set or of one up to half a second before. Does not wait.
+  virtual const VisualHull& newestHull() = 0;
 };
 
 /// Products that are made already.
@@ -34,7 +34,7 @@ class ReadyProducts : public ProductSource {
  public:
   explicit ReadyProducts(FrameProducts products = {}) : products_(std::move(products)) {}
   const FrameProducts& ofThisFrame() override { return products_; }
-  const FrameProducts& newest() override { return products_; }
+  const VisualHull& newestHull() override { return products_.hull; }
 
  private:
   FrameProducts products_;

@@ -97,7 +97,7 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   if (!doubtful) limb_search_interval_ns_ = 0;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
   auto better = searchLimbsByColor(observer_, hypotheses_, now.regions,
-                                   now.products.newest().hull, *contour_body_,
+                                   now.products.newestHull(), *contour_body_,
                                    {found, active.track.fit});
   limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
                                     : std::clamp(2 * limb_search_interval_ns_,
@@ -116,8 +116,9 @@ void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen
   const bool uncertain = started || track.status == ContourTrackingStatus::kLimbLost;
   const bool doubtful = uncertain || qualityOf(track.fit) < kUsualQuality;
   if (!doubtful || now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
+  next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
   std::vector<ContourPose> others;
-  const PoseTree& tree = now.products.newest().tree;
+  const PoseTree& tree = now.products.ofThisFrame().tree;
   const auto of_tree = poseFromPoseTree(tree);
   if (of_tree && (uncertain || tree.valid()) && limbsDiffer(*contour_body_, track.fit.pose, *of_tree)) others.push_back(*of_tree);
   if (started) {
@@ -125,7 +126,6 @@ void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen
     others.push_back(withLegsSwapped(*contour_body_, track.fit.pose));
   }
   if (others.empty()) return;
-  next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
   hypotheses_.proposeAlternative(now.stamp_ns, seen, *contour_body_, others);
 }
 
@@ -188,7 +188,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
     return still_lost;
   }
   const auto hull = [&]() -> const VisualHull& {
-    return (follows ? now.products.newest() : now.products.forStart()).hull;
+    return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
@@ -197,7 +197,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
 
 bool ContourTracker::restsFromSearching(const TrackerInput& now) const {
   if (now.stamp_ns >= next_start_ns_) return false;
-  return somebody_there_ || now.products.newest().hull.voxels.empty();
+  return somebody_there_ || now.products.newestHull().voxels.empty();
 }
 
 BodyPose ContourTracker::lost(const ContourObservation& seen, const ContourFit& fit) {

@@ -212,7 +212,11 @@ void FittingStage::display(const BodyPose& pose, const FittingMessages& input) {
 bool FittingStage::answer(const BodyPose& raw, const FittingMessages& input) {
   const std::lock_guard lock(announcing_);
   if (!answers_.take(input.header)) return false;
-  display(publish(raw, input.header), input);
+  BodyPose pose = raw;
+  // The pose of the start may have come too late.
+  if (answered_lost_ && raw.status == PoseStatus::kTracked)
+    pose.status = PoseStatus::kReinitialized;
+  display(publish(pose, input.header), input);
   return true;
 }
 
@@ -221,6 +225,7 @@ BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& head
   const BodyPose pose =
       filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
+  answered_lost_ = !tracked;
   last_published_ = ros::WallTime::now();
   status_.count(toString(pose.status));
   last_pose_ns_ = nanosecondsOf(header.stamp);

@@ -85,8 +85,9 @@ class FittingStage {
   StageStatus status_;
   ros::Publisher joint_states_, pose_, markers_, text_, heartbeat_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  std::mutex announcing_;  ///< for the next six
+  std::mutex announcing_;  ///< for the next seven
   Answers answers_;
+  bool answered_lost_ = true;  ///< the last frame set
   BodyDescription description_;
   BodyAnnouncer announcer_;
   ros::WallTime last_published_;

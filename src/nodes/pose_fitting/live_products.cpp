@@ -14,7 +14,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr uint32_t kQueue = 64;               // callbacks only store messages
-constexpr int64_t kMaxAge_ns = 100'000'000;   // of the newest products
+constexpr int64_t kMaxAge_ns = 500'000'000;   // of the newest hull
 constexpr double kKeptSubscribed = 3.0;       // s after a tracker asked last
 constexpr std::chrono::milliseconds kLook{20};  // while waiting
 
@@ -113,13 +113,15 @@ LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
   return found;
 }
 
-LiveProducts::Messages LiveProducts::newest(int64_t stamp_ns) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  Messages found;
-  found.hull = hulls_.newest(stamp_ns, kMaxAge_ns);
-  if (found.hull && !grids_.empty()) found.grid = grids_.of(found.hull->header.stamp);
-  found.tree = trees_.newest(stamp_ns, kMaxAge_ns);
-  return found;
+VisualHull LiveProducts::newestHull(int64_t stamp_ns) {
+  sensor_msgs::PointCloud2ConstPtr hull;
+  VoxelGridConstPtr grid;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    hull = hulls_.newest(stamp_ns, kMaxAge_ns);
+    if (hull && !grids_.empty()) grid = grids_.of(hull->header.stamp);
+  }
+  return hull && grid ? hullFromMessage(*hull, *grid) : VisualHull();
 }
 
 std::unique_ptr<FrameProducts> LiveProducts::converted(const Messages& messages) {
@@ -147,12 +149,12 @@ const FrameProducts& LiveProducts::Source::ofThisFrame() {
   return *of_this_frame_;
 }
 
-const FrameProducts& LiveProducts::Source::newest() {
-  if (of_this_frame_) return *of_this_frame_;
-  if (newest_) return *newest_;
+const VisualHull& LiveProducts::Source::newestHull() {
+  if (of_this_frame_) return of_this_frame_->hull;
+  if (newest_hull_) return *newest_hull_;
   all_.ask();
-  newest_ = converted(all_.newest(stamp_ns_));
-  return *newest_;
+  newest_hull_ = std::make_unique<VisualHull>(all_.newestHull(stamp_ns_));
+  return *newest_hull_;
 }
 
 const FrameProducts& LiveProducts::Source::forStart() {

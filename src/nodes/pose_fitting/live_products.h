@@ -30,7 +30,7 @@ class LiveProducts {
    public:
     Source(LiveProducts* products, int64_t stamp_ns) : all_(*products), stamp_ns_(stamp_ns) {}
     const FrameProducts& ofThisFrame() override;
-    const FrameProducts& newest() override;
+    const VisualHull& newestHull() override;
     const FrameProducts& forStart() override;
     /// Message part that names a stage that was waited for without result; else empty.
     const std::string& lack() const { return lack_; }
@@ -38,7 +38,8 @@ class LiveProducts {
    private:
     LiveProducts& all_;
     int64_t stamp_ns_;
-    std::unique_ptr<FrameProducts> of_this_frame_, newest_;
+    std::unique_ptr<FrameProducts> of_this_frame_;
+    std::unique_ptr<VisualHull> newest_hull_;
     std::string lack_;
   };
 
@@ -70,7 +71,8 @@ class LiveProducts {
   void listen(const char* topic, RecentMessages<MessageT>* recent);
   /// Waits for the messages of this time.
   Messages wait(int64_t stamp_ns);
-  Messages newest(int64_t stamp_ns);
+  /// Empty if there is none.
+  VisualHull newestHull(int64_t stamp_ns);
   static std::unique_ptr<FrameProducts> converted(const Messages& messages);
 
   StageInputs* inputs_;
