@@ -55,6 +55,15 @@ bool assign(const Setting::Value& value, const Member& member) {
       member);
 }
 
+template <class T>
+void copyMember(const T* from, T* to) {
+  *to = *from;
+}
+void copyMember(const OptionField::Range& from, const OptionField::Range& to) {
+  *to.min = *from.min;
+  *to.max = *from.max;
+}
+
 }  // namespace
 
 std::string settingPrefix(std::string path) {
@@ -78,6 +87,26 @@ void SettingVisitor::visitSection(const char* key, const char*, const Fields& fi
   path_ += std::string(key) + "/";
   fields(*this);
   path_ = outer;
+}
+
+void FixedFields::visitField(const OptionField& field) {
+  if (inside_ || fixed_.count(path_ + field.key)) values_.push_back(field.value);
+}
+
+void FixedFields::visitSection(const char* key, const char*, const Fields& fields) {
+  const std::string outer = path_;
+  const bool was_inside = inside_;
+  inside_ = inside_ || fixed_.count(path_ + key);
+  path_ += std::string(key) + "/";
+  fields(*this);
+  path_ = outer;
+  inside_ = was_inside;
+}
+
+void FixedFields::take(const FixedFields& from) const {
+  for (size_t i = 0; i < values_.size(); ++i)
+    std::visit([&](auto to) { copyMember(std::get<decltype(to)>(from.values_[i]), to); },
+               values_[i]);
 }
 
 void SettingLister::visitSetting(const std::string& path, const OptionField& field) {

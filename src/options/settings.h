@@ -73,6 +73,32 @@ class SettingChanger : public SettingVisitor {
   SettingChanges changes_;  ///< those that have not been made yet
 };
 
+/// Collects the fields whose key, or whose section's key, is in `fixed`.
+class FixedFields : public OptionVisitor {
+ public:
+  explicit FixedFields(std::set<std::string> fixed) : fixed_(std::move(fixed)) {}
+  void visitField(const OptionField& field) override;
+  void visitSection(const char* key, const char* meaning, const Fields& fields) override;
+  /// Gives the fields the values of the same fields of another struct of this type.
+  void take(const FixedFields& from) const;
+
+ private:
+  std::set<std::string> fixed_;
+  std::string path_;
+  bool inside_ = false;  ///< a section that is fixed as a whole
+  std::vector<OptionField::Value> values_;
+};
+
+/// `options` with the fixed keys and sections of `current`.
+template <class OptionsT>
+OptionsT withFixed(OptionsT options, OptionsT current, const std::set<std::string>& fixed) {
+  FixedFields to(fixed), from(fixed);
+  options.visit(to);
+  current.visit(from);
+  to.take(from);
+  return options;
+}
+
 /// \param fixed keys and sections that cannot be changed while a stage runs
 template <class OptionsT>
 std::vector<Setting> settingsOf(OptionsT options, const std::set<std::string>& fixed) {

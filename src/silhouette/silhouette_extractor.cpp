@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "options/settings.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
 #include "silhouette/boundary/image_reduction.h"
@@ -48,12 +49,8 @@ class SilhouetteExtractor::Impl {
             found.changed_fraction, found.light_gain};
   }
 
-  void change(SilhouetteOptions options) {
-    options.model = options_.model;
-    options.background = options_.background;
-    options.background_frames = options_.background_frames;
-    options.max_megapixels = options_.max_megapixels;
-    options.network = options_.network;
+  void change(const SilhouetteOptions& changed) {
+    const SilhouetteOptions options = withFixed(changed, options_, SilhouetteOptions::fixedKeys());
     options.validate();
     options_ = options;
     if (subtractor_) subtractor_->change(options_);

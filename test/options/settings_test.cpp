@@ -62,6 +62,28 @@ TEST(Settings, ASectionCanBeFixedAndAWordBeFree) {
   EXPECT_EQ(settings.back().allowed, (std::vector<std::string>{"one", "two"}));
 }
 
+TEST(Settings, WhatIsFixedStaysWhenAllOtherOptionsAreReplaced) {
+  Sample current;
+  current.model = "two";
+  current.cameras = {"a"};
+  current.corner.x() = 5;
+  current.lower = -2;
+  current.filter.cutoff = 7;
+  Sample other;
+  other.pitch = 0.1;
+  const Sample all = withFixed(other, current, {"model", "cameras", "corner", "knee", "filter"});
+  EXPECT_EQ(all.model, "two");
+  EXPECT_EQ(all.cameras, current.cameras);
+  EXPECT_EQ(all.corner, current.corner);
+  EXPECT_EQ(all.lower, -2);
+  EXPECT_EQ(all.filter.cutoff, 7);
+  EXPECT_EQ(all.pitch, 0.1);
+  const Sample none = withFixed(other, current, {"cutoff"});  // that of no section
+  EXPECT_EQ(none.model, "one");
+  EXPECT_EQ(none.filter.cutoff, 1.5);
+  EXPECT_EQ(withFixed(other, current, {"filter/cutoff"}).filter.cutoff, 7);
+}
+
 TEST(Settings, ChangesReachTheirMembersAndNoOthers) {
   const Sample changed = withChanges(Sample(), {"model"},
                                      {{"pitch", 0.1},
