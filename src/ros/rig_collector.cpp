@@ -124,7 +124,7 @@ bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string
   }
   if (!candidate || candidate->refused) return false;
   if (!candidate->since) candidate->since = now;
-  if (now - *candidate->since < kSettled) return false;
+  if (now - *candidate->since < rest_) return false;
   wanderings_[camera] = 0;
   const std::string why = refusalOf(camera, candidate->info);
   candidate->refused = !why.empty();
@@ -153,7 +153,7 @@ bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double n
     placed->used_until = now;
     return false;
   }
-  if (now - placed->seen_since < kSettled) {
+  if (now - placed->seen_since < rest_) {
     if (now - placed->used_until > kMoving)
       remarks->push_back(cameras_[camera] + " moves by tf; it is used where it was before");
     return false;
@@ -164,16 +164,20 @@ bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double n
   return true;
 }
 
-bool RigCollector::settle(const tf2::BufferCore& tf, double now,
-                          std::vector<std::string>* remarks) {
-  if (file_) return false;
+RigChange RigCollector::settle(const tf2::BufferCore& tf, double now,
+                               std::vector<std::string>* remarks) {
+  if (file_) return RigChange::kNone;
+  const bool paused = last_look_ && now - *last_look_ > kSettled;
+  last_look_ = now;
+  rest_ = paused ? 0.0 : kSettled;
   bool changed = false;
   for (size_t i = 0; i < cameras_.size(); ++i) {
     if (!infos_[i]) continue;
     changed = settleInfo(i, now, remarks) || changed;
     changed = settlePose(i, tf, now, remarks) || changed;
   }
-  return changed;
+  if (!changed) return RigChange::kNone;
+  return paused ? RigChange::kAfterPause : RigChange::kWhileUsed;
 }
 
 std::string RigCollector::missing(const tf2::BufferCore& tf) const {

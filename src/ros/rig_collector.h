@@ -12,6 +12,13 @@
 
 namespace markerless_mocap {
 
+/// What RigCollector::settle() did with the rig.
+enum class RigChange {
+  kNone,
+  kWhileUsed,   ///< the rig of before may be used until all is made for the new one
+  kAfterPause,  ///< the rig of before is wrong
+};
+
 /// Collects camera_info until the rig is known, and watches whether it changes. A rig file replaces
 /// camera_info and tf.
 class RigCollector {
@@ -47,10 +54,11 @@ class RigCollector {
   void noteImageSize(size_t camera, int width, int height);
   /// Takes over camera_info and poses that differ from those of the rig and have stayed the same
   /// for half a second. A camera_info that no camera has, or that changes all the time, is not.
+  /// After half a second without a call the present ones are taken over at once, as at the start:
+  /// nobody has watched whether they stayed. To be called whenever the rig is used.
   /// \param now s, by a clock that is never set
   /// \param remarks a sentence is appended for each change and each refusal
-  /// \return whether the rig has changed
-  bool settle(const tf2::BufferCore& tf, double now, std::vector<std::string>* remarks);
+  RigChange settle(const tf2::BufferCore& tf, double now, std::vector<std::string>* remarks);
 
  private:
   struct Candidate {
@@ -75,6 +83,8 @@ class RigCollector {
   std::vector<int> wanderings_;                       ///< changes in a row that did not stay
   std::vector<std::optional<Placed>> placed_;         ///< by camera
   std::vector<std::pair<int, int>> image_sizes_;      ///< by camera; 0: not known
+  std::optional<double> last_look_;                   ///< s, of settle()
+  double rest_ = 0.0;                                 ///< s that a change must have stayed
   std::optional<CameraRig> file_;                     ///< the rig of the file, if there is one
   std::string unused_cameras_;
 };

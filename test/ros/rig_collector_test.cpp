@@ -115,7 +115,16 @@ class ChangingRig : public ::testing::Test {
   }
   bool settle(double now) {
     now_ = now;
-    return collector_.settle(tf_, now, &remarks_);
+    change_ = collector_.settle(tf_, now, &remarks_);
+    return change_ != RigChange::kNone;
+  }
+  void move(double x) {
+    geometry_msgs::TransformStamped moved;
+    moved.header.frame_id = "world";
+    moved.child_frame_id = "a_optical";
+    moved.transform = samplePose();
+    moved.transform.translation.x += x;
+    tf_.setTransform(moved, "test", true);
   }
   /// Sends it ten times within a second.
   bool send(const sensor_msgs::CameraInfo& info) {
@@ -132,6 +141,7 @@ class ChangingRig : public ::testing::Test {
   sensor_msgs::CameraInfo info_;
   std::vector<std::string> remarks_;
   double now_ = 0.0;
+  RigChange change_ = RigChange::kNone;
 };
 
 TEST_F(ChangingRig, RepetitionIsNoNews) {
@@ -177,20 +187,41 @@ TEST_F(ChangingRig, ACalibrationOfNoCameraOrOfOtherImagesIsRefused) {
 }
 
 TEST_F(ChangingRig, ACameraThatHasMovedIsTakenOverWhenItRests) {
-  geometry_msgs::TransformStamped moved;
-  moved.header.frame_id = "world";
-  moved.child_frame_id = "a_optical";
-  moved.transform = samplePose();
-  for (int i = 0; i < 10; ++i) {
-    moved.transform.translation.x += 0.03;
-    tf_.setTransform(moved, "test", true);
+  for (int i = 1; i <= 10; ++i) {
+    move(0.03 * i);
     EXPECT_FALSE(settle(now_ + 0.1));
   }
-  EXPECT_TRUE(settle(now_ + 0.6));
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(settle(now_ + 0.1));
+  EXPECT_TRUE(settle(now_ + 0.15));
+  EXPECT_EQ(change_, RigChange::kWhileUsed);
   EXPECT_EQ(remarks_, std::vector<std::string>{
                           "a has moved by 0.300 m and 0.0 degrees by tf, its new pose is used"});
   EXPECT_NEAR(collector_.rig(tf_)[0].position().x(), 1.3, 1e-12);
   EXPECT_FALSE(settle(now_ + 1.0));
+}
+
+TEST_F(ChangingRig, WhatHasChangedInAPauseIsTakenOverAtOnce) {
+  EXPECT_FALSE(settle(now_ + 2.0));
+  move(0.3);
+  EXPECT_TRUE(settle(now_ + 0.6));
+  EXPECT_EQ(change_, RigChange::kAfterPause);
+  EXPECT_NEAR(collector_.rig(tf_)[0].position().x(), 1.3, 1e-12);
+  info_.K[0] += 1.0;
+  collector_.add(0, info_);
+  EXPECT_TRUE(settle(now_ + 0.6));
+  EXPECT_EQ(change_, RigChange::kAfterPause);
+  EXPECT_EQ(collector_.rig(tf_)[0].calibration().K(0, 0), info_.K[0]);
+  // Not the one of other images, and not while the rig is used.
+  const double good = info_.K[0];
+  info_.width = 30000;
+  collector_.add(0, info_);
+  EXPECT_FALSE(settle(now_ + 0.6));
+  info_.width = uint32_t(collector_.rig(tf_)[0].width());
+  info_.K[0] += 1.0;
+  collector_.add(0, info_);
+  move(0.0);
+  EXPECT_FALSE(settle(now_ + 0.1));
+  EXPECT_EQ(collector_.rig(tf_)[0].calibration().K(0, 0), good);
 }
 
 }  // namespace

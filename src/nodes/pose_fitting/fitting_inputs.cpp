@@ -106,7 +106,7 @@ void FittingInputs::followRig() {
   if (now >= next_look_ || now < next_look_ - kLookInterval) {
     next_look_ = now + kLookInterval;
     std::vector<std::string> remarks;
-    if (collector_.settle(tf_, now, &remarks)) rig_.reset();
+    if (collector_.settle(tf_, now, &remarks) != RigChange::kNone) rig_.reset();
     for (const std::string& remark : remarks) status_->remark(remark);
   }
 }

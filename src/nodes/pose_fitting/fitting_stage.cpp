@@ -148,6 +148,7 @@ int64_t FittingStage::steadyStamp(const ros::Time& stamp) {
                    " ms, the person is followed on");
   }
   if (back_ns < 0 && back_ns > -kLargestPeriod) period_ns_ = -back_ns;
+  if (back_ns <= -kLargestPeriod) follows_ = false;  // the cameras may have moved meanwhile
   last_stamp_ns_ = stamp_ns;
   return stamp_ns + shift_ns_;
 }

@@ -127,7 +127,10 @@ void HullStage::followRig() {
   if (now >= next_look_ || now < next_look_ - kLookInterval) {
     next_look_ = now + kLookInterval;
     std::vector<std::string> remarks;
-    if (rig_.settle(tf_, now, &remarks) && rig_.missing(tf_).empty())
+    const RigChange change = rig_.settle(tf_, now, &remarks);
+    if (change == RigChange::kAfterPause)
+      carver_.forgetRig();
+    else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
       carver_.changeRig(rig_.rig(tf_));
     for (const std::string& remark : remarks) status_.remark(remark);
   }
