@@ -51,6 +51,8 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
   if (needs_.colors)
     colors_.emplace(options_.cameras, options_.image_transport, &inputs_, status_,
                     [this] { dispatchReady(); });
+  // A driver of many cameras accepts one subscriber after another: the most needed come first.
+  for (size_t i = 0; i < options_.cameras.size(); ++i) listenToInfo(i);
   for (size_t i = 0; i < options_.cameras.size(); ++i) listenToCamera(i);
   inputs_.listen<HullCameras>("hull/cameras_used", kQueue, StageInputs::kHelpful,
                               [this](const boost::shared_ptr<const HullCameras>& cameras) {
@@ -59,14 +61,17 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
                               });
 }
 
+void FittingInputs::listenToInfo(size_t camera) {
+  if (collector_.isFromFile()) return;
+  inputs_.listen<sensor_msgs::CameraInfo>(
+      options_.cameras[camera] + "/camera_info", kQueue, StageInputs::kOnce,
+      [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
+        if (collector_.add(camera, *info)) rig_.reset();
+      });
+}
+
 void FittingInputs::listenToCamera(size_t camera) {
   const std::string& name = options_.cameras[camera];
-  if (!collector_.isFromFile())
-    inputs_.listen<sensor_msgs::CameraInfo>(
-        name + "/camera_info", kQueue, StageInputs::kOnce,
-        [this, camera](const sensor_msgs::CameraInfoConstPtr& info) {
-          if (collector_.add(camera, *info)) rig_.reset();
-        });
   inputs_.listen<sensor_msgs::Image>(
       name + "/silhouette", kQueue, StageInputs::kCamera,
       [this, camera](const sensor_msgs::ImageConstPtr& mask) { receiveMask(camera, mask); });

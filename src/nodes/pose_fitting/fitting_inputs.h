@@ -59,6 +59,7 @@ class FittingInputs {
     std::string reason;
   };
 
+  void listenToInfo(size_t camera);
   void listenToCamera(size_t camera);
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   /// Of a method that needs no masks.

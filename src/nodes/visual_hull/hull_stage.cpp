@@ -72,13 +72,15 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
   subscribe();
 }
 
+// A driver of many cameras accepts one subscriber after another; nothing can be done without
+// camera_info, so these come first.
 void HullStage::subscribe() {
+  for (size_t i = 0; i < node_options_.cameras.size() && !rig_.isFromFile(); ++i)
+    inputs_.listen<sensor_msgs::CameraInfo>(
+        node_options_.cameras[i] + "/camera_info", kQueue, StageInputs::kOptional,
+        [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
   for (size_t i = 0; i < node_options_.cameras.size(); ++i) {
     const std::string& camera = node_options_.cameras[i];
-    if (!rig_.isFromFile())
-      inputs_.listen<sensor_msgs::CameraInfo>(
-          camera + "/camera_info", kQueue, StageInputs::kOptional,
-          [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
     inputs_.listen<sensor_msgs::Image>(
         camera + "/silhouette", kQueue, StageInputs::kCamera,
         [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); });
