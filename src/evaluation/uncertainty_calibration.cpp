@@ -24,6 +24,15 @@ UncertaintyBin binOf(Pairs::const_iterator begin, Pairs::const_iterator end) {
   return bin;
 }
 
+double normalised95(const Pairs& pairs) {
+  if (pairs.empty()) return NAN;
+  std::vector<double> ratios;
+  for (const auto& [expected, actual] : pairs) ratios.push_back(actual / expected);
+  const auto at = ratios.begin() + std::ptrdiff_t(std::ceil(0.95 * double(ratios.size()))) - 1;
+  std::nth_element(ratios.begin(), at, ratios.end());
+  return *at;
+}
+
 }  // namespace
 
 UncertaintyCalibration uncertaintyCalibration(const std::string& point,
@@ -46,6 +55,7 @@ UncertaintyCalibration uncertaintyCalibration(const std::string& point,
   out.expected_mm = all.expected_mm;
   out.actual_mm = all.actual_mm;
   out.fraction_within_two_sigma = pairs.empty() ? NAN : double(within) / double(pairs.size());
+  out.normalised_95 = normalised95(pairs);
   for (size_t b = 0; b < kBins; ++b) {
     const auto begin = std::ptrdiff_t(b * pairs.size() / kBins);
     const auto end = std::ptrdiff_t((b + 1) * pairs.size() / kBins);

@@ -19,6 +19,8 @@ struct UncertaintyCalibration {
   double expected_mm, actual_mm;  ///< root mean squares; NaN without frames
   /// Fraction of the frames whose error is at most twice the expected one.
   double fraction_within_two_sigma;
+  /// Of error / expected error: 95 % of the frames are below. At most 2 if the errors are covered.
+  double normalised_95;
   std::vector<UncertaintyBin> bins;  ///< quintiles of the frames by expected error, ascending
 };
 

@@ -18,6 +18,7 @@ TEST(UncertaintyCalibration, HoldsWhatIsExpectedAgainstWhatIs) {
   EXPECT_NEAR(found.expected_mm, std::sqrt((8 * 100 + 2 * 1600) / 10.0), 1e-9);
   EXPECT_NEAR(found.actual_mm, std::sqrt((2 * 9 + 5 * 16 + 625 + 900 + 8100) / 10.0), 1e-9);
   EXPECT_NEAR(found.fraction_within_two_sigma, 0.8, 1e-12);
+  EXPECT_NEAR(found.normalised_95, 2.5, 1e-12) << "the largest of ten";
   ASSERT_EQ(found.bins.size(), 5u);
   EXPECT_EQ(found.bins[0].frames, 2u);
   EXPECT_NEAR(found.bins[0].expected_mm, 10.0, 1e-9);
@@ -31,6 +32,7 @@ TEST(UncertaintyCalibration, WithoutFramesNothingIsSaid) {
   EXPECT_EQ(found.frames, 0u);
   EXPECT_TRUE(std::isnan(found.fraction_within_two_sigma));
   EXPECT_TRUE(std::isnan(found.expected_mm));
+  EXPECT_TRUE(std::isnan(found.normalised_95));
   EXPECT_TRUE(found.bins.empty());
   EXPECT_THROW(uncertaintyCalibration("head", {0.01}, {}), std::invalid_argument);
 }

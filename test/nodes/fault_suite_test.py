@@ -315,6 +315,9 @@ class FaultSuite(unittest.TestCase):
         self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
 
+    def test_zzz_expected_errors_cover_the_real_ones(self):
+        self.assertGreaterEqual(self.covered, 0.95 * self.limbs, 'of all cases before')
+
 
 def pid_of(node):
     """By the master, as other runs may have nodes of the same name."""

@@ -151,7 +151,12 @@ TEST_F(ContourMethodTest, MeasuresNothingWhenToldNotTo) {
   make();
   const auto body = tracker->body();
   EXPECT_EQ(body->shape, resources.shape_statistics.meanShape(1.75));
-  for (int frame = 0; frame < 15; ++frame) EXPECT_NE(show(frame).status, PoseStatus::kLost);
+  for (int frame = 0; frame < 15; ++frame) {
+    const BodyPose pose = show(frame);
+    EXPECT_NE(pose.status, PoseStatus::kLost);
+    for (const double sigma : pose.part_sigma_m) EXPECT_GT(sigma, 0.015) << "of the lengths";
+    EXPECT_GT(pose.part_sigma_m[4], 0.025) << "of the shank";
+  }
   EXPECT_TRUE(tracker->body() == body);
   EXPECT_FALSE(body->shape_estimated);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contour/track/expected_error.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
@@ -136,6 +137,7 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   searching_since_ns_.reset();
   converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
   reportEvidence(active.track.fit, limb_agreement_, pose);
+  widenExpectedErrors(*body_, person_, pose);
   return pose;
 }
 

@@ -42,7 +42,8 @@ void printDeviations(const std::vector<UncertaintyCalibration>& deviations, std:
     printRow(out, one.point,
              formatNumber("%.0f:", one.expected_mm) + formatNumber("%.0f", one.actual_mm) + "   (" +
                  binsText(one, " ") + "), within two sigma " +
-                 formatPercent(one.fraction_within_two_sigma));
+                 formatPercent(one.fraction_within_two_sigma) + ", 95 % within " +
+                 formatNumber("%.1f sigma", one.normalised_95));
 }
 
 Json deviationsJson(const std::vector<UncertaintyCalibration>& deviations) {
@@ -55,6 +56,7 @@ Json deviationsJson(const std::vector<UncertaintyCalibration>& deviations) {
                       {"expected_mm", one.expected_mm},
                       {"actual_mm", one.actual_mm},
                       {"fraction_within_two_sigma", one.fraction_within_two_sigma},
+                      {"normalised_95", one.normalised_95},
                       {"fifths_frames_expected_actual", bins}};
   }
   return out;
@@ -68,8 +70,11 @@ void addDeviations(const std::vector<UncertaintyCalibration>& deviations, Page* 
   for (const UncertaintyCalibration& one : deviations)
     rows.push_back({one.point, formatNumber("%.0f", one.expected_mm),
                     formatNumber("%.0f", one.actual_mm),
-                    formatPercent(one.fraction_within_two_sigma), binsText(one, "  ")});
-  page->table({"point", "#estimated", "#actual", "#within two sigma", "#by fifths"}, rows);
+                    formatPercent(one.fraction_within_two_sigma),
+                    formatNumber("%.1f", one.normalised_95), binsText(one, "  ")});
+  page->table(
+      {"point", "#estimated", "#actual", "#within two sigma", "#95 % within, sigma", "#by fifths"},
+      rows);
 }
 
 }  // namespace markerless_mocap
