@@ -164,29 +164,54 @@ std::vector<RoundCone> readShape(const urdf::Link& link, int index) {
   return kept;
 }
 
-/// Appends a link and its descendants, depth first.
-void appendLink(const urdf::Link& link, const std::string& id, int& angle_count, BodyTree& tree) {
+/// Returns its index.
+int appendLink(const urdf::Link& link, BodyTree& tree) {
   const int index = int(tree.links.size());
   if (std::find(tree.links.begin(), tree.links.end(), link.name) != tree.links.end())
     refuse("link " + link.name + " is the child of more than one joint");
   tree.links.push_back(link.name);
   const std::vector<RoundCone> cones = readShape(link, index);
   tree.shape.insert(tree.shape.end(), cones.begin(), cones.end());
-  std::vector<urdf::JointSharedPtr> children = link.child_joints;
-  std::stable_sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
-    return rank(a->name, id) < rank(b->name, id);
-  });
-  for (const auto& from : children) {
-    BodyJoint joint;
-    joint.name = from->name;
-    joint.parent_link = index;
-    joint.child_link = int(tree.links.size());
-    joint.T_parent_joint = toIsometry(from->parent_to_joint_origin_transform);
-    setMotion(*from, joint);
-    if (from->type == urdf::Joint::REVOLUTE) joint.angle_index = angle_count++;
-    tree.joints.push_back(joint);
-    for (const auto& child : link.child_links)
-      if (child->name == from->child_link_name) appendLink(*child, id, angle_count, tree);
+  return index;
+}
+
+/// The joint to the link that is appended next.
+void appendJoint(const urdf::Joint& from, int parent_link, int& angle_count, BodyTree& tree) {
+  BodyJoint joint;
+  joint.name = from.name;
+  joint.parent_link = parent_link;
+  joint.child_link = int(tree.links.size());
+  joint.T_parent_joint = toIsometry(from.parent_to_joint_origin_transform);
+  setMotion(from, joint);
+  if (from.type == urdf::Joint::REVOLUTE) joint.angle_index = angle_count++;
+  tree.joints.push_back(joint);
+}
+
+/// A link that is to be appended, and the joint that leads to it; none to the root.
+struct PendingLink {
+  urdf::LinkConstSharedPtr link;
+  urdf::JointConstSharedPtr from;
+  int parent_link;
+};
+
+/// Appends the root and its descendants, depth first; without recursion, as foreign chains are
+/// long.
+void appendLinks(const urdf::LinkConstSharedPtr& root, const std::string& id, BodyTree& tree) {
+  int angle_count = 0;
+  std::vector<PendingLink> pending{{root, nullptr, -1}};
+  while (!pending.empty()) {
+    const PendingLink next = pending.back();
+    pending.pop_back();
+    if (next.from) appendJoint(*next.from, next.parent_link, angle_count, tree);
+    const int index = appendLink(*next.link, tree);
+    std::vector<urdf::JointSharedPtr> children = next.link->child_joints;
+    std::stable_sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
+      return rank(a->name, id) < rank(b->name, id);
+    });
+    std::reverse(children.begin(), children.end());
+    for (const auto& from : children)
+      for (const auto& child : next.link->child_links)
+        if (child->name == from->child_link_name) pending.push_back({child, from, index});
   }
 }
 
@@ -202,8 +227,7 @@ BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id) {
     refuse("its root is " + urdf->getRoot()->name + ", it must be " + root);
   for (const KnownJoint& known : kKnownJoints) checkJoint(*urdf, known, id);
   BodyTree tree;
-  int angle_count = 0;
-  appendLink(*urdf->getRoot(), id, angle_count, tree);
+  appendLinks(urdf->getRoot(), id, tree);
   return tree;
 }
 
