@@ -104,7 +104,7 @@ std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_worl
 }
 
 std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& point_world) const {
-  const std::optional<Eigen::Vector2d> pixel = project(point_world);
+  std::optional<Eigen::Vector2d> pixel = project(point_world);
   if (!pixel || !(pixel->x() >= -0.5 && pixel->x() < width() - 0.5 && pixel->y() >= -0.5 &&
                   pixel->y() < height() - 0.5))
     return std::nullopt;

@@ -77,7 +77,7 @@ std::string cameraText(const CameraCalibration& c) {
 /// A map of the file that rejects unknown keys: each key must be read.
 class StrictMap {
  public:
-  StrictMap(YAML::Node node, std::string where) : node_(std::move(node)), where_(std::move(where)) {
+  StrictMap(const YAML::Node& node, std::string where) : node_(node), where_(std::move(where)) {
     if (!node_.IsMap()) throwError(where_, "this is no map of keys to values");
     std::set<std::string> keys;
     for (const auto& entry : node_)
@@ -98,7 +98,7 @@ class StrictMap {
   }
   double number(const std::string& key) { return numberIn(required(key), key); }
   std::vector<double> numbers(const std::string& key, size_t wanted, const char* meaning) {
-    const std::vector<double> values = numbers(key);
+    std::vector<double> values = numbers(key);
     if (values.size() != wanted)
       throwError(where_, "'" + key + "' has " + std::to_string(values.size()) +
                              " numbers, wanted are " + std::to_string(wanted) + ": " + meaning);
