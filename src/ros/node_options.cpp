@@ -43,6 +43,10 @@ void checkBodyId(const char* stage, const std::string& id) {
                                 "\", allowed are letters and digits, a letter first");
 }
 
+size_t required(int min_cameras, const std::vector<std::string>& cameras) {
+  return min_cameras > 0 ? static_cast<size_t>(min_cameras) : (3 * cameras.size() + 3) / 4;
+}
+
 }  // namespace
 
 void SilhouetteNodeOptions::visit(OptionVisitor& v) {
@@ -100,7 +104,7 @@ void HullNodeOptions::validate() const {
 }
 
 size_t HullNodeOptions::requiredCameras() const {
-  return min_cameras > 0 ? static_cast<size_t>(min_cameras) : (3 * cameras.size() + 3) / 4;
+  return required(min_cameras, cameras);
 }
 
 void FittingNodeOptions::visit(OptionVisitor& v) {
@@ -108,6 +112,9 @@ void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("world_frame", world_frame, {}, "frame of the hulls; tf connects the cameras to it");
   v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("min_cameras", min_cameras, 0, 32,
+          "number of cameras that a frame set must have to be fitted; 0: three quarters of those "
+          "listed; as that of visual_hull");
   v.field("stamp_tolerance", stamp_tolerance, 0.0, 1.0,
           "stamps closer than this belong to one frame set, s; as that of visual_hull");
   v.field("deadline", deadline, 0.0, 60.0,
@@ -132,6 +139,10 @@ void FittingNodeOptions::validate() const {
 
 void FittingNodeOptions::requireCameras() const {
   checkCameras(kStage, cameras, 2);
+}
+
+size_t FittingNodeOptions::requiredCameras() const {
+  return required(min_cameras, cameras);
 }
 
 void StudioNodeOptions::visit(OptionVisitor& v) {

@@ -69,6 +69,9 @@ struct FittingNodeOptions {
   std::string rig_file;
   /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// number of cameras that a frame set must have to be fitted; 0: three quarters of those listed;
+  /// as that of visual_hull
+  int min_cameras = 0;
   /// stamps closer than this belong to one frame set, s; as that of visual_hull
   double stamp_tolerance = 0.005;
   /// a frame set older than the newest stamp by this is fitted without the missing cameras, s; as
@@ -86,6 +89,8 @@ struct FittingNodeOptions {
   void validate() const;
   /// For methods that read silhouettes. Throws std::invalid_argument on fewer than two cameras.
   void requireCameras() const;
+  /// min_cameras, or what it stands for when it is 0.
+  size_t requiredCameras() const;
 };
 
 /// Options of the node `virtual_studio` in addition to StudioOptions.

@@ -151,6 +151,7 @@ class HullOfTwoGoodCameras(Diagnosed):
     def test_one_malformed_mask_costs_its_camera(self):
         rospy.set_param('/visual_hull/cameras', ['a', 'b', 'c'])
         rospy.set_param('/visual_hull/min_cameras', 2)
+        rospy.set_param('/pose_fitting/min_cameras', 2)
         rospy.set_param('/visual_hull/min_views', 2)
         infos = [rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5) for c in 'abc']
         masks = [rospy.Publisher(c + '/silhouette', Image, queue_size=5) for c in 'abc']

@@ -22,6 +22,10 @@ constexpr int64_t kStrayTime = 500'000'000;  // ns
 constexpr size_t kJudgements = 8;
 constexpr int64_t kJudgementHolds = 500'000'000;  // ns
 
+size_t countOf(const FrameSetAssembler<sensor_msgs::ImageConstPtr>::FrameSet& frame_set) {
+  return size_t(std::count(frame_set.present.begin(), frame_set.present.end(), true));
+}
+
 }  // namespace
 
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
@@ -129,13 +133,19 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
   input.header.frame_id = options_.world_frame;
   for (size_t i = 0; i < options_.cameras.size(); ++i) addView(i, frame_set, &input);
   input.error = prepareRig();
+  if (countOf(frame_set) < options_.requiredCameras())
+    input.error = "the frame set has the masks of " + std::to_string(countOf(frame_set)) + " of " +
+                  std::to_string(options_.cameras.size()) + " cameras, at least " +
+                  std::to_string(options_.requiredCameras()) + " are needed within the deadline";
+  else
+    last_passed_ns_ = frame_set.stamp_ns;
   input.rig = rig_;
   sink_(std::move(input));
 }
 
 bool FittingInputs::isStray(const Assembler::FrameSet& frame_set) const {
-  return std::count(frame_set.present.begin(), frame_set.present.end(), true) < 2 &&
-         last_passed_ns_ && std::abs(frame_set.stamp_ns - *last_passed_ns_) < kStrayTime;
+  return countOf(frame_set) < options_.requiredCameras() && last_passed_ns_ &&
+         std::abs(frame_set.stamp_ns - *last_passed_ns_) < kStrayTime;
 }
 
 bool FittingInputs::waitsForImages(const Assembler::FrameSet& frame_set) const {
