@@ -1,0 +1,13 @@
+#include "studies/reproduce/fleischmann/fleischmann_paper.h"
+#include "studies/reproduce/paper.h"
+
+namespace markerless_mocap {
+
+const std::map<std::string, PaperMaker>& papers() {
+  static const std::map<std::string, PaperMaker> kPapers = {
+      {"fleischmann", makeFleischmannPaper},
+  };
+  return kPapers;
+}
+
+}  // namespace markerless_mocap
