@@ -61,8 +61,11 @@ struct FleischmannFrames {
 /// Minimum and maximum of each parameter.
 struct FleischmannLimits {
   FleischmannVector lower, upper;
-  /// Anatomical limits for standing, walking and reaching; the pelvis is free.
-  static FleischmannLimits anatomical();
+  /// Of people who stand, walk and reach; the pelvis is free.
+  static FleischmannLimits walking();
+  /// The ranges of motion of adults (American Academy of Orthopaedic Surgeons 1965), rounded up;
+  /// the pelvis is free. Fleischmann 2012 gives no figures.
+  static FleischmannLimits full();
 };
 
 /// Fleischmann's kinematic model with 31 parameters: all joints but wrists and ankles. Immutable.

@@ -11,6 +11,8 @@
 
 namespace markerless_mocap {
 
+struct EdgeSum;
+
 /// Input of one camera at one time.
 struct FleischmannView {
   cv::Mat silhouette;  ///< CV_8UC1 of the size of the camera's image, 0 | 128 unknown | person;
@@ -52,8 +54,8 @@ class FleischmannFitness {
   /// types are wrong. \return the number of views that show a person; the others are ignored
   int observe(const std::vector<FleischmannView>& views);
 
-  /// f_s is the mean over the views of half the fraction of the drawing that is in the silhouette
-  /// plus half the fraction of the silhouette that is drawn (Eq. 5.5); unknown pixels are left
+  /// f_s is the mean over the views of the fraction of the drawing that is in the silhouette and
+  /// the fraction of the silhouette that is drawn, weighted (Eq. 5.5); unknown pixels are left
   /// out of both. f_e is the mean of the edge
   /// map under the edges of the body (Eq. 5.1). Both are 0 in a view that does not contain the
   /// body, and without views.
@@ -66,6 +68,9 @@ class FleischmannFitness {
 
   /// The drawing in a view: CV_8UC1 of the size of the reduced image, 255 = body.
   cv::Mat drawing(const double* candidate, int view) const;
+  /// The outlines of the cones in a view, by FleischmannConeId: four corners in pixels of the reduced
+  /// image, or none where a cone has no outline.
+  std::vector<std::vector<cv::Point2f>> outlines(const double* candidate, int view) const;
   /// The edge map of a view, CV_8UC1; all 0 without an image.
   const cv::Mat& edges(int view) const;
   const FleischmannBodyModel& bodyModel() const { return body_model_; }
@@ -75,6 +80,7 @@ class FleischmannFitness {
   struct Scratch;
   void place(const double* candidate, Scratch& scratch) const;
   Scratch& scratch() const;
+  EdgeSum edgesOf(const View& view, const Scratch& s, const EdgeSelection& choice) const;
 
   FleischmannBodyModel body_model_;
   FleischmannImageOptions options_;

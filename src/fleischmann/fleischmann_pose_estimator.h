@@ -32,7 +32,7 @@ class FleischmannPoseEstimator {
   FleischmannPoseEstimator(const CameraRig& rig, const FleischmannBodyModel& body_model,
                            const FleischmannBodyShape& body,
                            const FleischmannMotionStatistics& statistics,
-                           const FleischmannOptions& options);
+                           const FleischmannOptions& options, const SwarmWatch& watch = nullptr);
 
   /// Sets the pose at a time without a search. The parameters should be within the limits.
   void start(int64_t stamp_ns, const FleischmannVector& v);
@@ -62,7 +62,8 @@ class FleischmannPoseEstimator {
   FleischmannVector withinLimits(const FleischmannVector& v) const;
   /// Error message if the last pose cannot be used; else empty.
   std::string updateError(int64_t stamp_ns, int views) const;
-  void search(const SearchStart& start, uint64_t seed, FleischmannEstimate& pose) const;
+  /// \return the last particles, of a filter
+  Eigen::MatrixXd search(SearchStart start, uint64_t seed, FleischmannEstimate& pose) const;
   /// Accepts the estimate if its fitness is sufficient.
   void accept(int64_t stamp_ns, FleischmannEstimate& pose);
 
@@ -71,8 +72,9 @@ class FleischmannPoseEstimator {
   FleischmannMotionStatistics statistics_;
   FleischmannOptions options_;
   FleischmannSearchPlan plan_;
-  FleischmannLimits limits_ = FleischmannLimits::anatomical();
+  FleischmannLimits limits_;
   std::optional<Known> last_, before_;
+  Eigen::MatrixXd particles_;  ///< of the last frame, with carry_particles
 };
 
 }  // namespace markerless_mocap

@@ -45,7 +45,8 @@ FleischmannPoseEstimator trackerOf(const CameraRig& rig, const TrackedBody& body
                                    const FleischmannMotionStatistics& motion,
                                    const FleischmannOptions& options) {
   const FleischmannBodyModel body_model(*body.model);
-  return FleischmannPoseEstimator(rig, body_model, FleischmannBodyShape(*body.model, body_model),
+  return FleischmannPoseEstimator(rig, body_model,
+                                  FleischmannBodyShape(*body.model, body_model, options.body),
                                   requireMotion(motion), options);
 }
 
@@ -57,6 +58,7 @@ FleischmannTracker::FleischmannTracker(const CameraRig& rig, const PersonResourc
                                        const FleischmannMotionStatistics& motion,
                                        const InitializerFactory& make_initializer)
     : with_edges_(options.use_edges),
+      reconsiders_(options.reconsider),
       body_(initialBody(resources, person.stature)),
       conversion_(body_->model),
       tracker_(trackerOf(rig, *body_, motion, options)),
@@ -140,8 +142,9 @@ BodyPose FleischmannTracker::update(const TrackerInput& now) {
   stamp_ = now.stamp_ns;
   const FleischmannEstimate found = tracker_.update(now.stamp_ns, views);
   if (found.status != PoseStatus::kTracked) return start(now, views);
-  if (const std::optional<FleischmannEstimate> other = reconsider(now, views, found))
-    return reported(*other, PoseStatus::kReinitialized);
+  std::optional<FleischmannEstimate> other;
+  if (reconsiders_) other = reconsider(now, views, found);
+  if (other) return reported(*other, PoseStatus::kReinitialized);
   return reported(found, PoseStatus::kTracked);
 }
 

@@ -41,7 +41,7 @@ class FleischmannTracker : public BodyTracker {
                                                 const FleischmannEstimate& found);
   BodyPose reported(const FleischmannEstimate& found, PoseStatus status);
 
-  bool with_edges_;
+  bool with_edges_, reconsiders_;
   std::shared_ptr<const TrackedBody> body_;
   FleischmannUrdfConverter conversion_;
   FleischmannPoseEstimator tracker_;

@@ -90,15 +90,15 @@ SearchOutcome AnnealedParticleFilter::minimise(const SearchProblem& problem,
   VectorXd weights = survivalWeights(set.costs(), settings_.survival_rate);
   for (int layer = 1; layer < settings_.layers; ++layer) {
     const CounterRandom own = random.stream(uint64_t(layer));
-    MatrixXd next(start.center.size(), settings_.particles);
-    for (int i = 0; i < settings_.particles; ++i)
-      next.col(i) = set.positions().col(drawIndex(weights, own.stream(0).uniform(uint64_t(i))));
+    MatrixXd next = set.drawn(weights, own.stream(0));
     sigma = sigma.cwiseMin(spreadOf(next));
     crossOver(set, weights, own.stream(1), settings_.crossover, next);
     set.replace(next, sigma.asDiagonal(), own.stream(2));
     weights = survivalWeights(set.costs(), settings_.survival_rate);
   }
-  return set.outcome(weights);
+  SearchOutcome outcome = set.outcome(weights);
+  outcome.particles = set.drawn(weights, random.stream(uint64_t(settings_.layers)));
+  return outcome;
 }
 
 InteractingAnnealing::InteractingAnnealing(const AnnealingSettings& settings)

@@ -21,7 +21,8 @@ struct AnnealingSettings {
 /// Annealed particle filter after Deutscher and Reid 2005. Each layer resamples all particles with
 /// weights that give the survival rate, and scatters them with the survivors' standard deviation of
 /// each parameter, limited to that of the last layer. Parameters that affect the cost most converge
-/// first. The result is the weighted mean of the last layer.
+/// first. The result is the weighted mean of the last layer. Its particles can be handed to the
+/// next search, as a filter over time does.
 class AnnealedParticleFilter : public Optimiser {
  public:
   /// Throws std::invalid_argument on settings out of range.

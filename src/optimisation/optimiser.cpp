@@ -27,6 +27,8 @@ void validateProblem(const SearchProblem& problem, const SearchStart& start) {
   if (start.sigma.size() != size || problem.lower.size() != size)
     throw std::invalid_argument(
         "a search needs a centre, and as many sigmas and bounds as the centre has values");
+  if (start.particles.size() > 0 && start.particles.rows() != size)
+    throw std::invalid_argument("a search needs particles of as many values as the centre");
   for (Eigen::Index d = 0; d < size; ++d) {
     if (!std::isfinite(start.center[d]))
       throw std::invalid_argument(parameter(d) + " starts at a value that is not finite");
@@ -44,7 +46,7 @@ bool isFeasible(const SearchProblem& problem, const double* candidate) {
 bool drawFeasible(const SearchProblem& problem, const Eigen::VectorXd& fallback,
                   const std::function<void(int, Eigen::Ref<Eigen::VectorXd>)>& draw,
                   Eigen::Ref<Eigen::VectorXd> candidate) {
-  for (int attempt = 0; attempt < kDrawAttempts; ++attempt) {
+  for (int attempt = 0; attempt < problem.attempts; ++attempt) {
     draw(attempt, candidate);
     if (isFeasible(problem, candidate.data())) return true;
   }

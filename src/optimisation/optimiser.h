@@ -14,12 +14,17 @@ struct SearchProblem {
   /// Whether a candidate inside the bounds is infeasible; empty: none is.
   std::function<bool(const double* candidate)> infeasible;
   Eigen::VectorXd lower, upper;  ///< bounds; infinite if there are none
+  /// Number of attempts of a draw that must meet the constraints (Fleischmann 2012, 5.3.2).
+  int attempts = 10;
 };
 
 /// Start of a search.
 struct SearchStart {
   Eigen::VectorXd center;
   Eigen::VectorXd sigma;  ///< standard deviation of each parameter; 0: the parameter is fixed
+  /// Particles of an earlier search, one per column, around which an annealed particle filter
+  /// scatters its first ones; empty: around the centre. Other optimisers do not use them.
+  Eigen::MatrixXd particles = {};
 };
 
 /// Result of a search.
@@ -29,6 +34,8 @@ struct SearchOutcome {
   bool found = false;      ///< whether a candidate had a finite cost
   int evaluations = 0;     ///< number of candidates whose cost was computed
   int rejected_moves = 0;  ///< number of moves for which no draw met the constraints
+  /// Of an annealed particle filter: its last particles, drawn by weight; of others empty.
+  Eigen::MatrixXd particles = {};
 };
 
 /// Interface of all optimisers. Stateless: the result depends on the arguments only, not on the
@@ -49,9 +56,6 @@ void validateProblem(const SearchProblem& problem, const SearchStart& start);
 
 /// Whether a candidate is finite, inside the bounds and not infeasible.
 bool isFeasible(const SearchProblem& problem, const double* candidate);
-
-/// Number of attempts of a draw that must meet the constraints (Fleischmann 2012, 5.3.2).
-constexpr int kDrawAttempts = 10;
 
 /// Draws candidates with `draw(attempt, candidate)` until one is feasible. If none is, the last one
 /// is moved inside the bounds. If that is not feasible either, `candidate` is set to `fallback`.

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kInitialAcceleration = 2.05, kFinalAcceleration = 2.15;
-constexpr double kMaxVelocity = 2.0;  // sigmas per iteration
 // Number of particles that one task moves and evaluates.
 constexpr int kBatch = 3;
 
@@ -21,38 +19,45 @@ constexpr int kBatch = 3;
 class StageSearch {
  public:
   StageSearch(const SearchProblem& problem, const SwarmStage& stage, int index,
-              const SearchStart& start, const CounterRandom& random, bool keep_center)
+              const SearchStart& start, const CounterRandom& random,
+              const StagedSwarmSettings& settings)
       : problem_(problem),
         stage_(stage),
         index_(index),
         start_(start),
         random_(random),
-        keep_center_(keep_center),
+        settings_(settings),
         swarm_(start.center, stage.particles),
         rejected_moves_(Eigen::VectorXi::Zero(stage.particles)) {}
 
   SearchOutcome run() {
     swarm_.step(problem_, index_, kBatch, [this](int i) { scatter(i); });
+    watch();
     for (int k = 1; k < stage_.iterations; ++k) {
-      const double acceleration =
-          kInitialAcceleration +
-          (kFinalAcceleration - kInitialAcceleration) * k / std::max(1, stage_.iterations - 1);
+      const double acceleration = settings_.initial_acceleration +
+                                  (settings_.final_acceleration - settings_.initial_acceleration) *
+                                      k / std::max(1, stage_.iterations - 1);
       const CounterRandom random = random_.stream(uint64_t(k));
       swarm_.step(problem_, index_, kBatch,
                   [&](int i) { move(i, acceleration, random.stream(uint64_t(i))); });
+      watch();
     }
     swarm_.outcome.rejected_moves = rejected_moves_.sum();
     return swarm_.outcome;
   }
 
  private:
+  void watch() const {
+    if (settings_.watch) settings_.watch(index_, swarm_.position);
+  }
+
   void scatter(int i) {
     const CounterRandom random = random_.stream(0).stream(uint64_t(i));
     const auto dimensions = start_.center.size();
     const bool drawn = drawFeasible(
         problem_, start_.center,
         [&](int attempt, Eigen::Ref<VectorXd> candidate) {
-          const double scale = keep_center_ && i == 0 && attempt == 0 ? 0.0 : 1.0;
+          const double scale = settings_.keep_center && i == 0 && attempt == 0 ? 0.0 : 1.0;
           for (Eigen::Index d = 0; d < dimensions; ++d)
             candidate[d] = start_.center[d] + scale * start_.sigma[d] *
                                                   random.normal(uint64_t(attempt * dimensions + d));
@@ -80,7 +85,7 @@ class StageSearch {
                 (velocity[d] +
                  acceleration * random.uniform(counter) * (swarm_.personal_best(d, i) - from[d]) +
                  acceleration * random.uniform(counter + 1) * (swarm_.globalBest()[d] - from[d]));
-            const double most = kMaxVelocity * start_.sigma[d];
+            const double most = settings_.max_velocity * start_.sigma[d];
             candidate[d] = from[d] + std::min(std::max(v, -most), most);
           }
         },
@@ -94,7 +99,7 @@ class StageSearch {
   int index_;
   const SearchStart& start_;
   CounterRandom random_;
-  bool keep_center_;
+  const StagedSwarmSettings& settings_;
   Swarm swarm_;
   Eigen::VectorXi rejected_moves_;
 };
@@ -105,8 +110,10 @@ double constriction(double phi) {
   return 2.0 / std::abs(2.0 - phi - std::sqrt(phi * phi - 4.0 * phi));
 }
 
-StagedSwarm::StagedSwarm(std::vector<SwarmStage> stages, bool keep_center)
-    : stages_(std::move(stages)), keep_center_(keep_center) {
+StagedSwarm::StagedSwarm(std::vector<SwarmStage> stages, StagedSwarmSettings settings)
+    : stages_(std::move(stages)), settings_(std::move(settings)) {
+  if (!(settings_.initial_acceleration > 2.0 && settings_.final_acceleration > 2.0))
+    throw std::invalid_argument("the accelerations of a staged swarm must be above 2");
   if (stages_.empty()) throw std::invalid_argument("a staged swarm needs at least one stage");
   for (size_t i = 0; i < stages_.size(); ++i) {
     const SwarmStage& stage = stages_[i];
@@ -138,7 +145,7 @@ SearchOutcome StagedSwarm::minimise(const SearchProblem& problem, const SearchSt
   for (size_t i = 0; i < stages_.size(); ++i) {
     const SearchStart here = {all.best, start.sigma.cwiseProduct(stages_[i].sigma_scale)};
     const SearchOutcome found =
-        StageSearch(problem, stages_[i], int(i), here, random.stream(i), keep_center_).run();
+        StageSearch(problem, stages_[i], int(i), here, random.stream(i), settings_).run();
     all.evaluations += found.evaluations;
     all.rejected_moves += found.rejected_moves;
     all.found = found.found;

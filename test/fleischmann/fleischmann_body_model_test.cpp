@@ -98,14 +98,23 @@ TEST(FleischmannBodyModel, signsMeanTheSameOnBothSides) {
 }
 
 TEST(FleischmannBodyModel, limitsHoldTheZeroPoseAndAStride) {
-  const FleischmannLimits limits = FleischmannLimits::anatomical();
-  const FleischmannVector zero = FleischmannVector::Zero(), v = stride();
-  EXPECT_TRUE((limits.lower.array() <= zero.array()).all());
-  EXPECT_TRUE((limits.upper.array() >= zero.array()).all());
-  EXPECT_TRUE((limits.lower.array() <= v.array()).all());
-  EXPECT_TRUE((limits.upper.array() >= v.array()).all());
-  EXPECT_EQ(limits.upper[kPelvisPosition], HUGE_VAL);
-  EXPECT_LT(limits.upper[kHeadTwist], HUGE_VAL);
+  for (const FleischmannLimits& limits :
+       {FleischmannLimits::walking(), FleischmannLimits::full()}) {
+    const FleischmannVector zero = FleischmannVector::Zero(), v = stride();
+    EXPECT_TRUE((limits.lower.array() <= zero.array()).all());
+    EXPECT_TRUE((limits.upper.array() >= zero.array()).all());
+    EXPECT_TRUE((limits.lower.array() <= v.array()).all());
+    EXPECT_TRUE((limits.upper.array() >= v.array()).all());
+    EXPECT_EQ(limits.upper[kPelvisPosition], HUGE_VAL);
+    EXPECT_LT(limits.upper[kHeadTwist], HUGE_VAL);
+  }
+}
+
+TEST(FleischmannBodyModel, walkingIsWithinWhatAdultsCanDo) {
+  const FleischmannLimits walking = FleischmannLimits::walking(), full = FleischmannLimits::full();
+  EXPECT_TRUE((full.lower.array() <= walking.lower.array()).all());
+  EXPECT_TRUE((full.upper.array() >= walking.upper.array()).all());
+  EXPECT_LT(full.lower[kRightHip], walking.lower[kRightHip]);
 }
 
 }  // namespace

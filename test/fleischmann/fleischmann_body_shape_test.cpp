@@ -149,7 +149,9 @@ TEST(ConeOutlines, whatIsBehindOrSeenAlongItsAxisHasNone) {
 
 TEST(LimbCollision, findsCrossedLegsAndLetsWalkingPass) {
   const Figure figure;
-  const LimbCollision collide(figure.body, 0.5);
+  FleischmannBodyOptions half;
+  half.collision_fraction = 0.5;
+  const LimbCollision collide(figure.body, half);
   const auto collides = [&](const FleischmannVector& v) {
     FleischmannFrames frames;
     figure.body_model.frames(v.data(), frames);
@@ -167,7 +169,63 @@ TEST(LimbCollision, findsCrossedLegsAndLetsWalkingPass) {
   EXPECT_TRUE(collides(arm));
   FleischmannFrames frames;
   figure.body_model.frames(crossed.data(), frames);
-  EXPECT_FALSE(LimbCollision(figure.body, 0.0)(frames));
+  half.collision_fraction = 0.0;
+  EXPECT_FALSE(LimbCollision(figure.body, half)(frames));
+}
+
+TEST(LimbCollision, ofAllPairsFindsWhatTheLimbsOfWalkersDoNot) {
+  const Figure figure;
+  FleischmannBodyOptions walking, all;
+  all.collision_pairs = "all";
+  const auto collides = [&](const FleischmannBodyOptions& options, const FleischmannVector& v) {
+    FleischmannFrames frames;
+    figure.body_model.frames(v.data(), frames);
+    return LimbCollision(figure.body, options)(frames);
+  };
+  FleischmannVector apart = FleischmannVector::Zero();  // the arms do not touch the thighs
+  apart[kLeftShoulder] = apart[kRightShoulder] = 0.3;
+  EXPECT_FALSE(collides(all, apart));
+  EXPECT_FALSE(collides(all, stride()));
+  FleischmannVector raised = apart;  // the upper arm through the head
+  raised[kLeftShoulder] = 3.1;
+  raised[kLeftClavicle + 1] = 0.8;
+  raised[kHeadTurn] = -0.8;
+  raised[kSpine + 1] = 0.7;
+  FleischmannVector crouched = apart;  // a forearm through the calf
+  crouched[kLeftHip + 1] = 1.9;
+  crouched[kLeftKnee] = 1.9;
+  crouched[kSpine] = 1.0;
+  crouched[kLeftShoulder] = 0.0;
+  crouched[kLeftShoulder + 1] = 0.35;
+  EXPECT_TRUE(collides(all, raised));
+  EXPECT_TRUE(collides(all, crouched));
+  // Legs that are crossed behind each other meet first at the thighs.
+  bool thighs_alone = false;
+  for (double angle = 0.0; angle > -0.4; angle -= 0.01) {
+    FleischmannVector crossed = apart;
+    crossed[kLeftHip] = crossed[kRightHip] = angle;
+    crossed[kLeftHip + 1] = 0.15;
+    crossed[kLeftKnee] = crossed[kRightKnee] = 0.4;
+    thighs_alone = thighs_alone || (collides(all, crossed) && !collides(walking, crossed));
+  }
+  EXPECT_TRUE(thighs_alone);
+}
+
+// Fleischmann 2012, 5.1.2.
+TEST(FleischmannBodyShape, thighsCanBeThickerAndLowerLimbsLonger) {
+  const Figure figure;
+  FleischmannBodyOptions shorts;
+  shorts.thigh_width = 1.2;
+  shorts.lower_limb_length = 1.0;
+  const FleischmannBodyShape changed(sampleBody(), figure.body_model, shorts);
+  for (int i = 0; i < kFleischmannConeCount; ++i) {
+    const FleischmannCone &a = figure.body.cones()[i], &b = changed.cones()[i];
+    const bool thigh = i == kLeftThighCone || i == kRightThighCone;
+    const bool lower = i == kLeftCalfCone || i == kRightCalfCone || i == kLeftLowerArmCone ||
+                       i == kRightLowerArmCone;
+    EXPECT_NEAR(b.u.norm() / a.u.norm(), thigh ? 1.2 : 1.0, 1e-9) << i;
+    EXPECT_NEAR((a.b - a.a).norm() / (b.b - b.a).norm(), lower ? 1.2 : 1.0, 1e-9) << i;
+  }
 }
 
 }  // namespace

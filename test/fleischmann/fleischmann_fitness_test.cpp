@@ -260,5 +260,62 @@ TEST(FleischmannImageOptions, areCheckedByName) {
             std::string::npos);
 }
 
+// A map that is white only where another cone covers: points that are hidden are not asked.
+TEST(EdgeSamples, leaveOutWhatAnotherConeHides) {
+  Figure figure;
+  const ViewCamera view(figure.rig[0], 1);
+  FleischmannFrames frames;
+  FleischmannWorldCones cones;
+  ConeCorners corners;
+  const FleischmannVector pose = stride();
+  figure.body_model.frames(pose.data(), frames);
+  ConePlacer(figure.body).place(frames, cones);
+  view.outlines(cones, corners);
+  const HiddenPoints hidden(corners, cones, view.position());
+  const EdgeSelection all;
+  const cv::Mat white(view.height(), view.width(), CV_8UC1, cv::Scalar(255));
+  const EdgeSum every = sampleEdges(corners, white, all, 10);
+  const EdgeSum seen = sampleEdges(corners, white, all, 10, &hidden);
+  EXPECT_EQ(every.points, (2 * 9 + 1) * 10);
+  EXPECT_LT(seen.points, every.points);
+  EXPECT_GT(seen.points, every.points / 3);
+  EXPECT_EQ(seen.sum, 255 * seen.points);
+  // The middle of the torso hides what is behind it, and nothing of what is before it.
+  float x = 0, y = 0;
+  for (int k = 0; k < 4; ++k) {
+    x += corners.x[k][kTorsoCone] / 4;
+    y += corners.y[k][kTorsoCone] / 4;
+  }
+  FleischmannWorldCones far = cones, near = cones;
+  for (int axis = 0; axis < 3; ++axis)
+    for (ConeVectors* ends : {&far.a, &far.b, &near.a, &near.b}) {
+      const bool away = ends == &far.a || ends == &far.b;
+      float& place = (*ends)[axis][kLeftCalfCone];
+      place = view.position()[axis] + (away ? 2.0f : 0.5f) * (place - view.position()[axis]);
+    }
+  EXPECT_TRUE(HiddenPoints(corners, far, view.position())(kLeftCalfCone, 0.5f, x, y));
+  EXPECT_FALSE(HiddenPoints(corners, near, view.position())(kLeftCalfCone, 0.5f, x, y));
+}
+
+TEST(FleischmannFitness, coveredEdgesCanBeLeftOutAndTheSilhouetteWeighed) {
+  FleischmannImageOptions options;
+  options.hide_covered_edges = true;
+  options.silhouette_weight = 0.0;
+  Figure plain, figure(options);
+  const std::vector<FleischmannView> views = plain.viewsOf(stride());
+  plain.fitness.observe(views);
+  figure.fitness.observe(views);
+  // Without hidden edges, fewer run where a grey silhouette shows nothing.
+  EXPECT_GT(figure.fitness.fitness(stride().data(), EdgeSelection()).edge,
+            plain.fitness.fitness(stride().data(), EdgeSelection()).edge);
+  FleischmannVector thin = stride();  // an arm before the trunk: all that is drawn is in it
+  thin[kLeftShoulder] = 0.0;
+  const FitnessTerms weighed = figure.fitness.fitness(thin.data(), EdgeSelection());
+  EXPECT_NE(weighed.silhouette, plain.fitness.fitness(thin.data(), EdgeSelection()).silhouette);
+  const auto outlines = figure.fitness.outlines(stride().data(), 0);
+  ASSERT_EQ(outlines.size(), size_t(kFleischmannConeCount));
+  EXPECT_EQ(outlines[kTorsoCone].size(), 4u);
+}
+
 }  // namespace
 }  // namespace markerless_mocap

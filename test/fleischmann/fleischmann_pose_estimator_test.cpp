@@ -224,5 +224,36 @@ TEST(FleischmannPoseEstimator, dependsOnTheSeedAndNotOnThreads) {
   EXPECT_EQ(poseOf(1), first);
 }
 
+// Fleischmann 2012, 6.1: x31 is held in all experiments, by the rivals, too.
+TEST(FleischmannPoseEstimator, noSearchTurnsTheHeadAboutItsAxis) {
+  const Walk walk;
+  for (const char* search : {"two_soft", "annealed_filter", "interacting_annealing"}) {
+    FleischmannOptions options;
+    options.search = search;
+    options.swarm.carry_particles = true;
+    FleischmannPoseEstimator tracker = walk.tracker(options);
+    tracker.start(0, Walk::at(0));
+    for (int frame = 1; frame < 3; ++frame) {
+      const FleischmannVector v = tracker.update(frame * kFrame_ns, walk.viewsAt(frame)).v;
+      EXPECT_NEAR(v[kHeadTwist], Walk::at(0)[kHeadTwist], 1e-12) << search;
+      EXPECT_NE(v[kHeadTurn], Walk::at(0)[kHeadTurn]) << search;
+    }
+  }
+}
+
+// As published, nothing is rejected, and no pose is too old.
+TEST(FleischmannPoseEstimator, acceptsEveryEstimateIfItIsToldTo) {
+  const Walk walk;
+  FleischmannOptions options;
+  options.min_silhouette_fitness = 0.0;
+  options.max_pose_age = 1e6;
+  FleischmannPoseEstimator tracker = walk.tracker(options);
+  FleischmannVector elsewhere = Walk::at(0);
+  elsewhere[kPelvisPosition] -= 0.8;
+  tracker.start(0, elsewhere);
+  EXPECT_EQ(tracker.update(kFrame_ns, walk.viewsAt(0)).status, PoseStatus::kTracked);
+  EXPECT_EQ(tracker.update(2000000000, walk.viewsAt(0)).status, PoseStatus::kTracked);
+}
+
 }  // namespace
 }  // namespace markerless_mocap

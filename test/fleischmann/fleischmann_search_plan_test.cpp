@@ -80,8 +80,8 @@ TEST(FleischmannSearchPlan, threeSoftStagesScaleSigmaAsTheThesis) {
 TEST(FleischmannSearchPlan, optionsChangeParticlesAndEdges) {
   FleischmannOptions options;
   options.particle_factor = 2.0;
-  options.final_stage_particles = 40;
-  options.final_stage_iterations = 20;
+  options.swarm.final_stage_particles = 40;
+  options.swarm.final_stage_iterations = 20;
   options.use_edges = false;
   options.use_torso_top_edge = false;
   const FleischmannSearchPlan plan = makeSearchPlan(options);

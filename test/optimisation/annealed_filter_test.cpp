@@ -1,6 +1,7 @@
 #include "optimisation/annealed_filter.h"
 
 #include <gtest/gtest.h>
+
 #include <tbb/global_control.h>
 
 #include <memory>
@@ -92,6 +93,29 @@ TEST_P(AnnealedFilters, dependOnTheSeedAndNotOnThreads) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(filter->minimise(problem, around(4, 2.0, 1.0), 7).best, first.best);
   EXPECT_NE(filter->minimise(problem, around(4, 2.0, 1.0), 8).best, first.best);
+}
+
+// A filter over time goes on with all its particles, not with their mean.
+TEST(AnnealedParticleFilter, startsWithTheParticlesOfTheLastSearch) {
+  const AnnealedParticleFilter filter(AnnealingSettings{});
+  const SearchProblem problem = unbounded(2, bowl(2));
+  const SearchOutcome first = filter.minimise(problem, around(2, 1.0, 1.0), 1);
+  ASSERT_EQ(first.particles.cols(), 200);
+  EXPECT_LT((first.particles.rowwise().mean() - first.best).norm(), 0.2);
+  SearchProblem next = problem;
+  Witness witness;
+  witness.attend(&next);
+  SearchStart start = around(2, 50.0, 1e-6);
+  start.particles = first.particles;
+  filter.minimise(next, start, 2);
+  const auto isOne = [&](const Eigen::VectorXd& x) {
+    return (first.particles.colwise() - x).colwise().norm().minCoeff() < 1e-4;
+  };
+  const auto begin = witness.candidates.begin();
+  EXPECT_TRUE(std::all_of(begin, begin + 200, isOne));
+  start.particles.resize(3, 5);
+  EXPECT_EQ(errorTextOf([&] { filter.minimise(problem, start, 2); }),
+            "a search needs particles of as many values as the centre");
 }
 
 TEST_P(AnnealedFilters, sentencesSayWhatIsWrong) {

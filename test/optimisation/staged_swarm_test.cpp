@@ -107,7 +107,7 @@ TEST(StagedSwarm, constraintsThatNothingMeetsCostABoundedNumberOfDraws) {
   const SearchOutcome found =
       StagedSwarm({stageOf(2, 4, 5)}).minimise(problem, around(2, 1.0, 1.0), 1);
   EXPECT_EQ(found.rejected_moves, 20);
-  EXPECT_EQ(draws, 20 * (kDrawAttempts + 1));
+  EXPECT_EQ(draws, 20 * (SearchProblem().attempts + 1));
   EXPECT_EQ(found.best, Eigen::VectorXd::Ones(2));
 }
 
@@ -129,7 +129,9 @@ TEST(StagedSwarm, costsThatAreNoNumbersAreInfinitelyBad) {
 TEST(StagedSwarm, aCentreThatIsKeptIsNeverLost) {
   const SearchStart best = {Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d::Ones()};
   const SearchProblem problem = unbounded(3, bowl(3));
-  EXPECT_EQ(StagedSwarm({stageOf(3, 4, 2)}, true).minimise(problem, best, 5).best, best.center);
+  StagedSwarmSettings keeping;
+  keeping.keep_center = true;
+  EXPECT_EQ(StagedSwarm({stageOf(3, 4, 2)}, keeping).minimise(problem, best, 5).best, best.center);
   EXPECT_NE(StagedSwarm({stageOf(3, 4, 2)}).minimise(problem, best, 5).best, best.center);
 }
 
@@ -154,7 +156,29 @@ TEST(StagedSwarm, stagesAreToldToTheCost) {
   EXPECT_EQ(calls[1], 30);
 }
 
+TEST(StagedSwarm, isWatchedInEveryIterationAndKeepsToItsVelocity) {
+  StagedSwarmSettings settings;
+  settings.max_velocity = 0.5;
+  std::vector<Eigen::MatrixXd> seen[2];
+  settings.watch = [&](int stage, const Eigen::MatrixXd& positions) {
+    seen[stage].push_back(positions);
+  };
+  StagedSwarm({stageOf(2, 3, 4), stageOf(2, 5, 6)}, settings)
+      .minimise(unbounded(2, bowl(2)), around(2, 3.0, 1.0), 1);
+  ASSERT_EQ(seen[0].size(), 4u);
+  ASSERT_EQ(seen[1].size(), 6u);
+  for (size_t k = 1; k < seen[1].size(); ++k) {
+    const double most = (seen[1][k] - seen[1][k - 1]).cwiseAbs().maxCoeff();
+    EXPECT_GT(most, 0.0);
+    EXPECT_LE(most, 0.5 + 1e-12);
+  }
+}
+
 TEST(StagedSwarm, sentencesSayWhatIsWrong) {
+  StagedSwarmSettings slow;
+  slow.final_acceleration = 2.0;
+  EXPECT_EQ(errorTextOf([&] { StagedSwarm({stageOf(2, 3, 4)}, slow); }),
+            "the accelerations of a staged swarm must be above 2");
   EXPECT_EQ(errorTextOf([] { StagedSwarm({}); }), "a staged swarm needs at least one stage");
   EXPECT_EQ(errorTextOf([] { StagedSwarm({stageOf(2, 0, 5)}); }),
             "swarm stage 0 needs at least one particle and one iteration");

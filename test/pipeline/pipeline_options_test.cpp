@@ -17,6 +17,20 @@ TEST(PipelineOptions, EmptyConfigurationKeepsDefaults) {
   EXPECT_EQ(options.hull.pitch, HullOptions().pitch);
 }
 
+// docs/papers.md.
+TEST(PipelineOptions, FleischmannAsPublishedIsRead) {
+  const PipelineOptions options = loadPipelineOptions(
+      YAML::LoadFile(MOCAP_SOURCE_DIR "/config/as_published/fleischmann.yaml"));
+  EXPECT_EQ(options.fitting.method, "fleischmann");
+  const FleischmannOptions& published = options.fitting.fleischmann;
+  EXPECT_FALSE(published.include_start_particle);  // Algorithm 2
+  EXPECT_FALSE(published.reconsider);
+  EXPECT_EQ(published.min_silhouette_fitness, 0.0);
+  EXPECT_EQ(published.body.collision_pairs, "all");
+  EXPECT_GT(published.swarm.crossover, 0.0);
+  EXPECT_TRUE(published.swarm.carry_particles);
+}
+
 TEST(PipelineOptions, EachSectionReachesItsStage) {
   const PipelineOptions options = loadPipelineOptions(
       YAML::Load("{silhouette: {background_frames: 7}, visual_hull: {pitch: 0.05}, "

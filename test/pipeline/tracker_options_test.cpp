@@ -37,7 +37,7 @@ TEST(TrackerOptions, ReadsItsOwnKeysAndThoseOfAllMethods) {
   EXPECT_EQ(o.hsiao.seed, 7);
   EXPECT_EQ(o.hsiao.joint_limits.lower[8], -2.0);  // theta_9 is the left elbow
   EXPECT_EQ(o.hsiao.joint_limits.upper[8], 0.1);
-  EXPECT_EQ(o.fleischmann.final_stage_particles, 30);
+  EXPECT_EQ(o.fleischmann.swarm.final_stage_particles, 30);
   EXPECT_EQ(o.fleischmann.image.downsampling, 2);
 }
 
@@ -74,7 +74,7 @@ TEST(TrackerOptions, ValidateNamesTheSamePathForWhatWasSetInCode) {
   EXPECT_EQ(errorAfter([](TrackerOptions&) {}), "");
   EXPECT_EQ(errorAfter([](TrackerOptions& o) { o.contour.ray_sigma = 0; }),
             "pose_fitting/contour/ray_sigma is 0, allowed is 0.001 to 0.1");
-  EXPECT_EQ(errorAfter([](TrackerOptions& o) { o.fleischmann.final_stage_particles = 0; }),
+  EXPECT_EQ(errorAfter([](TrackerOptions& o) { o.fleischmann.swarm.final_stage_particles = 0; }),
             "pose_fitting/fleischmann/final_stage_particles is 0, allowed is 1 to 10000");
   EXPECT_EQ(errorAfter([](TrackerOptions& o) { o.filter.cutoff = 0; }),
             "pose_fitting/filter/cutoff is 0, allowed is 0.01 to 100");

@@ -17,6 +17,11 @@ struct FleischmannImageOptions {
   double edge_blur_sigma = 2.0;
   /// number of points compared along each edge of the body
   int samples_per_edge = 10;
+  /// leave out points of edges that another part of the body hides
+  bool hide_covered_edges = false;
+  /// a of Eq. 5.5: weight of the part of the silhouette that is drawn; that of the part of the
+  /// drawing in the silhouette is 1 - a
+  double silhouette_weight = 0.5;
   /// a silhouette with fewer pixels shows nobody, and its view is left out
   int min_silhouette_pixels = 50;
 

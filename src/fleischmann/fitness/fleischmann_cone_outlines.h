@@ -54,6 +54,7 @@ class ViewCamera {
 
   int width() const { return width_; }
   int height() const { return height_; }
+  Eigen::Vector3f position() const { return Eigen::Map<const Eigen::Vector3f>(numbers_.position); }
   /// The visible contour of a truncated cone consists of two of its straight lines: those whose
   /// tangent plane contains the camera centre. The corners are the ends of these lines.
   void outlines(const FleischmannWorldCones& cones, ConeCorners& out) const;

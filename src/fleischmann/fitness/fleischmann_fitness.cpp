@@ -168,17 +168,26 @@ FitnessTerms FleischmannFitness::fitness(const double* candidate,
     s.drawQuads(view.camera.width(), view.camera.height());
     const Overlap overlap = view.overlap(s.canvas);
     if (overlap.drawn > 0)
-      sum.silhouette += 0.5 * double(overlap.shared) / double(overlap.drawn) +
-                        0.5 * double(overlap.shared) / double(view.area);
+      sum.silhouette +=
+          (1.0 - options_.silhouette_weight) * double(overlap.shared) / double(overlap.drawn) +
+          options_.silhouette_weight * double(overlap.shared) / double(view.area);
     ++views;
     if (!view.has_edges || choice.cones == 0) continue;
-    const EdgeSum edge = sampleEdges(s.corners, view.edges, choice, options_.samples_per_edge);
+    const EdgeSum edge = edgesOf(view, s, choice);
     if (edge.points > 0) sum.edge += double(edge.sum) / (255.0 * edge.points);
     ++views_with_edges;
   }
   if (views > 0) sum.silhouette /= views;
   if (views_with_edges > 0) sum.edge /= views_with_edges;
   return sum;
+}
+
+EdgeSum FleischmannFitness::edgesOf(const View& view, const Scratch& s,
+                                    const EdgeSelection& choice) const {
+  if (!options_.hide_covered_edges)
+    return sampleEdges(s.corners, view.edges, choice, options_.samples_per_edge);
+  const HiddenPoints hidden(s.corners, s.cones, view.camera.position());
+  return sampleEdges(s.corners, view.edges, choice, options_.samples_per_edge, &hidden);
 }
 
 ConeVisibility FleischmannFitness::evidence(const double* candidate, ConeSet cones) const {
@@ -207,6 +216,18 @@ cv::Mat FleischmannFitness::drawing(const double* candidate, int view) const {
   camera.outlines(s.cones, s.corners);
   s.drawQuads(camera.width(), camera.height());
   return s.canvas.image().mask();
+}
+
+std::vector<std::vector<cv::Point2f>> FleischmannFitness::outlines(const double* candidate,
+                                                                  int view) const {
+  Scratch& s = scratch();
+  place(candidate, s);
+  views_.at(size_t(view)).camera.outlines(s.cones, s.corners);
+  std::vector<std::vector<cv::Point2f>> outlines(kFleischmannConeCount);
+  for (size_t i = 0; i < outlines.size(); ++i)
+    for (size_t k = 0; k < 4 && s.corners.seen[i]; ++k)
+      outlines[i].emplace_back(s.corners.x[k][i], s.corners.y[k][i]);
+  return outlines;
 }
 
 const cv::Mat& FleischmannFitness::edges(int view) const {

@@ -13,6 +13,11 @@ void FleischmannImageOptions::visit(OptionVisitor& v) {
           "standard deviation of the blur of edges, px of the reduced image");
   v.field("samples_per_edge", samples_per_edge, 1, 200,
           "number of points compared along each edge of the body");
+  v.field("hide_covered_edges", hide_covered_edges,
+          "leave out points of edges that another part of the body hides");
+  v.field("silhouette_weight", silhouette_weight, 0.0, 1.0,
+          "a of Eq. 5.5: weight of the part of the silhouette that is drawn; that of the part of "
+          "the drawing in the silhouette is 1 - a");
   v.field("min_silhouette_pixels", min_silhouette_pixels, 1, 1000000,
           "a silhouette with fewer pixels shows nobody, and its view is left out");
 }

@@ -82,28 +82,54 @@ Vector3d anglesXYZ(const Matrix3d& R, const Vector3d& near) {
   return best;
 }
 
-}  // namespace
+/// Lowest and highest angles of the joints, rad, in the order of their parameters.
+struct JointRanges {
+  using Range = std::array<double, 2>;
+  Range hip[3], knee, clavicle[2], shoulder[3], elbow, spine[2], head[3];
+};
 
-FleischmannLimits FleischmannLimits::anatomical() {
+FleischmannLimits limitsOf(const JointRanges& ranges) {
   FleischmannLimits limits;
   limits.lower.setConstant(-HUGE_VAL);
   limits.upper.setConstant(HUGE_VAL);
-  const auto set = [&](int first, std::initializer_list<std::array<double, 2>> ranges) {
-    for (const auto& range : ranges) {
-      limits.lower[first] = range[0];
-      limits.upper[first++] = range[1];
+  const auto set = [&](int first, const JointRanges::Range* own, int count) {
+    for (int i = 0; i < count; ++i) {
+      limits.lower[first + i] = own[i][0];
+      limits.upper[first + i] = own[i][1];
     }
   };
   for (const Side& side : kSides) {
-    set(side.hip, {{-0.3, 0.9}, {-0.7, 2.2}, {-0.3, 0.6}});
-    set(side.knee, {{0.0, 2.6}});
-    set(side.clavicle, {{-0.3, 0.3}, {-0.2, 0.5}});
-    set(side.shoulder, {{-0.2, 3.0}, {-1.1, 3.2}, {-1.4, 1.4}});
-    set(side.elbow, {{0.0, 2.6}});
+    set(side.hip, ranges.hip, 3);
+    set(side.knee, &ranges.knee, 1);
+    set(side.clavicle, ranges.clavicle, 2);
+    set(side.shoulder, ranges.shoulder, 3);
+    set(side.elbow, &ranges.elbow, 1);
   }
-  set(kSpine, {{-0.5, 1.2}, {-0.6, 0.6}});
-  set(kHeadTurn, {{-0.8, 0.8}, {-1.0, 1.0}, {-1.4, 1.4}});
+  set(kSpine, ranges.spine, 2);
+  set(kHeadTurn, ranges.head, 3);
   return limits;
+}
+
+}  // namespace
+
+FleischmannLimits FleischmannLimits::walking() {
+  return limitsOf({{{-0.3, 0.9}, {-0.7, 2.2}, {-0.3, 0.6}},
+                   {0.0, 2.6},
+                   {{-0.3, 0.3}, {-0.2, 0.5}},
+                   {{-0.2, 3.0}, {-1.1, 3.2}, {-1.4, 1.4}},
+                   {0.0, 2.6},
+                   {{-0.5, 1.2}, {-0.6, 0.6}},
+                   {{-0.8, 0.8}, {-1.0, 1.0}, {-1.4, 1.4}}});
+}
+
+FleischmannLimits FleischmannLimits::full() {
+  return limitsOf({{{-0.55, 0.9}, {-0.7, 2.2}, {-0.8, 0.8}},
+                   {0.0, 2.6},
+                   {{-0.5, 0.5}, {-0.3, 0.8}},
+                   {{-0.9, 3.2}, {-1.1, 3.2}, {-1.6, 1.6}},
+                   {0.0, 2.7},
+                   {{-0.6, 1.5}, {-0.7, 0.7}},
+                   {{-0.8, 0.8}, {-1.0, 1.0}, {-1.4, 1.4}}});
 }
 
 FleischmannBodyModel::FleischmannBodyModel(const BodyModel& model) {

@@ -13,9 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Calves and lower arms extend beyond the joints to cover heels and wrists (Fleischmann 2012,
-/// 5.1.2).
-constexpr double kLowerLimbLength = 1.2;
 /// Heights at which widths are measured, as fractions of the axis.
 constexpr double kLowHeight = 0.25, kHighHeight = 0.75;
 
@@ -104,7 +101,7 @@ FleischmannCone measured(const ZeroShape& shape, const ConePlan& plan, const Vec
   return cone;
 }
 
-std::array<ConePlan, kFleischmannConeCount> plansOf(const ZeroShape& shape) {
+std::array<ConePlan, kFleischmannConeCount> plansOf(const ZeroShape& shape, double lower_limb) {
   const Vector3d hips = (shape.at("l_hip") + shape.at("r_hip")) / 2;
   const Vector3d neck = shape.at("r_head");
   const std::vector<const char*> trunk = {"body", "r_waist", "torso"};
@@ -119,13 +116,13 @@ std::array<ConePlan, kFleischmannConeCount> plansOf(const ZeroShape& shape) {
   };
   return {{{kPelvisSegment, trunk, hips - Vector3d(0, 0, 0.06), torso_top, 1.0},
            limb(kLeftThigh, "l_hip", "l_knee", 1.0),
-           limb(kLeftCalf, "l_knee", "l_ankle", kLowerLimbLength),
+           limb(kLeftCalf, "l_knee", "l_ankle", lower_limb),
            limb(kRightThigh, "r_hip", "r_knee", 1.0),
-           limb(kRightCalf, "r_knee", "r_ankle", kLowerLimbLength),
+           limb(kRightCalf, "r_knee", "r_ankle", lower_limb),
            limb(kLeftUpperArm, "l_shoulder", "l_elbow", 1.0),
-           limb(kLeftLowerArm, "l_elbow", "l_wrist", kLowerLimbLength),
+           limb(kLeftLowerArm, "l_elbow", "l_wrist", lower_limb),
            limb(kRightUpperArm, "r_shoulder", "r_elbow", 1.0),
-           limb(kRightLowerArm, "r_elbow", "r_wrist", kLowerLimbLength),
+           limb(kRightLowerArm, "r_elbow", "r_wrist", lower_limb),
            {kSkullSegment, skull, chin, crown, 1.0}}};
 }
 
@@ -144,7 +141,7 @@ double squaredDistance(const Vector3d& p1, const Vector3d& d1, const Vector3d& p
   return (r + s * d1 - t * d2).squaredNorm();
 }
 
-/// Pairs of limbs that can collide. Limbs that fraction a joint are left out.
+/// Pairs of limbs that meet when people walk. Limbs that share a joint are left out.
 constexpr FleischmannConeId kPairs[][2] = {
     {kLeftThighCone, kRightCalfCone},        {kRightThighCone, kLeftCalfCone},
     {kLeftCalfCone, kRightCalfCone},         {kLeftLowerArmCone, kTorsoCone},
@@ -154,16 +151,42 @@ constexpr FleischmannConeId kPairs[][2] = {
     {kRightLowerArmCone, kLeftThighCone},    {kRightLowerArmCone, kRightThighCone},
     {kLeftLowerArmCone, kHeadCone},          {kRightLowerArmCone, kHeadCone}};
 
+constexpr double kThighsMeet = 1.0 / 3.0;  // of their lengths, below the pelvis
+
+bool shareJoint(int i, int j) {
+  const auto onTorso = [](int cone) { return cone % 2 == 1; };  // thighs, upper arms, head
+  if (i == kTorsoCone) return onTorso(j);
+  return j == i + 1 && onTorso(i);
+}
+
 }  // namespace
 
+std::vector<LimbCollision::Pair> LimbCollision::pairsOf(bool all) {
+  std::vector<Pair> pairs;
+  if (!all)
+    for (const auto& pair : kPairs) pairs.push_back({pair[0], pair[1], 0.0});
+  for (int i = 0; all && i < kFleischmannConeCount; ++i)
+    for (int j = i + 1; j < kFleischmannConeCount; ++j)
+      if (!shareJoint(i, j))
+        pairs.push_back({FleischmannConeId(i), FleischmannConeId(j),
+                         i == kLeftThighCone && j == kRightThighCone ? kThighsMeet : 0.0});
+  return pairs;
+}
+
 FleischmannBodyShape::FleischmannBodyShape(const BodyModel& model,
-                                           const FleischmannBodyModel& body_model) {
+                                           const FleischmannBodyModel& body_model,
+                                           const FleischmannBodyOptions& options) {
   const ZeroShape shape(model);
-  const std::array<ConePlan, kFleischmannConeCount> plans = plansOf(shape);
+  const std::array<ConePlan, kFleischmannConeCount> plans =
+      plansOf(shape, options.lower_limb_length);
   for (int i = 0; i < kFleischmannConeCount; ++i) {
     const std::string link = model.links()[size_t(body_model.link(plans[i].segment))];
     const std::string base = link.substr(0, link.size() - model.id().size() - 1);
     cones_[i] = measured(shape, plans[i], shape.at(base.c_str()));
+  }
+  for (const FleischmannConeId thigh : {kLeftThighCone, kRightThighCone}) {
+    cones_[thigh].u *= options.thigh_width;
+    cones_[thigh].v *= options.thigh_width;
   }
 }
 
@@ -183,8 +206,11 @@ FleischmannBodyShape FleischmannBodyShape::scaled(
   return body;
 }
 
-LimbCollision::LimbCollision(const FleischmannBodyShape& body, double fraction)
-    : torso_(body.cones()[kTorsoCone]), fraction_(fraction) {
+LimbCollision::LimbCollision(const FleischmannBodyShape& body,
+                             const FleischmannBodyOptions& options)
+    : torso_(body.cones()[kTorsoCone]),
+      fraction_(options.collision_fraction),
+      pairs_(pairsOf(options.collision_pairs == "all")) {
   for (int i = 0; i < kFleischmannConeCount; ++i) {
     const FleischmannCone& cone = body.cones()[i];
     const double smaller = std::min(cone.u.norm(), cone.v.norm());
@@ -216,10 +242,13 @@ bool LimbCollision::operator()(const FleischmannFrames& frames) const {
   for (const FleischmannConeId arm : {kLeftLowerArmCone, kRightLowerArmCone})
     for (const double at : {0.0, 0.5, 1.0})
       if (inTorso(start[arm] + at * along[arm], frames, limbs_[arm].radius)) return true;
-  return std::any_of(std::begin(kPairs), std::end(kPairs), [&](const FleischmannConeId(&pair)[2]) {
-    const int i = pair[0], j = pair[1];
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    const int i = pair.a, j = pair.b;
     const double min_distance = fraction_ * (limbs_[i].radius + limbs_[j].radius);
-    return squaredDistance(start[i], along[i], start[j], along[j]) < min_distance * min_distance;
+    const double length = 1.0 - pair.from;
+    return squaredDistance(start[i] + pair.from * along[i], length * along[i],
+                           start[j] + pair.from * along[j],
+                           length * along[j]) < min_distance * min_distance;
   });
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "fleischmann/fleischmann_body_model.h"
+#include "markerless_mocap/fleischmann/fleischmann_options.h"
 
 namespace markerless_mocap {
 
@@ -52,9 +54,10 @@ class FleischmannBodyShape {
  public:
   /// Derives the cones from the geometry of the model: the torso from below the hips to the
   /// shoulders, the limbs from joint to joint, the head around its upper part. Calves and lower
-  /// arms are longer by a fifth to cover heels and wrists (Fleischmann 2012, 5.1.2). Throws
-  /// std::invalid_argument if a link has no geometry.
-  FleischmannBodyShape(const BodyModel& model, const FleischmannBodyModel& body_model);
+  /// arms cover heels and wrists (Fleischmann 2012, 5.1.2). Throws std::invalid_argument if a link
+  /// has no geometry.
+  FleischmannBodyShape(const BodyModel& model, const FleischmannBodyModel& body_model,
+                       const FleischmannBodyOptions& options = {});
 
   const std::array<FleischmannCone, kFleischmannConeCount>& cones() const { return cones_; }
   /// The same body with scaled cones. \param scales indexed by FleischmannConeId; factors greater
@@ -69,11 +72,12 @@ class FleischmannBodyShape {
 /// Test for limbs that penetrate each other or the torso (Fleischmann 2012, 5.3.2). Two limbs
 /// collide if the distance of their axes is less than `fraction` times the sum of their radii. A
 /// lower arm collides with the torso if it is inside the cross-section scaled accordingly. Limbs
-/// that share a joint are not compared.
+/// that share a joint are not compared; thighs, which meet at the pelvis, from a third of their
+/// length on.
 class LimbCollision {
  public:
-  /// \param fraction 0 (never) to 1 (surfaces may not touch)
-  LimbCollision(const FleischmannBodyShape& body, double fraction);
+  /// Uses collision_fraction, 0 (never) to 1 (surfaces may not touch), and collision_pairs.
+  LimbCollision(const FleischmannBodyShape& body, const FleischmannBodyOptions& options);
   bool operator()(const FleischmannFrames& frames) const;
 
  private:
@@ -84,9 +88,16 @@ class LimbCollision {
   };
   bool inTorso(const Eigen::Vector3d& point, const FleischmannFrames& frames, double radius) const;
 
+  struct Pair {
+    FleischmannConeId a, b;
+    double from;  ///< fraction of both axes that is left out at the upper end
+  };
+  static std::vector<Pair> pairsOf(bool all);
+
   std::array<Limb, kFleischmannConeCount> limbs_;
   FleischmannCone torso_;
   double fraction_;
+  std::vector<Pair> pairs_;
 };
 
 }  // namespace markerless_mocap

@@ -5,9 +5,6 @@ namespace {
 
 // Maximum of f_s + f_e; the cost is the difference from it.
 constexpr double kPerfect = 2.0;
-// Over a longer time, the motion statistics do not limit the position of a person.
-constexpr double kMaxStep = 0.5;  // seconds
-
 constexpr int kMinViews = 2;  // depth is unknown in a single view
 
 // Standard deviations of the error of a proposed pose; the search range decreases from round to
@@ -30,12 +27,15 @@ FleischmannPoseEstimator::FleischmannPoseEstimator(const CameraRig& rig,
                                                    const FleischmannBodyModel& body_model,
                                                    const FleischmannBodyShape& body,
                                                    const FleischmannMotionStatistics& statistics,
-                                                   const FleischmannOptions& options)
+                                                   const FleischmannOptions& options,
+                                                   const SwarmWatch& watch)
     : fitness_(rig, body_model, body, options.image),
-      collision_(body, options.collision_fraction),
+      collision_(body, options.body),
       statistics_(statistics),
       options_(options),
-      plan_(makeSearchPlan(options)) {}
+      plan_(makeSearchPlan(options, watch)),
+      limits_(options.body.joint_limits == "full" ? FleischmannLimits::full()
+                                                  : FleischmannLimits::walking()) {}
 
 FleischmannVector FleischmannPoseEstimator::withinLimits(const FleischmannVector& v) const {
   return v.cwiseMax(limits_.lower).cwiseMin(limits_.upper);
@@ -44,11 +44,13 @@ FleischmannVector FleischmannPoseEstimator::withinLimits(const FleischmannVector
 void FleischmannPoseEstimator::start(int64_t stamp_ns, const FleischmannVector& v) {
   last_ = Known{stamp_ns, withinLimits(v)};
   before_.reset();
+  particles_.resize(0, 0);
 }
 
 void FleischmannPoseEstimator::reset() {
   last_.reset();
   before_.reset();
+  particles_.resize(0, 0);
 }
 
 FleischmannVector FleischmannPoseEstimator::predicted(int64_t stamp_ns) const {
@@ -62,6 +64,7 @@ SearchProblem FleischmannPoseEstimator::problem() const {
   SearchProblem problem;
   problem.lower = limits_.lower;
   problem.upper = limits_.upper;
+  problem.attempts = options_.swarm.draw_attempts;
   problem.cost = [this](int stage, const double* candidates, int count, double* costs) {
     for (int i = 0; i < count; ++i)
       costs[i] =
@@ -77,13 +80,15 @@ SearchProblem FleischmannPoseEstimator::problem() const {
   return problem;
 }
 
-void FleischmannPoseEstimator::search(const SearchStart& start, uint64_t seed,
-                                      FleischmannEstimate& pose) const {
+Eigen::MatrixXd FleischmannPoseEstimator::search(SearchStart start, uint64_t seed,
+                                                 FleischmannEstimate& pose) const {
+  start.sigma[kHeadTwist] = 0.0;  // the model's head does not show it (Fleischmann 2012, 6.1)
   const SearchOutcome found = plan_.optimiser->minimise(
       problem(), start, uint64_t(options_.seed) * 0x9e3779b97f4a7c15u + seed);
   pose.v = found.best;
   pose.evaluations += found.evaluations;
   pose.fitness = fitness_.fitness(pose.v.data(), plan_.edges.back());
+  return found.particles;
 }
 
 void FleischmannPoseEstimator::accept(int64_t stamp_ns, FleischmannEstimate& pose) {
@@ -99,7 +104,7 @@ void FleischmannPoseEstimator::accept(int64_t stamp_ns, FleischmannEstimate& pos
 std::string FleischmannPoseEstimator::updateError(int64_t stamp_ns, int views) const {
   if (!last_) return "there is no pose to start from";
   if (stamp_ns <= last_->stamp_ns) return "the time stamp is not later than the last one";
-  if (secondsBetween(last_->stamp_ns, stamp_ns) > kMaxStep)
+  if (secondsBetween(last_->stamp_ns, stamp_ns) > options_.max_pose_age)
     return "the last pose is too old to start from";
   return viewError(views);
 }
@@ -111,9 +116,12 @@ FleischmannEstimate FleischmannPoseEstimator::update(int64_t stamp_ns,
   pose.reason = updateError(stamp_ns, pose.views);
   if (!pose.reason.empty()) return pose;
   const double seconds = secondsBetween(last_->stamp_ns, stamp_ns);
-  search({predicted(stamp_ns), options_.sigma_factor * statistics_.over(seconds)},
-         uint64_t(stamp_ns), pose);
+  Eigen::MatrixXd found =
+      search({predicted(stamp_ns), options_.sigma_factor * statistics_.over(seconds), particles_},
+             uint64_t(stamp_ns), pose);
   accept(stamp_ns, pose);
+  if (options_.swarm.carry_particles && pose.status == PoseStatus::kTracked)
+    particles_ = std::move(found);
   return pose;
 }
 
@@ -139,7 +147,10 @@ FleischmannEstimate FleischmannPoseEstimator::reinitializeNear(
     return best;
   }
   accept(stamp_ns, best);
-  if (best.status == PoseStatus::kTracked) before_.reset();
+  if (best.status == PoseStatus::kTracked) {
+    before_.reset();
+    particles_.resize(0, 0);
+  }
   return best;
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kSettled = 0.1;  // scale of sigma for parameters that an earlier stage has found
-
 /// Lower limbs and the twists that move them, in Fleischmann's order (Fleischmann 2012, 6.6).
 constexpr int kLowerLimbs[] = {kLeftHip + 2,      kLeftKnee,  kRightHip + 2,      kRightKnee,
                                kLeftShoulder + 2, kLeftElbow, kRightShoulder + 2, kRightElbow};
@@ -45,7 +43,8 @@ VectorXd only(std::initializer_list<int> parameters) {
 /// Builds a plan.
 class Stages {
  public:
-  explicit Stages(const FleischmannOptions& options) : options_(options) {}
+  Stages(const FleischmannOptions& options, const SwarmWatch& watch)
+      : options_(options), watch_(watch) {}
 
   Stages& add(int particles, int iterations, VectorXd reach, ConeSet edges) {
     const double scaled = particles * options_.particle_factor;
@@ -53,36 +52,46 @@ class Stages {
     edges_.push_back({options_.use_edges ? edges : 0, options_.use_torso_top_edge});
     return *this;
   }
+  /// The stage that finds orientation and position.
+  Stages& addPelvis() {
+    return add(options_.swarm.first_stage_particles, options_.swarm.first_stage_iterations,
+               pelvis(), kTorsoOnly);
+  }
   FleischmannSearchPlan plan() const {
-    return {std::make_shared<StagedSwarm>(stages_, options_.include_start_particle), edges_};
+    const FleischmannSwarmOptions& swarm = options_.swarm;
+    return {std::make_shared<StagedSwarm>(
+                stages_,
+                StagedSwarmSettings{options_.include_start_particle, swarm.initial_acceleration,
+                                    swarm.final_acceleration, swarm.max_velocity, watch_}),
+            edges_};
   }
 
  private:
   const FleischmannOptions& options_;
+  const SwarmWatch& watch_;
   std::vector<SwarmStage> stages_;
   std::vector<EdgeSelection> edges_;
 };
 
-FleischmannSearchPlan twoSoft(const FleischmannOptions& o) {
+FleischmannSearchPlan twoSoft(const FleischmannOptions& o, Stages stages) {
   VectorXd second = everything();
-  second.segment<3>(kPelvisPosition) *= kSettled;
-  return Stages(o)
-      .add(10, 20, pelvis(), kTorsoOnly)
-      .add(o.final_stage_particles, o.final_stage_iterations, second, kAllButHead)
+  second.segment<3>(kPelvisPosition) *= o.swarm.settled_spread;
+  return stages.addPelvis()
+      .add(o.swarm.final_stage_particles, o.swarm.final_stage_iterations, second, kAllButHead)
       .plan();
 }
 
-FleischmannSearchPlan threeSoft(const FleischmannOptions& o) {
+/// Table 6.3 and the factors of sigma before it.
+FleischmannSearchPlan threeSoft(const FleischmannOptions& o, Stages stages) {
   VectorXd second = everything(), third = everything();
-  second.segment<3>(kPelvisPosition) *= kSettled;
+  second.segment<3>(kPelvisPosition) *= o.swarm.settled_spread;
   third *= 0.5;
-  third.head<6>().setConstant(kSettled);
+  third.head<6>().setConstant(o.swarm.settled_spread);
   for (const int p : kLowerLimbs) {
     second[p] = 0.0;
     third[p] = std::sqrt(2.0);
   }
-  return Stages(o)
-      .add(10, 20, pelvis(), kTorsoOnly)
+  return stages.addPelvis()
       .add(10, 40, second, kTorsoOnly | kUpperLimbs)
       .add(10, 40, third, kAllButHead)
       .plan();
@@ -90,8 +99,7 @@ FleischmannSearchPlan threeSoft(const FleischmannOptions& o) {
 
 /// Position, orientation, spine, each arm above and below the twist of the elbow, head, each leg
 /// likewise.
-FleischmannSearchPlan twelveHard(const FleischmannOptions& o) {
-  Stages stages(o);
+FleischmannSearchPlan twelveHard(Stages stages) {
   const auto add = [&](std::initializer_list<int> parameters) {
     stages.add(10, 60, only(parameters), kAllButHead);
   };
@@ -112,23 +120,34 @@ FleischmannSearchPlan twelveHard(const FleischmannOptions& o) {
 
 AnnealingSettings annealing(const FleischmannOptions& o) {
   AnnealingSettings settings;
-  settings.particles = std::max(2, int(std::lround(settings.particles * o.particle_factor)));
+  settings.particles = std::max(2, int(std::lround(o.swarm.filter_particles * o.particle_factor)));
+  settings.layers = o.swarm.filter_layers;
+  settings.survival_rate = o.swarm.survival_rate;
+  settings.crossover = o.swarm.crossover;
   return settings;
+}
+
+/// One stage as the second one of the others, and two of which the second holds the pelvis.
+FleischmannSearchPlan oneGlobal(Stages stages) {
+  return stages.add(25, 40, everything(), kAllButHead).plan();
+}
+
+FleischmannSearchPlan twoHard(Stages stages) {
+  VectorXd second = everything();
+  second.head<6>().setZero();
+  return stages.addPelvis().add(20, 40, second, kAllButHead).plan();
 }
 
 }  // namespace
 
-FleischmannSearchPlan makeSearchPlan(const FleischmannOptions& o) {
+FleischmannSearchPlan makeSearchPlan(const FleischmannOptions& o, const SwarmWatch& watch) {
   o.validate();
-  if (o.search == "two_soft") return twoSoft(o);
-  if (o.search == "three_soft") return threeSoft(o);
-  if (o.search == "twelve_hard") return twelveHard(o);
-  if (o.search == "one_global") return Stages(o).add(25, 40, everything(), kAllButHead).plan();
-  if (o.search == "two_hard") {
-    VectorXd second = everything();
-    second.head<6>().setZero();
-    return Stages(o).add(10, 20, pelvis(), kTorsoOnly).add(20, 40, second, kAllButHead).plan();
-  }
+  const Stages stages(o, watch);
+  if (o.search == "two_soft") return twoSoft(o, stages);
+  if (o.search == "three_soft") return threeSoft(o, stages);
+  if (o.search == "twelve_hard") return twelveHard(stages);
+  if (o.search == "one_global") return oneGlobal(stages);
+  if (o.search == "two_hard") return twoHard(stages);
   FleischmannSearchPlan plan;
   plan.edges = {{o.use_edges ? kAllButHead : 0, o.use_torso_top_edge}};
   if (o.search == "annealed_filter")

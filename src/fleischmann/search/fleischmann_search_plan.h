@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "optimisation/optimiser.h"
 
 namespace markerless_mocap {
+
+/// As StagedSwarmSettings::watch.
+using SwarmWatch = std::function<void(int stage, const Eigen::MatrixXd& positions)>;
 
 /// Search of one frame: the optimiser, and the edges for each of its stages.
 struct FleischmannSearchPlan {
@@ -25,6 +29,8 @@ struct FleischmannSearchPlan {
 /// - annealed_filter, interacting_annealing: 200 particles in 5 layers
 /// The twist of the head is always fixed. Throws std::invalid_argument if an option is out of
 /// range.
-FleischmannSearchPlan makeSearchPlan(const FleischmannOptions& options);
+/// \param watch of the swarms; the filters do not call it
+FleischmannSearchPlan makeSearchPlan(const FleischmannOptions& options,
+                                     const SwarmWatch& watch = nullptr);
 
 }  // namespace markerless_mocap

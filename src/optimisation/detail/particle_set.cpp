@@ -18,7 +18,17 @@ constexpr int kBatch = 8;
 ParticleSet::ParticleSet(const SearchProblem& problem, const SearchStart& start, int particles,
                          const CounterRandom& random)
     : problem_(problem), start_(start.center), costs_(particles) {
-  replace(start.center.replicate(1, particles), start.sigma.asDiagonal(), random);
+  MatrixXd centers = start.center.replicate(1, particles);
+  for (Eigen::Index i = 0; i < centers.cols() && start.particles.size() > 0; ++i)
+    centers.col(i) = start.particles.col(i % start.particles.cols());
+  replace(centers, start.sigma.asDiagonal(), random);
+}
+
+MatrixXd ParticleSet::drawn(const VectorXd& weights, const CounterRandom& random) const {
+  MatrixXd next(positions_.rows(), positions_.cols());
+  for (Eigen::Index i = 0; i < next.cols(); ++i)
+    next.col(i) = positions_.col(drawIndex(weights, random.uniform(uint64_t(i))));
+  return next;
 }
 
 void ParticleSet::replace(const MatrixXd& centers, const MatrixXd& root,

@@ -8,7 +8,7 @@ namespace markerless_mocap {
 /// The particles of an annealed filter with their costs.
 class ParticleSet {
  public:
-  /// Scatters the particles around the start and evaluates them.
+  /// Scatters the particles around the start, or its particles, and evaluates them.
   ParticleSet(const SearchProblem& problem, const SearchStart& start, int particles,
               const CounterRandom& random);
 
@@ -17,6 +17,8 @@ class ParticleSet {
   void replace(const Eigen::MatrixXd& centers, const Eigen::MatrixXd& root,
                const CounterRandom& random);
 
+  /// As many particles, drawn by weight with replacement.
+  Eigen::MatrixXd drawn(const Eigen::VectorXd& weights, const CounterRandom& random) const;
   const Eigen::MatrixXd& positions() const { return positions_; }
   const Eigen::VectorXd& costs() const { return costs_; }
   /// The weighted mean, with the weighted mean of the costs.

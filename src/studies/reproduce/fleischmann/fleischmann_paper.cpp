@@ -3,20 +3,21 @@
 #include <mutex>
 
 #include "studies/reproduce/fleischmann/fleischmann_report.h"
-#include "studies/reproduce/fleischmann/fleischmann_run.h"
+#include "studies/reproduce/fleischmann/fleischmann_studies.h"
 #include "studies/reproduce/programs.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr double kSeconds = 7.5;  // 450 frames at 60 fps
-constexpr double kQuickSeconds = 7.5;
+constexpr int kConvergenceFrames = 50;
 
-/// Truth of a capture, found when it is first needed.
-class SharedTruth {
+/// A capture with its truth, found when it is first needed.
+class Film {
  public:
-  explicit SharedTruth(Capture capture) : capture_(std::move(capture)) {}
-  const FilmTruth& get() {
+  explicit Film(Capture capture) : capture_(std::move(capture)) {}
+  const Capture& capture() const { return capture_; }
+  const FilmTruth& truth() {
     std::call_once(once_, [&] { truth_ = filmTruth(capture_); });
     return truth_;
   }
@@ -27,6 +28,12 @@ class SharedTruth {
   FilmTruth truth_;
 };
 
+/// The films at 60 and 20 fps.
+struct Films {
+  std::shared_ptr<Film> fast, slow;
+  const std::shared_ptr<Film>& of(int fps) const { return fps == 60 ? fast : slow; }
+};
+
 class FleischmannPaper : public Paper {
  public:
   explicit FleischmannPaper(ReproduceRequest request) : request_(std::move(request)) {}
@@ -35,42 +42,83 @@ class FleischmannPaper : public Paper {
     return "Fleischmann 2012: Particle Swarm Optimization with Soft Search Space Partitioning for "
            "Video-Based Markerless 3D Human Pose Tracking";
   }
-  std::vector<Capture> captures() const override {
-    return fleischmannCaptures(request_.quick ? kQuickSeconds : kSeconds);
-  }
+  std::vector<Capture> captures() const override { return fleischmannCaptures(kSeconds); }
   std::vector<PaperRun> runs(const std::vector<Capture>& captures) const override;
-  std::vector<Claim> report(const Results& results, Page* page) const override {
-    return fleischmannReport(results, page);
-  }
+  std::vector<Claim> report(const Results& results, Page* page) const override;
 
  private:
+  PaperRun trackRun(const FleischmannVariant& variant, int seed) const;
+  PaperRun defaultRun(int fps) const;
+  std::vector<PaperRun> studyRuns() const;
+
   ReproduceRequest request_;
+  std::unique_ptr<Films> films_ = std::make_unique<Films>();
 };
 
-std::vector<PaperRun> FleischmannPaper::runs(const std::vector<Capture>& captures) const {
-  const std::string yaml = publishedFleischmannYaml();
-  std::map<int, std::shared_ptr<SharedTruth>> truths;
-  for (const int at : {0, 1}) truths[at] = std::make_shared<SharedTruth>(captures[size_t(at)]);
-  std::vector<PaperRun> runs;
-  for (const FleischmannVariant& variant : fleischmannVariants()) {
-    const int at = variant.fps == 60 ? 0 : 1;
-    const Capture& capture = captures[size_t(at)];
-    for (int seed = 1; seed <= std::min(variant.runs, request_.seeds); ++seed) {
-      PaperRun run;
-      run.name = variant.id + "_seed" + std::to_string(seed);
-      run.settings = {{"capture", captureSettings(capture)},
-                      {"published", yaml},
-                      {"changes", variant.changes},
-                      {"exact", variant.exact},
-                      {"seed", seed}};
-      run.cost = variant.cost();
-      run.work = [capture, variant, seed, truth = truths[at]] {
-        return trackFilm(capture, truth->get(), variant, seed);
-      };
-      runs.push_back(std::move(run));
-    }
-  }
+Json settingsOf(const Film& film) {
+  return {{"capture", captureSettings(film.capture())}, {"published", publishedFleischmannYaml()}};
+}
+
+PaperRun FleischmannPaper::trackRun(const FleischmannVariant& variant, int seed) const {
+  const std::shared_ptr<Film> film = films_->of(variant.fps);
+  PaperRun run;
+  run.name = variant.id + "_seed" + std::to_string(seed);
+  run.settings = settingsOf(*film);
+  run.settings["changes"] = variant.changes;
+  run.settings["exact"] = variant.exact;
+  run.settings["seed"] = seed;
+  run.cost = variant.cost();
+  run.work = [film, variant, seed] {
+    return trackFilm(film->capture(), film->truth(), variant, seed);
+  };
+  return run;
+}
+
+/// With the same silhouettes.
+PaperRun FleischmannPaper::defaultRun(int fps) const {
+  const OfflineStudy study{"default" + std::to_string(fps), "", {"--use-masks"}};
+  PaperRun run =
+      offlineRun(films_->of(fps)->capture(), study, (request_.folder / "cache").string());
+  run.cost = 2000.0 * fps / 20.0;
+  return run;
+}
+
+std::vector<PaperRun> FleischmannPaper::studyRuns() const {
+  const std::shared_ptr<Film> fast = films_->fast, slow = films_->slow;
+  std::vector<PaperRun> runs(3);
+  runs[0] = {"curves", settingsOf(*fast),
+             [fast] { return fitnessCurves(fast->capture(), fast->truth(), kCurveFrame); }, 100.0};
+  runs[0].settings["frame"] = kCurveFrame;
+  runs[1] = {
+      "convergence", settingsOf(*slow),
+      [slow] { return swarmConvergence(slow->capture(), slow->truth(), kConvergenceFrames); },
+      400.0};
+  runs[1].settings["frames"] = kConvergenceFrames;
+  runs[2] = {"time", settingsOf(*fast),
+             [fast] { return timeByPart(fast->capture(), fast->truth()); }, 200.0, true};
   return runs;
+}
+
+std::vector<PaperRun> FleischmannPaper::runs(const std::vector<Capture>& captures) const {
+  *films_ = {std::make_shared<Film>(captures.at(0)), std::make_shared<Film>(captures.at(1))};
+  std::vector<PaperRun> runs = studyRuns();
+  for (const FleischmannVariant& variant : fleischmannVariants())
+    for (int seed = 1; seed <= std::min(variant.runs, request_.seeds); ++seed)
+      runs.push_back(trackRun(variant, seed));
+  for (const int fps : {60, 20}) runs.push_back(defaultRun(fps));
+  return runs;
+}
+
+std::vector<Claim> FleischmannPaper::report(const Results& results, Page* page) const {
+  page->text(
+      "A walk of the virtual studio like the Lee walk: four cameras of 644 x 484, 450 frames "
+      "at 60 fps or every third one, a circle, a standstill from 5.8 to 7.3 s; silhouettes "
+      "with holes, specks and ragged edges. First pose and limb lengths are known. D is the "
+      "mean error of fifteen joints (Eq. 4.4).");
+  addFleischmannTables(results, page);
+  addFleischmannFigures(results, {films_->fast->capture(), &films_->fast->truth()},
+                        {films_->slow->capture(), &films_->slow->truth()}, page);
+  return fleischmannClaims(results);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/reproduce/fleischmann/fleischmann_film.h"
 #include "studies/reproduce/paper.h"
 
 namespace markerless_mocap {
@@ -13,6 +14,8 @@ class VariantResults {
   double mean() const;       ///< Eq. 4.5 over all runs, mm
   double max() const;        ///< Eq. 4.6 over all runs, mm
   double medianMax() const;  ///< median over the runs of their maximum, mm
+  /// Mean over all runs of the frames in an interval of seconds, mm.
+  double meanWithin(double from, double to) const;
   /// D of each frame, mm: mean, maximum over the runs, and of one run.
   std::vector<double> meanOverRuns() const;
   std::vector<double> maxOverRuns() const;
@@ -26,7 +29,22 @@ class VariantResults {
   std::vector<double> seconds_;
 };
 
-/// Adds chapter 6 to the page. \return the claims
-std::vector<Claim> fleischmannReport(const Results& results, Page* page);
+/// What the pictures are made of.
+struct FilmSource {
+  Capture capture;
+  const FilmTruth* truth;
+};
+
+/// The tables and error graphs of chapter 6, with the default method beside.
+void addFleischmannTables(const Results& results, Page* page);
+/// Figures 6.2 to 6.4, 6.6, 6.17 to 6.20 and Table 6.5.
+void addFleischmannFigures(const Results& results, const FilmSource& fast, const FilmSource& slow,
+                           Page* page);
+std::vector<Claim> fleischmannClaims(const Results& results);
+
+/// The standstill of the motion, s.
+constexpr double kStandsFrom = 5.8, kStandsTo = 7.3;
+/// Frame at 60 fps whose fitness is drawn in Fig. 6.19.
+constexpr size_t kCurveFrame = 150;
 
 }  // namespace markerless_mocap

@@ -67,12 +67,13 @@ FleischmannOptions fleischmannOptions(const std::string& yaml, const Overrides& 
 
 Json trackFilm(const Capture& capture, const FilmTruth& truth, const FleischmannVariant& variant,
                int seed) {
+  const FleischmannOptions options =
+      fleischmannOptions(publishedFleischmannYaml(), variant.changes, seed);
   const FleischmannBodyModel body_model(*truth.body);
   FilmReader film(capture.bag, variant.exact);
   FleischmannPoseEstimator tracker(
-      film.rig(), body_model, FleischmannBodyShape(*truth.body, body_model),
-      FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()),
-      fleischmannOptions(publishedFleischmannYaml(), variant.changes, seed));
+      film.rig(), body_model, FleischmannBodyShape(*truth.body, body_model, options.body),
+      FleischmannMotionStatistics::fromYaml(motionStatisticsYaml()), options);
   Track track;
   track.truth.names = track.found.names = truth.joints.names;
   FleischmannVector last = truth.poses.front();

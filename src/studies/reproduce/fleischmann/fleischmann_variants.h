@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct FleischmannVariant {
   int fps = 20;       ///< 60 or 20
   int runs = 5;       ///< seeds of the thesis
   int evaluations = 1000;
-  bool exact = false;  ///< silhouettes without damage
+  bool exact = false;            ///< silhouettes without damage
+  double mean = NAN, max = NAN;  ///< of D in the thesis, mm; NaN: it only has a graph
   double cost() const { return double(evaluations) * fps / 20.0; }
 };
 
