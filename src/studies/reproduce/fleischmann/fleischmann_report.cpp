@@ -72,9 +72,8 @@ void addSingleRuns(const Results& results, Page* page) {
     std::vector<PlotLine> lines;
     for (size_t r = 0; r < found.runs(); ++r)
       lines.push_back({"run " + std::to_string(r + 1), found.D(r)});
-    lines.push_back({"mean", found.meanOverRuns(), "black"});
-    page->text(std::string("Fig. 6.5") + (lines.size() && id[4] == '6' ? "(a)" : "(b)") + ": " +
-               fleischmannVariant(id).name);
+    if (found.runs() > 1) lines.push_back({"mean", found.meanOverRuns(), "black"});
+    page->text("Fig. 6.5: " + fleischmannVariant(id).name);
     page->lines(found.seconds(), "s", lines, "mm");
   }
 }
