@@ -12,6 +12,21 @@ constexpr const char* kAngleKeys[kHsiaoAngles] = {
     "left_elbow",      "right_elbow",      "left_hip_x",      "right_hip_x",
     "left_hip_y",      "right_hip_y",      "left_knee",       "right_knee"};
 
+void visitMethod(HsiaoOptions& o, OptionVisitor& v) {
+  v.field("search", o.search, {"guided", "published"},
+          "how the swarms are staged; guided: arms and legs are first fitted alone, the facing "
+          "directions are given by the limbs, and the last pose is followed in one stage; "
+          "published: the stages of Hsiao 2008, Table 3-3 only, with the spin searched from stage "
+          "2 on, also around the last pose");
+  v.field("part_error", o.part_error, {"aligned", "published"},
+          "how part curves are compared with the model; aligned: from the outer end of each limb, "
+          "with parts of the same kind; published: the whole curve with the whole part, any part "
+          "with any (Hsiao 2008, Eq. 3-27)");
+  v.field("use_hull", o.use_hull,
+          "refine and judge poses by the hull, too; false: by the part curves alone, as in Hsiao "
+          "2008");
+}
+
 void visitSwarm(HsiaoOptions& o, OptionVisitor& v) {
   v.field("samples_per_curve", o.samples_per_curve, 4, 200,
           "number of points compared along each part curve");
@@ -23,6 +38,12 @@ void visitSwarm(HsiaoOptions& o, OptionVisitor& v) {
           "particles when one part is fine-tuned");
   v.field("fine_tune_iterations", o.fine_tune_iterations, 1, 1000,
           "iterations when one part is fine-tuned");
+  v.field("inertia", o.inertia, 0.0, 1.0,
+          "t1 of Hsiao 2008, 3.2.2.2: part of its velocity that a particle keeps");
+  v.field("cognitive_weight", o.cognitive_weight, 0.0, 4.0,
+          "t2: pull towards the particle's own best position");
+  v.field("social_weight", o.social_weight, 0.0, 4.0,
+          "t3: pull towards the best position of all particles");
   v.field(
       "initial_headings", o.initial_headings, 2, 16,
       "number of facing directions tried; 2: as left and right of the limbs say, and the reverse");
@@ -75,6 +96,7 @@ void HsiaoLimits::visit(OptionVisitor& v) {
 
 void HsiaoOptions::visit(OptionVisitor& v) {
   v.field("seed", seed, 0, 1000000000, "seed of the random numbers");
+  visitMethod(*this, v);
   visitSwarm(*this, v);
   visitJudgement(*this, v);
   v.section("joint_limits", joint_limits,

@@ -12,8 +12,8 @@
 namespace markerless_mocap {
 
 /// Tracks one person by fitting Hsiao's model with 23 parameters to the part curves (Hsiao 2008,
-/// 3.2.2): hierarchical PSO, comparison of basic and temporal PSO, re-initialisation. The pose is
-/// then refined with the hull (not in the thesis). It is lost if it does not agree with the hull.
+/// 3.2.2): hierarchical PSO, comparison of basic and temporal PSO, re-initialisation. If the
+/// hull is used (not in the thesis), the pose is refined with it and is lost if it disagrees.
 class HsiaoPoseEstimator : public PoseInitializer {
  public:
   /// Throws std::invalid_argument if an option is out of range, or if a joint of the model does not

@@ -83,7 +83,8 @@ class HullCarver::State {
         lattice_(latticeOf(rig_, options_)),
         voting_(rig_, options_, lattice_),
         faults_(rig_, options_.min_views, &voting_),
-        coloring_(rig_, voting_.table(), options_.color_vote_distance) {}
+        coloring_(rig_, voting_.table(), options_.color_vote_distance,
+                  options_.color_voters == "all") {}
 
   VisualHull carve(const std::vector<HullView>& views);
 

@@ -58,6 +58,11 @@ void HullOptions::visit(OptionVisitor& v) {
   v.field(
       "color_vote_distance", color_vote_distance, 0, 442,
       "colours of neighbouring voxels closer than this are the same, distance in RGB of 0 to 255");
+  v.field(
+      "color_voters", color_voters, {"visible", "all"},
+      "which cameras vote on the colours of two neighbouring voxels; visible: those that see "
+      "both; all: those whose image both are projected into, also inside the body and behind it "
+      "(Hsiao 2008, 3.1.4.2 A-1)");
 }
 
 void HullOptions::validate() const {

@@ -81,22 +81,22 @@ std::vector<double> upTheTorso(const VoxelGraph& voxels, const Limbs& limbs,
 }
 
 void fitCurves(const VoxelGraph& voxels, const Limbs& limbs, const std::vector<PartLabel>& labels,
-               BodyParts* parts) {
+               int site_modes, BodyParts* parts) {
   std::vector<uint32_t> torso;
   for (uint32_t node = 0; node < labels.size(); ++node) {
     if (labels[node] == PartLabel::kTorso) torso.push_back(node);
   }
   if (!torso.empty()) {
-    parts->parts[0] =
-        fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso), kTorsoModes, kPieces[0]);
+    parts->parts[0] = fitPartCurve(voxels, torso, upTheTorso(voxels, limbs, torso),
+                                   site_modes > 0 ? site_modes : kTorsoModes, kPieces[0]);
     parts->parts[0].whole = parts->parts[0].seen;
   }
   for (int part = 1; part < kPartCount; ++part) {
     if (!limbs.has(PartLabel(part))) continue;
     std::vector<double> ahead = limbs.geodesic[part];
     for (double& geodesic : ahead) geodesic = -geodesic;
-    parts->parts[part] =
-        fitPartCurve(voxels, limbs.branch[part].nodes, ahead, kLimbModes, kPieces[part]);
+    parts->parts[part] = fitPartCurve(voxels, limbs.branch[part].nodes, ahead,
+                                      site_modes > 0 ? site_modes : kLimbModes, kPieces[part]);
     parts->parts[part].whole = parts->parts[part].seen && limbs.whole[part];
   }
 }
@@ -184,38 +184,6 @@ void setStatus(const Limbs& limbs, double max_cost, BodyParts* result) {
 
 }  // namespace
 
-void SegmentationOptions::visit(OptionVisitor& v) {
-  v.field("branch_method", branch_method, {"merge_tree", "spline_walk"},
-          "how limbs are found in the eigenmap; merge_tree: by the maxima of the distance from the "
-          "core; spline_walk: by splines that grow inwards from the extremities");
-  v.field("walk_stop", walk_stop, {"origin", "outliers"},
-          "where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao "
-          "2008), with a shrink_weight of about 100; outliers: where many nodes are far from the "
-          "spline (Sundaresan and Chellappa 2008), with shrink_weight 0");
-  v.field("modes", modes, 0, 20,
-          "dimensions of the eigenmap; 0: 10 for merge_tree, 6 for spline_walk");
-  v.field(
-      "use_color_votes", use_color_votes,
-      "weight the edges between voxels by the cameras' votes that neighbours have the same colour");
-  v.field(
-      "shrink_weight", shrink_weight, 0.0, 1000.0,
-      "weight added to the edges in the thick core of the body, which draws the torso together");
-  v.field(
-      "max_cost", max_cost, 0.1, 9.0,
-      "a hull is not a person when the mean squared z-score of its limbs' measures is above this");
-  v.field("min_litres", min_litres, 0.0, 1000.0, "volume of the smallest hull of a person, litres");
-  v.field("max_litres", max_litres, 0.0, 1000.0, "volume of the largest hull of a person, litres");
-}
-
-void SegmentationOptions::validate() const {
-  checkFields(*this);
-  if (min_litres >= max_litres) {
-    throw std::invalid_argument(
-        std::string(kStage) + "/min_litres is " + std::to_string(min_litres) +
-        ", allowed is less than max_litres, which is " + std::to_string(max_litres));
-  }
-}
-
 BodySegmenter::BodySegmenter(const SegmentationOptions& options) : options_(options) {
   options_.validate();
 }
@@ -231,14 +199,14 @@ BodyParts BodySegmenter::segment(const VisualHull& hull, int64_t stamp_ns,
   result.labels.assign(hull.voxels.size(), uint8_t(PartLabel::kTorso));
   result.reason = hullError(hull, options_);
   if (!result.reason.empty()) return result;
-  const VoxelGraph voxels = buildVoxelGraph(hull, options_.use_color_votes, options_.shrink_weight);
+  const VoxelGraph voxels = buildVoxelGraph(hull, edgeWeightsOf(options_));
   try {
     Limbs limbs = findLimbs(voxels, options_);
     if (memory) memory->number(stamp_ns, voxels, &limbs);
     std::vector<PartLabel> labels = nodeLabels(voxels, limbs);
     if (memory) carryOver(stamp_ns, voxels, limbs, memory, &labels, &result);
     result.labels = voxelLabels(hull, voxels, labels);
-    fitCurves(voxels, limbs, labels, &result);
+    fitCurves(voxels, limbs, labels, options_.site_modes, &result);
     setStatus(limbs, options_.max_cost, &result);
   } catch (const std::runtime_error& error) {
     result.reason = error.what();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "markerless_mocap/segmentation/body_segmenter.h"
 #include "segmentation/branch.h"
 #include "segmentation/eigenmap.h"
 
@@ -13,11 +14,6 @@ enum class SplineTermination {
   kOutliers,  ///< many of the nodes of the fit lie far from the spline (Sundaresan; 3.1.4.1 B-4)
 };
 
-/// Distance from the origin at which propagation stops, relative to that of the start. This value
-/// suits hulls with a large shrink weight on the core; with a small one the torso is wider in the
-/// embedding, and 0.3 is better.
-constexpr double kStopRadius = 0.15;
-
 /// Finds branches by fitting splines in the embedding from the extremities inwards (Hsiao 2008,
 /// 3.1.4). A branch starts at the free node furthest from the origin, with its nearest nodes. A
 /// cubic spline of position over site value (projection on the principal direction, Eq. 3-8) is
@@ -26,6 +22,6 @@ constexpr double kStopRadius = 0.15;
 /// origin, all counts to the number of nodes.
 /// \param count maximum number of branches; fewer are returned if no free node is left
 std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermination stop,
-                                              int count, double stop_radius = kStopRadius);
+                                              int count, const SplineWalkOptions& options = {});
 
 }  // namespace markerless_mocap

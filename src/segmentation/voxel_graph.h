@@ -5,15 +5,24 @@
 #include <vector>
 
 #include "markerless_mocap/products/visual_hull.h"
+#include "markerless_mocap/segmentation/body_segmenter.h"
 #include "segmentation/eigenmap/node_grid.h"
 #include "segmentation/weighted_graph.h"
 
 namespace markerless_mocap {
 
 /// Colour bonus of an edge, from the votes of the cameras that both voxels have the same colour
-/// (Hsiao 2008, Eq. 3-15 with a = 1, b = 0.5, c = -0.9): a if all cameras agree, b if at least half
-/// of them do, c if fewer do; 0 if no camera could vote.
-double colorBonus(int votes, int possible);
+/// (Hsiao 2008, Eq. 3-15); 0 if no camera could vote, or if neither most nor few find one colour.
+double colorBonus(int votes, int possible, const ColorBonus& bonus = {});
+
+/// How the edges of a hull's graph are weighted; see SegmentationOptions.
+struct EdgeWeights {
+  bool use_color_votes = false;
+  double shrink_weight = 0.0;
+  double shrink_degree = 0.0;
+  ColorBonus color_bonus = {};
+};
+EdgeWeights edgeWeightsOf(const SegmentationOptions& options);
 
 /// The graph of a hull: one node per voxel, one edge per pair of 6-neighbours (Hsiao 2008, 3.1.4.2
 /// Bridges join 6-connected components that touch by an edge or corner, for example hands and
@@ -29,11 +38,11 @@ struct VoxelGraph {
 };
 
 /// Builds the graph. Each edge has weight 1, plus the colour bonus, plus `shrink_weight` if it has
-/// an end in the thick core (A-2: it draws the torso to the embedding's origin). Nodes are sorted
-/// by lattice index.
+/// an end in the thick core (it draws the torso to the embedding's origin). The core is where the
+/// hull is thick, or, as in A-2, where the degree (sum of the weights so far) is largest. Nodes are
+/// sorted by lattice index.
 /// \param hull all indices are within its lattice and distinct
-/// \param shrink_weight >= 0
-VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double shrink_weight);
+VoxelGraph buildVoxelGraph(const VisualHull& hull, const EdgeWeights& weights = {});
 
 /// Nodes of the thick core: their depth is at least `fraction` of the maximum depth (the mean of
 /// the deepest 0.2 %).

@@ -90,7 +90,7 @@ class SeedsVariants : public testing::TestWithParam<Variant> {};
 // Sundaresan's walk overruns into the torso before its outliers tell.
 TEST_P(SeedsVariants, FindTheFiveLimbsOfAFigure) {
   const VoxelFigure figure = standingFigure(1.0);
-  const VoxelGraph voxels = buildVoxelGraph(figure.hull(), false, GetParam().shrink_weight);
+  const VoxelGraph voxels = buildVoxelGraph(figure.hull(), {false, GetParam().shrink_weight});
   const std::vector<PartLabel> parts = figure.parts();
   const std::vector<Branch> branches =
       splinePropagationBranches(laplacianEigenmap(voxels.graph, 6), GetParam().stop, 5);

@@ -87,8 +87,8 @@ TEST(LaplacianEigenmap, DoesNotDependOnOrderPlaceOrHeading) {
   const VisualHull hull = standingFigure(1.0).hull();
   VisualHull moved = turned(hull);
   std::reverse(moved.voxels.begin(), moved.voxels.end());
-  const VoxelGraph a = buildVoxelGraph(hull, false, 0.0);
-  const VoxelGraph b = buildVoxelGraph(moved, false, 0.0);
+  const VoxelGraph a = buildVoxelGraph(hull);
+  const VoxelGraph b = buildVoxelGraph(moved);
   const Eigenmap map = laplacianEigenmap(a.graph, 6, 1e-3);
   const Eigenmap other = laplacianEigenmap(b.graph, 6, 1e-3);
   EXPECT_TRUE(map.values.isApprox(other.values, 1e-5));
@@ -123,8 +123,8 @@ double likeness(const VoxelGraph& a, const Eigenmap& first, const VoxelGraph& b,
 }
 
 TEST(LaplacianEigenmap, KeepsItsSignsFromFrameToFrame) {
-  const VoxelGraph a = buildVoxelGraph(standingFigure(1.00).hull(), false, 0.0);
-  const VoxelGraph b = buildVoxelGraph(standingFigure(1.03).hull(), false, 0.0);
+  const VoxelGraph a = buildVoxelGraph(standingFigure(1.00).hull());
+  const VoxelGraph b = buildVoxelGraph(standingFigure(1.03).hull());
   const Eigenmap first = laplacianEigenmap(a.graph, 6);
   const Eigenmap second = laplacianEigenmap(b.graph, 6);
   for (int mode = 0; mode < 6; ++mode) EXPECT_GT(likeness(a, first, b, second, mode), 0.5);

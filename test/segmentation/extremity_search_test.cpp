@@ -24,7 +24,7 @@ double nearestExtremity(const VoxelGraph& voxels, const std::vector<uint32_t>& e
 TEST(ExtremitySearch, FindsHandsFeetAndHeadAtAnyPitch) {
   const double angle = 1.0;
   for (const double pitch : {0.03, 0.015}) {
-    const VoxelGraph voxels = buildVoxelGraph(standingFigure(angle, pitch).hull(), false, 0.0);
+    const VoxelGraph voxels = buildVoxelGraph(standingFigure(angle, pitch).hull());
     const std::vector<uint32_t> extremities =
         findExtremities(voxels, coreNodes(voxels.depth, 0.85), 10, 5);
     ASSERT_EQ(extremities.size(), 5u);
@@ -41,7 +41,7 @@ TEST(ExtremitySearch, FindsHandsFeetAndHeadAtAnyPitch) {
 TEST(ExtremitySearch, FindsNoMoreThanThereAre) {
   VoxelFigure ball;
   ball.capsule({0, 0, 0.5}, {0, 0, 0.5}, 0.06);
-  const VoxelGraph voxels = buildVoxelGraph(ball.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(ball.hull());
   const std::vector<uint32_t> extremities =
       findExtremities(voxels, coreNodes(voxels.depth, 0.85), 10, 50);
   EXPECT_GE(extremities.size(), 1u);

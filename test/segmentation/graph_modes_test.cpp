@@ -27,7 +27,7 @@ TEST_P(CoarseToFine, SpansTheSpaceOfTheReference) {
     voxel.color_votes.votes = {uint8_t(voxel.index % 9), uint8_t(voxel.index % 5), 8};
     voxel.color_votes.possible = {8, 8, 8};
   }
-  const WeightedGraph graph = buildVoxelGraph(hull, GetParam().votes, GetParam().shrink).graph;
+  const WeightedGraph graph = buildVoxelGraph(hull, {GetParam().votes, GetParam().shrink}).graph;
   const Eigen::VectorXd degree = degreesOf(graph);
   for (const int modes : {3, 6, 10}) {
     const auto found = coarseToFineModes(graph, modes, 3e-3);
@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Figure, CoarseToFine,
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(CoarseToFineModes, TellTheirResiduals) {
-  const WeightedGraph graph = buildVoxelGraph(standingFigure(1.0).hull(), false, 0.0).graph;
+  const WeightedGraph graph = buildVoxelGraph(standingFigure(1.0).hull()).graph;
   const Eigen::VectorXd degree = degreesOf(graph);
   const auto found = coarseToFineModes(graph, 6, 1e-2);
   ASSERT_TRUE(found.has_value());
@@ -68,7 +68,7 @@ TEST(CoarseToFineModes, TellTheirResiduals) {
 }
 
 TEST(CoarseToFineModes, AreOrthonormalAndFreeOfTheConstant) {
-  const WeightedGraph graph = buildVoxelGraph(standingFigure(1.2).hull(), false, 0.0).graph;
+  const WeightedGraph graph = buildVoxelGraph(standingFigure(1.2).hull()).graph;
   const Eigen::VectorXd degree = degreesOf(graph);
   const auto found = coarseToFineModes(graph, 10, 1e-2);
   ASSERT_TRUE(found.has_value());
@@ -141,7 +141,7 @@ TEST(GraphHierarchy, KeepsLimbsApartThatShareABlock) {
 }
 
 TEST(GraphHierarchy, KeepsTheSumsOfMassesAndCrossingWeights) {
-  const WeightedGraph graph = buildVoxelGraph(standingFigure(0.8).hull(), false, 1.5).graph;
+  const WeightedGraph graph = buildVoxelGraph(standingFigure(0.8).hull(), {false, 1.5}).graph;
   const std::vector<GraphLevel> levels =
       buildHierarchy(gatherNodes(graph, allNodesOf(graph)), 24, 64);
   ASSERT_GE(levels.size(), 3u);

@@ -62,7 +62,7 @@ TEST(PartCurve, TurnsACornerWithManyPieces) {
   // A shank and a foot of the same thickness.
   VoxelFigure figure;
   figure.capsule({0, 0, 1.0}, {0, 0, 0.1}, 0.05).capsule({0, 0, 0.1}, {0, 0.3, 0.1}, 0.05);
-  const VoxelGraph voxels = buildVoxelGraph(figure.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(figure.hull());
   std::vector<double> ahead;
   for (const Eigen::Vector3d& center : voxels.centers) ahead.push_back(center.y() - center.z());
   const auto farthestOff = [&](int pieces) {
@@ -79,7 +79,7 @@ TEST(PartCurve, TurnsACornerWithManyPieces) {
 TEST(PartCurve, RunsAlongTheAxisOfABarInTheGivenDirection) {
   VoxelFigure bar;
   bar.capsule({-0.4, 0, 0.5}, {0.4, 0, 0.9}, 0.06);
-  const VoxelGraph voxels = buildVoxelGraph(bar.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(bar.hull());
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(-c.x());
   const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
@@ -97,7 +97,7 @@ TEST(PartCurve, RunsAlongTheAxisOfABarInTheGivenDirection) {
 TEST(PartCurve, HasEvenlySpacedPointsAndRisingSites) {
   VoxelFigure elbow;
   elbow.capsule({-0.4, 0, 0.5}, {0, 0, 0.5}, 0.05).capsule({0, 0, 0.5}, {0, 0, 0.9}, 0.05);
-  const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(elbow.hull());
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
   const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
@@ -116,7 +116,7 @@ TEST(PartCurve, HasEvenlySpacedPointsAndRisingSites) {
 TEST(PartCurve, GoesUpATrunkWiderThanHigh) {
   VoxelFigure trunk;
   trunk.capsule({-0.4, 0, 0.8}, {0.4, 0, 0.8}, 0.15).capsule({-0.4, 0, 0.9}, {0.4, 0, 0.9}, 0.15);
-  const VoxelGraph voxels = buildVoxelGraph(trunk.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(trunk.hull());
   std::vector<double> ahead;
   for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.z());
   const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 10, 3);
@@ -130,7 +130,7 @@ TEST(PartCurve, IsThatOfACoarseHullOnAFineOne) {
   for (const int fine : {0, 1}) {
     VoxelFigure elbow(fine ? 0.01 : 0.02);
     elbow.capsule({-0.4, 0, 0.5}, {0, 0, 0.5}, 0.06).capsule({0, 0, 0.5}, {0, 0, 0.9}, 0.06);
-    const VoxelGraph voxels = buildVoxelGraph(elbow.hull(), false, 0.0);
+    const VoxelGraph voxels = buildVoxelGraph(elbow.hull());
     std::vector<double> ahead;
     for (const Eigen::Vector3d& c : voxels.centers) ahead.push_back(c.x() + c.z());
     curves[fine] = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);
@@ -145,7 +145,7 @@ TEST(PartCurve, IsThatOfACoarseHullOnAFineOne) {
 TEST(PartCurve, OfTooFewNodesIsNotSeen) {
   VoxelFigure speck;
   speck.capsule({0, 0, 0.5}, {0.06, 0, 0.5}, 0.02);
-  const VoxelGraph voxels = buildVoxelGraph(speck.hull(), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(speck.hull());
   ASSERT_LT(voxels.graph.nodeCount(), 8u);
   const std::vector<double> ahead(voxels.graph.nodeCount(), 0.0);
   const PartCurve curve = fitPartCurve(voxels, allNodes(voxels), ahead, 3, 3);

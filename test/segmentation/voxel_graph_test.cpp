@@ -51,7 +51,7 @@ void expectSymmetric(const WeightedGraph& graph) {
 }
 
 TEST(VoxelGraph, JoinsFaceNeighborsOfACube) {
-  const VoxelGraph voxels = buildVoxelGraph(cube(2), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(cube(2));
   ASSERT_EQ(voxels.graph.nodeCount(), 8u);
   const auto weights = weightsOf(voxels.graph);
   EXPECT_EQ(weights.size(), 24u);  // 12 edges, twice
@@ -60,7 +60,7 @@ TEST(VoxelGraph, JoinsFaceNeighborsOfACube) {
 }
 
 TEST(VoxelGraph, MeasuresDepthUnderTheSurface) {
-  const VoxelGraph voxels = buildVoxelGraph(cube(5), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(cube(5));
   EXPECT_DOUBLE_EQ(voxels.depth[62], 0.25);  // the centre, 2.5 voxels of 0.1 m
   EXPECT_DOUBLE_EQ(voxels.depth[61], 0.15);
   EXPECT_DOUBLE_EQ(voxels.depth[0], 0.05);
@@ -79,16 +79,16 @@ TEST(VoxelGraph, AddsTheBonusToTheEdgeTheVotesAreAbout) {
   for (const uint32_t other : {1u, 2u, 3u}) EXPECT_GT(hull.voxels[other].index, 0u);
   hull.voxels[0].color_votes.votes = {8, 5, 1};
   hull.voxels[0].color_votes.possible = {8, 8, 8};
-  const auto weights = weightsOf(buildVoxelGraph(hull, true, 0.0).graph);
+  const auto weights = weightsOf(buildVoxelGraph(hull, {true, 0.0}).graph);
   EXPECT_DOUBLE_EQ(weights.at({0, 1}), 2.0);
   EXPECT_DOUBLE_EQ(weights.at({0, 2}), 1.5);
   EXPECT_DOUBLE_EQ(weights.at({0, 3}), 0.1);
   EXPECT_DOUBLE_EQ(weights.at({3, 0}), 0.1);
-  EXPECT_EQ(weightsOf(buildVoxelGraph(hull, false, 0.0).graph).at({0, 3}), 1.0);
+  EXPECT_EQ(weightsOf(buildVoxelGraph(hull).graph).at({0, 3}), 1.0);
 }
 
 TEST(VoxelGraph, RaisesWeightsAtTheCoreOnly) {
-  const VoxelGraph voxels = buildVoxelGraph(cube(5), false, 7.0);
+  const VoxelGraph voxels = buildVoxelGraph(cube(5), {false, 7.0});
   expectSymmetric(voxels.graph);
   const auto weights = weightsOf(voxels.graph);
   EXPECT_EQ(weights.at({62, 61}), 8.0);  // the centre and its neighbour
@@ -99,8 +99,7 @@ TEST(VoxelGraph, RaisesWeightsAtTheCoreOnly) {
 }
 
 TEST(VoxelGraph, BridgesPiecesThatTouchByACorner) {
-  const VoxelGraph voxels =
-      buildVoxelGraph(hullOf({{1, 1, 1}, {2, 1, 1}, {3, 2, 2}, {4, 2, 2}}), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(hullOf({{1, 1, 1}, {2, 1, 1}, {3, 2, 2}, {4, 2, 2}}));
   ASSERT_EQ(voxels.graph.nodeCount(), 4u);
   EXPECT_TRUE(voxels.left_out.empty());
   EXPECT_EQ(weightsOf(voxels.graph).count({1, 2}), 1u);
@@ -129,13 +128,13 @@ TEST(VoxelGraph, BridgesNothingWithinAPiece) {
   const VoxelGraph voxels = buildVoxelGraph(
       hullOf(
           {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {2, 0, 2}, {1, 0, 2}, {1, 0, 3}, {0, 0, 1}}),
-      false, 0.0);
+      {});
   EXPECT_EQ(weightsOf(voxels.graph).size(), 14u);  // 7 edges, twice
 }
 
 TEST(VoxelGraph, TellsWhatIsNotConnected) {
   const VoxelGraph voxels =
-      buildVoxelGraph(hullOf({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {9, 9, 8}, {2, 0, 0}}), false, 0.0);
+      buildVoxelGraph(hullOf({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {9, 9, 8}, {2, 0, 0}}));
   EXPECT_EQ(voxels.hull_voxel, (std::vector<uint32_t>{0, 2, 4}));
   EXPECT_EQ(voxels.left_out, (std::vector<uint32_t>{3, 1}));
   EXPECT_EQ(voxels.centers.size(), 3u);
@@ -144,9 +143,9 @@ TEST(VoxelGraph, TellsWhatIsNotConnected) {
 
 TEST(VoxelGraph, DoesNotDependOnTheOrderOfVoxels) {
   VisualHull hull = cube(3);
-  const VoxelGraph sorted = buildVoxelGraph(hull, false, 1.0);
+  const VoxelGraph sorted = buildVoxelGraph(hull, {false, 1.0});
   std::reverse(hull.voxels.begin(), hull.voxels.end());
-  const VoxelGraph reversed = buildVoxelGraph(hull, false, 1.0);
+  const VoxelGraph reversed = buildVoxelGraph(hull, {false, 1.0});
   EXPECT_EQ(weightsOf(sorted.graph), weightsOf(reversed.graph));
   EXPECT_EQ(reversed.hull_voxel.front(), 26u);
 }

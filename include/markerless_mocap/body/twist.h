@@ -15,7 +15,7 @@ struct Twist {
 };
 
 /// Rigid motion exp(twist * angle). The rotation R is given by Rodrigues' formula, the translation
-/// by (I - R)(w x v) (Hsiao 2008, Eq. 3-18). \param angle radians
+/// by (I - R)(w x v) (Hsiao 2008, Eq. 3-19, 3-20). \param angle radians
 Eigen::Isometry3d exponential(const Twist& twist, double angle);
 
 }  // namespace markerless_mocap

@@ -23,6 +23,16 @@ struct HsiaoOptions {
   static constexpr const char* kStage = "pose_fitting/hsiao";
   /// seed of the random numbers
   int seed = 1;
+  /// how the swarms are staged; guided: arms and legs are first fitted alone, the facing directions
+  /// are given by the limbs, and the last pose is followed in one stage; published: the stages of
+  /// Hsiao 2008, Table 3-3 only, with the spin searched from stage 2 on, also around the last pose
+  std::string search = "guided";
+  /// how part curves are compared with the model; aligned: from the outer end of each limb, with
+  /// parts of the same kind; published: the whole curve with the whole part, any part with any
+  /// (Hsiao 2008, Eq. 3-27)
+  std::string part_error = "aligned";
+  /// refine and judge poses by the hull, too; false: by the part curves alone, as in Hsiao 2008
+  bool use_hull = true;
   /// number of points compared along each part curve
   int samples_per_curve = 16;
   /// particles of a swarm stage per parameter that it searches
@@ -33,6 +43,12 @@ struct HsiaoOptions {
   int fine_tune_particles = 16;
   /// iterations when one part is fine-tuned
   int fine_tune_iterations = 16;
+  /// t1 of Hsiao 2008, 3.2.2.2: part of its velocity that a particle keeps
+  double inertia = 0.6;
+  /// t2: pull towards the particle's own best position
+  double cognitive_weight = 1.5;
+  /// t3: pull towards the best position of all particles
+  double social_weight = 1.5;
   /// number of facing directions tried; 2: as left and right of the limbs say, and the reverse
   int initial_headings = 2;
   /// number of searches with different seeds at a start; the method contour uses one

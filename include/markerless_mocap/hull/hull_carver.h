@@ -46,6 +46,10 @@ struct HullOptions {
   double min_component_litres = 1.0;
   /// colours of neighbouring voxels closer than this are the same, distance in RGB of 0 to 255
   double color_vote_distance = 40.0;
+  /// which cameras vote on the colours of two neighbouring voxels; visible: those that see both;
+  /// all: those whose image both are projected into, also inside the body and behind it (Hsiao
+  /// 2008, 3.1.4.2 A-1)
+  std::string color_voters = "visible";
 
   void visit(OptionVisitor& v);
   /// Throws std::invalid_argument naming key, value and allowed range; also for an empty volume or

@@ -8,6 +8,44 @@ namespace markerless_mocap {
 
 class PartTracker;
 
+/// Weights of edges by colour votes (Hsiao 2008, Eq. 3-15).
+struct ColorBonus {
+  /// a of Eq. 3-15: added to an edge's weight of 1 when all cameras that vote find one colour
+  double all = 1.0;
+  /// b of Eq. 3-15: added when most of them do
+  double most = 0.5;
+  /// c of Eq. 3-15: added when few of them do; every weight stays above 0
+  double few = -0.9;
+  /// th_1 of Eq. 3-15, as a fraction of the cameras that vote: from here on, most do
+  double most_from = 0.5;
+  /// th_3 of Eq. 3-15, as a fraction of the cameras that vote: below this, few do
+  double few_below = 0.5;
+
+  void visit(OptionVisitor& v);
+};
+
+/// Settings of the branch method spline_walk (Hsiao 2008, 3.1.4). Lengths are relative to the
+/// distance of a branch's start from the origin of the eigenmap.
+struct SplineWalkOptions {
+  /// P: number of nodes that a branch begins with, as a fraction of all nodes
+  double initial_nodes = 0.02;
+  /// N: number of nodes that a step adds, as a fraction of all nodes
+  double step_nodes = 0.005;
+  /// a new principal direction is used where it turns by more than this, rad
+  double turn_angle = 0.35;
+  /// a branch ends this near the origin, as a fraction of its start's distance; about 0.3 for a
+  /// small shrink_weight
+  double stop_radius = 0.15;
+  /// OT_1: a branch ends with more outliers than this, as a fraction of all nodes
+  double max_outliers = 0.001;
+  /// OT_2: a node this far from the spline is an outlier, as a fraction of its start's distance
+  double outlier_distance = 0.007;
+  /// nodes this near the spline belong to the branch, as a fraction of its start's distance
+  double tube_radius = 0.1;
+
+  void visit(OptionVisitor& v);
+};
+
 /// Settings of the segmentation stage.
 struct SegmentationOptions {
   static constexpr const char* kStage = "body_segmentation";
@@ -22,8 +60,18 @@ struct SegmentationOptions {
   int modes = 0;
   /// weight the edges between voxels by the cameras' votes that neighbours have the same colour
   bool use_color_votes = false;
+  /// how votes weight edges
+  ColorBonus color_bonus;
   /// weight added to the edges in the thick core of the body, which draws the torso together
   double shrink_weight = 0.0;
+  /// which nodes are the thick core; 0: those deepest under the surface; else those with at least
+  /// this fraction of the largest degree (Hsiao 2008, 3.1.4.2 A-2: 1)
+  double shrink_degree = 0.0;
+  /// the method spline_walk
+  SplineWalkOptions spline_walk;
+  /// modes of a part's own eigenmap that give its curve's site values; 0: 10 for the torso, 3 for
+  /// other parts; 1: the Fiedler vector alone (Hsiao 2008, 3.1.5.2)
+  int site_modes = 0;
   /// a hull is not a person when the mean squared z-score of its limbs' measures is above this
   double max_cost = 2.0;
   /// volume of the smallest hull of a person, litres

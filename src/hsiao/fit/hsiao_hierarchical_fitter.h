@@ -15,7 +15,11 @@ struct HsiaoFitterSettings {
   double iterations_per_parameter = 1.5;
   int fine_tune_particles = 16;
   int fine_tune_iterations = 16;
-  int initial_headings = 2;  ///< number of start directions of the body
+  int initial_headings = 2;   ///< number of start directions of the body
+  bool as_published = false;  ///< the stages of Table 3-3 only
+  double inertia = 0.6;
+  double cognitive_weight = 1.5;
+  double social_weight = 1.5;
 };
 
 /// Parameters and their skeleton error (Eq. 3-27, mean per part, metres).
@@ -35,14 +39,16 @@ class HsiaoHierarchicalFitter {
  public:
   HsiaoHierarchicalFitter(const HsiaoBodyModel& body_model, const HsiaoFitterSettings& settings);
 
-  /// Basic PSO: within the joint limits, one fit per initial heading, best first.
+  /// Basic PSO: within the joint limits, one fit per initial heading, best first; as published,
+  /// one fit.
   /// \param rest angles of parts that are not seen
   std::vector<HsiaoFit> fitBasic(const HsiaoSkeletonError& error, const HsiaoVector& rest,
                                  uint64_t seed) const;
 
   /// Temporal PSO: within the joint limits and a range around `last`.
   /// \param reach half the range of each parameter
-  /// \param guesses further start positions (clamped to the range)
+  /// \param guesses further start positions (clamped to the range), which the published search
+  ///   does not use
   HsiaoFit fitTemporal(const HsiaoSkeletonError& error, const HsiaoVector& last,
                        const HsiaoVector& reach, std::vector<HsiaoVector> guesses,
                        uint64_t seed) const;
@@ -55,6 +61,12 @@ class HsiaoHierarchicalFitter {
   using Parameters = std::vector<int>;
   struct Search;
   void search(const HsiaoSkeletonError& error, const Search& what, HsiaoVector& v) const;
+  std::vector<HsiaoFit> fitHeadings(const HsiaoSkeletonError& error, HsiaoVector v,
+                                    uint64_t seed) const;
+  HsiaoFit follow(const HsiaoSkeletonError& error, const HsiaoBounds& range, HsiaoVector v,
+                  std::vector<HsiaoVector> guesses, uint64_t seed) const;
+  HsiaoFit fitStages(const HsiaoSkeletonError& error, const HsiaoBounds& allowed, HsiaoVector v,
+                     uint64_t seed) const;
   HsiaoFit fitFromHeading(const HsiaoSkeletonError& error, HsiaoVector v, uint64_t seed) const;
   void initializeLimbs(const HsiaoSkeletonError& error, PartLabel first,
                        const std::array<Parameters, 2>& limbs, uint64_t seed, HsiaoVector& v) const;

@@ -58,6 +58,7 @@ std::string HsiaoPoseValidator::rejectionReason(const BodyPose& pose, bool has_t
   if (pose.skeleton_error_m > options_.max_skeleton_error)
     return "the best pose differs from the part curves by " + millimetres(pose.skeleton_error_m) +
            ", allowed is up to " + millimetres(options_.max_skeleton_error);
+  if (!options_.use_hull) return "";
   if (pose.hull_explained < options_.min_hull_explained)
     return "the best pose explains " + percent(pose.hull_explained) + " of the hull, at least " +
            percent(options_.min_hull_explained) + " is needed";

@@ -13,8 +13,11 @@ namespace markerless_mocap {
 /// The data of one frame that the model is fitted to. Parts and hull must outlive it.
 struct HsiaoObservation {
   HsiaoObservation(const HsiaoBodyModel& body_model, const BodyParts& the_parts,
-                   const VisualHull& the_hull, int samples)
-      : parts(the_parts), hull(the_hull), curves(body_model, the_parts, samples), field(the_hull) {}
+                   const VisualHull& the_hull, const HsiaoOptions& options)
+      : parts(the_parts),
+        hull(the_hull),
+        curves(body_model, the_parts, options.samples_per_curve, options.part_error == "published"),
+        field(the_hull) {}
 
   const BodyParts& parts;
   const VisualHull& hull;

@@ -114,11 +114,39 @@ PartAssignment assignParts(const PartMatrix& error) {
 }
 
 HsiaoSkeletonError::HsiaoSkeletonError(const HsiaoBodyModel& body_model, const BodyParts& parts,
-                                       int samples)
-    : body_model_(&body_model) {
-  for (int i = 0; i < kPartCount; ++i)
-    if (isUsable(PartLabel(i), parts.parts[i]))
-      setCurve(PartLabel(i), parts.parts[i].points, samples);
+                                       int samples, bool as_published)
+    : body_model_(&body_model), as_published_(as_published) {
+  for (int i = 0; i < kPartCount; ++i) {
+    const PartCurve& part = parts.parts[i];
+    if (as_published) sampleWholeBones(PartLabel(i), samples);
+    if (as_published && part.seen && part.points.size() >= 2)
+      setWholeCurve(PartLabel(i), part.points, samples);
+    else if (!as_published && isUsable(PartLabel(i), part))
+      setCurve(PartLabel(i), part.points, samples);
+  }
+}
+
+void HsiaoSkeletonError::sampleWholeBones(PartLabel part, int samples) {
+  const std::vector<double> along = boneLengths(*body_model_, part);
+  const double length = limbSpan(part, 0.0, along.back()).bones_end;
+  for (int k = 0; k < samples; ++k) {
+    const auto [bone, fraction] = locate(along, length * k / (samples - 1));
+    on_bones_[size_t(part)].push_back({bone, fraction});
+  }
+}
+
+void HsiaoSkeletonError::setWholeCurve(PartLabel part, const std::vector<Vector3d>& curve,
+                                       int samples) {
+  const std::vector<double> along = arcLengths(curve);
+  for (int k = 0; k < samples; ++k) {
+    const auto [i, fraction] = locate(along, along.back() * k / (samples - 1));
+    data_[size_t(part)].push_back(curve[i] + fraction * (curve[i + 1] - curve[i]));
+  }
+}
+
+bool HsiaoSkeletonError::canPair(int data, int model,
+                                 const std::array<bool, kPartCount>& active) const {
+  return as_published_ ? active[size_t(model)] : sameKind(size_t(data), size_t(model));
 }
 
 void HsiaoSkeletonError::setCurve(PartLabel part, const std::vector<Vector3d>& curve, int samples) {
@@ -150,9 +178,9 @@ void HsiaoSkeletonError::modelSamples(const HsiaoFrames& frames, PartLabel data,
   const std::vector<HsiaoSegmentPoint>& bones = body_model_->bones(model);
   for (size_t n = 0; n < bones.size(); ++n) nodes[n] = bones[n].inWorld(frames);
   out.clear();
-  for (const BoneSample& s : on_bones_[size_t(data)])
+  for (const BoneSample& s : on_bones_[size_t(as_published_ ? model : data)])
     out.push_back(nodes[s.bone] + s.fraction * (nodes[s.bone + 1] - nodes[s.bone]));
-  if (data != PartLabel::kTorso) return;
+  if (as_published_ || data != PartLabel::kTorso) return;
   const Vector3d axis = (nodes[1] - nodes[0]).normalized();
   double slide = 0.0;
   for (size_t k = 0; k < out.size(); ++k) slide += axis.dot(data_[0][k] - out[k]) / out.size();
@@ -166,7 +194,7 @@ PartMatrix HsiaoSkeletonError::matrix(const HsiaoFrames& frames,
   for (int i = 0; i < kPartCount; ++i) {
     if (!active[i] || data_[i].empty()) continue;
     for (int j = 0; j < kPartCount; ++j) {
-      if (!sameKind(i, j)) continue;
+      if (!canPair(i, j, active)) continue;
       modelSamples(frames, PartLabel(i), PartLabel(j), on_model);
       error(i, j) = pairedDistance(data_[i].data(), on_model.data(), int(on_model.size()));
     }

@@ -32,11 +32,13 @@ PartAssignment assignParts(const PartMatrix& error);
 /// start at the torso depends on the segmentation, while its outer end does not. The middle of the
 /// torso's curve is aligned with its bone and may slide along it by a small distance. Only parts of
 /// the same kind are paired (head with head, arms with arms), since the data parts are labelled.
+/// As published, whole curves are compared with whole parts, and any part is paired with any.
 class HsiaoSkeletonError {
  public:
   /// \param samples points per part, at least 2. Parts that are not seen or have fewer than two
   ///   points are left out, and so are arms and heads that are not whole.
-  HsiaoSkeletonError(const HsiaoBodyModel& body_model, const BodyParts& parts, int samples);
+  HsiaoSkeletonError(const HsiaoBodyModel& body_model, const BodyParts& parts, int samples,
+                     bool as_published = false);
 
   bool has(PartLabel part) const { return !data_[size_t(part)].empty(); }
   /// Sampled points of a data part, metres, from the torso outward.
@@ -45,8 +47,7 @@ class HsiaoSkeletonError {
   /// The sample of a seen limb at the expected position of node `n` of the bones.
   const Eigen::Vector3d& atNode(PartLabel part, int n) const;
 
-  /// The points on the bones of the part `model`, of the same kind as `data`, that correspond to
-  /// samples(data).
+  /// The points on the bones of the part `model` that correspond to samples(data).
   void modelSamples(const HsiaoFrames& frames, PartLabel data, PartLabel model,
                     std::vector<Eigen::Vector3d>& out) const;
 
@@ -63,11 +64,15 @@ class HsiaoSkeletonError {
   };
   using BoneSamples = std::vector<BoneSample>;
   void setCurve(PartLabel part, const std::vector<Eigen::Vector3d>& curve, int samples);
+  void setWholeCurve(PartLabel part, const std::vector<Eigen::Vector3d>& curve, int samples);
+  void sampleWholeBones(PartLabel part, int samples);
+  bool canPair(int data, int model, const std::array<bool, kPartCount>& active) const;
 
   const HsiaoBodyModel* body_model_;
+  bool as_published_;
   std::array<std::vector<Eigen::Vector3d>, kPartCount> data_;
-  std::array<BoneSamples, kPartCount> on_bones_;  // by data part; left and right bones have the
-                                                  // same lengths
+  std::array<BoneSamples, kPartCount> on_bones_;  // by data part, as left and right bones have the
+                                                  // same lengths; as published: by model part
 };
 
 }  // namespace markerless_mocap

@@ -32,9 +32,10 @@ void forEachSlot(uint64_t voxels, size_t cell, Visit visit) {
 }  // namespace
 
 VoxelColoring::VoxelColoring(const CameraRig& rig, const ProjectionTable& table,
-                             double color_vote_distance)
-    // For an integer n and a real x, n < x is the same as n < ceil(x).
-    : limit_(int(std::ceil(color_vote_distance * color_vote_distance))),
+                             double color_vote_distance, bool all_vote)
+    : all_vote_(all_vote),
+      // For an integer n and a real x, n < x is the same as n < ceil(x).
+      limit_(int(std::ceil(color_vote_distance * color_vote_distance))),
       visibility_(rig, table),
       views_(rig.size()) {}
 
@@ -99,17 +100,24 @@ void VoxelColoring::addVotes(const SurfaceView& view, int axis) {
   }
 }
 
-void VoxelColoring::paint(const VoxelComponent& component, const std::vector<ComponentVoxel>& order,
-                          const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels) {
-  visibility_.set(component);
+void VoxelColoring::findViews(const std::vector<cv::Mat>& images, bool hidden_too) {
   tbb::parallel_for(size_t(0), images.size(), [&](size_t c) {
     if (images[c].empty())
       views_[c].seen.clear();
+    else if (hidden_too)
+      visibility_.findAll(c, images[c], &views_[c]);
     else
       visibility_.findVisible(c, images[c], &views_[c]);
   });
+}
+
+void VoxelColoring::paint(const VoxelComponent& component, const std::vector<ComponentVoxel>& order,
+                          const std::vector<cv::Mat>& images, std::vector<HullVoxel>* voxels) {
+  visibility_.set(component);
+  findViews(images, false);
   sumColors(component.cells.size());
   setColors(order, voxels);
+  if (all_vote_) findViews(images, true);
   votes_.assign(component.cells.size() * 64, ColorVotes());
   for (const SurfaceView& view : views_)
     for (int axis = 0; axis < 3; ++axis) addVotes(view, axis);

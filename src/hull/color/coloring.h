@@ -8,11 +8,13 @@
 namespace markerless_mocap {
 
 /// Computes for each voxel of a hull its mean colour over the cameras that see it, and its colour
-/// votes from the cameras that see both voxels. A voxel that no camera sees gets the colour of the
-/// previous voxel along x, or, at the start, of the next one; grey if there is none.
+/// votes from the cameras that see both voxels, or from all into whose image both are projected. A
+/// voxel that no camera sees gets the colour of the previous voxel along x, or, at the start, of
+/// the next one; grey if there is none.
 class VoxelColoring {
  public:
-  VoxelColoring(const CameraRig& rig, const ProjectionTable& table, double color_vote_distance);
+  VoxelColoring(const CameraRig& rig, const ProjectionTable& table, double color_vote_distance,
+                bool all_vote);
 
   /// Reuses the memory of the last call.
   /// \param order the component's voxels in lattice order
@@ -35,6 +37,9 @@ class VoxelColoring {
   void setColors(const std::vector<ComponentVoxel>& order, std::vector<HullVoxel>* voxels) const;
   void addVotes(const SurfaceView& view, int axis);
 
+  void findViews(const std::vector<cv::Mat>& images, bool hidden_too);
+
+  bool all_vote_;
   int limit_;  ///< colours differ from this squared distance on
   SurfaceVisibility visibility_;
   std::vector<SurfaceView> views_;

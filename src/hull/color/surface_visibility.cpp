@@ -88,12 +88,15 @@ float SurfaceVisibility::depthOf(const Viewpoint& viewpoint, size_t cell) const 
   return float(viewpoint.forward.dot(first_voxel - viewpoint.position));
 }
 
+void SurfaceVisibility::findFacing(size_t camera, SurfaceView* view) const {
+  view->facing.resize(corners_.size());
+  for (size_t i = 0; i < corners_.size(); ++i) view->facing[i] = facing(viewpoints_[camera], i);
+}
+
 void SurfaceVisibility::findCandidates(size_t camera, SurfaceView* view) const {
   const Viewpoint& viewpoint = viewpoints_[camera];
-  view->facing.resize(corners_.size());
   size_t count = 0;
   for (size_t i = 0; i < corners_.size(); ++i) {
-    view->facing[i] = facing(viewpoint, i);
     count += size_t(__builtin_popcountll(view->facing[i]));
     if (view->facing[i] != 0) __builtin_prefetch(table_.codes(component_.cells[i].brick, camera));
   }
@@ -140,8 +143,22 @@ void SurfaceVisibility::fillDepths(const Viewpoint& viewpoint, const cv::Mat& im
 }
 
 void SurfaceVisibility::findVisible(size_t camera, const cv::Mat& image, SurfaceView* view) const {
+  findFacing(camera, view);
   findCandidates(camera, view);
   fillDepths(viewpoints_[camera], image, view);
+  color(image, view);
+}
+
+void SurfaceVisibility::findAll(size_t camera, const cv::Mat& image, SurfaceView* view) const {
+  view->facing.clear();
+  for (const BrickVoxels& cell : component_.cells) view->facing.push_back(cell.voxels);
+  findCandidates(camera, view);
+  view->places.assign(view->candidates.size(), 0);
+  view->depths.assign(1, kFar);
+  color(image, view);
+}
+
+void SurfaceVisibility::color(const cv::Mat& image, SurfaceView* view) const {
   if (image.channels() == 3)
     colorVisible<3>(image, view);
   else

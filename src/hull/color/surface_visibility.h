@@ -39,6 +39,8 @@ class SurfaceVisibility {
   void set(const VoxelComponent& component);
   /// Reuses the memory of `view`.
   void findVisible(size_t camera, const cv::Mat& image, SurfaceView* view) const;
+  /// The same for all voxels whose centre is projected into the image.
+  void findAll(size_t camera, const cv::Mat& image, SurfaceView* view) const;
   /// Index of the component's cell one brick further along the axis; -1: none.
   int cellAfter(size_t cell, int axis) const { return after_[cell][axis]; }
 
@@ -52,8 +54,11 @@ class SurfaceVisibility {
   void findNeighbors(size_t cell);
   uint64_t facing(const Viewpoint& viewpoint, size_t cell) const;
   float depthOf(const Viewpoint& viewpoint, size_t cell) const;  ///< m, of the first voxel
+  void findFacing(size_t camera, SurfaceView* view) const;
+  /// Of the voxels in view->facing.
   void findCandidates(size_t camera, SurfaceView* view) const;
   void fillDepths(const Viewpoint& viewpoint, const cv::Mat& image, SurfaceView* view) const;
+  void color(const cv::Mat& image, SurfaceView* view) const;
   template <int kChannels>
   void colorVisible(const cv::Mat& image, SurfaceView* view) const;
 

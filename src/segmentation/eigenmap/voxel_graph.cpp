@@ -11,10 +11,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kAllVote = 1.0;       // a of Eq. 3-15
-constexpr double kMajorityVote = 0.5;  // b
-constexpr double kFewVote = -0.9;      // c, above -1 so that every weight stays > 0
-constexpr double kDeepest = 0.002;  // fraction of the nodes whose mean depth is the maximum depth
+constexpr double kDeepest = 0.002;    // fraction of the nodes whose mean depth is the maximum depth
+constexpr double kSameDegree = 1e-9;  // sums of weights differ by rounding
 constexpr double kShrunkDepth = 0.75;  // of the maximum depth; thighs and head have less than 0.7
 
 std::vector<uint32_t> voxelsByIndex(const VisualHull& hull) {
@@ -37,10 +35,10 @@ std::vector<Eigen::Vector3i> cellsOf(const VisualHull& hull, const std::vector<u
 }
 
 /// The colour votes of two neighbours are stored at the voxel with the smaller coordinates.
-double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, bool use_color_votes) {
-  if (!use_color_votes) return 1.0;
+double edgeWeight(const VisualHull& hull, uint32_t lower, int axis, const EdgeWeights& weights) {
+  if (!weights.use_color_votes) return 1.0;
   const ColorVotes& votes = hull.voxels[lower].color_votes;
-  return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis]);
+  return 1.0 + colorBonus(votes.votes[axis], votes.possible[axis], weights.color_bonus);
 }
 
 /// Removes all nodes outside the largest component; components that touch by an edge or corner are
@@ -85,7 +83,7 @@ std::vector<Edge> fromBothEnds(std::vector<Edge> edges) {
 
 /// The graph's rows: face neighbours in ascending order, then bridges.
 WeightedGraph graphOf(const VisualHull& hull, const VoxelGraph& voxels,
-                      const std::vector<Edge>& bridges, bool use_color_votes) {
+                      const std::vector<Edge>& bridges, const EdgeWeights& weights) {
   const size_t nodes = voxels.hull_voxel.size();
   WeightedGraph graph;
   graph.row_start.reserve(nodes + 1);
@@ -101,12 +99,12 @@ WeightedGraph graphOf(const VisualHull& hull, const VoxelGraph& voxels,
     for (int axis = 2; axis >= 0; --axis) {
       const int32_t other = voxels.grid.neighbor(node, -(axis == 0), -(axis == 1), -(axis == 2));
       if (other < 0) continue;
-      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[other], axis, use_color_votes));
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[other], axis, weights));
     }
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t other = voxels.grid.neighbor(node, axis == 0, axis == 1, axis == 2);
       if (other < 0) continue;
-      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[node], axis, use_color_votes));
+      join(uint32_t(other), edgeWeight(hull, voxels.hull_voxel[node], axis, weights));
     }
     for (; bridge != across.end() && bridge->from == node; ++bridge)
       join(bridge->to, bridge->weight);
@@ -131,10 +129,24 @@ std::vector<double> depthUnderSurface(const VoxelGraph& voxels) {
   return depth;
 }
 
-void raiseCoreWeights(VoxelGraph* voxels, double shrink_weight) {
-  std::vector<char> core(voxels->graph.nodeCount(), 0);
-  for (const uint32_t node : coreNodes(voxels->depth, kShrunkDepth)) core[node] = 1;
-  WeightedGraph& graph = voxels->graph;
+/// Nodes with at least this fraction of the largest sum of weights.
+std::vector<uint32_t> nodesOfLargeDegree(const WeightedGraph& graph, double fraction) {
+  std::vector<double> degree(graph.nodeCount(), 0.0);
+  for (uint32_t node = 0; node < degree.size(); ++node)
+    for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e)
+      degree[node] += graph.weight[e];
+  const double largest = degree.empty() ? 0.0 : *std::max_element(degree.begin(), degree.end());
+  std::vector<uint32_t> nodes;
+  for (uint32_t node = 0; node < degree.size(); ++node)
+    if (degree[node] >= fraction * largest - kSameDegree) nodes.push_back(node);
+  return nodes;
+}
+
+void raiseCoreWeights(const std::vector<uint32_t>& core_nodes, double shrink_weight,
+                      WeightedGraph* raised) {
+  std::vector<char> core(raised->nodeCount(), 0);
+  for (const uint32_t node : core_nodes) core[node] = 1;
+  WeightedGraph& graph = *raised;
   for (uint32_t node = 0; node < graph.nodeCount(); ++node) {
     for (uint32_t e = graph.row_start[node]; e < graph.row_start[node + 1]; ++e) {
       if (core[node] || core[graph.neighbor[e]]) graph.weight[e] += shrink_weight;
@@ -144,19 +156,26 @@ void raiseCoreWeights(VoxelGraph* voxels, double shrink_weight) {
 
 }  // namespace
 
-double colorBonus(int votes, int possible) {
+double colorBonus(int votes, int possible, const ColorBonus& bonus) {
   if (possible == 0) return 0.0;
-  if (votes >= possible) return kAllVote;
-  return 2 * votes >= possible ? kMajorityVote : kFewVote;
+  if (votes >= possible) return bonus.all;
+  const double share = double(votes) / possible;
+  if (share >= bonus.most_from) return bonus.most;
+  return share < bonus.few_below ? bonus.few : 0.0;
 }
 
-VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double shrink_weight) {
+EdgeWeights edgeWeightsOf(const SegmentationOptions& options) {
+  return {options.use_color_votes, options.shrink_weight, options.shrink_degree,
+          options.color_bonus};
+}
+
+VoxelGraph buildVoxelGraph(const VisualHull& hull, const EdgeWeights& weights) {
   VoxelGraph voxels;
   voxels.pitch = hull.lattice.pitch;
   voxels.hull_voxel = voxelsByIndex(hull);
   voxels.grid = NodeGrid(cellsOf(hull, voxels.hull_voxel));
   const std::vector<Edge> bridges = keepLargestComponent(hull, &voxels);
-  voxels.graph = graphOf(hull, voxels, bridges, use_color_votes);
+  voxels.graph = graphOf(hull, voxels, bridges, weights);
   for (const Eigen::Vector3i& c : cellsOf(hull, voxels.hull_voxel))
     voxels.graph.cell.emplace_back(c.x(), c.y(), c.z());
   voxels.centers.reserve(voxels.hull_voxel.size());
@@ -164,7 +183,11 @@ VoxelGraph buildVoxelGraph(const VisualHull& hull, bool use_color_votes, double 
     voxels.centers.push_back(hull.lattice.center(hull.voxels[v].index));
   }
   voxels.depth = depthUnderSurface(voxels);
-  if (shrink_weight > 0.0) raiseCoreWeights(&voxels, shrink_weight);
+  if (weights.shrink_weight > 0.0)
+    raiseCoreWeights(weights.shrink_degree > 0.0
+                         ? nodesOfLargeDegree(voxels.graph, weights.shrink_degree)
+                         : coreNodes(voxels.depth, kShrunkDepth),
+                     weights.shrink_weight, &voxels.graph);
   return voxels;
 }
 

@@ -66,9 +66,9 @@ Limbs sortByPart(const PartNaming& names, const ExtremityMeasures& measures,
 }
 
 Limbs splineLimbs(const VoxelGraph& voxels, const std::vector<uint32_t>& core, int modes,
-                  SplineTermination stop) {
+                  SplineTermination stop, const SplineWalkOptions& options) {
   const Eigenmap map = laplacianEigenmap(voxels.graph, modes, kResidual);
-  const std::vector<Branch> branches = splinePropagationBranches(map, stop, kLimbs);
+  const std::vector<Branch> branches = splinePropagationBranches(map, stop, kLimbs, options);
   const std::vector<uint32_t> extremities = extremitiesOf(branches);
   const ExtremityMeasures measures = measureExtremities(voxels, extremities, core);
   return sortByPart(namesInOrder(voxels, measures, extremities), measures, branches);
@@ -152,7 +152,8 @@ Limbs findLimbs(const VoxelGraph& voxels, const SegmentationOptions& options) {
                     ? mergeTreeLimbs(voxels, core, modes(kMergeTreeModes))
                     : splineLimbs(voxels, core, modes(kSplineWalkModes),
                                   options.walk_stop == "outliers" ? SplineTermination::kOutliers
-                                                                  : SplineTermination::kOrigin);
+                                                                  : SplineTermination::kOrigin,
+                                  options.spline_walk);
   dropImplausible(voxels, &limbs);
   if (merge_tree) addUpperArms(voxels, &limbs);
   return limbs;

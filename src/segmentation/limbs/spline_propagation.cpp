@@ -10,14 +10,8 @@ namespace markerless_mocap {
 namespace {
 
 // Lengths are relative to the start's distance from the origin.
-constexpr double kTubeRadius = 0.1;      // nodes this near the curve belong to the branch
-constexpr double kOutlierError = 0.007;  // nodes this far from the curve are outliers
-constexpr double kMaxOutliers = 0.001;   // of all nodes; with more the branch has ended
-constexpr double kMaxJump = 0.5;         // if no nodes are this near the end, the branch has ended
-constexpr double kCosTurn = 0.94;  // after a turn of more than 20 degrees a new direction is used
-constexpr double kInitialFraction = 0.02;  // P, of all nodes
-constexpr double kStepFraction = 0.005;    // N, of all nodes
-constexpr int kMinNodes = 8;               // for P and N
+constexpr double kMaxJump = 0.5;  // if no nodes are this near the end, the branch has ended
+constexpr int kMinNodes = 8;      // for P and N
 constexpr int kPieces = 5;
 constexpr int kCurveSamples = 48;
 constexpr int kMaxSteps = 400;
@@ -26,11 +20,11 @@ enum State : char { kFree, kWalked, kTaken };
 
 class Walk {
  public:
-  Walk(const Eigen::MatrixXd& positions, SplineTermination stop, double stop_radius,
+  Walk(const Eigen::MatrixXd& positions, SplineTermination stop, const SplineWalkOptions& options,
        std::vector<char>* state, uint32_t start)
-      : positions_(positions), stop_(stop), state_(*state), start_(start) {
+      : positions_(positions), stop_(stop), options_(options), state_(*state), start_(start) {
     reach_ = positions_.row(start_).norm();
-    stop_distance_ = stop_radius * reach_;
+    stop_distance_ = options_.stop_radius * reach_;
   }
 
   Branch run() {
@@ -44,7 +38,7 @@ class Walk {
  private:
   bool isOver() const {
     if (stop_ == SplineTermination::kOrigin) return end_.norm() <= stop_distance_;
-    return double(outliers()) > kMaxOutliers * double(positions_.rows());
+    return double(outliers()) > options_.max_outliers * double(positions_.rows());
   }
 
   size_t outliers() const {
@@ -52,7 +46,9 @@ class Walk {
     size_t count = 0;
     for (size_t i = 0; i < members_.size(); ++i) {
       const Eigen::VectorXd at = fitted.at((sites_[i] - low_) / range());
-      if ((positions_.row(members_[i]).transpose() - at).norm() > kOutlierError * reach_) ++count;
+      if ((positions_.row(members_[i]).transpose() - at).norm() >
+          options_.outlier_distance * reach_)
+        ++count;
     }
     return count;
   }
@@ -121,18 +117,18 @@ class Walk {
 
   void begin() {
     const Eigen::RowVectorXd from = positions_.row(start_);
-    const std::vector<uint32_t> nodes = nearestFree(from, nodeCount(kInitialFraction) + 1);
+    const std::vector<uint32_t> nodes = nearestFree(from, nodeCount(options_.initial_nodes) + 1);
     direction_ = principalDirection(nodes);
     if ((meanOf(nodes) - from).dot(direction_) < 0.0) direction_ *= -1.0;
     add(nodes, from, 0.0);
   }
 
   bool propagate() {
-    const std::vector<uint32_t> nodes = nearestFree(end_, nodeCount(kStepFraction));
+    const std::vector<uint32_t> nodes = nearestFree(end_, nodeCount(options_.step_nodes));
     if (nodes.empty() || (meanOf(nodes) - end_).norm() > kMaxJump * reach_) return false;
     Eigen::RowVectorXd turned = principalDirection(nodes);
     if (turned.dot(direction_) < 0.0) turned *= -1.0;
-    if (turned.dot(direction_) < kCosTurn) direction_ = turned;
+    if (turned.dot(direction_) < std::cos(options_.turn_angle)) direction_ = turned;
     add(nodes, end_, high_);
     return true;
   }
@@ -151,7 +147,7 @@ class Walk {
     }
     for (uint32_t node = 0; node < state_.size(); ++node) {
       if (state_[node] == kTaken) continue;
-      const bool beside = nearest[node] < kTubeRadius * reach_;
+      const bool beside = nearest[node] < options_.tube_radius * reach_;
       const bool outside = stop_ == SplineTermination::kOrigin
                                ? positions_.row(node).norm() > stop_distance_
                                : nearest[node] < to_end[node];
@@ -163,6 +159,7 @@ class Walk {
 
   const Eigen::MatrixXd& positions_;
   SplineTermination stop_;
+  const SplineWalkOptions& options_;
   std::vector<char>& state_;
   uint32_t start_;
   double reach_, stop_distance_;
@@ -177,7 +174,7 @@ class Walk {
 }  // namespace
 
 std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermination stop,
-                                              int count, double stop_radius) {
+                                              int count, const SplineWalkOptions& options) {
   std::vector<char> state(size_t(map.vectors.rows()), kFree);
   const Eigen::VectorXd distance = map.vectors.rowwise().norm();
   std::vector<Branch> branches;
@@ -188,7 +185,7 @@ std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermina
         start = int(node);
     }
     if (start < 0) break;
-    branches.push_back(Walk(map.vectors, stop, stop_radius, &state, uint32_t(start)).run());
+    branches.push_back(Walk(map.vectors, stop, options, &state, uint32_t(start)).run());
   }
   return branches;
 }
