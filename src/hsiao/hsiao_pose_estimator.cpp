@@ -28,8 +28,8 @@ std::string hullError(const VisualHull& hull) {
   return hull.reason.empty() ? "there is no hull" : hull.reason;
 }
 
-std::string segmentationError(const BodyParts& parts) {
-  if (parts.status == SegmentationStatus::kInvalid)
+std::string segmentationError(const BodyParts& parts, bool use_hull) {
+  if (use_hull && parts.status == SegmentationStatus::kInvalid)
     return parts.reason.empty() ? "the hull has no parts" : parts.reason;
   const PartCurve& torso = parts.part(PartLabel::kTorso);
   if (!torso.seen || !torso.whole || torso.points.size() < 2) return "the torso is not seen";
@@ -203,7 +203,7 @@ BodyPose HsiaoPoseEstimator::update(int64_t stamp_ns, const BodyParts& parts,
   BodyPose pose;
   pose.reason = hullError(hull);
   if (!pose.reason.empty()) return pose;
-  pose.reason = segmentationError(parts);
+  pose.reason = segmentationError(parts, s.options.use_hull);
   if (pose.reason.empty()) {
     pose = s.track(seconds, HsiaoObservation(*s.body_model, parts, hull, s.options));
     if (pose.status != PoseStatus::kLost) {

@@ -26,8 +26,8 @@ void SplineWalkOptions::visit(OptionVisitor& v) {
   v.field("turn_angle", turn_angle, 0.0, 1.6,
           "a new principal direction is used where it turns by more than this, rad");
   v.field("stop_radius", stop_radius, 0.0, 1.0,
-          "a branch ends this near the origin, as a fraction of its start's distance; about 0.3 "
-          "for a small shrink_weight");
+          "a branch ends this near the origin, as a fraction of the largest distance of a node "
+          "from it");
   v.field("max_outliers", max_outliers, 0.0, 1.0,
           "OT_1: a branch ends with more outliers than this, as a fraction of all nodes");
   v.field("outlier_distance", outlier_distance, 0.0, 1.0,
@@ -43,7 +43,7 @@ void SegmentationOptions::visit(OptionVisitor& v) {
           "core; spline_walk: by splines that grow inwards from the extremities");
   v.field("walk_stop", walk_stop, {"origin", "outliers"},
           "where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao "
-          "2008), with a shrink_weight of about 100; outliers: where many nodes are far from the "
+          "2008), with a shrink_weight; outliers: where many nodes are far from the "
           "spline (Sundaresan and Chellappa 2008), with shrink_weight 0");
   v.field("modes", modes, 0, 20,
           "dimensions of the eigenmap; 0: 10 for merge_tree, 6 for spline_walk");

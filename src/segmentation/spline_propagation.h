@@ -18,8 +18,8 @@ enum class SplineTermination {
 /// 3.1.4). A branch starts at the free node furthest from the origin, with its nearest nodes. A
 /// cubic spline of position over site value (projection on the principal direction, Eq. 3-8) is
 /// fitted and propagated with the free nodes nearest to its end, until `stop` holds. The free nodes
-/// near the curve belong to the branch. All lengths are relative to the start's distance from the
-/// origin, all counts to the number of nodes.
+/// near the curve belong to the branch. All lengths but the stop radius are
+/// relative to the start's distance from the origin, all counts to the number of nodes.
 /// \param count maximum number of branches; fewer are returned if no free node is left
 std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermination stop,
                                               int count, const SplineWalkOptions& options = {});

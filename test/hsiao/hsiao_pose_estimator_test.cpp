@@ -258,6 +258,54 @@ TEST(HsiaoHierarchicalFitter, TemporalFitStaysWithinReachOfTheLastPose) {
   EXPECT_GT(fit.v[hsiaoTheta(15)], last[hsiaoTheta(15)] + 0.15);
 }
 
+HsiaoOptions asPublished() {
+  HsiaoOptions options;
+  options.search = options.part_error = "published";
+  options.use_hull = false;
+  options.refinement_iterations = 0;
+  options.particles_per_parameter = options.iterations_per_parameter = 4.0;
+  options.max_skeleton_error = 0.15;
+  return options;
+}
+
+// Hsiao 2008, 3.2.1.2: the spin is found although torso and head say nothing of it.
+TEST_F(PoseTrackerTest, AsPublishedFindsAPoseWhateverItFacesByCurvesAlone) {
+  HsiaoPoseEstimator tracker(body_, asPublished());
+  for (const double yaw : {0.0, 90.0, 180.0, -120.0}) {
+    tracker.reset();
+    const HsiaoVector v = stepping(body_model_, degrees(yaw));
+    stamp_ += kFrame;
+    const BodyPose pose =
+        tracker.update(stamp_, curvesOf(body_model_, v), hullOf(body_model_, shape_, v));
+    ASSERT_EQ(pose.status, PoseStatus::kReinitialized) << pose.reason;
+    EXPECT_LT(distance(pose, v).first, 0.06) << "yaw " << yaw;
+  }
+}
+
+// 3.2.2.5: around the last pose, and anew where that is worse by more than the threshold.
+TEST_F(PoseTrackerTest, AsPublishedFollowsAndStartsAnewAfterAJump) {
+  HsiaoPoseEstimator tracker(body_, asPublished());
+  HsiaoVector v = stepping(body_model_, 0.0);
+  const auto next = [&] {
+    stamp_ += kFrame;
+    return tracker.update(stamp_, curvesOf(body_model_, v), hullOf(body_model_, shape_, v));
+  };
+  next();
+  for (int i = 0; i < 3; ++i) {
+    v[0] += 0.03;
+    v[3] += 0.03;
+    const BodyPose pose = next();
+    EXPECT_EQ(pose.status, PoseStatus::kTracked) << pose.reason;
+    EXPECT_LT(distance(pose, v).first, 0.06) << "frame " << i;
+  }
+  v = stepping(body_model_, degrees(100));
+  v[1] += 0.4;
+  v[4] += 0.4;
+  const BodyPose jumped = next();
+  EXPECT_EQ(jumped.status, PoseStatus::kReinitialized) << jumped.reason;
+  EXPECT_LT(distance(jumped, v).first, 0.06);
+}
+
 TEST(HsiaoPoseEstimator, RefusesOptionsOutOfRange) {
   HsiaoOptions options;
   options.initial_headings = 0;

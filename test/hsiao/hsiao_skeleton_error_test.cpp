@@ -97,6 +97,21 @@ TEST_F(SkeletonErrorTest, NeverTakesAnArmForALeg) {
   EXPECT_GT(errorAt(parts, v), 0.1);
 }
 
+// Hsiao 2008, 3.2.2.1: the smallest one-to-one sum over all 6 x 6 pairs of whole parts.
+TEST_F(SkeletonErrorTest, AsPublishedPairsAnyPartWithAnyAndWholeCurvesWithWholeParts) {
+  const HsiaoVector v = stepping(body_model_, 0.4);
+  HsiaoFrames frames;
+  body_model_.frames(v.data(), frames);
+  BodyParts parts = curvesOf(body_model_, v);
+  const auto error = [&] { return HsiaoSkeletonError(body_model_, parts, 16, true)(frames, kAll); };
+  EXPECT_LT(error(), 0.005);
+  std::swap(parts.parts[2], parts.parts[4]);
+  EXPECT_LT(error(), 0.005);
+  std::vector<Vector3d>& points = parts.parts[2].points;
+  points.erase(points.begin(), points.begin() + 8);
+  EXPECT_GT(error(), 0.01);
+}
+
 TEST_F(SkeletonErrorTest, LeavesOutPartsThatAreNotWhole) {
   const HsiaoVector v = stepping(body_model_, 0.0);
   BodyParts parts = curvesOf(body_model_, v);

@@ -108,6 +108,32 @@ TEST(SurfaceVisibility, SeesAroundWhatStandsBeforeAndNotThrough) {
   EXPECT_TRUE(seen[lattice.index(26, 15, 10)]);
 }
 
+// Hsiao 2008, 3.1.4.2 A-1: each voxel is projected into all images.
+TEST(HullColors, AllCamerasVoteInsideTheBodyAndBehindItIfAsked) {
+  const CameraRig rig = makeHorizontalRig();
+  std::vector<HullView> views = renderViews(rig, {Sphere()});
+  for (HullView& view : views) view.image = flat({10, 20, 30});
+  views[0].image.colRange(80, 160).setTo(cv::Scalar(200, 20, 30));
+  HullOptions options = makeOptions();
+  const VisualHull visible = HullCarver(rig, options).carve(views);
+  options.color_voters = "all";
+  const VisualHull all = HullCarver(rig, options).carve(views);
+  ASSERT_EQ(all.voxels.size(), visible.voxels.size());
+  size_t split = 0;
+  for (size_t v = 0; v < all.voxels.size(); ++v) {
+    EXPECT_EQ(all.voxels[v].rgb, visible.voxels[v].rgb);
+    for (int axis = 0; axis < 3; ++axis) {
+      const ColorVotes& votes = all.voxels[v].color_votes;
+      ASSERT_GE(votes.possible[axis], visible.voxels[v].color_votes.possible[axis]);
+      if (votes.possible[axis] == 0) continue;  // no neighbour
+      ASSERT_EQ(votes.possible[axis], rig.size());
+      ASSERT_GE(votes.votes[axis], rig.size() - 1);
+      split += votes.votes[axis] == rig.size() - 1;
+    }
+  }
+  EXPECT_GT(split, 10u);  // across the line between the colours in the first image
+}
+
 TEST(HullColors, GreyAndNoVotesWithoutImages) {
   const CameraRig rig = makeHorizontalRig();
   const VisualHull hull = HullCarver(rig, makeOptions()).carve(renderViews(rig, {Sphere()}));

@@ -47,12 +47,15 @@ TEST(SplineWalk, TakesTheArmsOfAStar) {
   for (int arm = 0; arm < 4; ++arm) {
     for (int i = 1; i <= 100; ++i) map.vectors.row(arm * 100 + i) = directions[arm] * i / 100.0;
   }
+  SplineWalkOptions walk;
+  walk.stop_radius = 0.15;
   const std::vector<Branch> branches =
-      splinePropagationBranches(map, SplineTermination::kOrigin, 4);
+      splinePropagationBranches(map, SplineTermination::kOrigin, 4, walk);
   ASSERT_EQ(branches.size(), 4u);
   for (uint32_t arm = 0; arm < 4; ++arm) {
     EXPECT_EQ(branches[arm].extremity, arm * 100 + 100);
-    EXPECT_NEAR(double(branches[arm].nodes.size()), 85.0, 3.0);  // stops at 0.15 of its length
+    // All stop at the same distance from the centre.
+    EXPECT_NEAR(double(branches[arm].nodes.size()), 100.0 - 15.0 / directions[arm].norm(), 3.0);
     for (const uint32_t node : branches[arm].nodes) EXPECT_EQ((node - 1) / 100, arm);
   }
 }

@@ -87,6 +87,29 @@ TEST(VoxelGraph, AddsTheBonusToTheEdgeTheVotesAreAbout) {
   EXPECT_EQ(weightsOf(buildVoxelGraph(hull).graph).at({0, 3}), 1.0);
 }
 
+TEST(VoxelGraph, TakesTheConstantsOfEquation315) {
+  ColorBonus bonus;
+  bonus.all = 0.8;
+  bonus.most = 0.3;
+  bonus.few = -0.5;
+  bonus.most_from = 0.75;
+  bonus.few_below = 0.25;
+  EXPECT_EQ(colorBonus(8, 8, bonus), 0.8);
+  EXPECT_EQ(colorBonus(6, 8, bonus), 0.3);
+  EXPECT_EQ(colorBonus(5, 8, bonus), 0.0);  // neither most nor few
+  EXPECT_EQ(colorBonus(2, 8, bonus), 0.0);
+  EXPECT_EQ(colorBonus(1, 8, bonus), -0.5);
+}
+
+// Hsiao 2008, 3.1.4.2 A-2.
+TEST(VoxelGraph, RaisesWeightsAtTheNodesOfLargestDegree) {
+  const auto weights = weightsOf(buildVoxelGraph(cube(5), {false, 2.0, 1.0}).graph);
+  EXPECT_EQ(weights.at({62, 61}), 3.0);  // inside
+  EXPECT_EQ(weights.at({61, 60}), 3.0);  // from inside to a face
+  EXPECT_EQ(weights.at({0, 1}), 1.0);    // along an edge of the cube
+  EXPECT_EQ(weights.at({6, 7}), 1.0);    // within a face
+}
+
 TEST(VoxelGraph, RaisesWeightsAtTheCoreOnly) {
   const VoxelGraph voxels = buildVoxelGraph(cube(5), {false, 7.0});
   expectSymmetric(voxels.graph);

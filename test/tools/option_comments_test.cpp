@@ -94,6 +94,8 @@ TEST_F(OptionComments, AreTheMeaningsThatTheLoaderGives) {
   expectSame<NetworkOptions>("NetworkOptions");
   expectSame<HullOptions>("HullOptions");
   expectSame<SegmentationOptions>("SegmentationOptions");
+  expectSame<ColorBonus>("ColorBonus");
+  expectSame<SplineWalkOptions>("SplineWalkOptions");
   expectSame<PoseTreeOptions>("PoseTreeOptions");
   expectSame<TrackerOptions>("TrackerOptions", {"person"});
   expectSame<PersonOptions>("PersonOptions");

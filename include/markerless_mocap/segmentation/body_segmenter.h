@@ -24,8 +24,7 @@ struct ColorBonus {
   void visit(OptionVisitor& v);
 };
 
-/// Settings of the branch method spline_walk (Hsiao 2008, 3.1.4). Lengths are relative to the
-/// distance of a branch's start from the origin of the eigenmap.
+/// Settings of the branch method spline_walk (Hsiao 2008, 3.1.4).
 struct SplineWalkOptions {
   /// P: number of nodes that a branch begins with, as a fraction of all nodes
   double initial_nodes = 0.02;
@@ -33,9 +32,8 @@ struct SplineWalkOptions {
   double step_nodes = 0.005;
   /// a new principal direction is used where it turns by more than this, rad
   double turn_angle = 0.35;
-  /// a branch ends this near the origin, as a fraction of its start's distance; about 0.3 for a
-  /// small shrink_weight
-  double stop_radius = 0.15;
+  /// a branch ends this near the origin, as a fraction of the largest distance of a node from it
+  double stop_radius = 0.08;
   /// OT_1: a branch ends with more outliers than this, as a fraction of all nodes
   double max_outliers = 0.001;
   /// OT_2: a node this far from the spline is an outlier, as a fraction of its start's distance
@@ -53,7 +51,7 @@ struct SegmentationOptions {
   /// spline_walk: by splines that grow inwards from the extremities
   std::string branch_method = "merge_tree";
   /// where a branch of spline_walk ends; origin: near the origin of the eigenmap (Hsiao 2008), with
-  /// a shrink_weight of about 100; outliers: where many nodes are far from the spline (Sundaresan
+  /// a shrink_weight; outliers: where many nodes are far from the spline (Sundaresan
   /// and Chellappa 2008), with shrink_weight 0
   std::string walk_stop = "origin";
   /// dimensions of the eigenmap; 0: 10 for merge_tree, 6 for spline_walk

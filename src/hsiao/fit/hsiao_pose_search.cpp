@@ -139,7 +139,7 @@ BodyPose HsiaoPoseSearch::validateStart(const HsiaoObservation& now, const Hsiao
   BodyPose pose = validator_.validate(v, now);
   if (pose.status == PoseStatus::kLost) return pose;
   pose.status = PoseStatus::kReinitialized;
-  if (!canStartFrom(pose.part_seen)) {
+  if (options_.use_hull && !canStartFrom(pose.part_seen)) {
     pose.status = PoseStatus::kLost;
     pose.reason = "torso, head and both legs must be seen at the start; " + pose.reason;
   }

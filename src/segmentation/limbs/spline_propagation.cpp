@@ -20,12 +20,16 @@ enum State : char { kFree, kWalked, kTaken };
 
 class Walk {
  public:
+  /// \param stop_distance from the origin
   Walk(const Eigen::MatrixXd& positions, SplineTermination stop, const SplineWalkOptions& options,
-       std::vector<char>* state, uint32_t start)
-      : positions_(positions), stop_(stop), options_(options), state_(*state), start_(start) {
-    reach_ = positions_.row(start_).norm();
-    stop_distance_ = options_.stop_radius * reach_;
-  }
+       double stop_distance, std::vector<char>* state, uint32_t start)
+      : positions_(positions),
+        stop_(stop),
+        options_(options),
+        stop_distance_(stop_distance),
+        state_(*state),
+        start_(start),
+        reach_(positions.row(start).norm()) {}
 
   Branch run() {
     begin();
@@ -160,9 +164,10 @@ class Walk {
   const Eigen::MatrixXd& positions_;
   SplineTermination stop_;
   const SplineWalkOptions& options_;
+  double stop_distance_;
   std::vector<char>& state_;
   uint32_t start_;
-  double reach_, stop_distance_;
+  double reach_;
   Eigen::RowVectorXd direction_;
   std::vector<uint32_t> members_;
   std::vector<double> sites_;
@@ -177,6 +182,8 @@ std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermina
                                               int count, const SplineWalkOptions& options) {
   std::vector<char> state(size_t(map.vectors.rows()), kFree);
   const Eigen::VectorXd distance = map.vectors.rowwise().norm();
+  const double stop_distance =
+      options.stop_radius * (distance.size() > 0 ? distance.maxCoeff() : 0.0);
   std::vector<Branch> branches;
   while (int(branches.size()) < count && map.vectors.cols() > 0) {
     int start = -1;
@@ -185,7 +192,8 @@ std::vector<Branch> splinePropagationBranches(const Eigenmap& map, SplineTermina
         start = int(node);
     }
     if (start < 0) break;
-    branches.push_back(Walk(map.vectors, stop, options, &state, uint32_t(start)).run());
+    branches.push_back(
+        Walk(map.vectors, stop, options, stop_distance, &state, uint32_t(start)).run());
   }
   return branches;
 }

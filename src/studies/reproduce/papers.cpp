@@ -1,4 +1,5 @@
 #include "studies/reproduce/fleischmann/fleischmann_paper.h"
+#include "studies/reproduce/hsiao/hsiao_paper.h"
 #include "studies/reproduce/paper.h"
 
 namespace markerless_mocap {
@@ -6,6 +7,7 @@ namespace markerless_mocap {
 const std::map<std::string, PaperMaker>& papers() {
   static const std::map<std::string, PaperMaker> kPapers = {
       {"fleischmann", makeFleischmannPaper},
+      {"hsiao", makeHsiaoPaper},
   };
   return kPapers;
 }

@@ -7,6 +7,9 @@
 
 namespace markerless_mocap {
 
+/// Weight that Eq. 3-14 adds for two colours at this distance in RGB.
+double similarityWeight(double d);
+
 /// A figure in the plane with thin limbs and a thick trunk and head, each of one colour (after
 /// Hsiao 2008, Fig. 3-12 a): BGR on black.
 cv::Mat testImage();

@@ -1,4 +1,4 @@
-#include "studies/eigenmap_figures/eigenmap_drawing.h"
+#include "studies/reproduce/hsiao/embedding_drawing.h"
 
 #include <algorithm>
 #include <cmath>

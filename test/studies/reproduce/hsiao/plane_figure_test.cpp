@@ -1,16 +1,12 @@
-#include "studies/eigenmap_figures/eigenmap_figures.h"
+#include "studies/reproduce/hsiao/plane_figure.h"
 
-#include <opencv2/imgcodecs.hpp>
+#include <gtest/gtest.h>
+
 #include <set>
 
-#include "ros/hull_conversions.h"
 #include "segmentation/eigenmap.h"
 #include "segmentation/spline_propagation.h"
-#include "segmentation/voxel_figure.h"
-#include "studies/eigenmap_figures/eigenmap_drawing.h"
-#include "studies/eigenmap_figures/eigenmap_test_image.h"
-#include "tools/common/bag_io.h"
-#include "tools/tool_fixture.h"
+#include "studies/reproduce/hsiao/embedding_drawing.h"
 
 namespace markerless_mocap {
 namespace {
@@ -55,8 +51,10 @@ TEST(PixelGraph, TellsColorsApart) {
 /// How many of the figure's tips (head, hands, feet) lie in branches of their own.
 size_t tipsApart(const PixelGraphOptions& weights, SplineTermination stop) {
   const PixelGraph plane = pixelGraph(testImage(), weights);
+  SplineWalkOptions walk;
+  walk.stop_radius = 0.3;
   const std::vector<int> branch =
-      branchOfNodes(splinePropagationBranches(laplacianEigenmap(plane.graph, 6), stop, 5, 0.3),
+      branchOfNodes(splinePropagationBranches(laplacianEigenmap(plane.graph, 6), stop, 5, walk),
                     plane.pixel.size());
   std::set<int> found;
   for (size_t node = 0; node < plane.pixel.size(); ++node) {
@@ -96,50 +94,6 @@ TEST(EigenmapDrawing, ShowsTheDimensionsAskedFor) {
   };
   EXPECT_GT(inColor(0, 1), 5);
   EXPECT_GT(inColor(3, 2), 5);
-}
-
-using EigenmapFiguresTool = ToolTest;
-
-TEST_F(EigenmapFiguresTool, DrawsTheTestImageAlone) {
-  EigenmapFigureOptions what;
-  what.folder = path("figures");
-  const std::vector<std::string> files = drawEigenmapFigures(what);
-  ASSERT_EQ(files.size(), 3u);
-  for (const std::string& file : files) EXPECT_EQ(cv::imread(file).cols, 4 * kPanel) << file;
-}
-
-TEST_F(EigenmapFiguresTool, DrawsHullsOfABag) {
-  {
-    BagWriter bag(path("hulls.bag"));
-    for (int i = 0; i < 2; ++i) {
-      const VisualHull hull = standingFigure(1.0 + 0.03 * i).hull();
-      std_msgs::Header header;
-      header.frame_id = "world";
-      header.stamp = ros::Time(1.0 + 0.1 * i);
-      bag.write("/hull/grid", header.stamp, messageFromLattice(hull.lattice, header));
-      bag.write("/hull/points", header.stamp, messageFromHull(hull, header));
-    }
-    bag.commit();
-  }
-  EigenmapFigureOptions what;
-  what.folder = path("figures");
-  what.input = path("hulls.bag");
-  what.frame_sets = 5;  // there are two
-  ASSERT_EQ(hullsOf(what).size(), 2u);
-  EXPECT_EQ(drawEigenmapFigures(what).size(), 3u + 2u * 3u);
-  const cv::Mat first = cv::imread(path("figures/hull_modified_0.png"));
-  const cv::Mat second = cv::imread(path("figures/hull_modified_1.png"));
-  ASSERT_EQ(first.size(), second.size());
-  cv::Mat ink;
-  cv::inRange(first(cv::Rect(0, 30, kPanel, kPanel - 10)), branchColor(1), branchColor(1), ink);
-  EXPECT_GT(cv::countNonZero(ink), 20);
-  EigenmapFigureOptions bad = what;
-  bad.folder = path("hulls.bag");
-  EXPECT_EQ(errorTextOf<std::exception>([&] { drawEigenmapFigures(bad); }),
-            "cannot make the folder " + path("hulls.bag"));
-  what.at = 5.0;
-  EXPECT_EQ(errorTextOf<std::exception>([&] { hullsOf(what); }),
-            "the bag has no hull with voxels on /hull/points from that time on");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "studies/eigenmap_figures/eigenmap_test_image.h"
+#include "studies/reproduce/hsiao/plane_figure.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -12,11 +12,14 @@ constexpr double kThreshold = 60.0,
                  kDissimilar = -0.9;  // thd and h of Eq. 3-14; k d + l falls from 1
 
 double colorWeight(const cv::Vec3b& a, const cv::Vec3b& b) {
-  const double d = cv::norm(cv::Vec3d(a) - cv::Vec3d(b));
-  return d < kThreshold ? 1.0 - d / kThreshold : kDissimilar;
+  return similarityWeight(cv::norm(cv::Vec3d(a) - cv::Vec3d(b)));
 }
 
 }  // namespace
+
+double similarityWeight(double d) {
+  return d < kThreshold ? 1.0 - d / kThreshold : kDissimilar;
+}
 
 cv::Mat testImage() {
   const cv::Scalar skin(150, 190, 240), suit(190, 90, 50);
