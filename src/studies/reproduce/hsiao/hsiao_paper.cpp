@@ -38,6 +38,15 @@ Json settingsOf(const Capture& capture, const Overrides& changes) {
   return settings;
 }
 
+/// The changes of all variants of the segmentation, by path.
+Overrides variantChanges() {
+  Overrides all;
+  for (const PartVariant& variant : partVariants())
+    for (const auto& [key, value] : variant.changes)
+      all.emplace_back(variant.name + "/" + key, value);
+  return all;
+}
+
 std::vector<PaperRun> HsiaoPaper::runs(const std::vector<Capture>& captures) const {
   std::vector<PaperRun> runs;
   const auto add = [&](const std::string& name, const Capture& capture, const Overrides& changes,
@@ -55,7 +64,8 @@ std::vector<PaperRun> HsiaoPaper::runs(const std::vector<Capture>& captures) con
     }
     add(capture.name + "_basic", capture, kBasicOnly, 2.0,
         [capture] { return trackSequence(capture, kBasicOnly, false); });
-    add(capture.name + "_parts", capture, {}, 1.0, [capture] { return segmentSequence(capture); });
+    add(capture.name + "_parts", capture, variantChanges(), 1.0,
+        [capture] { return segmentSequence(capture); });
     runs.push_back(offlineRun(capture, {capture.name + "_default", "", {}}, folder));
   }
   const Capture& wave = captures[0];
