@@ -13,6 +13,7 @@
 #include <string>
 
 #include "markerless_mocap/hull/hull_carver.h"
+#include "markerless_mocap/skeleton/pose_tree_options.h"
 #include "skeleton/thinner.h"
 #include "skeleton/thinning/bit_volume_components.h"
 #include "skeleton/thinning/bit_volume_window.h"
@@ -22,7 +23,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kPeelingRounds = 3;
+/// Of the product at both resolutions: 0.02 m are about one voxel.
+constexpr int kPeelingRounds = 1;
 
 Camera cameraAt(double angle, double height) {
   CameraCalibration c;
@@ -91,7 +93,7 @@ const VisualHull& personHull(int voxels) {
 
 void thinHull(benchmark::State& state) {
   const VisualHull& hull = personHull(int(state.range(0)));
-  Thinner thinner;
+  Thinner thinner(PoseTreeOptions().persistence);
   size_t voxels = 0;
   for (auto _ : state) voxels = thinner.thin(hull).voxels.size();
   state.counters["voxels"] = double(hull.voxels.size());

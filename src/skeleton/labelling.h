@@ -16,10 +16,6 @@
 
 namespace markerless_mocap {
 
-/// Persistence of the thinning before labelling, metres (see Thinner). It is small, as feet that
-/// touch stand out little.
-constexpr double kTreePersistence = 0.02;
-
 /// Labelling of one frame.
 class Labelling {
  public:

@@ -42,7 +42,7 @@ class PoseTreeBuilder::State {
  private:
   PoseTreeOptions options_;
   PoseTreeModel model_;
-  Thinner thinner_{kTreePersistence};
+  Thinner thinner_{options_.persistence};
   PreviousExtremities last_;
 };
 

@@ -42,7 +42,7 @@ TEST(LeftRight, StretchIsCutByWayFromTheEnd) {
 }
 
 TEST(LeftRight, BentLegsTellForward) {
-  const BodyAxes axes = findAxes(crouching());
+  const BodyAxes axes = findAxes(crouching(), {});
   ASSERT_TRUE(axes.known);
   EXPECT_GT(axes.forward.x(), 0.9);
   EXPECT_GT(axes.left.y(), 0.9);
@@ -51,7 +51,7 @@ TEST(LeftRight, BentLegsTellForward) {
 
 TEST(LeftRight, BothRulesNameTheLimbs) {
   BodyPaths body = crouching();
-  const BodyAxes axes = findAxes(body);
+  const BodyAxes axes = findAxes(body, {});
   EXPECT_TRUE(firstIsLeftByAngles(body.arms, 0.1, body, axes));
   EXPECT_GT(leftOffset(body.arms[0], body.arms[1], axes), 0.1);
   EXPECT_GT(leftOffset(body.own_legs[0], body.own_legs[1], axes), 0.1);
@@ -62,7 +62,7 @@ TEST(LeftRight, BothRulesNameTheLimbs) {
 
 TEST(LeftRight, ShoulderVectorsOnOneSideAreToldByTheAngleToForward) {
   const BodyPaths body = crouching();
-  const BodyAxes axes = findAxes(body);
+  const BodyAxes axes = findAxes(body, {});
   const NodePath both[2] = {between({{-0.3, 0.4, 1.2}, {0, 0, 1.2}}),
                             between({{0.3, 0.4, 1.2}, {0, 0, 1.2}})};
   EXPECT_TRUE(firstIsLeftByAngles(both, 0.3, body, axes));  // Algorithm 6, step 5
@@ -71,7 +71,7 @@ TEST(LeftRight, ShoulderVectorsOnOneSideAreToldByTheAngleToForward) {
 TEST(LeftRight, StraightLegsWithoutFeetTellNothing) {
   BodyPaths body = crouching();
   for (NodePath& leg : body.legs) leg = between({{0, 0.1, 0.0}, {0, 0.1, 0.8}});
-  EXPECT_FALSE(findAxes(body).known);
+  EXPECT_FALSE(findAxes(body, {}).known);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Labelled {
 Labelled labelled(const VisualHull& hull) {
   const PoseTreeOptions options;
   Labelling labelling(options, PoseTreeModel::standard(), hull,
-                      Thinner(kTreePersistence).thin(hull));
+                      Thinner(PoseTreeOptions().persistence).thin(hull));
   PreviousExtremities ends;
   Labelled out;
   out.tree = labelling.run({}, &ends);

@@ -12,8 +12,6 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr double kSmoothing = 0.03;  // standard deviation along the skeleton, metres
-
 std::vector<TreeLinks::Edge> neighbourEdges(const CurveSkeleton& skeleton,
                                             const std::vector<Eigen::Vector3i>& cells) {
   const TreeVoxels table(skeleton, cells);
@@ -39,13 +37,13 @@ struct Reached {
   }
 };
 
-/// Shortest paths from `root`.
+/// Shortest paths from `root`; breadth first, all steps are equally long.
 struct Walk {
   std::vector<double> path_lengths;
   std::vector<int32_t> parents;
   std::vector<int32_t> order;  ///< nodes in the order in which they are settled
 
-  Walk(int32_t root, const TreeLinks& links)
+  Walk(int32_t root, const TreeLinks& links, bool breadth_first)
       : path_lengths(links.size(), std::numeric_limits<double>::infinity()),
         parents(links.size(), -1) {
     std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> open;
@@ -57,7 +55,7 @@ struct Walk {
       if (at.path_length > path_lengths[size_t(at.node)]) continue;
       order.push_back(at.node);
       for (auto link = links.begin(at.node); link != links.end(at.node); ++link) {
-        const double path_length = at.path_length + link->length;
+        const double path_length = at.path_length + (breadth_first ? 1.0 : link->length);
         if (path_length >= path_lengths[size_t(link->to)]) continue;
         path_lengths[size_t(link->to)] = path_length;
         parents[size_t(link->to)] = at.node;
@@ -117,10 +115,18 @@ void closeLoops(const std::vector<TreeLinks::Edge>& edges, const std::vector<int
   for (const TreeLinks::Edge& edge : closing) finder.offer(edge, loop_length);
 }
 
+void measurePaths(TreeGraph* graph) {
+  const std::vector<Eigen::Vector3d>& at = graph->positions;
+  for (size_t node = 1; node < at.size(); ++node) {
+    const size_t parent = size_t(graph->parents[node]);
+    graph->path_lengths[node] = graph->path_lengths[parent] + (at[node] - at[parent]).norm();
+  }
+}
+
 /// Moves the nodes repeatedly to the mean of their neighbours, until the steps between voxels are
 /// smoothed; ends stay. Lengths then do not depend on the pitch or on the skeleton's position in
 /// the lattice.
-void smoothPositions(TreeGraph* graph) {
+void smoothPositions(double smoothing, TreeGraph* graph) {
   std::vector<Eigen::Vector3d>& at = graph->positions;
   std::vector<Eigen::Vector3d> sums(at.size());
   std::vector<int> counts(at.size());
@@ -130,8 +136,9 @@ void smoothPositions(TreeGraph* graph) {
     ++counts[size_t(a)];
     ++counts[size_t(b)];
   };
-  const double steps = kSmoothing / graph->pitch;
-  const int rounds = std::clamp(int(std::lround(2.0 * steps * steps)), 1, 40);
+  const double steps = smoothing / graph->pitch;
+  const int rounds =
+      smoothing == 0.0 ? 0 : std::clamp(int(std::lround(2.0 * steps * steps)), 1, 40);
   for (int round = 0; round < rounds; ++round) {
     std::fill(sums.begin(), sums.end(), Eigen::Vector3d::Zero());
     std::fill(counts.begin(), counts.end(), 0);
@@ -140,17 +147,15 @@ void smoothPositions(TreeGraph* graph) {
     for (size_t node = 0; node < at.size(); ++node)
       if (counts[node] > 1) at[node] = 0.5 * (at[node] + sums[node] / counts[node]);
   }
-  for (size_t node = 1; node < at.size(); ++node) {
-    const size_t parent = size_t(graph->parents[node]);
-    graph->path_lengths[node] = graph->path_lengths[parent] + (at[node] - at[parent]).norm();
-  }
+  measurePaths(graph);
   for (TreeLinks::Edge& edge : graph->loop_edges)
     edge.length = (at[size_t(edge.a)] - at[size_t(edge.b)]).norm();
 }
 
 }  // namespace
 
-TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length) {
+TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length,
+                        const TreePaths& paths) {
   TreeGraph graph;
   graph.pitch = skeleton.lattice.pitch;
   const size_t count = skeleton.voxels.size();
@@ -167,7 +172,7 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
   for (size_t node = 0; node < count; ++node) {
     if (kept[node] && (root < 0 || cells[node].z() > cells[size_t(root)].z())) root = int32_t(node);
   }
-  const Walk walk(root, TreeLinks(count, edges));
+  const Walk walk(root, TreeLinks(count, edges), paths.breadth_first);
   std::vector<int32_t> place(count, -1);
   for (size_t i = 0; i < walk.order.size(); ++i) {
     const size_t node = size_t(walk.order[i]);
@@ -177,8 +182,9 @@ TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_l
     graph.path_lengths.push_back(walk.path_lengths[node]);
     graph.parents.push_back(walk.parents[node] < 0 ? -1 : place[size_t(walk.parents[node])]);
   }
+  if (paths.breadth_first) measurePaths(&graph);
   closeLoops(edges, place, loop_length, &graph);
-  smoothPositions(&graph);
+  smoothPositions(paths.smoothing, &graph);
   return graph;
 }
 

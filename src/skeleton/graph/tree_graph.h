@@ -52,10 +52,17 @@ struct TreeGraph {
   }
 };
 
+/// How the tree of a graph is found.
+struct TreePaths {
+  bool breadth_first = false;  ///< by the number of voxels instead of the length
+  double smoothing = 0.03;     ///< standard deviation along the skeleton, metres; 0: none
+};
+
 /// Builds the graph of the component with the most voxels, and of those within a gap of it; other
-/// components are left out (Algorithm 2, with shortest paths instead of a breadth-first search).
+/// components are left out (Algorithm 2).
 /// \param loop_length shorter loops are artefacts of the lattice and are not listed, metres
-TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length);
+TreeGraph makeTreeGraph(const CurveSkeleton& skeleton, double gap, double loop_length,
+                        const TreePaths& paths = {});
 
 /// Path lengths along the tree from one node to all nodes, metres.
 std::vector<double> treePathLengthsFrom(const TreeGraph& graph, int32_t node);

@@ -64,7 +64,7 @@ bool nameParts(RerootedTree* tree) {
   return hips >= 0 && tree->nodes[size_t(hips)].part == TreePart::kTorso;
 }
 
-double rerootedRank(const RerootedTree& tree, double longest) {
+double rerootedRank(const RerootedTree& tree, double longest, const PoseTreeOptions& options) {
   const auto pathLengthUp = [&](int32_t node, const auto& stops) {
     double path_length = 0.0;
     while (!stops(node)) {
@@ -91,7 +91,7 @@ double rerootedRank(const RerootedTree& tree, double longest) {
     path_lengths[i] = {own.first + to_origin.first, own.first};
     at_origin &= to_origin.second == tree.origin;
   }
-  return originRank(path_lengths, at_origin ? 4 : 3, longest);
+  return originRank(path_lengths, at_origin ? 4 : 3, longest, options);
 }
 
 std::vector<Eigen::Vector3d> limbPath(const RerootedTree& tree, UnsidedExtremity end) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "markerless_mocap/products/pose_tree.h"
+#include "markerless_mocap/skeleton/pose_tree_options.h"
 #include "skeleton/graph/tree_graph.h"
 #include "skeleton/labelling/label_choice.h"
 
@@ -31,7 +32,7 @@ RerootedTree rerootTree(const TreeGraph& graph, const LabelChoice& choice);
 bool nameParts(RerootedTree* tree);
 
 /// Rank of the origin of a tree with labelled parts and a torso, see originRank().
-double rerootedRank(const RerootedTree& tree, double longest);
+double rerootedRank(const RerootedTree& tree, double longest, const PoseTreeOptions& options);
 
 /// Positions of the nodes from an extremity upwards to the end of its part.
 std::vector<Eigen::Vector3d> limbPath(const RerootedTree& tree, UnsidedExtremity end);

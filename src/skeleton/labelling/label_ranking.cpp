@@ -4,13 +4,9 @@
 #include <cmath>
 
 #include "skeleton/graph/tree_metric.h"
-#include "skeleton/labelling/label_proportions.h"
 
 namespace markerless_mocap {
 namespace {
-
-// Voxel size for which the paper's penalty for a shortened arm was defined: 2 m / 128.
-constexpr double kStep = 2.0 / 128.0;
 
 double lengthSimilarity(double a, double b) {
   return std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 0.0;
@@ -44,12 +40,13 @@ std::array<int32_t, kUnsidedExtremityCount> byPathLength(const TreeMetric& metri
   return {extremities[4], extremities[2], extremities[3], extremities[0], extremities[1]};
 }
 
-double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, double longest) {
+double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, double longest,
+              const PoseTreeOptions& options) {
   std::array<ExtremityPathLengths, kUnsidedExtremityCount> path_lengths{};
   const auto extremities = byPathLength(metric, origin);
   for (size_t i = 0; i < extremities.size(); ++i)
     path_lengths[i] = {metric.path_length(extremities[i], origin), metric.branch(extremities[i])};
-  return originRank(path_lengths, tree.degrees[size_t(origin)], longest);
+  return originRank(path_lengths, tree.degrees[size_t(origin)], longest, options);
 }
 
 /// Each extremity of the last frame is matched to the nearest end that is left.
@@ -74,30 +71,31 @@ std::array<int32_t, kUnsidedExtremityCount> byPreviousFrame(
 }  // namespace
 
 double originRank(const std::array<ExtremityPathLengths, kUnsidedExtremityCount>& extremities,
-                  int degree, double longest) {
+                  int degree, double longest, const PoseTreeOptions& options) {
+  const LimbRatios& ideal = options.limb_ratios;
   const auto at = [&](UnsidedExtremity end) { return extremities[size_t(end)]; };
-  double rank = std::exp(-double((degree - 4) * (degree - 4)) / 3.0);
+  double rank = std::exp(-double((degree - 4) * (degree - 4)) / options.degree_spread);
+  const double beyond = options.leg_rank == "printed" ? ideal.leg() : ideal.torso();
   for (const UnsidedExtremity foot : {UnsidedExtremity::kFoot1, UnsidedExtremity::kFoot2}) {
-    rank *=
-        lengthSimilarity(label_ratio::kLeg * longest, at(foot).to_branching) *
-        lengthSimilarity(label_ratio::kTorso * longest, at(foot).to_origin - at(foot).to_branching);
+    rank *= lengthSimilarity(ideal.leg() * longest, at(foot).to_origin) *
+            lengthSimilarity(beyond * longest, at(foot).to_origin - at(foot).to_branching);
   }
-  const auto shortened = [](const ExtremityPathLengths& w) {
-    return 1.0 / (1.0 + (w.to_origin - w.to_branching) / kStep);
+  const auto shortened = [&](const ExtremityPathLengths& w) {
+    return 1.0 / (1.0 + (w.to_origin - w.to_branching) / options.shortening_unit);
   };
   for (const UnsidedExtremity hand : {UnsidedExtremity::kHand1, UnsidedExtremity::kHand2})
-    rank *= lengthSimilarity(label_ratio::kArm * longest, at(hand).to_origin) * shortened(at(hand));
-  rank *= lengthSimilarity(label_ratio::kNeck * longest, at(UnsidedExtremity::kHead).to_origin) *
+    rank *= lengthSimilarity(ideal.arm() * longest, at(hand).to_origin) * shortened(at(hand));
+  rank *= lengthSimilarity(ideal.neck() * longest, at(UnsidedExtremity::kHead).to_origin) *
           shortened(at(UnsidedExtremity::kHead));
   return rank;
 }
 
-LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio,
+LabelChoice labelByRank(const TreeGraph& graph, const PoseTreeOptions& options,
                         const PreviousExtremities& last) {
   LabelChoice choice;
   TreeChains tree = makeChains(graph);
   choice.longest = longestPathLength(graph);
-  pruneChains(prune_ratio * choice.longest, &tree);
+  pruneChains(options.prune_ratio * choice.longest, &tree);
   keepFourLongest(&tree);
   const TreeMetric metric(graph, tree);
   if (metric.ends().size() != size_t(kUnsidedExtremityCount)) {
@@ -107,7 +105,7 @@ LabelChoice labelByRank(const TreeGraph& graph, double prune_ratio,
   }
   int32_t origin = -1;
   for (const int32_t vertex : metric.branchings()) {
-    const double rank = rankOf(metric, tree, vertex, choice.longest);
+    const double rank = rankOf(metric, tree, vertex, choice.longest, options);
     if (origin >= 0 && rank <= choice.rank) continue;
     origin = vertex;
     choice.rank = rank;

@@ -6,7 +6,6 @@
 
 #include "skeleton/label_template.h"
 #include "skeleton/labelling/extremity_position.h"
-#include "skeleton/labelling/label_proportions.h"
 #include "skeleton/labelling/pose_joints.h"
 #include "skeleton/labelling/validity_model.h"
 #include "skeleton/plausibility_checks.h"
@@ -27,7 +26,7 @@ Labelling::Labelling(const PoseTreeOptions& options, const PoseTreeModel& model,
 
 void Labelling::choose(const PreviousExtremities& last) {
   if (options_.labelling == "ranking") {
-    choice_ = labelByRank(graph_, options_.prune_ratio, last);
+    choice_ = labelByRank(graph_, options_, last);
     tree_.rank = choice_.rank;
     tree_.validity = choice_.rank;
   } else {
@@ -38,29 +37,33 @@ void Labelling::choose(const PreviousExtremities& last) {
 void Labelling::reroot() {
   rerooted_ = rerootTree(graph_, choice_);
   if (choice_.status == TreeStatus::kOk) torso_ = nameParts(&rerooted_);
-  if (torso_ && choice_.rank == 0.0) tree_.rank = rerootedRank(rerooted_, choice_.longest);
+  if (torso_ && choice_.rank == 0.0)
+    tree_.rank = rerootedRank(rerooted_, choice_.longest, options_);
   tree_.nodes = rerooted_.nodes;
   tree_.origin = rerooted_.origin;
 }
 
 void Labelling::placeExtremities() {
+  const bool at_leaf = options_.extremities == "leaf";
   const NodePath* paths[] = {&body_.head, &body_.arms[0], &body_.arms[1], &body_.legs[0],
                              &body_.legs[1]};
   for (size_t i = 0; i < rerooted_.extremities.size(); ++i) {
     const int32_t node = rerooted_.extremities[i];
     const Eigen::Vector3d at = rerooted_.nodes[size_t(node)].position;
     const NodePath path = paths[i]->empty() ? NodePath{at} : *paths[i];
-    tree_.extremities[i] = {
-        node, at,
-        extremityPosition(path, UnsidedExtremity(i), choice_.closed[i], choice_.longest, volume_)};
+    tree_.extremities[i] = {node, at,
+                            at_leaf
+                                ? at
+                                : extremityPosition(path, UnsidedExtremity(i), choice_.closed[i],
+                                                    choice_.longest, volume_)};
   }
-  if (!feetTogether() || !axes_.known) return;
+  if (at_leaf || !feetTogether() || !axes_.known) return;
   const auto balls = footPositionsOfSharedExtremity(body_.legs[0], axes_, choice_.longest, volume_);
   for (size_t i = 0; i < 2; ++i) tree_.extremities[3 + i].position = balls[i];
 }
 
 void Labelling::estimateBodyAxes() {
-  axes_ = findAxes(body_);
+  axes_ = findAxes(body_, options_);
   if (!axes_.known) return;
   tree_.forward = axes_.forward;
   tree_.left = axes_.left;
@@ -82,10 +85,10 @@ void Labelling::assignSides() {
   const bool by_angles = options_.side_rule == "angles";
   const double arms = leftOffset(body_.arms[0], body_.arms[1], axes_);
   const double legs = leftOffset(body_.own_legs[0], body_.own_legs[1], axes_);
-  if (by_angles ? !firstIsLeftByAngles(body_.arms, label_ratio::kShoulder, body_, axes_)
+  if (by_angles ? !firstIsLeftByAngles(body_.arms, options_.limb_ratios.shoulder, body_, axes_)
                 : arms < 0.0)
     swapSides(1, TreePart::kLeftArm, TreePart::kRightArm);
-  if (by_angles ? !firstIsLeftByAngles(body_.own_legs, label_ratio::kHip, body_, axes_)
+  if (by_angles ? !firstIsLeftByAngles(body_.own_legs, options_.limb_ratios.hip, body_, axes_)
                 : legs < 0.0)
     swapSides(3, TreePart::kLeftLeg, TreePart::kRightLeg);
 }
@@ -105,13 +108,14 @@ void Labelling::assessValidity() {
 PoseTree Labelling::run(const PreviousExtremities& last, PreviousExtremities* now) {
   if (const auto rejection = rejectSkeleton(tree_.skeleton))
     return reject(rejection->status, rejection->reason);
-  graph_ = makeTreeGraph(tree_.skeleton, kMaxGap, kMinLoop);
+  graph_ = makeTreeGraph(tree_.skeleton, kMaxGap, kMinLoop,
+                         {options_.tree_paths == "breadth_first", options_.smoothing});
   if (const auto rejection = rejectSkeleton(hull_, graph_))
     return reject(rejection->status, rejection->reason);
   choose(last);
   reroot();
   if (choice_.status != TreeStatus::kOk) return reject(choice_.status, choice_.reason);
-  body_ = bodyPaths(rerooted_, choice_.longest);
+  body_ = bodyPaths(rerooted_, choice_.longest, options_);
   estimateBodyAxes();
   placeExtremities();
   assignSides();

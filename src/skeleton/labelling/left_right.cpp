@@ -4,33 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skeleton/labelling/label_proportions.h"
-
 namespace markerless_mocap {
 namespace {
-
-constexpr double kLongestTorso = 1.6 * label_ratio::kTorso;
-constexpr double kMinBend = 0.14;  // sine of 8 degrees; below it a joint counts as straight
 
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
 }
 
 /// Axis of a hinge joint, to the left; zero if the joint is straight.
-Eigen::Vector3d hinge(const Eigen::Vector3d& below, const Eigen::Vector3d& above) {
+Eigen::Vector3d hinge(const Eigen::Vector3d& below, const Eigen::Vector3d& above, double min_bend) {
   const Eigen::Vector3d axis = below.cross(above);
-  return axis.norm() > kMinBend ? axis : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  return axis.norm() > min_bend ? axis : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
 /// Sum of the axes of a leg's ankle and knee.
-Eigen::Vector3d legNormal(const NodePath& leg, bool foot_seen, double longest) {
-  using namespace label_ratio;
-  const double ankle = (kFoot + kToe) * longest, knee = ankle + kLowerLeg * longest;
+Eigen::Vector3d legNormal(const NodePath& leg, bool foot_seen, double longest,
+                          const PoseTreeOptions& options) {
+  const LimbRatios& ratios = options.limb_ratios;
+  const double ankle = (ratios.foot + ratios.toe) * longest,
+               knee = ankle + ratios.lower_leg * longest;
   const Eigen::Vector3d foot = lineDirection(pathSection(leg, 0.0, ankle));
   const Eigen::Vector3d shank = lineDirection(pathSection(leg, ankle, knee));
-  const Eigen::Vector3d thigh = lineDirection(pathSection(leg, knee, knee + kThigh * longest));
-  Eigen::Vector3d normal = hinge(shank, -thigh);
-  if (foot_seen) normal += hinge(foot, shank);
+  const Eigen::Vector3d thigh =
+      lineDirection(pathSection(leg, knee, knee + ratios.thigh * longest));
+  Eigen::Vector3d normal = hinge(shank, -thigh, options.min_bend);
+  if (foot_seen) normal += hinge(foot, shank, options.min_bend);
   return normal;
 }
 
@@ -42,7 +40,7 @@ double lengthOf(const NodePath& path) {
 
 }  // namespace
 
-BodyPaths bodyPaths(const RerootedTree& tree, double longest) {
+BodyPaths bodyPaths(const RerootedTree& tree, double longest, const PoseTreeOptions& options) {
   BodyPaths body;
   body.longest = longest;
   body.head = limbPath(tree, UnsidedExtremity::kHead);
@@ -54,7 +52,8 @@ BodyPaths bodyPaths(const RerootedTree& tree, double longest) {
     if (node.part == TreePart::kTorso) body.torso.push_back(node.position);
   // If the legs are merged, the torso's path also contains the way to the feet: only the length of
   // a torso is used.
-  const NodePath torso = pathSection(body.torso, 0.0, kLongestTorso * longest);
+  const NodePath torso =
+      pathSection(body.torso, 0.0, options.max_torso * options.limb_ratios.torso() * longest);
   for (size_t i = body.torso.size(); i-- > torso.size();)
     for (NodePath& leg : body.legs) leg.push_back(body.torso[i]);
   body.torso.assign(torso.rbegin(), torso.rend());
@@ -84,19 +83,18 @@ NodePath pathSection(const NodePath& path, double from, double to) {
   return out;
 }
 
-BodyAxes findAxes(const BodyPaths& body) {
+BodyAxes findAxes(const BodyPaths& body, const PoseTreeOptions& options) {
   BodyAxes axes;
   axes.up = lineDirection(body.torso);
-  const double foot = (label_ratio::kFoot + label_ratio::kToe) * body.longest;
+  const double foot = (options.limb_ratios.foot + options.limb_ratios.toe) * body.longest;
   const double first = lengthOf(body.legs[0]), second = lengthOf(body.legs[1]);
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();
   Eigen::Vector3d legs[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (int leg = 0; leg < 2; ++leg) {
-    const bool foot_seen = (leg == 0 ? second - first : first - second) < 2.0 * foot;
-    const Eigen::Vector3d normal = legNormal(body.legs[leg], foot_seen, body.longest);
+    const bool foot_seen = (leg == 0 ? second - first : first - second) < options.short_leg * foot;
+    const Eigen::Vector3d normal = legNormal(body.legs[leg], foot_seen, body.longest, options);
     if (normal.norm() > 0.0) legs[leg] = normal.normalized().cross(axes.up);
     forward += legs[leg];
-    axes.bend += normal.norm();
   }
   axes.known = forward.norm() > 1e-6 && axes.up.norm() > 0.5;
   if (!axes.known) return axes;

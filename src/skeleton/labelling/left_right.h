@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "markerless_mocap/skeleton/pose_tree_options.h"
 #include "skeleton/graph/tree_parts.h"
 
 namespace markerless_mocap {
@@ -19,7 +20,7 @@ struct BodyPaths {
   NodePath legs[2];      ///< up to the hips, with the section that both share
   double longest = 0.0;  ///< longest path, the unit of the proportions, metres
 };
-BodyPaths bodyPaths(const RerootedTree& tree, double longest);
+BodyPaths bodyPaths(const RerootedTree& tree, double longest, const PoseTreeOptions& options);
 
 /// Direction of the least-squares line through points, unit length, towards the last point; zero if
 /// there are fewer than two points.
@@ -34,11 +35,10 @@ struct BodyAxes {
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  ///< along the torso, to the neck
   Eigen::Vector3d forward = Eigen::Vector3d::Zero(), left = Eigen::Vector3d::Zero();
   double agreement = 0.0;  ///< cosine between the forward directions of the two legs
-  double bend = 0.0;       ///< length of the sum of the joint normals that gave `forward`
 };
 
 /// Forward from the bends of ankles and knees (Algorithm 5).
-BodyAxes findAxes(const BodyPaths& body);
+BodyAxes findAxes(const BodyPaths& body, const PoseTreeOptions& options);
 
 /// Whether limb 1 of a pair is the left one, by the angles of the limbs' sections at the torso
 /// (Algorithm 6).

@@ -12,7 +12,6 @@ constexpr double kMinOdds = 1e-6;  // limit on the probability of the extremitie
 constexpr double kShankLow = 0.10,
                  kShankHigh = 0.25;  // fractions of the longest path, from the extremity
 constexpr double kTip = 0.05;        // fraction of the longest path
-constexpr double kFoot = label_ratio::kFoot + label_ratio::kToe;
 
 double lengthOf(const NodePath& path) {
   double length = 0.0;
@@ -69,7 +68,7 @@ void fillSides(const LabelledBody& body, bool together, ValidityFeatures* featur
   forward = forward.stableNormalized();
   out[kFeetForward] = 1.0;
   for (const NodePath& leg : paths.legs) {
-    const NodePath foot = pathSection(leg, 0.0, kFoot * longest);
+    const NodePath foot = pathSection(leg, 0.0, label_ratio::kWholeFoot * longest);
     out[kFeetForward] =
         std::min(out[kFeetForward], forward.dot(foot.front() - foot.back()) / longest);
   }

@@ -57,7 +57,9 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
 }  // namespace
 
 LabelSampleWriter::LabelSampleWriter(std::vector<std::string> names, std::ostream* out)
-    : names_(std::move(names)), thinner_(std::make_unique<Thinner>(kTreePersistence)), out_(*out) {
+    : names_(std::move(names)),
+      thinner_(std::make_unique<Thinner>(PoseTreeOptions().persistence)),
+      out_(*out) {
   out_ << "validity_features";
   for (int i = 0; i < kValidityFeatureCount; ++i) out_ << ' ' << toString(ValidityFeature(i));
   out_ << '\n';
