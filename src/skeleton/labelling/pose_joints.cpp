@@ -6,7 +6,8 @@
 namespace markerless_mocap {
 namespace {
 
-// Fractions of the longest path.
+// Fractions of the longest path, means over people of the virtual studio; scripts/fit_pose_tree
+// does not make them.
 constexpr double kWrist = 0.038, kElbow = 0.1445;            // from the knuckles
 constexpr double kAnkle = 0.049, kKnee = 0.224;              // from the ball of the foot
 constexpr double kNeckDown = 0.07;                           // from the head's extremity

@@ -11,7 +11,7 @@
 #include "markerless_mocap/body/body_model.h"
 #include "tools/common/configuration.h"
 #include "tools/common/result_record.h"
-#include "tools/evaluate/evaluation_truth.h"
+#include "tools/common/truth_record.h"
 
 namespace markerless_mocap {
 namespace {

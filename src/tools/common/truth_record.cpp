@@ -1,4 +1,4 @@
-#include "tools/evaluate/evaluation_truth.h"
+#include "tools/common/truth_record.h"
 
 #include <markerless_mocap/JointPositions.h>
 #include <rosbag/view.h>

@@ -1,0 +1,95 @@
+#include "studies/reproduce/bakken/bakken_paper.h"
+
+#include "studies/reproduce/bakken/bakken_film.h"
+#include "studies/reproduce/bakken/bakken_report.h"
+#include "studies/reproduce/bakken/bakken_run.h"
+#include "studies/reproduce/programs.h"
+
+namespace markerless_mocap {
+namespace {
+
+/// A capture, the section of the paper that it stands for, and its length.
+struct Scene {
+  const char *name, *motion, *start, *rig;
+  int frames, quick_frames;
+  int fps;
+};
+
+// The dance has 451 frames in the paper, those of i3DPost 57, 46, 108 and 150.
+constexpr Scene kScenes[] = {{"whirl", "whirling_dance", "0", "ring7_overhead", 451, 150, 30},
+                             {"walk", "walk", "1", "ring8", 57, 0, 25},
+                             {"walk_spin", "walk_spin", "1", "ring8", 46, 46, 25},
+                             {"run_crouch_jump", "run_crouch_jump", "0.5", "ring8", 108, 0, 25},
+                             {"ballet", "whirling_dance", "2", "ring8", 150, 0, 25}};
+
+class BakkenPaper : public Paper {
+ public:
+  explicit BakkenPaper(ReproduceRequest request) : request_(std::move(request)) {}
+
+  std::string title() const override {
+    return "Bakken and Hilton 2012: Real-time Pose Estimation using Tree Structures Built from "
+           "Skeletonised Volume Sequences";
+  }
+  std::vector<Capture> captures() const override;
+  std::vector<PaperRun> runs(const std::vector<Capture>& captures) const override;
+  std::vector<Claim> report(const Results& results, Page* page) const override {
+    return bakkenReport(results, page);
+  }
+
+ private:
+  std::vector<PaperRun> runsOf(const Capture& capture, int edge) const;
+  ReproduceRequest request_;
+};
+
+std::vector<Capture> BakkenPaper::captures() const {
+  std::vector<Capture> captures;
+  for (const Scene& scene : kScenes) {
+    const int frames = request_.quick ? scene.quick_frames : scene.frames;
+    if (frames == 0) continue;
+    captures.push_back({scene.name,
+                        {{"motion", scene.motion},
+                         {"motion_start", scene.start},
+                         {"rig", scene.rig},
+                         {"width", "800"},
+                         {"height", "600"},
+                         {"fps", std::to_string(scene.fps)},
+                         {"duration", std::to_string(double(frames) / scene.fps)},
+                         {"background_frames", "30"},
+                         {"stature", "1.62"},
+                         {"male", "0.1"}}});
+  }
+  return captures;
+}
+
+std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) const {
+  const std::string suffix = capture.name + "_" + std::to_string(edge);
+  Json settings{
+      {"capture", captureSettings(capture)}, {"published", publishedBakkenYaml()}, {"edge", edge}};
+  Json labelling = settings;
+  for (const BakkenVariant& variant : bakkenVariants())
+    labelling["variants"][variant.id] = {variant.changes, variant.product};
+  return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge); },
+           edge == 64 ? 1.0 : 2.0},
+          {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true}};
+}
+
+std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {
+  std::vector<PaperRun> runs;
+  for (const Capture& capture : captures) {
+    for (const int edge : {64, 128})
+      for (PaperRun& run : runsOf(capture, edge)) runs.push_back(std::move(run));
+    PaperRun beside = offlineRun(capture, {"default_" + capture.name, "", {}},
+                                 (request_.folder / "cache").string());
+    beside.cost = 4.0;
+    runs.push_back(std::move(beside));
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::unique_ptr<Paper> makeBakkenPaper(const ReproduceRequest& request) {
+  return std::make_unique<BakkenPaper>(request);
+}
+
+}  // namespace markerless_mocap

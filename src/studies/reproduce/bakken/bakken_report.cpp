@@ -1,0 +1,162 @@
+#include "studies/reproduce/bakken/bakken_report.h"
+
+#include <cmath>
+
+#include "studies/reproduce/bakken/bakken_results.h"
+#include "studies/reproduce/bakken/bakken_variants.h"
+#include "studies/reproduce/result_cache.h"
+#include "tools/common/number_format.h"
+
+namespace markerless_mocap {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string percent(double fraction) {
+  return std::isfinite(fraction) ? formatNumber("%.1f %%", 100.0 * fraction) : "-";
+}
+
+void addErrorCurves(const Results& results, Page* page) {
+  page->heading("Figure 4: error of hands and feet over the dance");
+  page->text("Frames that are not labelled, or wrongly, are left out.");
+  for (const char* variant : {"published", "prune08", "learned"}) {
+    std::vector<PlotLine> lines;
+    std::vector<double> seconds;
+    for (const int edge : {64, 128}) {
+      const LabelResult found(results, "whirl", edge, variant);
+      if (found.frames() == 0) continue;
+      seconds = found.seconds();
+      lines.push_back({std::to_string(edge) + " voxels", found.curve()});
+    }
+    if (lines.empty()) continue;
+    for (const BakkenVariant& one : bakkenVariants())
+      if (one.id == variant) page->text(one.name + ":");
+    page->lines(seconds, "s", lines, "mm", 150.0);
+  }
+}
+
+std::vector<std::string> errorRow(const LabelResult& found, const std::string& name, int edge) {
+  std::vector<std::string> row{name,
+                               std::to_string(edge),
+                               percent(found.right()),
+                               percent(found.wrongButValid()),
+                               percent(found.correct()),
+                               meanAndDeviation(summaryStatistics(found.curve()))};
+  for (const char* extremity : {"head", "left_hand", "right_hand", "left_foot", "right_foot"})
+    row.push_back(meanAndDeviation(found.error(extremity)));
+  return row;
+}
+
+std::vector<std::string> defaultRow(const Results& results, const std::string& capture) {
+  const auto run = results.find("default_" + capture);
+  if (run == results.end()) return {};
+  const Json& parts = run->second.at("hands_and_feet");
+  const double hand = numberOf(parts.at("hand_mean")), foot = numberOf(parts.at("foot_mean"));
+  const double right = 0.5 * (numberOf(parts.at("hand_fraction_correct")) +
+                              numberOf(parts.at("foot_fraction_correct")));
+  return {"the default tracker, from images",
+          "",
+          percent(right) + " of hands and feet",
+          "",
+          "",
+          formatNumber("%.1f", 0.5 * (hand + foot)),
+          "",
+          formatNumber("%.1f", hand),
+          "",
+          formatNumber("%.1f", foot),
+          ""};
+}
+
+void addCapture(const Results& results, const std::string& capture, Page* page) {
+  page->heading(capture, 3);
+  Rows rows;
+  for (const BakkenVariant& variant : bakkenVariants())
+    for (const int edge : {64, 128}) {
+      const LabelResult found(results, capture, edge, variant.id);
+      if (found.frames() > 0) rows.push_back(errorRow(found, variant.name, edge));
+    }
+  const std::vector<std::string> beside = defaultRow(results, capture);
+  if (!beside.empty()) rows.push_back(beside);
+  page->table(
+      {"", "#voxels", "#labelled right", "#wrong but valid", "#right, valid or not",
+       "#hands and feet, mm", "#head", "#left hand", "#right hand", "#left foot", "#right foot"},
+      rows);
+}
+
+void addTimes(const Results& results, Page* page) {
+  page->heading("Table 2: durations, ms");
+  page->text("Here by this processor, in the paper by two graphics cards of 2008 and 2011.");
+  Rows rows;
+  for (const int edge : {64, 128})
+    for (const std::string& capture : capturesIn(results)) {
+      const auto time = [&](const char* stage) {
+        return meanAndDeviation(stageTime(results, capture, edge, stage), 2);
+      };
+      const double sum = stageTime(results, capture, edge, "sum").mean;
+      rows.push_back({capture, std::to_string(edge), time("hull"), time("thinning"), time("tree"),
+                      time("sum"), formatNumber("%.1f", 1e3 / sum)});
+    }
+  page->table({"", "#voxels", "#visual hull", "#skeletonisation", "#build tree", "#sum",
+               "#frames per second"},
+              rows);
+}
+
+/// Frames labelled right by the least length of a branch.
+void addPruningTable(const Results& results, Page* page) {
+  Rows rows;
+  for (const char* id : {"published", "prune20", "prune16", "prune12", "prune08", "prune05"}) {
+    std::vector<std::string> row;
+    for (const BakkenVariant& variant : bakkenVariants())
+      if (variant.id == id) row.push_back(variant.name);
+    for (const int edge : {64, 128}) {
+      const LabelResult one(results, "whirl", edge, id);
+      row.push_back(percent(one.rightWhere(false)));
+      row.push_back(percent(one.rightWhere(true)));
+    }
+    rows.push_back(row);
+  }
+  page->table({"labelled right", "#64: head on top", "#64: a hand above it", "#128: head on top",
+               "#128: a hand above it"},
+              rows);
+}
+
+/// Why an arm's length prunes too much.
+void addPruning(const Results& results, Page* page) {
+  page->heading("3.3.3: the length below which branches are pruned");
+  const LabelResult found(results, "whirl", 128, "prune08");
+  const std::vector<double> arms = found.numbers("arm"), necks = found.numbers("neck");
+  if (arms.empty()) return;
+  size_t short_arms = 0;
+  for (const double arm : arms) short_arms += arm < 0.274;
+  page->text(
+      "An arm of Table 1 without its shoulder is 0.274 of the longest path. In the frames that are "
+      "labelled right with 0.08, a branch of an arm is shorter than that in " +
+      percent(double(short_arms) / double(arms.size())) +
+      ". The branch of the head always is: it stays only while it is the top-most voxel, the root. "
+      "A "
+      "hand is above the head in " +
+      percent(found.raised()) + " of the frames.");
+  addPruningTable(results, page);
+  page->text("Branch of the shorter arm, as a fraction of the longest path:");
+  page->histogram(arms, "");
+  page->text("Branch of the head:");
+  page->histogram(necks, "");
+}
+
+}  // namespace
+
+std::vector<Claim> bakkenReport(const Results& results, Page* page) {
+  addErrorCurves(results, page);
+  page->heading("Labels and errors");
+  page->text(
+      "A frame is labelled right if it is valid and head, hands and feet and their sides are "
+      "right; errors are those of right "
+      "frames, mean (standard deviation), to knuckles, balls of the feet and the head's centre. "
+      "Hands and feet: of the frames' means.");
+  for (const std::string& capture : capturesIn(results)) addCapture(results, capture, page);
+  addPruning(results, page);
+  addTimes(results, page);
+  return bakkenClaims(results);
+}
+
+}  // namespace markerless_mocap

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "studies/reproduce/bakken/bakken_variants.h"
+#include "studies/reproduce/paper.h"
+
+namespace markerless_mocap {
+
+/// Labels the hulls of a capture by every variant. {"seconds": time of each frame, "raised": 0 or
+/// 1, whether a hand is above the head, <id of a variant>: {"right": 0 or 1 of each frame,
+/// "correct", "valid", "rank", <extremity>: error of each frame, mm; "arm", "neck": own length of
+/// the shorter arm and of the neck as fractions of the longest path, of the frames that are
+/// right}}. A frame is correct if its five extremities are, and right if it is valid, too. Errors
+/// are of the valid frames, to knuckles, balls of the feet and head's centre.
+Json labelCapture(const Capture& capture, int edge);
+
+/// Durations of the published stages for each frame, ms: {"hull", "thinning", "tree"}.
+Json timeCapture(const Capture& capture, int edge);
+
+}  // namespace markerless_mocap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/skeleton/pose_tree_options.h"
+#include "tools/common/studio_settings.h"
+
+namespace markerless_mocap {
+
+/// A way to label skeletons: the published one with changes, or the product's.
+struct BakkenVariant {
+  std::string id, name;
+  Overrides changes = {};  ///< of the section pose_tree
+  bool product = false;    ///< changes of the defaults in place of the published options
+};
+const std::vector<BakkenVariant>& bakkenVariants();
+
+/// Options of a variant. Throws std::invalid_argument as loadPipelineOptions().
+PoseTreeOptions optionsOf(const BakkenVariant& variant);
+
+}  // namespace markerless_mocap
