@@ -22,6 +22,33 @@ constexpr Scene kScenes[] = {{"whirl", "whirling_dance", "0", "ring7_overhead", 
                              {"run_crouch_jump", "run_crouch_jump", "0.5", "ring8", 108, 0, 25},
                              {"ballet", "whirling_dance", "2", "ring8", 150, 0, 25}};
 
+/// Other people, motions and rigs, none of which a learned model was fitted to.
+struct OtherPerson {
+  const char *name, *motion, *rig, *stature, *male, *clothes;
+};
+constexpr OtherPerson kOthers[] = {
+    {"people_walk", "walk", "ring8", "1.79", "1", "loose"},
+    {"people_wave", "wave_and_walk", "random8", "1.57", "0", "tight"},
+    {"people_hips", "hands_on_hips", "ring7_overhead", "1.70", "0.2", "skirt"},
+    {"people_swing", "swing", "ring8", "1.86", "0.9", "tight"},
+    {"people_throw", "throw", "ring7_overhead", "1.66", "0.1", "loose"},
+    {"people_stroll", "stroll_arms_down", "ring8", "1.74", "0.6", "tight"},
+    {"people_circle", "walk_in_circle", "ring4", "1.82", "0.8", "loose"},
+    {"people_crouch", "run_crouch_jump", "ring4", "1.61", "0", "tight"}};
+
+Capture captureOf(const OtherPerson& person) {
+  return {person.name,
+          {{"motion", person.motion},
+           {"rig", person.rig},
+           {"stature", person.stature},
+           {"male", person.male},
+           {"clothes", person.clothes},
+           {"appearance_seed", "77"},
+           {"fps", "5"},
+           {"duration", "8"},
+           {"background_frames", "0"}}};
+}
+
 class BakkenPaper : public Paper {
  public:
   explicit BakkenPaper(ReproduceRequest request) : request_(std::move(request)) {}
@@ -58,6 +85,8 @@ std::vector<Capture> BakkenPaper::captures() const {
                          {"stature", "1.62"},
                          {"male", "0.1"}}});
   }
+  if (!request_.quick)
+    for (const OtherPerson& person : kOthers) captures.push_back(captureOf(person));
   return captures;
 }
 
@@ -76,8 +105,11 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
 std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {
   std::vector<PaperRun> runs;
   for (const Capture& capture : captures) {
+    const bool other = capture.name.rfind("people_", 0) == 0;
     for (const int edge : {64, 128})
-      for (PaperRun& run : runsOf(capture, edge)) runs.push_back(std::move(run));
+      for (PaperRun& run : runsOf(capture, edge))
+        if (!other || !run.alone) runs.push_back(std::move(run));
+    if (other) continue;
     PaperRun beside = offlineRun(capture, {"default_" + capture.name, "", {}},
                                  (request_.folder / "cache").string());
     beside.cost = 4.0;

@@ -143,6 +143,34 @@ void addPruning(const Results& results, Page* page) {
   page->histogram(necks, "");
 }
 
+/// Correct frames, valid or not, by labelling.
+void addPeople(const Results& results, Page* page) {
+  const std::vector<std::string> people = peopleIn(results);
+  if (people.empty()) return;
+  page->heading("What the learned labelling is worth");
+  page->text(
+      "Other people, motions and rigs, to none of which the learned models were fitted: frames "
+      "in which all five extremities and the sides are right, valid or not.");
+  const std::vector<std::string> variants{"published", "prune08", "paths08", "learned"};
+  std::vector<std::string> head{""};
+  Rows rows;
+  for (const std::string& id : variants)
+    for (const BakkenVariant& variant : bakkenVariants())
+      if (variant.id == id) head.insert(head.end(), {"#" + variant.name + ", 64", "#128"});
+  std::vector<double> sums(head.size() - 1, 0.0);
+  for (const std::string& capture : people) {
+    rows.push_back({capture});
+    for (size_t column = 0; column < sums.size(); ++column) {
+      const LabelResult found(results, capture, column % 2 ? 128 : 64, variants[column / 2]);
+      sums[column] += found.correct() / double(people.size());
+      rows.back().push_back(percent(found.correct()));
+    }
+  }
+  rows.push_back({"mean"});
+  for (const double sum : sums) rows.back().push_back(percent(sum));
+  page->table(head, rows);
+}
+
 }  // namespace
 
 std::vector<Claim> bakkenReport(const Results& results, Page* page) {
@@ -154,6 +182,7 @@ std::vector<Claim> bakkenReport(const Results& results, Page* page) {
       "frames, mean (standard deviation), to knuckles, balls of the feet and the head's centre. "
       "Hands and feet: of the frames' means.");
   for (const std::string& capture : capturesIn(results)) addCapture(results, capture, page);
+  addPeople(results, page);
   addPruning(results, page);
   addTimes(results, page);
   return bakkenClaims(results);

@@ -88,6 +88,15 @@ std::vector<std::string> capturesIn(const Results& results) {
   return names;
 }
 
+std::vector<std::string> peopleIn(const Results& results) {
+  std::vector<std::string> names;
+  for (const auto& [run, result] : results)
+    if (run.rfind("labels_people_", 0) == 0 && run.size() > 4 &&
+        run.substr(run.size() - 4) == "_128")
+      names.push_back(run.substr(7, run.size() - 11));
+  return names;
+}
+
 SummaryStatistics stageTime(const Results& results, const std::string& capture, int edge,
                             const std::string& stage) {
   const auto run = results.find("times_" + capture + "_" + std::to_string(edge));

@@ -38,6 +38,8 @@ class LabelResult {
 
 /// Names of the captures for which there are results, in the order of the paper.
 std::vector<std::string> capturesIn(const Results& results);
+/// The same of captures of other people.
+std::vector<std::string> peopleIn(const Results& results);
 
 /// Milliseconds of a published stage over the frames: "hull", "thinning", "tree", or their "sum".
 SummaryStatistics stageTime(const Results& results, const std::string& capture, int edge,

@@ -64,7 +64,7 @@ void addShares(const PoseTree& tree, Json* result) {
 class Labeller {
  public:
   explicit Labeller(const BakkenVariant& variant)
-      : id(variant.id), options_(optionsOf(variant)), builder_(options_) {
+      : id(variant.id), options_(optionsOf(variant, publishedBakkenYaml())), builder_(options_) {
     for (const char* key : {"right", "correct", "valid", "rank", "arm", "neck"})
       result[key] = Json::array();
   }
@@ -131,7 +131,7 @@ Json labelCapture(const Capture& capture, int edge) {
 Json timeCapture(const Capture& capture, int edge) {
   const JointTrack truth = labelTruth(capture);
   HullCarver carver(rigOf(capture), cubeAround(truth, publishedBakkenOptions(edge).hull));
-  const PoseTreeOptions options = optionsOf(bakkenVariants().front());
+  const PoseTreeOptions options = optionsOf(bakkenVariants().front(), publishedBakkenYaml());
   Thinner thinner(options.persistence);
   PoseTreeBuilder builder(options);
   Json result{{"hull", Json::array()}, {"thinning", Json::array()}, {"tree", Json::array()}};

@@ -3,7 +3,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include "markerless_mocap/pipeline/pipeline.h"
-#include "studies/reproduce/bakken/bakken_film.h"
 
 namespace markerless_mocap {
 
@@ -34,9 +33,9 @@ const std::vector<BakkenVariant>& bakkenVariants() {
   return kVariants;
 }
 
-PoseTreeOptions optionsOf(const BakkenVariant& variant) {
+PoseTreeOptions optionsOf(const BakkenVariant& variant, const std::string& published) {
   YAML::Node root;
-  if (!variant.product) root = YAML::Load(publishedBakkenYaml());
+  if (!variant.product) root = YAML::Load(published);
   for (const auto& [key, value] : variant.changes) root["pose_tree"][key] = value;
   return loadPipelineOptions(root).pose_tree;
 }

@@ -17,6 +17,7 @@ struct BakkenVariant {
 const std::vector<BakkenVariant>& bakkenVariants();
 
 /// Options of a variant. Throws std::invalid_argument as loadPipelineOptions().
-PoseTreeOptions optionsOf(const BakkenVariant& variant);
+/// \param published text of config/as_published/bakken.yaml
+PoseTreeOptions optionsOf(const BakkenVariant& variant, const std::string& published);
 
 }  // namespace markerless_mocap
