@@ -112,6 +112,7 @@ TEST(PublishedPoseTree, BranchesAsShortAsAHeadMustStay) {
   tell("pruned below an arm", arm);
   tell("pruned below 0.08", head);
   EXPECT_GT(head.fraction_correct_and_valid, arm.fraction_correct_and_valid + 0.2);
+  EXPECT_LE(arm.fraction_wrong_but_valid, 0.05) << "frames must fail gracefully";
 }
 
 TEST(PublishedPoseTree, MostFramesOfADanceAreLabelledRightAtBothResolutions) {

@@ -1,6 +1,7 @@
 #include "studies/reproduce/bakken/bakken_paper.h"
 
 #include "studies/reproduce/bakken/bakken_film.h"
+#include "studies/reproduce/bakken/bakken_pictures.h"
 #include "studies/reproduce/bakken/bakken_report.h"
 #include "studies/reproduce/bakken/bakken_run.h"
 #include "studies/reproduce/programs.h"
@@ -99,7 +100,8 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
     labelling["variants"][variant.id] = {variant.changes, variant.product};
   return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge); },
            edge == 64 ? 1.0 : 2.0},
-          {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true}};
+          {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true},
+          {"trees_" + suffix, settings, [=] { return drawTrees(capture, edge); }, 0.5}};
 }
 
 std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {
@@ -108,7 +110,7 @@ std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) co
     const bool other = capture.name.rfind("people_", 0) == 0;
     for (const int edge : {64, 128})
       for (PaperRun& run : runsOf(capture, edge))
-        if (!other || !run.alone) runs.push_back(std::move(run));
+        if (!other || run.name.rfind("labels_", 0) == 0) runs.push_back(std::move(run));
     if (other) continue;
     PaperRun beside = offlineRun(capture, {"default_" + capture.name, "", {}},
                                  (request_.folder / "cache").string());

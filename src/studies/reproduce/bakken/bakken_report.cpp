@@ -68,7 +68,10 @@ std::vector<std::string> defaultRow(const Results& results, const std::string& c
 }
 
 void addCapture(const Results& results, const std::string& capture, Page* page) {
-  page->heading(capture, 3);
+  page->heading(capture + ", " +
+                    std::to_string(LabelResult(results, capture, 128, "published").frames()) +
+                    " frames",
+                3);
   Rows rows;
   for (const BakkenVariant& variant : bakkenVariants())
     for (const int edge : {64, 128}) {
@@ -134,13 +137,27 @@ void addPruning(const Results& results, Page* page) {
       percent(double(short_arms) / double(arms.size())) +
       ". The branch of the head always is: it stays only while it is the top-most voxel, the root. "
       "A "
-      "hand is above the head in " +
+      "hand is above the centre of the head in " +
       percent(found.raised()) + " of the frames.");
   addPruningTable(results, page);
   page->text("Branch of the shorter arm, as a fraction of the longest path:");
   page->histogram(arms, "");
   page->text("Branch of the head:");
   page->histogram(necks, "");
+}
+
+void addTrees(const Results& results, Page* page) {
+  page->heading("Figures 5 and 6: hulls, skeletons and pose trees");
+  for (const std::string& capture : capturesIn(results))
+    for (const int edge : {64, 128}) {
+      const auto run = results.find("trees_" + capture + "_" + std::to_string(edge));
+      if (run == results.end()) continue;
+      page->add({{"kind", "picture"},
+                 {"jpeg", run->second.at("jpeg")},
+                 {"caption", capture + ", " + std::to_string(edge) +
+                                 " voxels; above as published, below with the learned labelling; "
+                                 "left green, right red, invalid grey"}});
+    }
 }
 
 /// Correct frames, valid or not, by labelling.
@@ -180,11 +197,13 @@ std::vector<Claim> bakkenReport(const Results& results, Page* page) {
       "A frame is labelled right if it is valid and head, hands and feet and their sides are "
       "right; errors are those of right "
       "frames, mean (standard deviation), to knuckles, balls of the feet and the head's centre. "
-      "Hands and feet: of the frames' means.");
+      "Frames in which the person reaches out of the cube are left out, as in the paper. Hands and "
+      "feet: of the frames' means.");
   for (const std::string& capture : capturesIn(results)) addCapture(results, capture, page);
   addPeople(results, page);
   addPruning(results, page);
   addTimes(results, page);
+  addTrees(results, page);
   return bakkenClaims(results);
 }
 

@@ -95,11 +95,17 @@ class Labeller {
   PoseTreeBuilder builder_;
 };
 
+bool contains(const HullOptions& cube, const Eigen::Matrix3Xd& points) {
+  return (points.rowwise().minCoeff().array() >= cube.volume_min.array()).all() &&
+         (points.rowwise().maxCoeff().array() <= cube.volume_max.array()).all();
+}
+
+/// Whether the thinned hull's top-most voxel may be a hand's.
 bool handAboveHead(const JointTrack& truth, size_t frame) {
   const auto height = [&](const char* name) {
     return truth.positions[frame](2, truth.indexOf(name));
   };
-  return std::max(height("l_hand_tip"), height("r_hand_tip")) > height("head_top");
+  return std::max(height("l_hand"), height("r_hand")) > height("head");
 }
 
 JointTrack frameOf(const JointTrack& truth, size_t frame) {
@@ -113,11 +119,13 @@ JointTrack frameOf(const JointTrack& truth, size_t frame) {
 
 Json labelCapture(const Capture& capture, int edge) {
   const JointTrack truth = labelTruth(capture);
-  HullCarver carver(rigOf(capture), cubeAround(truth, publishedBakkenOptions(edge).hull));
+  const HullOptions cube = cubeAround(truth, publishedBakkenOptions(edge).hull);
+  HullCarver carver(rigOf(capture), cube);
   std::vector<Labeller> labellers;
   for (const BakkenVariant& variant : bakkenVariants()) labellers.emplace_back(variant);
   Json result{{"seconds", Json::array()}, {"raised", Json::array()}};
   forEachFrame(capture, truth, [&](size_t frame, const std::vector<HullView>& views) {
+    if (!contains(cube, truth.positions[frame])) return;
     result["seconds"].push_back(1e-9 * double(truth.stamps_ns[frame] - truth.stamps_ns[0]));
     result["raised"].push_back(int(handAboveHead(truth, frame)));
     const VisualHull hull = carver.carve(views);

@@ -5,8 +5,9 @@
 
 namespace markerless_mocap {
 
-/// Labels the hulls of a capture by every variant. {"seconds": time of each frame, "raised": 0 or
-/// 1, whether a hand is above the head, <id of a variant>: {"right": 0 or 1 of each frame,
+/// Labels the hulls of a capture by every variant, without the frames in which the person reaches
+/// out of the cube, as in the paper. {"seconds": time of each frame, "raised": 0 or 1, whether a
+/// hand is above the centre of the head, <id of a variant>: {"right": 0 or 1 of each frame,
 /// "correct", "valid", "rank", <extremity>: error of each frame, mm; "arm", "neck": own length of
 /// the shorter arm and of the neck as fractions of the longest path, of the frames that are
 /// right}}. A frame is correct if its five extremities are, and right if it is valid, too. Errors
