@@ -37,6 +37,10 @@ constexpr OtherPerson kOthers[] = {
     {"people_circle", "walk_in_circle", "ring4", "1.82", "0.8", "loose"},
     {"people_crouch", "run_crouch_jump", "ring4", "1.61", "0", "tight"}};
 
+bool isOther(const Capture& capture) {
+  return capture.name.rfind("people_", 0) == 0;
+}
+
 Capture captureOf(const OtherPerson& person) {
   return {person.name,
           {{"motion", person.motion},
@@ -95,10 +99,12 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
   const std::string suffix = capture.name + "_" + std::to_string(edge);
   Json settings{
       {"capture", captureSettings(capture)}, {"published", publishedBakkenYaml()}, {"edge", edge}};
+  const Volume volume = isOther(capture) ? Volume::kStudio : Volume::kCube;
   Json labelling = settings;
+  if (volume == Volume::kStudio) labelling["volume"] = "studio";
   for (const BakkenVariant& variant : bakkenVariants())
     labelling["variants"][variant.id] = {variant.changes, variant.product};
-  return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge); },
+  return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge, volume); },
            edge == 64 ? 1.0 : 2.0},
           {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true},
           {"trees_" + suffix, settings, [=] { return drawTrees(capture, edge); }, 0.5}};
@@ -107,7 +113,7 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
 std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {
   std::vector<PaperRun> runs;
   for (const Capture& capture : captures) {
-    const bool other = capture.name.rfind("people_", 0) == 0;
+    const bool other = isOther(capture);
     for (const int edge : {64, 128})
       for (PaperRun& run : runsOf(capture, edge))
         if (!other || run.name.rfind("labels_", 0) == 0) runs.push_back(std::move(run));

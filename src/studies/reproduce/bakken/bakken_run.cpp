@@ -117,10 +117,16 @@ JointTrack frameOf(const JointTrack& truth, size_t frame) {
 
 }  // namespace
 
-Json labelCapture(const Capture& capture, int edge) {
+Json labelCapture(const Capture& capture, int edge, Volume volume) {
   const JointTrack truth = labelTruth(capture);
-  const HullOptions cube = cubeAround(truth, publishedBakkenOptions(edge).hull);
-  HullCarver carver(rigOf(capture), cube);
+  const CameraRig rig = rigOf(capture);
+  HullOptions cube = cubeAround(truth, publishedBakkenOptions(edge).hull);
+  if (volume == Volume::kStudio) {
+    cube.volume_min = {-2.0, -2.0, 0.0};
+    cube.volume_max = {2.0, 2.0, 2.5};
+  }
+  cube.min_views = std::min(cube.min_views, int(rig.size()));
+  HullCarver carver(rig, cube);
   std::vector<Labeller> labellers;
   for (const BakkenVariant& variant : bakkenVariants()) labellers.emplace_back(variant);
   Json result{{"seconds", Json::array()}, {"raised", Json::array()}};
