@@ -10,28 +10,42 @@
 namespace markerless_mocap {
 namespace {
 
+constexpr double kShort = 1e-3;  // seconds
+
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string percent(double fraction) {
   return std::isfinite(fraction) ? formatNumber("%.1f %%", 100.0 * fraction) : "-";
 }
 
+/// The values with a NaN, at which curves are interrupted, in each gap between frames.
+std::vector<double> withGaps(const std::vector<double>& seconds, const std::vector<double>& values,
+                             double at_gap) {
+  std::vector<double> out;
+  for (size_t f = 0; f < values.size(); ++f) {
+    const bool gap = f > 0 && seconds[f] - seconds[f - 1] > 1.5 * (seconds[1] - seconds[0]);
+    if (gap) out.push_back(std::isfinite(at_gap) ? seconds[f - 1] + at_gap : NAN);
+    out.push_back(values[f]);
+  }
+  return out;
+}
+
 void addErrorCurves(const Results& results, Page* page) {
   page->heading("Figure 4: error of hands and feet over the dance");
   page->text("Frames that are not labelled, or wrongly, are left out.");
-  for (const char* variant : {"published", "prune08", "learned"}) {
+  for (const char* variant : {"published", "prune05", "learned"}) {
     std::vector<PlotLine> lines;
     std::vector<double> seconds;
     for (const int edge : {64, 128}) {
       const LabelResult found(results, "whirl", edge, variant);
       if (found.frames() == 0) continue;
       seconds = found.seconds();
-      lines.push_back({std::to_string(edge) + " voxels", found.curve()});
+      lines.push_back({std::to_string(edge) + " voxels", withGaps(seconds, found.curve(), NAN)});
     }
     if (lines.empty()) continue;
     for (const BakkenVariant& one : bakkenVariants())
       if (one.id == variant) page->text(one.name + ":");
-    page->lines(seconds, "s", lines, "mm", 150.0);
+    page->lines(withGaps(seconds, seconds, kShort), "s", lines, "mm", 150.0);
   }
 }
 
@@ -168,7 +182,7 @@ void addPeople(const Results& results, Page* page) {
   page->text(
       "Other people, motions and rigs, to none of which the learned models were fitted: frames "
       "in which all five extremities and the sides are right, valid or not.");
-  const std::vector<std::string> variants{"published", "prune08", "paths08", "learned"};
+  const std::vector<std::string> variants{"published", "prune08", "alone08", "learned"};
   std::vector<std::string> head{""};
   Rows rows;
   for (const std::string& id : variants)
