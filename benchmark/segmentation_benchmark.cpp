@@ -62,7 +62,7 @@ double pitchOf(const benchmark::State& state) {
 }
 
 void eigenmapReference(benchmark::State& state) {
-  const VoxelGraph voxels = buildVoxelGraph(bodyHull(pitchOf(state)), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(bodyHull(pitchOf(state)));
   for (auto _ : state) benchmark::DoNotOptimize(shiftInvertModes(voxels.graph, kModes));
 }
 
@@ -79,7 +79,7 @@ double sineToReference(const WeightedGraph& graph, int modes) {
 }
 
 void eigenmapOurs(benchmark::State& state) {
-  const VoxelGraph voxels = buildVoxelGraph(bodyHull(pitchOf(state)), false, 0.0);
+  const VoxelGraph voxels = buildVoxelGraph(bodyHull(pitchOf(state)));
   for (auto _ : state) benchmark::DoNotOptimize(laplacianEigenmap(voxels.graph, kModes));
   state.counters["nodes"] = double(voxels.graph.nodeCount());
   state.counters["sine6"] = sineToReference(voxels.graph, 6);
@@ -88,7 +88,7 @@ void eigenmapOurs(benchmark::State& state) {
 
 void buildGraph(benchmark::State& state) {
   const VisualHull hull = bodyHull(pitchOf(state));
-  for (auto _ : state) benchmark::DoNotOptimize(buildVoxelGraph(hull, false, 0.0));
+  for (auto _ : state) benchmark::DoNotOptimize(buildVoxelGraph(hull));
 }
 
 void segmentBody(benchmark::State& state) {

@@ -141,6 +141,8 @@ Json figuresOf(const HsiaoFilm& film, const PipelineResult& now) {
   const BodyView view = viewOf(now.hull, camera);
   const VisualHull four = hullOf(film, now, {0, 2, 4, 6});
   const auto jpeg = [](const cv::Mat& picture) { return packedJpeg(picture, kQuality); };
+  PipelineResult only_parts;
+  only_parts.parts = now.parts;
   return {{"3-7", jpeg(joined({imagesOf(film, now)}, {}))},
           {"3-7 hull", jpeg(joined({{hullPicture(view, now.hull),
                                      hullPicture(viewOf(now.hull, film.rig()[2]), now.hull)}},
@@ -152,7 +154,7 @@ Json figuresOf(const HsiaoFilm& film, const PipelineResult& now) {
           {"3-15", jpeg(embeddingPicture(now.hull, view, kModified))},
           {"3-16", jpeg(joined({{personImage(camera, seen.image, now.hull),
                                  partsPicture(view, now.hull, now.parts),
-                                 curvesPicture(view, {false, {}, {}, now.parts, {}, {}, {}})}},
+                                 curvesPicture(view, only_parts)}},
                                {"image", "parts", "curves"}))},
           {"site_values",
            {{"torso", curveJson(now.parts.part(PartLabel::kTorso))},
