@@ -4,10 +4,10 @@
 ///     roslaunch markerless_mocap mocap.launch nodelets:=true cameras:="[cam0, cam1]"
 ///     live_latency capture.bag --rate 30 --seconds 120
 ///
-/// The bag begins with the empty room. It is played forwards and backwards again and again, so there
-/// is a start in each round. `settled` is the time from two seconds after the first tf of a round until its end;
-/// `all` has starts and losses, too, and counts poses of any status. The period of the frame sets
-/// is the reference: each time is also given as a fraction of it.
+/// The bag begins with the empty room. It is played forwards and backwards again and again, so
+/// there is a start in each round. `settled` is the time from two seconds after the first tf of a
+/// round until its end; `all` has starts and losses, too, and counts poses of any status. The
+/// period of the frame sets is the reference: each time is also given as a fraction of it.
 
 #include <markerless_mocap/BodyPose.h>
 #include <ros/ros.h>
@@ -106,11 +106,6 @@ class Times {
       if (one.pose.isZero()) ++without_pose;
       if (!one.pose.isZero()) all.push_back((one.pose - one.sent).toSec());
     }
-    if (std::getenv("DUMP")) {
-      FILE* f = fopen(std::getenv("DUMP"), "w"); int i = 0;
-      for (const auto& [stamp, one] : frame_sets_) fprintf(f, "%d %.3f %.1f %.1f %d\n", i++, stamp.toSec(), one.tf.isZero() ? -1 : 1e3*(one.tf-one.sent).toSec(), one.pose.isZero() ? -1 : 1e3*(one.pose-one.sent).toSec(), int(one.settled));
-      fclose(f);
-    }
     std::printf("%zu frame sets, %zu without a pose message, %zu settled without tf\n", total,
                 without_pose, without_tf);
     printLine("last image to tf, settled", settled, period);
@@ -187,8 +182,8 @@ int main(int argc, char** argv) {
   const auto options = ros::TransportHints().tcpNoDelay();
   const ros::Subscriber tf =
       handle.subscribe<tf2_msgs::TFMessage>("/tf", 256, &Times::tf, &times, options);
-  const ros::Subscriber pose = handle.subscribe<markerless_mocap::BodyPose>(
-      "/pose", 256, &Times::pose, &times, options);
+  const ros::Subscriber pose =
+      handle.subscribe<markerless_mocap::BodyPose>("/pose", 256, &Times::pose, &times, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
   play(arguments, recorded, handle, &times);

@@ -109,9 +109,9 @@ class ContourTracker : public BodyTracker {
   bool reported_ = false;  ///< a pose has been reported since the last start
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_check_ns_ = 0;
   int64_t next_limb_search_ns_ = 0, next_start_ns_ = 0, next_learning_ns_ = 0;
-  std::optional<int64_t> searching_since_ns_;  ///< no pose has been reported since
-  bool somebody_there_ = false;                ///< at the last start: a hull
-  std::string lost_reason_;                    ///< of the last start
+  std::optional<int64_t> searching_since_ns_;       ///< no pose has been reported since
+  bool somebody_there_ = false;                     ///< at the last start: a hull
+  std::string lost_reason_;                         ///< of the last start
   int color_checks_ = 0, color_confirmations_ = 0;  ///< since the last start
   int64_t limb_search_interval_ns_ = 0;  ///< to the next search if this one has no success
   std::optional<OnlineShapeEstimator> shape_estimator_;

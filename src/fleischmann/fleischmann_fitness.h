@@ -68,8 +68,8 @@ class FleischmannFitness {
 
   /// The drawing in a view: CV_8UC1 of the size of the reduced image, 255 = body.
   cv::Mat drawing(const double* candidate, int view) const;
-  /// The outlines of the cones in a view, by FleischmannConeId: four corners in pixels of the reduced
-  /// image, or none where a cone has no outline.
+  /// The outlines of the cones in a view, by FleischmannConeId: four corners in pixels of the
+  /// reduced image, or none where a cone has no outline.
   std::vector<std::vector<cv::Point2f>> outlines(const double* candidate, int view) const;
   /// The edge map of a view, CV_8UC1; all 0 without an image.
   const cv::Mat& edges(int view) const;

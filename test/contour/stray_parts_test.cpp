@@ -40,7 +40,8 @@ class StrayPartsTest : public testing::Test {
 TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
   const cv::Mat person = masks[0].clone();
   masks[0](kStray) = 255;
-  const std::vector<cv::Mat> cleaned = withoutStrayParts(masks, [&] { return std::cref(hull); }, rig);
+  const std::vector<cv::Mat> cleaned = withoutStrayParts(
+      masks, [&] { return std::cref(hull); }, rig);
   EXPECT_EQ(cv::norm(cleaned[0], person, cv::NORM_INF), 0.0);
   EXPECT_EQ(masks[0].at<uchar>(kStray.tl()), 255) << "the masks given are not changed";
   EXPECT_EQ(cleaned[1].data, masks[1].data);
@@ -49,15 +50,18 @@ TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
 TEST_F(StrayPartsTest, SpecksAndAMissingHullChangeNothing) {
   const VisualHull none;
   masks[0](cv::Rect(5, 5, 3, 3)) = 255;
-  EXPECT_TRUE(same(withoutStrayParts(masks, [&] { return std::cref(hull); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(
+      masks, [&] { return std::cref(hull); }, rig)));
   masks[0](kStray) = 255;
-  EXPECT_TRUE(same(withoutStrayParts(masks, [&] { return std::cref(none); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(
+      masks, [&] { return std::cref(none); }, rig)));
 }
 
 TEST_F(StrayPartsTest, NothingIsRemovedWhereTheBackgroundIsUnknown) {
   masks[0](kStray) = 255;
   masks[0](cv::Rect(200, 5, 20, 20)) = 128;
-  EXPECT_TRUE(same(withoutStrayParts(masks, [&] { return std::cref(hull); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(
+      masks, [&] { return std::cref(hull); }, rig)));
 }
 
 }  // namespace

@@ -222,20 +222,21 @@ class FaultSuite(unittest.TestCase):
     def test_body_segmentation_hangs(self):
         self.stop_stage('body_segmentation')
 
-    def kill_stage(self, stage, least, silence):
+    def kill_stage(self, stage):
+        """A stage that nobody needs to follow the person: poses go on."""
         pid = pid_of(stage)
         os.kill(pid, signal.SIGKILL)
         time.sleep(SECONDS)
         wait_for(lambda: runs_again(stage, pid), 30)
         self.end = time.time()
-        self.expect('no messages on', least=least, silence=silence)
-
-    def test_pose_tree_is_killed(self):
-        self.kill_stage('pose_tree', least=0.6, silence=1.0)
+        self.expect()
         self.assertLess(self.latency, self.usual_latency + 0.35)
 
+    def test_pose_tree_is_killed(self):
+        self.kill_stage('pose_tree')
+
     def test_visual_hull_is_killed(self):
-        self.kill_stage('visual_hull', least=0, silence=15.0)
+        self.kill_stage('visual_hull')
 
     def test_stamps_of_one_off(self):
         for shift in (0.03,):

@@ -19,8 +19,8 @@ TEST(PipelineOptions, EmptyConfigurationKeepsDefaults) {
 
 // docs/papers.md.
 TEST(PipelineOptions, FleischmannAsPublishedIsRead) {
-  const PipelineOptions options = loadPipelineOptions(
-      YAML::LoadFile(MOCAP_SOURCE_DIR "/config/as_published/fleischmann.yaml"));
+  const PipelineOptions options =
+      loadPipelineOptions(YAML::LoadFile(MOCAP_SOURCE_DIR "/config/as_published/fleischmann.yaml"));
   EXPECT_EQ(options.fitting.method, "fleischmann");
   const FleischmannOptions& published = options.fitting.fleischmann;
   EXPECT_FALSE(published.include_start_particle);  // Algorithm 2

@@ -103,7 +103,8 @@ SphereViolation addContainment(const ContourObservation& seen, const CameraRig& 
   SphereViolation max_outside{};
   const auto all = [](size_t) { return true; };
   forEachViolation(
-      seen, rig, first, end, cones, all, [&](size_t c, size_t i, double s, const SphereInView& sphere) {
+      seen, rig, first, end, cones, all,
+      [&](size_t c, size_t i, double s, const SphereInView& sphere) {
         max_outside[c][i] = std::max(max_outside[c][i], sphere.outside);
         const double u[4] = {sphere.gradient.x(), sphere.gradient.y(), sphere.gradient.z(), 1.0};
         sums[c].add(s, u, sphere.outside,

@@ -38,9 +38,8 @@ void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, dou
 void PoseProblem::addViews(size_t block) {
   const double weight = options_.containment_weight / (options_.ray_sigma * options_.ray_sigma);
   const size_t i = block - kRayBlocks, views = rig_.size();
-  blocks_[block].violation =
-      addContainment(seen_, rig_, cones_, weight, i * views / kViewBlocks,
-                     (i + 1) * views / kViewBlocks, blocks_[block].sums);
+  blocks_[block].violation = addContainment(seen_, rig_, cones_, weight, i * views / kViewBlocks,
+                                            (i + 1) * views / kViewBlocks, blocks_[block].sums);
 }
 
 void PoseProblem::addRays(const PackedContourCones& cones, double outlier, size_t block) {

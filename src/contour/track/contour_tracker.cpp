@@ -97,9 +97,8 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
   if (!doubtful) limb_search_interval_ns_ = 0;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
-  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions,
-                                   now.products.newestHull(), *contour_body_,
-                                   {found, active.track.fit});
+  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions, now.products.newestHull(),
+                                   *contour_body_, {found, active.track.fit});
   limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
                                     : std::clamp(2 * limb_search_interval_ns_,
                                                  kLimbSearchInterval_ns, kMaxLimbSearchInterval_ns);
@@ -110,7 +109,8 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
 }
 
 // A valid pose tree is nearly always right, so it becomes the alternative if it contradicts a pose
-// that fits poorly. While the pose is uncertain, an invalid tree and exchanged sides are tried, too.
+// that fits poorly. While the pose is uncertain, an invalid tree and exchanged sides are tried,
+// too.
 void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen,
                                 const ContourTrackingResult& track) {
   const bool started = now.stamp_ns < reconsider_until_ns_;
@@ -121,7 +121,9 @@ void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen
   std::vector<ContourPose> others;
   const PoseTree& tree = now.products.ofThisFrame().tree;
   const auto of_tree = poseFromPoseTree(tree);
-  if (of_tree && (uncertain || tree.valid()) && limbsDiffer(*contour_body_, track.fit.pose, *of_tree)) others.push_back(*of_tree);
+  if (of_tree && (uncertain || tree.valid()) &&
+      limbsDiffer(*contour_body_, track.fit.pose, *of_tree))
+    others.push_back(*of_tree);
   if (started) {
     others.push_back(mirrored(*contour_body_, track.fit.pose));
     others.push_back(withLegsSwapped(*contour_body_, track.fit.pose));

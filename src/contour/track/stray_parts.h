@@ -13,8 +13,8 @@ namespace markerless_mocap {
 /// project into. They are, for example, a lamp that flickers or furniture at the wall, which only
 /// one camera sees. A mask stays the same object if no such part is large, if the hull is empty, or
 /// if the background is unknown in places: the hull is then uncertain, too. \param masks by camera,
-/// CV_8UC1 0 | 128 unknown | 255, empty where missing \param hull called only if a mask has large parts
-/// apart from each other
+/// CV_8UC1 0 | 128 unknown | 255, empty where missing \param hull called only if a mask has large
+/// parts apart from each other
 std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks,
                                        const std::function<const VisualHull&()>& hull,
                                        const CameraRig& rig);

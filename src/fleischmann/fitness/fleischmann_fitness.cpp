@@ -219,7 +219,7 @@ cv::Mat FleischmannFitness::drawing(const double* candidate, int view) const {
 }
 
 std::vector<std::vector<cv::Point2f>> FleischmannFitness::outlines(const double* candidate,
-                                                                  int view) const {
+                                                                   int view) const {
   Scratch& s = scratch();
   place(candidate, s);
   views_.at(size_t(view)).camera.outlines(s.cones, s.corners);

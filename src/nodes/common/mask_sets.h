@@ -13,7 +13,7 @@ namespace markerless_mocap {
 inline AssemblerOptions maskSetOptions(double tolerance, double deadline,
                                        std::vector<double> offsets) {
   constexpr double kSilence = 0.3;  // s until frame sets no longer wait for a camera
-  constexpr int kMaxMissed = 5;     // frame sets until they no longer wait for one with other stamps
+  constexpr int kMaxMissed = 5;  // frame sets until they no longer wait for one with other stamps
   AssemblerOptions options;
   options.tolerance = tolerance;
   options.deadline = deadline;

@@ -21,9 +21,8 @@ class Answers {
   }
   /// Takes this frame set, and drops those before it. Returns false if it has been answered.
   bool take(const std_msgs::Header& header) {
-    const auto at = std::find_if(waiting_.begin(), waiting_.end(), [&](const auto& one) {
-      return one.stamp == header.stamp;
-    });
+    const auto at = std::find_if(waiting_.begin(), waiting_.end(),
+                                 [&](const auto& one) { return one.stamp == header.stamp; });
     if (at == waiting_.end()) return false;
     waiting_.erase(waiting_.begin(), std::next(at));
     return true;

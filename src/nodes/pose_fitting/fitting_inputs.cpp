@@ -38,16 +38,17 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       sink_(std::move(sink)),
       tf_listener_(tf_),
       collector_(options.cameras, options.world_frame, options.rig_file),
-      assembler_(std::max(options.cameras.size(), size_t(1)),
-                 maskSetOptions(options.stamp_tolerance, options.deadline,
-                                collector_.timeOffsets())),
+      assembler_(
+          std::max(options.cameras.size(), size_t(1)),
+          maskSetOptions(options.stamp_tolerance, options.deadline, collector_.timeOffsets())),
       images_(options.cameras.size(), kMaxImages),
       pending_(kMaxWaiting),
       states_(options.cameras.size()),
       inputs_(handle, status),
-      products_(&inputs_, std::llround(options.stamp_tolerance * 1e9), !needs.masks,
-                [this](const std_msgs::Header& header) { receiveHull(header); },
-                std::move(search_begins)) {
+      products_(
+          &inputs_, std::llround(options.stamp_tolerance * 1e9), !needs.masks,
+          [this](const std_msgs::Header& header) { receiveHull(header); },
+          std::move(search_begins)) {
   if (!needs_.masks) {
     rig_ = std::make_shared<const CameraRig>();
     return;

@@ -91,7 +91,7 @@ class FittingInputs {
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;
   StampCache<CameraImage> images_;
-  HoldingQueue<Assembler::FrameSet> pending_;  ///< joined, but without images
+  HoldingQueue<Assembler::FrameSet> pending_;                    ///< joined, but without images
   std::deque<boost::shared_ptr<const HullCameras>> judgements_;  ///< the last ones
   std::optional<int64_t> last_passed_ns_;  ///< stamp of the last frame set of several cameras
   double next_look_ = 0.0;                 ///< s, when to look for changes of the rig

@@ -56,10 +56,9 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   text_ = handle.advertise<visualization_msgs::Marker>("pose/text", 4);
   if (needsOf(options_.method).masks)
     overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
-  inputs_ =
-      std::make_unique<FittingInputs>(handle, node_options_, needsOf(options_.method), &status_,
-                                      [this](FittingMessages input) { enqueue(std::move(input)); },
-                                      [this] { searches_ = true; });
+  inputs_ = std::make_unique<FittingInputs>(
+      handle, node_options_, needsOf(options_.method), &status_,
+      [this](FittingMessages input) { enqueue(std::move(input)); }, [this] { searches_ = true; });
   heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
   timer_ = handle.createWallTimer(ros::WallDuration(1.0),
@@ -124,8 +123,8 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     if (!input.error.empty()) throw std::invalid_argument(input.error);
     const int64_t stamp_ns = steadyStamp(input.header.stamp);
     prepareTracker(input, stamp_ns);
-    const BodyPose pose = updated(*tracker_, input, inputs_->products(), stamp_ns,
-                                  needsOf(options_.method).images);
+    const BodyPose pose =
+        updated(*tracker_, input, inputs_->products(), stamp_ns, needsOf(options_.method).images);
     follows_ = pose.status != PoseStatus::kLost;
     return pose;
   } catch (const std::exception& error) {

@@ -93,12 +93,12 @@ class FittingStage {
   ros::WallTime last_published_;
   std::shared_ptr<const TrackedBody> body_;  ///< only the worker changes it
   std::optional<PoseFilter> filter_;         ///< for body_
-  std::shared_ptr<const CameraRig> rig_;      ///< of tracker_
-  std::unique_ptr<BodyTracker> tracker_;      ///< null until the rig is known
-  bool follows_ = false;                      ///< the person, in the last frame set
-  int64_t last_stamp_ns_ = 0;                 ///< of the tracker
-  std::atomic<int64_t> shift_ns_{0};          ///< of the tracker's time
-  int64_t period_ns_ = 0;                     ///< between the last frame sets
+  std::shared_ptr<const CameraRig> rig_;     ///< of tracker_
+  std::unique_ptr<BodyTracker> tracker_;     ///< null until the rig is known
+  bool follows_ = false;                     ///< the person, in the last frame set
+  int64_t last_stamp_ns_ = 0;                ///< of the tracker
+  std::atomic<int64_t> shift_ns_{0};         ///< of the tracker's time
+  int64_t period_ns_ = 0;                    ///< between the last frame sets
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
   std::optional<Eigen::Vector3d> last_head_;  ///< m in world, where the text is shown
   std::atomic<bool> runs_{true};

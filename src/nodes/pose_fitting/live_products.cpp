@@ -13,9 +13,9 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 64;               // callbacks only store messages
-constexpr int64_t kMaxAge_ns = 500'000'000;   // of the newest hull
-constexpr double kKeptSubscribed = 3.0;       // s after a tracker asked last
+constexpr uint32_t kQueue = 64;                 // callbacks only store messages
+constexpr int64_t kMaxAge_ns = 500'000'000;     // of the newest hull
+constexpr double kKeptSubscribed = 3.0;         // s after a tracker asked last
 constexpr std::chrono::milliseconds kLook{20};  // while waiting
 
 double steadyNow() {

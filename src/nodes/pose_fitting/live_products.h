@@ -20,8 +20,8 @@
 namespace markerless_mocap {
 
 /// Hulls, parts and trees that the other stages publish. Where they are needed to start only, they
-/// are subscribed while a tracker asks for them and some seconds longer; nobody else needs parts and
-/// trees, so their stages rest meanwhile. Thread-safe.
+/// are subscribed while a tracker asks for them and some seconds longer; nobody else needs parts
+/// and trees, so their stages rest meanwhile. Thread-safe.
 class LiveProducts {
  public:
   /// The products for one frame set. Conversions are done when they are asked for; they throw

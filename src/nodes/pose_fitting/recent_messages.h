@@ -1,7 +1,7 @@
 #pragma once
 
-#include <boost/shared_ptr.hpp>
 #include <algorithm>
+#include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <cstdlib>
 #include <deque>
