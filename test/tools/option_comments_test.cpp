@@ -97,12 +97,15 @@ TEST_F(OptionComments, AreTheMeaningsThatTheLoaderGives) {
   expectSame<ColorBonus>("ColorBonus");
   expectSame<SplineWalkOptions>("SplineWalkOptions");
   expectSame<PoseTreeOptions>("PoseTreeOptions");
+  expectSame<LimbRatios>("LimbRatios");
   expectSame<TrackerOptions>("TrackerOptions", {"person"});
   expectSame<PersonOptions>("PersonOptions");
   expectSame<FilterOptions>("FilterOptions");
   expectSame<ContourOptions>("ContourOptions");
   expectSame<HsiaoOptions>("HsiaoOptions");
-  expectSame<FleischmannOptions>("FleischmannOptions", {"image"});
+  expectSame<FleischmannOptions>("FleischmannOptions", {"image", "swarm", "body"});
+  expectSame<FleischmannSwarmOptions>("FleischmannSwarmOptions");
+  expectSame<FleischmannBodyOptions>("FleischmannBodyOptions");
   expectSame<FleischmannImageOptions>("FleischmannImageOptions");
   expectSame<StudioOptions>("StudioOptions", {"character", "degradations"});
   expectSame<CharacterOptions>("CharacterOptions");
