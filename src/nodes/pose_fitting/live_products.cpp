@@ -70,7 +70,7 @@ void LiveProducts::subscribe() {
   listen("hull/points", &hulls_);
   listen("segmentation/parts", &parts_);
   listen("segmentation/points", &labels_);
-  listen("pose_tree", &trees_);
+  if (!always_) listen("pose_tree", &trees_);
 }
 
 void LiveProducts::ask() {
@@ -100,13 +100,13 @@ LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
   };
   const auto complete = [&] {
     const bool done[] = {look(hulls_, &found.hull), look(parts_, &found.parts),
-                         look(labels_, &found.labels), look(trees_, &found.tree)};
+                         look(labels_, &found.labels), always_ || look(trees_, &found.tree)};
     return closed_ || (done[0] && done[1] && done[2] && done[3]);
   };
   while (!complete()) changed_.wait_for(lock, kLook);
   if (!found.parts || !found.labels)
     found.lack = "; body_segmentation has sent nothing for this frame set";
-  else if (!found.tree)
+  else if (!found.tree && !always_)
     found.lack = "; pose_tree has sent nothing for this frame set";
   if (!found.hull) found.lack = "; visual_hull has sent nothing for this frame set";
   if (found.hull) found.grid = grids_.of(found.hull->header.stamp);

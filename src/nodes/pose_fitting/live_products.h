@@ -43,7 +43,8 @@ class LiveProducts {
     std::string lack_;
   };
 
-  /// \param always subscribe at once and for good; `hull_came` is then called for each hull
+  /// \param always subscribe to hulls and parts at once and for good; `hull_came` is then called
+  ///   for each hull. Such a method needs no trees
   /// \param search_begins called when a tracker asks for the products of a start
   LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool always,
                std::function<void(const std_msgs::Header&)> hull_came,
