@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,13 @@ inline AssemblerOptions maskSetOptions(double tolerance, double deadline,
   options.silence = kSilence;
   options.max_missed = kMaxMissed;
   return options;
+}
+
+/// Why a frame set is not used.
+inline std::string lackOfMasks(size_t present, size_t cameras, size_t required) {
+  return "the frame set has the masks of " + std::to_string(present) + " of " +
+         std::to_string(cameras) + " cameras, at least " + std::to_string(required) +
+         " are needed within the deadline";
 }
 
 }  // namespace markerless_mocap

@@ -135,9 +135,8 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
   for (size_t i = 0; i < options_.cameras.size(); ++i) addView(i, frame_set, &input);
   input.error = prepareRig();
   if (countOf(frame_set) < options_.requiredCameras())
-    input.error = "the frame set has the masks of " + std::to_string(countOf(frame_set)) + " of " +
-                  std::to_string(options_.cameras.size()) + " cameras, at least " +
-                  std::to_string(options_.requiredCameras()) + " are needed within the deadline";
+    input.error =
+        lackOfMasks(countOf(frame_set), options_.cameras.size(), options_.requiredCameras());
   else
     last_passed_ns_ = frame_set.stamp_ns;
   input.rig = rig_;

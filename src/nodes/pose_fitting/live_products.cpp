@@ -52,7 +52,10 @@ void LiveProducts::close() {
 
 template <class MessageT>
 void LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
-  recent->expect(steadyNow());
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    recent->expect(steadyNow());
+  }
   subscribers_.push_back(inputs_->subscribe<MessageT>(
       topic, kQueue, always_ ? StageInputs::kRequired : StageInputs::kOptional,
       [this, recent](const boost::shared_ptr<const MessageT>& message) {

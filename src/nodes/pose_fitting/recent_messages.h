@@ -15,8 +15,9 @@ class RecentMessages {
  public:
   using Ptr = boost::shared_ptr<const MessageT>;
 
-  /// From now on messages are expected.
+  /// From now on messages are expected; what came before is forgotten.
   void expect(double now) {
+    messages_.clear();
     expected_since_ = now;
     last_arrival_.reset();
   }

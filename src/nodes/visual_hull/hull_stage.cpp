@@ -272,10 +272,8 @@ std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_
 
 void HullStage::requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const {
   if (usable >= node_options_.requiredCameras()) return;
-  throw std::invalid_argument("the frame set has the masks of " + std::to_string(usable) + " of " +
-                              std::to_string(frame_set.items.size()) + " cameras, at least " +
-                              std::to_string(node_options_.requiredCameras()) +
-                              " are needed within the deadline");
+  throw std::invalid_argument(
+      lackOfMasks(usable, frame_set.items.size(), node_options_.requiredCameras()));
 }
 
 std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
