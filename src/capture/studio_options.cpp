@@ -16,10 +16,9 @@ void StudioOptions::visit(OptionVisitor& v) {
           "repeated; 0: the motion once");
   v.field("volume_half_width", volume_half_width, 0.5, 20,
           "largest distance of a joint from the centre in x and in y, m");
-  v.field(
-      "rig", rig, {},
-      "ring8, ring7_overhead, ring4, ceiling4, random8, wide6 (fisheye lenses) or path of a rig "
-      "file; the cameras of the named rigs are cam0, cam1, ...");
+  v.field("rig", rig, {},
+          "ring8, ring7_overhead, ring4, ring16, ceiling4, random8, wide6 (fisheye lenses) or path "
+          "of a rig file; the cameras of the named rigs are cam0, cam1, ...");
   v.field("width", width, 16, 8192, "image width, px; a rig file has its own");
   v.field("height", height, 16, 8192, "image height, px; a rig file has its own");
   v.field("distortion_k1", distortion_k1, -0.2, 0.2,

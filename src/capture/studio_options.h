@@ -23,8 +23,8 @@ struct StudioOptions {
   double duration = 0.0;
   /// largest distance of a joint from the centre in x and in y, m
   double volume_half_width = 1.8;
-  /// ring8, ring7_overhead, ring4, ceiling4, random8, wide6 (fisheye lenses) or path of a rig file;
-  /// the cameras of the named rigs are cam0, cam1, ...
+  /// ring8, ring7_overhead, ring4, ring16, ceiling4, random8, wide6 (fisheye lenses) or path of a
+  /// rig file; the cameras of the named rigs are cam0, cam1, ...
   std::string rig = "ring7_overhead";
   /// image width, px; a rig file has its own
   int width = 640;

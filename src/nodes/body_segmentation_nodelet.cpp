@@ -69,6 +69,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     }
     report(parts);
     publishShared(parts_, messageFromParts(parts, cloud.header));
+    status_->sent(cloud.header.stamp);
     publishShared(points_, labelledCloud(hull, parts, cloud.header));
     curves_.publish(curveMarkers(parts, cloud.header));
   }

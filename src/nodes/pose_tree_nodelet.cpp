@@ -88,6 +88,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
 
   void publish(const PoseTree& tree, const std_msgs::Header& header) {
     publishShared(trees_, messageFromPoseTree(tree, header));
+    status_->sent(header.stamp);
     if (markers_.getNumSubscribers() > 0) markers_.publish(treeMarkers(tree, header));
     if (skeletons_.getNumSubscribers() > 0) publishShared(skeletons_, skeletonCloud(tree, header));
   }

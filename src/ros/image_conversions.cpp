@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
-#include "ros/jpeg_image.h"
 
 namespace markerless_mocap {
 
@@ -58,13 +57,22 @@ cv::Mat matFromMessage(const sensor_msgs::Image& message) {
 }
 
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
+  cv::Size whole;
+  return matFromMessage(
+      message, [](const cv::Size&) { return 1; }, &whole);
+}
+
+cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const ReductionRule& rule,
+                       cv::Size* whole) {
   const std::string subject = "compressed image of frame \"" + message.header.frame_id + "\"";
   cv::Mat image;
   try {
-    if (isJpeg(message.data))
-      image = decodedJpeg(message.data);
-    else if (!message.data.empty())
+    if (isJpeg(message.data)) {
+      image = decodedJpeg(message.data, rule, whole);
+    } else if (!message.data.empty()) {
       image = cv::imdecode(message.data, cv::IMREAD_ANYCOLOR);
+      *whole = image.size();
+    }
   } catch (const std::exception& error) {  // from decodedJpeg() or OpenCV
     throw std::invalid_argument(subject + " cannot be decoded: " + error.what());
   }

@@ -5,6 +5,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "ros/jpeg_image.h"
+
 namespace markerless_mocap {
 
 /// Pixels of an image message: CV_8UC1 from a grey encoding, CV_8UC3 (BGR) from a colour encoding
@@ -19,6 +21,9 @@ cv::Mat sharedMatFromMessage(const sensor_msgs::Image& message);
 /// As matFromMessage() from JPEG, PNG or another format that OpenCV decodes. Throws
 /// std::invalid_argument if the image cannot be decoded, or a part of a JPEG is missing or damaged.
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message);
+/// The same; a JPEG may come smaller, see decodedJpeg(). \param whole the size before that
+cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const ReductionRule& rule,
+                       cv::Size* whole);
 
 /// A mask (CV_8UC1, 0 | 128 unknown | 255) from a message; pixels of other values become 255.
 /// Throws std::invalid_argument unless the encoding is mono8.

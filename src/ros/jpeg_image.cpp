@@ -57,6 +57,11 @@ class Decoder {
     jpeg_.out_color_space = channels() == 1 ? JCS_GRAYSCALE : JCS_EXT_BGR;
     return true;
   }
+  /// Call this before readPixels(). \param reduction 1, 2, 4 or 8
+  void reduce(int reduction) {
+    jpeg_.scale_num = 1;
+    jpeg_.scale_denom = unsigned(reduction);
+  }
   bool readPixels(cv::Mat* image) {
     if (setjmp(faults_.leave) != 0) return false;
     jpeg_start_decompress(&jpeg_);
@@ -90,14 +95,28 @@ bool isJpeg(const std::vector<uint8_t>& bytes) {
 }
 
 cv::Mat decodedJpeg(const std::vector<uint8_t>& bytes) {
+  cv::Size whole;
+  return decodedJpeg(
+      bytes, [](const cv::Size&) { return 1; }, &whole);
+}
+
+cv::Mat decodedJpeg(const std::vector<uint8_t>& bytes, const ReductionRule& rule, cv::Size* whole) {
   Decoder decoder;
   if (!decoder.readHead(bytes)) refuse(decoder.fault());
   const cv::Size size = decoder.size();
   if (size_t(size.width) * size_t(size.height) > kMaxPixels)
     refuse("its head says " + std::to_string(size.width) + " x " + std::to_string(size.height) +
            " pixels");
-  cv::Mat image(size, CV_MAKETYPE(CV_8U, decoder.channels()));
-  if (decoder.isUnusual()) return cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
+  if (decoder.isUnusual()) {
+    const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
+    *whole = image.size();
+    return image;
+  }
+  *whole = size;
+  const int wanted = rule(size), reduction = wanted == 2 || wanted == 4 || wanted == 8 ? wanted : 1;
+  decoder.reduce(reduction);
+  cv::Mat image((size.height + reduction - 1) / reduction, (size.width + reduction - 1) / reduction,
+                CV_MAKETYPE(CV_8U, decoder.channels()));
   if (!decoder.readPixels(&image) || decoder.warnings() > 0) refuse(decoder.fault());
   return image;
 }

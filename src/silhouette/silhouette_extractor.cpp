@@ -33,9 +33,10 @@ class SilhouetteExtractor::Impl {
     if (!learns()) subtractor_ = makeSubtractor(options_, {});  // a fault of the file is told now
   }
 
-  SilhouetteResult update(const cv::Mat& full) {
-    const int reduction = reductionOf(full.size(), options_.max_megapixels);
-    const cv::Mat image = reducedImage(full, reduction);
+  int reduction(const cv::Size& whole) const { return reductionOf(whole, options_.max_megapixels); }
+
+  SilhouetteResult update(const cv::Mat& given, const cv::Size& whole) {
+    const cv::Mat image = given.size() == whole ? reducedImage(given, reduction(whole)) : given;
     checkImage(image);
     if (!subtractor_ || type_ < 0) begin(image);
     if (learns() && frames_learned_ < options_.background_frames && loaded_.empty()) {
@@ -45,7 +46,7 @@ class SilhouetteExtractor::Impl {
     if (live_) addLive(image);
     const Extraction found = subtractor_->extract(image);
     const double unknown = double(found.unknown.count()) / double(image.total());
-    return {stateAfter(found), enlargedMask(maskOf(found), reduction, full.size()), unknown,
+    return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole), unknown,
             found.changed_fraction, found.light_gain};
   }
 
@@ -177,7 +178,15 @@ SilhouetteExtractor::SilhouetteExtractor(SilhouetteExtractor&&) noexcept = defau
 SilhouetteExtractor& SilhouetteExtractor::operator=(SilhouetteExtractor&&) noexcept = default;
 
 SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
-  return impl_->update(image);
+  return impl_->update(image, image.size());
+}
+
+int SilhouetteExtractor::reductionOf(const cv::Size& image) const {
+  return impl_->reduction(image);
+}
+
+SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image, const cv::Size& whole) {
+  return impl_->update(image, whole);
 }
 
 void SilhouetteExtractor::change(const SilhouetteOptions& options) {

@@ -100,8 +100,8 @@ TEST(RigsTest, aRigFileKeepsTheRigBitByBit) {
 
 TEST(RigsTest, faultsAreNamed) {
   EXPECT_EQ(errorTextOf([] { makeRig(planOf("ring5")); }),
-            "the rig is \"ring5\", allowed are ring8, ring7_overhead, ring4, ceiling4, random8, "
-            "wide6");
+            "the rig is \"ring5\", allowed are ring8, ring7_overhead, ring4, ring16, ceiling4, "
+            "random8, wide6");
   EXPECT_EQ(errorTextOf([] {
               lookAt({1, 2, 3}, {1, 2, 3});
             }),

@@ -11,6 +11,7 @@ from hri_listener import HriListener
 from markerless_mocap.msg import BodyPose
 
 LACK = 'frame sets without the silhouette of cam7'
+LATENCY = ('camera to message, median ms', 'camera to message, 99 % within ms')
 
 
 class StoppedCamera(unittest.TestCase):
@@ -39,6 +40,9 @@ class StoppedCamera(unittest.TestCase):
     def test_the_person_is_followed_without_it(self):
         self.wait_for(lambda: len(self.tracked()) >= 5, 120)
         self.assertGreaterEqual(len(self.tracked()), 5, {p.reason for p in self.poses})
+        self.wait_for(lambda: LATENCY[0] in self.counts, 20)
+        self.assertGreater(self.counts[LATENCY[0]], 0)
+        self.assertGreaterEqual(self.counts[LATENCY[1]], self.counts[LATENCY[0]])
         before = self.lacking()
         rosnode.kill_nodes(['/silhouette_of_cam7'])
         stopped = rospy.Time.now()
@@ -54,6 +58,8 @@ class StoppedCamera(unittest.TestCase):
         self.wait_for(lambda: not self.hri.bodies() and not described(), 60)
         self.assertEqual([], self.hri.bodies())
         self.assertFalse(described())
+        self.wait_for(lambda: LATENCY[0] not in self.counts, 30)
+        self.assertNotIn(LATENCY[0], self.counts, 'nothing has come for more than ten seconds')
 
 
 if __name__ == '__main__':

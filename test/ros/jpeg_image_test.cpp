@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "error_text_of.h"
@@ -31,6 +32,32 @@ TEST(JpegImage, IsDecodedAsOpenCvDoes) {
     const cv::Mat image = decodedJpeg(bytes);
     ASSERT_EQ(image.type(), expected.type());
     EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0.0);
+  }
+}
+
+TEST(JpegImage, ComesSmallerIfTheRuleSaysSo) {
+  cv::Mat scene = noise(CV_8UC3);
+  cv::GaussianBlur(scene, scene, {0, 0}, 8);
+  const std::vector<uint8_t> bytes = jpegOf(scene);
+  for (const int reduction : {1, 2, 3, 4, 8}) {
+    const auto rule = [&](const cv::Size& size) {
+      EXPECT_EQ(size, scene.size());
+      return reduction;
+    };
+    cv::Size whole;
+    const cv::Mat image = decodedJpeg(bytes, rule, &whole);
+    EXPECT_EQ(whole, scene.size());
+    if (reduction == 3) {
+      EXPECT_EQ(image.size(), scene.size()) << "the decoder cannot do this";
+      continue;
+    }
+    ASSERT_EQ(image.size(),
+              cv::Size((131 + reduction - 1) / reduction, (97 + reduction - 1) / reduction));
+    cv::Mat expected;
+    cv::resize(scene, expected, {131 / reduction, 97 / reduction}, 0, 0, cv::INTER_AREA);
+    const cv::Rect inside(cv::Point(), expected.size());
+    EXPECT_LT(cv::norm(image(inside), expected, cv::NORM_L1) / double(3 * inside.area()), 2.0)
+        << reduction;
   }
 }
 

@@ -65,5 +65,23 @@ TEST(ImageReduction, NoiseOfALargeImageIsAveragedAway) {
   EXPECT_LT(foundWith(1.0), 0.8);
 }
 
+TEST(ImageReduction, MayBeDoneBefore) {
+  SilhouetteOptions options;
+  options.max_megapixels = 0.005;  // of 160 x 120 pixels half of each side
+  SilhouetteExtractor extractor(options), other(options);
+  const int reduction = extractor.reductionOf(kSize);
+  ASSERT_EQ(reduction, 2);
+  const cv::Mat scene = makeScene(3);
+  for (int i = 0; i < options.background_frames; ++i) {
+    extractor.update(withNoise(scene, i));
+    other.update(reducedImage(withNoise(scene, i), reduction), kSize);
+  }
+  const cv::Mat image = withNoise(withPerson(scene), 100);
+  const cv::Mat mask = extractor.update(image).mask;
+  ASSERT_EQ(mask.size(), kSize);
+  EXPECT_GT(iou(mask, exactMask()), 0.9);
+  EXPECT_EQ(cv::norm(mask, other.update(reducedImage(image, reduction), kSize).mask), 0.0);
+}
+
 }  // namespace
 }  // namespace markerless_mocap

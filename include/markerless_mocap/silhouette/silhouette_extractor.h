@@ -44,6 +44,12 @@ class SilhouetteExtractor {
   ///   `background_frames` images. If somebody moves in them (option `background`), what these
   ///   images do not show is unknown, and is learned later, as people move.
   SilhouetteResult update(const cv::Mat& image);
+  /// How many times smaller each side of an image of this size is made before all else (option
+  /// `max_megapixels`); at least 1.
+  int reductionOf(const cv::Size& image) const;
+  /// The same for an image that may have been made that many times smaller already, as a decoder of
+  /// JPEGs can. \param whole size of the image before that, and of the mask
+  SilhouetteResult update(const cv::Mat& image, const cv::Size& whole);
   /// Takes over all settings from the next image on, but what SilhouetteOptions::fixedKeys() names:
   /// that stays, and so does the background. Throws std::invalid_argument as
   /// SilhouetteOptions::validate(); then nothing changes.

@@ -92,6 +92,7 @@ Places ringOf(int cameras, double radius = kRingRadius, double height = kRingHei
 Places placesOf(const std::string& kind) {
   if (kind == "ring8") return ringOf(8);
   if (kind == "ring4") return ringOf(4);
+  if (kind == "ring16") return ringOf(16);
   if (kind == "wide6") return ringOf(6, kWideRadius, kWideHeight);
   if (kind == "ceiling4") {
     Places corners;
@@ -153,7 +154,7 @@ Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d&
 }
 
 const std::vector<std::string>& rigKinds() {
-  static const std::vector<std::string> kinds = {"ring8",    "ring7_overhead", "ring4",
+  static const std::vector<std::string> kinds = {"ring8",    "ring7_overhead", "ring4", "ring16",
                                                  "ceiling4", "random8",        "wide6"};
   return kinds;
 }

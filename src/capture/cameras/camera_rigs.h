@@ -22,10 +22,10 @@ struct RigPlan {
   uint64_t seed = 1;                    ///< of the random rig
 };
 
-/// ring8, ring7_overhead, ring4 (height 1.9 m, 4.2 m from the centre; the overhead camera at 4.6
-/// m), ceiling4 (in the upper corners of a square of 5.2 m), random8 (random positions and lenses
-/// near those of ring8), wide6 (fisheye lenses of 105 x 78 degrees, 2.2 m from the centre at 2.3 m
-/// height).
+/// ring8, ring7_overhead, ring4, ring16 (height 1.9 m, 4.2 m from the centre; the overhead camera
+/// at 4.6 m), ceiling4 (in the upper corners of a square of 5.2 m), random8 (random positions and
+/// lenses near those of ring8), wide6 (fisheye lenses of 105 x 78 degrees, 2.2 m from the centre
+/// at 2.3 m height).
 const std::vector<std::string>& rigKinds();
 
 /// Creates a rig. The field of view of each lens just covers volumePoints() for any image shape.

@@ -9,4 +9,11 @@ cv::Mat CameraImage::mat() const {
   return compressed ? matFromMessage(*compressed) : cv::Mat();
 }
 
+cv::Mat CameraImage::mat(const ReductionRule& rule, cv::Size* whole) const {
+  if (compressed) return matFromMessage(*compressed, rule, whole);
+  const cv::Mat image = mat();
+  *whole = image.size();
+  return image;
+}
+
 }  // namespace markerless_mocap

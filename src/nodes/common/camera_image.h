@@ -5,6 +5,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "ros/jpeg_image.h"
+
 namespace markerless_mocap {
 
 /// A raw or compressed image, decoded on demand.
@@ -18,6 +20,8 @@ struct CameraImage {
   /// std::invalid_argument as
   /// matFromMessage().
   cv::Mat mat() const;
+  /// The same; a JPEG may come smaller, see decodedJpeg(). \param whole the size before that
+  cv::Mat mat(const ReductionRule& rule, cv::Size* whole) const;
 };
 
 }  // namespace markerless_mocap

@@ -3,32 +3,40 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace markerless_mocap {
 
-/// Quantiles of recent durations (about ten seconds at 30 frames per second).
+/// Quantiles of the durations of the last ten seconds.
 class LatencyMeter {
  public:
-  void add(double seconds) {
-    if (last_.size() < kKept)
-      last_.push_back(seconds);
-    else
-      last_[next_++ % kKept] = seconds;
+  /// \param now time of a steady clock, s \param duration s
+  void add(double now, double duration) {
+    last_.push_back({now, duration});
+    forget(now);
   }
+  void forget(double now) {
+    while (!last_.empty() && last_.front().time < now - kSpan) last_.pop_front();
+  }
+  bool empty() const { return last_.empty(); }
   /// Quantile in milliseconds; 0 without data. \param fraction 0.5 for the median
   uint64_t milliseconds(double fraction) const {
     if (last_.empty()) return 0;
-    std::vector<double> sorted = last_;
+    std::vector<double> sorted;
+    for (const Entry& entry : last_) sorted.push_back(entry.duration);
     const auto at = sorted.begin() + std::ptrdiff_t(fraction * double(sorted.size() - 1));
     std::nth_element(sorted.begin(), at, sorted.end());
     return uint64_t(std::max(0.0, 1e3 * *at + 0.5));
   }
 
  private:
-  static constexpr size_t kKept = 300;
-  std::vector<double> last_;
-  size_t next_ = 0;
+  struct Entry {
+    double time, duration;
+  };
+
+  static constexpr double kSpan = 10;  // s
+  std::deque<Entry> last_;
 };
 
 }  // namespace markerless_mocap

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr double kRemarkTime = 10.0;  // s
 constexpr size_t kMaxRemarks = 64, kShownRemarks = 3;
-constexpr double kStartTime = 5.0;   // s until every camera should have sent
+constexpr double kStartTime = 5.0;        // s until every camera should have sent
+constexpr double kLongestLatency = 60.0;  // s; more is a stamp of another time, as of a recording
 constexpr double kResultTime = 3.0;  // s that one frame set may take, as a search for a person does
 
 double steadySeconds() {
@@ -91,6 +93,13 @@ void StageStatus::set(const std::string& name, uint64_t count) {
 void StageStatus::count(const std::string& name) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++counts_[name];
+}
+
+void StageStatus::sent(const ros::Time& stamp) {
+  if (!ros::Time::isSystemTime()) return;
+  const double latency = (ros::Time::now() - stamp).toSec();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::abs(latency) < kLongestLatency) latencies_.add(steadySeconds(), latency);
 }
 
 size_t StageStatus::watch(const std::string& input, Loss loss) {
@@ -186,6 +195,11 @@ void StageStatus::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
     ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << now.message);
   status.summary(now.level, now.message);
   for (const auto& [name, count] : counts_) status.add(name, count);
+  latencies_.forget(steadySeconds());
+  if (!latencies_.empty()) {
+    status.add("camera to message, median ms", latencies_.milliseconds(0.5));
+    status.add("camera to message, 99 % within ms", latencies_.milliseconds(0.99));
+  }
   status.add("last reason", last_problem_);
 }
 

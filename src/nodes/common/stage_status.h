@@ -13,6 +13,7 @@
 
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/input_watch.h"
+#include "nodes/common/latency_meter.h"
 
 namespace markerless_mocap {
 
@@ -49,6 +50,10 @@ class StageStatus {
   /// Sets a counter that /diagnostics shows.
   void set(const std::string& name, uint64_t count);
   void count(const std::string& name);
+
+  /// A result is on its way: /diagnostics shows how long it took since the camera's stamp. Of
+  /// simulated time, and of stamps that are not of now, nothing is shown.
+  void sent(const ros::Time& stamp);
 
   /// Declares an input; returns its number. Its silence is told by this name.
   size_t watch(const std::string& input, Loss loss);
@@ -87,6 +92,7 @@ class StageStatus {
   std::vector<Input> inputs_;
   std::deque<Remark> remarks_;
   InputWatch results_;
+  LatencyMeter latencies_;
   ros::WallTimer timer_;
   CallbackGate gate_;
 };

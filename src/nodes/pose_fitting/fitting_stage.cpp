@@ -113,7 +113,7 @@ void FittingStage::work() {
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();
     if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
-    if (answer(pose, *input)) reportTimes(fitting, input->header.stamp);
+    if (answer(pose, *input)) reportTimes(fitting);
     if (queue_.waitingCount() == 0) searches_ = false;
   }
 }
@@ -240,6 +240,7 @@ BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& head
   }
   announce(tracked, header.stamp);
   publishShared(pose_, messageFromPose(model, raw, header));
+  status_.sent(header.stamp);
   return pose;
 }
 
@@ -276,15 +277,11 @@ void FittingStage::beat() {
   heartbeat_.publish(message);
 }
 
-void FittingStage::reportTimes(double fitting, const ros::Time& stamp) {
-  fitting_times_.add(fitting);
+void FittingStage::reportTimes(double fitting) {
+  fitting_times_.add(ros::SteadyTime::now().toSec(), fitting);
   status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
   status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
   status_.set("frame sets dropped for newer ones", queue_.droppedCount());
-  if (!ros::Time::isSystemTime()) return;
-  latencies_.add((ros::Time::now() - stamp).toSec());
-  status_.set("capture to tf, median ms", latencies_.milliseconds(0.5));
-  status_.set("capture to tf, 99 % within ms", latencies_.milliseconds(0.99));
 }
 
 }  // namespace markerless_mocap

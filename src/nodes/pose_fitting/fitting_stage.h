@@ -76,7 +76,7 @@ class FittingStage {
   void checkAnnouncement();
   /// Publishes the state, also when no images come.
   void beat();
-  void reportTimes(double fitting, const ros::Time& stamp);
+  void reportTimes(double fitting);
 
   std::mutex mutex_;  ///< held for a frame set, a service, a change of settings
   TrackerOptions options_;
@@ -103,7 +103,7 @@ class FittingStage {
   std::optional<Eigen::Vector3d> last_head_;  ///< m in world, where the text is shown
   std::atomic<bool> runs_{true};
   std::atomic<bool> searches_{false};  ///< frame sets may wait behind a search
-  LatencyMeter fitting_times_, latencies_;
+  LatencyMeter fitting_times_;
   CatchUpQueue<FittingMessages> queue_;
   std::optional<Overlays> overlays_;
   std::unique_ptr<FittingInputs> inputs_;

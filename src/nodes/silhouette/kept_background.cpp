@@ -47,21 +47,22 @@ KeptBackground::KeptBackground(const std::string& camera, const SilhouetteNodeOp
   unchecked_ = kCheckedImages;
 }
 
-std::optional<SilhouetteResult> KeptBackground::update(const cv::Mat& image) {
+std::optional<SilhouetteResult> KeptBackground::update(const cv::Mat& image,
+                                                       const cv::Size& whole) {
   if (unchecked_ > 0) {
-    if (isLike(image) && --unchecked_ == 0)
+    if (isLike(image, whole) && --unchecked_ == 0)
       status_->remark("the background of " + camera_ + " is that of " + file_);
     return std::nullopt;
   }
-  const SilhouetteResult result = extractor_->update(image);
+  const SilhouetteResult result = extractor_->update(image, whole);
   if (keeps_) keep(result);
   return result;
 }
 
-bool KeptBackground::isLike(const cv::Mat& image) {
+bool KeptBackground::isLike(const cv::Mat& image, const cv::Size& whole) {
   SilhouetteResult result;
   try {
-    result = extractor_->update(image);
+    result = extractor_->update(image, whole);
   } catch (const std::invalid_argument& error) {
     refuse(error.what());
     return false;

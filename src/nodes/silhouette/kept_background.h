@@ -20,14 +20,14 @@ class KeptBackground {
 
   /// The extractor's result; none while the file is checked. Throws as
   /// SilhouetteExtractor::update().
-  std::optional<SilhouetteResult> update(const cv::Mat& image);
+  std::optional<SilhouetteResult> update(const cv::Mat& image, const cv::Size& whole);
   void relearn();
   /// Throws std::invalid_argument with the reason if it fails.
   void save();
 
  private:
   /// Whether the image is like the background; if not, the reason is told.
-  bool isLike(const cv::Mat& image);
+  bool isLike(const cv::Mat& image, const cv::Size& whole);
   void refuse(const std::string& why);
   void keep(const SilhouetteResult& result);
 

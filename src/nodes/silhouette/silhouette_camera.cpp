@@ -117,24 +117,31 @@ void SilhouetteCamera::process(const CameraImage& image) {
 void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image) {
   if (mask.type() != CV_8UC1)
     throw std::invalid_argument("the image is not a mask, allowed is one channel");
-  publishShared(publisher_, messageFromMat(maskOfThreeValues(mask), image.header()));
+  publish(maskOfThreeValues(mask), image);
   status_.ok("masks are published");
 }
 
+void SilhouetteCamera::publish(const cv::Mat& mask, const CameraImage& image) {
+  publishShared(publisher_, messageFromMat(mask, image.header()));
+  status_.sent(image.header().stamp);
+}
+
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
-  const cv::Mat pixels = image.mat();
+  cv::Size whole;
+  const cv::Mat pixels =
+      image.mat([this](const cv::Size& size) { return extractor_.reductionOf(size); }, &whole);
   if (change_.add(pixels)) {
     status_.count("images unlike those before");
     return status_.problem("the last image of " + camera_ +
                            " is nearly everywhere unlike the one " +
                            "before; it is left out, unless the change stays");
   }
-  const std::optional<SilhouetteResult> silhouette = background_.update(pixels);
+  const std::optional<SilhouetteResult> silhouette = background_.update(pixels, whole);
   if (!silhouette) return status_.waiting("checking the background that was kept");
   if (silhouette->state == SilhouetteState::kLearning)
     return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
                       " images so far");
-  publishShared(publisher_, messageFromMat(silhouette->mask, image.header()));
+  publish(silhouette->mask, image);
   reportSilhouette(*silhouette);
 }
 

@@ -39,6 +39,7 @@ class SilhouetteCamera {
   /// Takes over settings that have changed.
   void followSettings(const ros::Time& stamp);
   void process(const CameraImage& image);
+  void publish(const cv::Mat& mask, const CameraImage& image);
   void publishMask(const cv::Mat& mask, const CameraImage& image);
   void publishSilhouette(const CameraImage& image);
   void reportSilhouette(const SilhouetteResult& silhouette);

@@ -192,6 +192,7 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
   }
   publishCameras(frame_set, hull, header);
   if (isWanted()) publishShared(points_, messageFromHull(hull, header));
+  status_.sent(header.stamp);
 }
 
 bool HullStage::isStray(const Assembler::FrameSet& frame_set) const {

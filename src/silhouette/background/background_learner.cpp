@@ -5,6 +5,7 @@
 
 #include "silhouette/background/color_modes.h"
 #include "silhouette/background/light_gain.h"
+#include "silhouette/background/one_color_row.h"
 
 namespace markerless_mocap {
 namespace {
@@ -51,14 +52,21 @@ Background BackgroundLearner::learn(int modes, double min_sigma) const {
   std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
   const float expected = sorted[n / 2];
   Background background(first.size(), channels, modes);
+  OneColorRow row(first.cols, channels, colorReach(float(min_sigma), channels));
   std::vector<float> samples(size_t(n) * channels);
-  for (int y = 0; y < first.rows; ++y)
+  for (int y = 0; y < first.rows; ++y) {
+    row.clear();
+    for (int i = 0; i < n; ++i) row.add(kept_[i].ptr(y), expected / gains_[i]);
+    row.finish();
     for (int x = 0; x < first.cols; ++x) {
-      for (int i = 0; i < n; ++i)
-        for (int c = 0; c < channels; ++c)
-          samples[i * channels + c] = kept_[i].ptr(y)[x * channels + c] * expected / gains_[i];
+      if (row.hasOneColor(x)) {
+        store({row.mode(x)}, x, y, &background);
+        continue;
+      }
+      for (int i = 0; i < n; ++i) row.copySample(i, x, &samples[size_t(i) * channels]);
       store(findColorModes(samples, channels, min_sigma, modes), x, y, &background);
     }
+  }
   return background;
 }
 

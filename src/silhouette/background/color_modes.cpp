@@ -97,18 +97,18 @@ ColorMode shifted(const Samples& samples, int start, float reach) {
 
 }  // namespace
 
+float colorReach(float noise, int channels) {
+  return kKernelSigmas * kKernelSigmas * noise * noise * float(channels) / 2;
+}
+
 std::vector<ColorMode> findColorModes(std::vector<float> values, int channels, double min_sigma,
                                       int max_modes) {
   Samples samples(std::move(values), channels);
   const int all = samples.count();
   const ColorMode whole = samples.meanNear(samples.at(0), 1e30f);
-  const auto reach_of = [=](float noise) {
-    return kKernelSigmas * kKernelSigmas * noise * noise * float(channels) / 2;
-  };
-  // The most common case, a scene without people: one colour.
-  float reach = reach_of(float(min_sigma));
+  float reach = colorReach(float(min_sigma), channels);
   if (samples.meanNear(whole.mean, reach).count == all) return {whole};
-  reach = std::max(reach, reach_of(samples.noise()));
+  reach = std::max(reach, colorReach(samples.noise(), channels));
   if (samples.meanNear(whole.mean, reach).count == all) return {whole};
   std::vector<ColorMode> modes;
   while (int(modes.size()) < max_modes && samples.count() > 0) {

@@ -11,6 +11,10 @@ struct ColorMode {
   int count;    ///< number of samples that belong to it
 };
 
+/// Largest squared distance of a sample from the mean of its mode. \param noise standard deviation
+/// of a channel, grey levels
+float colorReach(float noise, int channels);
+
 /// The modes of a pixel's colours over time, the most frequent first. Each is the limit of a mean
 /// shift with a flat kernel that starts at the densest sample. The samples of a mode are removed
 /// before the next is searched.

@@ -25,8 +25,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--config", arguments->config, "YAML file with a section virtual_studio");
   app.add_option("--motion", arguments->motion,
                  "name of a motion in config/motions, or path of a .yaml or .bvh file");
-  app.add_option("--rig", arguments->rig,
-                 "ring8, ring7_overhead, ring4, ceiling4, random8, wide6 or path of a rig file");
+  app.add_option(
+      "--rig", arguments->rig,
+      "ring8, ring7_overhead, ring4, ring16, ceiling4, random8, wide6 or path of a rig file");
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE of the section virtual_studio, may be given repeatedly");
   app.add_option("--images", render.images, "raw, jpeg or none")->capture_default_str();
