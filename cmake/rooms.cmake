@@ -1,33 +1,44 @@
-# A room is src/<name>, include/markerless_mocap/<name> and test/<name>, with all their folders.
+# A room is src/<name>, include/markerless_mocap/<name> and test/<name>, with all their folders. A room
+# <name>/<folder> is tested with <name>.
 # mocap_room(<name> [DEPENDS <room>...] [LIBRARIES <library>...] [SOURCES <generated>...]
 #   [TESTS_USE <room>...])
 function(mocap_room name)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;SOURCES;TESTS_USE" ${ARGN})
+  mocap_targets(room ${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   list(APPEND sources ${ROOM_SOURCES})
   set(scope PUBLIC)
   if(sources)
-    add_library(mocap_${name} STATIC ${sources})
+    add_library(${room} STATIC ${sources})
   else()
     set(scope INTERFACE)
-    add_library(mocap_${name} INTERFACE)
+    add_library(${room} INTERFACE)
   endif()
-  target_include_directories(mocap_${name} ${scope}
+  target_include_directories(${room} ${scope}
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
   set(rooms ${name})  # and all below
-  foreach(room ${ROOM_DEPENDS})
-    target_link_libraries(mocap_${name} ${scope} mocap_${room})
-    get_target_property(below mocap_${room} MOCAP_ROOMS)
+  mocap_targets(depends ${ROOM_DEPENDS})
+  foreach(needed ${depends})
+    target_link_libraries(${room} ${scope} ${needed})
+    get_target_property(below ${needed} MOCAP_ROOMS)
     list(APPEND rooms ${below})
   endforeach()
   list(REMOVE_DUPLICATES rooms)
-  set_target_properties(mocap_${name} PROPERTIES MOCAP_ROOMS "${rooms}")
-  target_link_libraries(mocap_${name} ${scope} ${ROOM_LIBRARIES})
-  if(MARKERLESS_MOCAP_TESTS)
-    list(TRANSFORM ROOM_TESTS_USE PREPEND mocap_)
-    mocap_room_tests(${name} mocap_${name} ${ROOM_TESTS_USE})
+  set_target_properties(${room} PROPERTIES MOCAP_ROOMS "${rooms}")
+  target_link_libraries(${room} ${scope} ${ROOM_LIBRARIES})
+  if(MARKERLESS_MOCAP_TESTS AND NOT name MATCHES "/")
+    mocap_targets(others ${ROOM_TESTS_USE})
+    mocap_room_tests(${name} ${room} ${others})
   endif()
+endfunction()
+
+# The libraries of rooms.
+function(mocap_targets out)
+  set(targets ${ARGN})
+  list(TRANSFORM targets REPLACE "/" "_")
+  list(TRANSFORM targets PREPEND mocap_)
+  set(${out} ${targets} PARENT_SCOPE)
 endfunction()
 
 # One executable per room from test/<name>/*_test.cpp; its cases are ctest's cases.

@@ -27,12 +27,17 @@ install_packages() {
     apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends "${missing[@]}"
 }
 
-# build_tree DIR [CMAKE OPTION...]
-build_tree() {
+# configure_tree DIR [CMAKE OPTION...]
+configure_tree() {
   local tree=$1
   shift
   # rosrun does not look into a folder "build" of the package, hence devel/ beside it.
   cmake -S . -B "$tree" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCATKIN_DEVEL_PREFIX="$PWD/devel" \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
-  cmake --build "$tree"
+}
+
+# build_tree DIR [CMAKE OPTION...]: configures it and builds everything
+build_tree() {
+  configure_tree "$@"
+  cmake --build "$1"
 }

@@ -181,7 +181,7 @@ SilhouetteResult SilhouetteExtractor::update(const cv::Mat& image) {
   return impl_->update(image, image.size());
 }
 
-int SilhouetteExtractor::reductionOf(const cv::Size& image) const {
+int SilhouetteExtractor::reductionFor(const cv::Size& image) const {
   return impl_->reduction(image);
 }
 

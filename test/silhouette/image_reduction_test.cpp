@@ -69,7 +69,7 @@ TEST(ImageReduction, MayBeDoneBefore) {
   SilhouetteOptions options;
   options.max_megapixels = 0.005;  // of 160 x 120 pixels half of each side
   SilhouetteExtractor extractor(options), other(options);
-  const int reduction = extractor.reductionOf(kSize);
+  const int reduction = extractor.reductionFor(kSize);
   ASSERT_EQ(reduction, 2);
   const cv::Mat scene = makeScene(3);
   for (int i = 0; i < options.background_frames; ++i) {

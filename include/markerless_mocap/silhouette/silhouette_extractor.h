@@ -46,7 +46,7 @@ class SilhouetteExtractor {
   SilhouetteResult update(const cv::Mat& image);
   /// How many times smaller each side of an image of this size is made before all else (option
   /// `max_megapixels`); at least 1.
-  int reductionOf(const cv::Size& image) const;
+  int reductionFor(const cv::Size& image) const;
   /// The same for an image that may have been made that many times smaller already, as a decoder of
   /// JPEGs can. \param whole size of the image before that, and of the mask
   SilhouetteResult update(const cv::Mat& image, const cv::Size& whole);

@@ -129,7 +129,7 @@ void SilhouetteCamera::publish(const cv::Mat& mask, const CameraImage& image) {
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   cv::Size whole;
   const cv::Mat pixels =
-      image.mat([this](const cv::Size& size) { return extractor_.reductionOf(size); }, &whole);
+      image.mat([this](const cv::Size& size) { return extractor_.reductionFor(size); }, &whole);
   if (change_.add(pixels)) {
     status_.count("images unlike those before");
     return status_.problem("the last image of " + camera_ +

@@ -58,11 +58,9 @@ Background BackgroundLearner::learn(int modes, double min_sigma) const {
     row.clear();
     for (int i = 0; i < n; ++i) row.add(kept_[i].ptr(y), expected / gains_[i]);
     row.finish();
+    row.store(y, &background);
     for (int x = 0; x < first.cols; ++x) {
-      if (row.hasOneColor(x)) {
-        store({row.mode(x)}, x, y, &background);
-        continue;
-      }
+      if (row.hasOneColor(x)) continue;
       for (int i = 0; i < n; ++i) row.copySample(i, x, &samples[size_t(i) * channels]);
       store(findColorModes(samples, channels, min_sigma, modes), x, y, &background);
     }

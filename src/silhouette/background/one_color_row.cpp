@@ -36,6 +36,34 @@ MOCAP_VECTORISED void keepLarger(const float* __restrict other, int n, float* __
   for (int i = 0; i < n; ++i) value[i] = other[i] > value[i] ? other[i] : value[i];
 }
 
+/// Of squares of distances from the first sample, those of the mean from it.
+MOCAP_VECTORISED void removeShift(const uint8_t* __restrict first, float light,
+                                  const float* __restrict mean, float count, int n,
+                                  float* __restrict squares) {
+  for (int i = 0; i < n; ++i) {
+    const float off = mean[i] - float(first[i]) * light;
+    squares[i] -= count * off * off;
+  }
+}
+
+/// Grey levels as Background has them.
+__attribute__((always_inline)) inline uint16_t fixed(float grey) {
+  const float within = grey < 0 ? 0 : grey > 255 ? 255 : grey;
+  return uint16_t(int(within * Background::kMeanScale + 0.5f));
+}
+
+MOCAP_VECTORISED void toFixed(const float* __restrict grey, int n, uint16_t* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = fixed(grey[i]);
+}
+
+MOCAP_VECTORISED void toDeviations(const float* __restrict squares, float degrees_of_freedom, int n,
+                                   uint16_t* __restrict out) {
+  for (int i = 0; i < n; ++i) {
+    const float variance = squares[i] / degrees_of_freedom;
+    out[i] = fixed(std::sqrt(variance > 0 ? variance : 0));
+  }
+}
+
 }  // namespace
 
 OneColorRow::OneColorRow(int width, int channels, float reach)
@@ -81,17 +109,20 @@ void OneColorRow::finish() {
   }
 }
 
-ColorMode OneColorRow::mode(int x) const {
-  ColorMode mode{{}, 0, images_};
-  float shift = 0;
-  for (int c = 0; c < channels_; ++c) {
-    mode.mean[c] = mean_[size_t(c) * width_ + x];
-    const float off = mode.mean[c] - float(plane(0, c)[x]) * lights_[0];
-    shift += off * off;
-  }
+void OneColorRow::store(int y, Background* background) const {
   const float degrees_of_freedom = float(channels_) * float(std::max(1, images_ - 1));
-  mode.sigma = std::sqrt(std::max(0.0f, squares_[x] - float(images_) * shift) / degrees_of_freedom);
-  return mode;
+  std::vector<float> squares = squares_;
+  for (int c = 0; c < channels_; ++c) {
+    const float* mean = &mean_[size_t(c) * width_];
+    removeShift(plane(0, c), lights_[0], mean, float(images_), width_, squares.data());
+    toFixed(mean, width_, background->mean(0, y, c));
+  }
+  toDeviations(squares.data(), degrees_of_freedom, width_, background->sigma(0, y));
+  for (int k = 1; k < background->modes(); ++k) {
+    for (int c = 0; c < channels_; ++c)
+      std::copy_n(background->mean(0, y, c), width_, background->mean(k, y, c));
+    std::copy_n(background->sigma(0, y), width_, background->sigma(k, y));
+  }
 }
 
 void OneColorRow::copySample(int i, int x, float* sample) const {

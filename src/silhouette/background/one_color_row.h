@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "silhouette/background/color_modes.h"
+#include "silhouette/background/background.h"
 
 namespace markerless_mocap {
 
@@ -11,7 +12,8 @@ namespace markerless_mocap {
 /// for the whole row at once, much faster than by findColorModes(), which gives the same for them.
 class OneColorRow {
  public:
-  /// \param reach largest squared distance of a sample from the mean, see colorReach()
+  /// \param reach largest squared distance of a sample from the mean, see colorReach() in
+  /// color_modes.h
   OneColorRow(int width, int channels, float reach);
 
   /// Forgets the images so far.
@@ -21,8 +23,9 @@ class OneColorRow {
   /// Computes means and distances of the images added.
   void finish();
   bool hasOneColor(int x) const { return far_[x] <= reach_; }
-  /// Its colour; all samples belong to it.
-  ColorMode mode(int x) const;
+  /// Writes the mean and the standard deviation of every pixel, also of those with several colours,
+  /// to row y of each mode.
+  void store(int y, Background* background) const;
   /// Sample i of a pixel: `channels` floats.
   void copySample(int i, int x, float* sample) const;
 

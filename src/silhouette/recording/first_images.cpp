@@ -108,10 +108,13 @@ bool hasLeft(const cv::Mat& region, const Scene& before, const Scene& after) {
 
 }  // namespace
 
-bool showMotion(const SceneSamples& samples) {
-  double moving = 0;
-  for (const cv::Mat& mask : samples.moving) moving += cv::countNonZero(mask);
-  return moving > kMotionFraction * samples.size.area() * samples.count();
+bool showMotion(const std::vector<cv::Mat>& moving) {
+  double pixels = 0, all = 0;
+  for (const cv::Mat& mask : moving) {
+    pixels += cv::countNonZero(mask);
+    all += double(mask.total());
+  }
+  return pixels > kMotionFraction * all;
 }
 
 bool showWhatLeftLater(const SceneSamples& first, const std::vector<cv::Mat>& later) {

@@ -7,8 +7,8 @@
 
 namespace markerless_mocap {
 
-/// Whether something as large as a person moves in the images.
-bool showMotion(const SceneSamples& samples);
+/// Whether something as large as a person moves. \param moving see SceneSamples
+bool showMotion(const std::vector<cv::Mat>& moving);
 
 /// Whether something stood still in the first images that later is gone: a region with an outline
 /// in the first images, of another constant colour later, and constant around it, too.

@@ -21,8 +21,7 @@ void LiveLearner::add(const cv::Mat& image) {
 }
 
 bool LiveLearner::isOccupied() const {
-  return options_.background == "recording" ||
-         showMotion(sampler_.samples(options_.compensate_flicker));
+  return options_.background == "recording" || showMotion(sampler_.motion());
 }
 
 Background LiveLearner::learn() {

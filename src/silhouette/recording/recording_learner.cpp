@@ -54,8 +54,7 @@ class RecordingLearner::Impl {
 
   bool isOccupiedAtFirst() const {
     if (options_.background == "recording") return true;
-    if (seen_ < options_.background_frames)
-      return !first_.empty() && showMotion(first_.samples(options_.compensate_flicker));
+    if (seen_ < options_.background_frames) return !first_.empty() && showMotion(first_.motion());
     if (!is_quiet_) return true;
     return first_samples_ && showWhatLeftLater(*first_samples_, later_);
   }

@@ -118,13 +118,23 @@ void SceneSampler::thinOut() {
               kept_.end());
 }
 
-SceneSamples SceneSampler::samples(bool compensate_flicker) const {
+std::vector<SceneSampler::Kept> SceneSampler::allKept() const {
   SceneSampler all = *this;
   for (int index = std::max(0, seen_ - kReach); index < seen_; ++index) all.keep(index);
   if (all.kept_.empty())
     throw std::invalid_argument("silhouette: there is no image to learn the background from");
+  return all.kept_;
+}
+
+std::vector<cv::Mat> SceneSampler::motion() const {
+  std::vector<cv::Mat> moving;
+  for (const Kept& kept : allKept()) moving.push_back(kept.moving);
+  return moving;
+}
+
+SceneSamples SceneSampler::samples(bool compensate_flicker) const {
   SceneSamples samples;
-  for (const Kept& kept : all.kept_) {
+  for (const Kept& kept : allKept()) {
     samples.images.push_back(kept.image);
     samples.colors.push_back(kept.small);
     samples.moving.push_back(kept.moving);

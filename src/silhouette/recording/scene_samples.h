@@ -40,6 +40,8 @@ class SceneSampler {
   bool empty() const { return recent_.empty(); }
   /// Throws std::invalid_argument if no image has been added.
   SceneSamples samples(bool compensate_flicker) const;
+  /// Their pixels that move alone, as SceneSamples::moving, which is much quicker.
+  std::vector<cv::Mat> motion() const;
 
  private:
   struct Frame {
@@ -51,6 +53,8 @@ class SceneSampler {
   };
 
   void keep(int index);
+  /// Those kept, and those of the last images. Throws as samples().
+  std::vector<Kept> allKept() const;
   void thinOut();
   const Frame* frameAt(int index) const;
   cv::Mat movingAt(int index) const;
