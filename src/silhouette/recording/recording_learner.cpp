@@ -81,7 +81,7 @@ class RecordingLearner::Impl {
   void closeFirst() {
     if (type_ < 0) return;
     first_samples_ = first_.samples(options_.compensate_flicker);
-    is_quiet_ = options_.background != "recording" && !showMotion(*first_samples_);
+    is_quiet_ = options_.background != "recording" && !showMotion(first_samples_->moving);
     first_ = SceneSampler();
   }
 
