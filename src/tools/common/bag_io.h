@@ -63,6 +63,13 @@ class BagWriter {
     });
   }
 
+  /// A message of another bag as it is, latched if it was.
+  void copy(const rosbag::MessageInstance& message) {
+    guarded(message.getTopic(), message.getTime(), [&] {
+      bag_->write(message.getTopic(), message.getTime(), message, message.getConnectionHeader());
+    });
+  }
+
   void commit();
 
  private:

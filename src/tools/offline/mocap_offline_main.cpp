@@ -1,10 +1,16 @@
+#include <tbb/global_control.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
+#include <opencv2/core/utility.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/offline/offline_run.h"
+#include "tools/offline/preparation.h"
 #include "tools/offline/self_calibration_run.h"
 
 namespace {
@@ -15,6 +21,8 @@ struct Arguments {
   OfflineOptions run;
   std::string config;
   std::string self_calibrate;  ///< rig file to write; empty: no self-calibration
+  std::string prepare;         ///< folder to write; empty: a whole run
+  std::optional<size_t> threads;
   std::optional<double> stature;
   bool quiet = false;
 };
@@ -22,7 +30,7 @@ struct Arguments {
 void describe(CLI::App& app, Arguments* arguments) {
   OfflineOptions& run = arguments->run;
   app.add_option("input", run.input, "bag with images, camera_info and tf_static")->required();
-  app.add_option("output", run.output, "bag to write; replaced if it exists")->required();
+  app.add_option("output", run.output, "bag to write; replaced if it exists");
   app.add_option("--config", arguments->config, "YAML file, one section per stage");
   app.add_option("--cameras", run.recording.cameras, "use these cameras only");
   app.add_flag("--use-masks", run.recording.use_masks,
@@ -40,6 +48,11 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--body", run.body_file,
                  "body shape of the person, from --save-body of an earlier run");
   app.add_option("--save-body", run.save_body, "file for the estimated body shape of the person");
+  app.add_option("--prepare", arguments->prepare,
+                 "only learn the background and measure the person, and write both to this folder");
+  app.add_option("--prepared", run.prepared,
+                 "folder of --prepare of the same recording, for a part of it (--start, "
+                 "--duration)");
   app.add_option("--urdf-template", run.urdf_template,
                  "URDF template, replaces that of the package");
   app.add_option("--stamp-tolerance", run.recording.stamp_tolerance,
@@ -48,6 +61,9 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("--start", run.recording.start, "start this many seconds after the first image")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--duration", run.recording.duration, "seconds to process")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--json", run.figures, "file for the figures of the run");
+  app.add_option("--threads", arguments->threads, "processor cores to use; default: all")
       ->check(CLI::PositiveNumber);
   app.add_option(
       "--report", run.report_folder,
@@ -80,13 +96,27 @@ std::string nextStep(const OfflineOptions& options) {
   return text + "; --report FOLDER also writes a page with the body over the images";
 }
 
+/// Both pools of threads that the stages use.
+std::unique_ptr<tbb::global_control> limitThreads(size_t threads) {
+  cv::setNumThreads(int(threads));
+  return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                               threads);
+}
+
 void run(Arguments* arguments) {
   OfflineOptions& options = arguments->run;
+  std::unique_ptr<tbb::global_control> limit;
+  if (arguments->threads) limit = limitThreads(*arguments->threads);
   if (!arguments->config.empty()) options.pipeline = readConfiguration(arguments->config);
   if (arguments->stature) options.pipeline.fitting.person.stature = *arguments->stature;
   options.interrupted = catchInterruptions();
   if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
+  if (!arguments->prepare.empty()) {
+    writePreparation(options, arguments->prepare, notes);
+    return;
+  }
+  if (options.output.empty()) throw std::invalid_argument("give a bag to write, or --prepare");
   const RunSummary summary = runOffline(options, notes, isStderrTerminal());
   if (notes) {
     summary.print(*notes);

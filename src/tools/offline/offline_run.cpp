@@ -6,11 +6,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "files/whole_file.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 #include "tools/common/progress.h"
+#include "tools/common/result_figures.h"
 #include "tools/offline/calibration_check.h"
-#include "tools/offline/recording_backgrounds.h"
+#include "tools/offline/preparation.h"
 #include "tools/offline/result_writer.h"
 #include "tools/offline/run_report.h"
 
@@ -98,19 +100,18 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   if (!options.report_folder.empty()) makeReportFolder(options.report_folder);
   PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
-  OfflineOptions with_backgrounds = options;
-  const std::vector<SharedBackground> backgrounds =
-      learnBackgrounds(options, &with_backgrounds.pipeline, notes);
-  PipelineOptions stages = with_backgrounds.pipeline;
-  if (stages.fitting.person.measure && needsOf(stages.fitting.method).masks &&
-      !resources.known_shape)
-    measureBody(with_backgrounds, backgrounds, &resources, notes);
-  stages.fitting.person.measure = false;
+  PipelineOptions stages = options.pipeline;
+  const Preparation prepared =
+      options.prepared.empty()
+          ? prepare(options, resources, &stages, notes)
+          : readPreparation(options, options.prepared, recording.cameras().size(), &stages);
+  resources.known_shape = prepared.shape;
   Pipeline pipeline(recording.rig(), resources, stages);
-  pipeline.useBackgrounds(backgrounds);
+  pipeline.useBackgrounds(prepared.backgrounds);
   if (options.poses_only) pipeline.makePartsOnDemand();
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary(!options.poses_only);
+  ResultFigures figures;
 
   ResultWriter writer(&bag, *body->model, options.recording.world_frame,
                       makePoseFilter(body->model, stages.fitting.filter));
@@ -129,6 +130,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     summary.add(result);
     if (options.masks_out) writer.writeMasks(frame_set.stamp_ns, recording.cameras(), result.masks);
     if (result.learning) return;
+    figures.add(frame_set.stamp_ns, result.pose.status, result.pose.silhouette_overlap,
+                result.pose.part_sigma_m);
     if (options.poses_only)
       writer.writePose(frame_set.stamp_ns, result.pose);
     else
@@ -154,10 +157,12 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   if (calibration) summary.setCalibrationFinding(calibration->finding());
   if (!summary.calibrationFinding().empty()) remarks.push_back(summary.calibrationFinding());
   if (report) {
-    report->addBackgrounds(backgrounds, pipeline.backgrounds());
+    report->addBackgrounds(prepared.backgrounds, pipeline.backgrounds());
     report->write(options.input, remarks);
   }
   if (!options.save_body.empty()) saveBody(options, *body);
+  figures.setCalibrationFinding(summary.calibrationFinding());
+  if (!options.figures.empty()) writeWholeFile(options.figures, figures.json());
   if (notes) remarkOn(recording, *notes);
   return summary;
 }

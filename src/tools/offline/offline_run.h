@@ -20,6 +20,8 @@ struct OfflineOptions {
   std::string urdf_template;         ///< empty: the template of this package
   std::string body_file;             ///< shape from an earlier run; empty: none
   std::string save_body;             ///< file for the estimated shape; empty: none
+  std::string prepared;              ///< folder of writePreparation(); empty: none
+  std::string figures;               ///< file for ResultFigures; empty: none
   std::string report_folder;         ///< empty: no report
   bool report_images = true;         ///< the report has pictures of the cameras
   std::vector<std::string> remarks;  ///< lines at the top of the report

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/tracking/shape_parameters.h"
+#include "tools/offline/offline_run.h"
+
+namespace markerless_mocap {
+
+/// What is learned of a recording before the person is followed in it. All parts of a recording
+/// that is cut must be followed with the same preparation.
+struct Preparation {
+  /// One per camera, or none; nullptr: the first images give the background.
+  std::vector<SharedBackground> backgrounds;
+  std::optional<ShapeParameters> shape;  ///< of the person; empty: not measured
+};
+
+/// Learns the backgrounds if somebody is in the first images, and measures the person if the
+/// options ask for it. Decides how the silhouettes of `pipeline` learn and that the person is not
+/// measured again. Throws as runOffline().
+/// \param notes stream for the results; nullptr: none
+Preparation prepare(const OfflineOptions& options, const PersonResources& resources,
+                    PipelineOptions* pipeline, std::ostream* notes);
+
+/// Prepares a recording and writes all of it to a folder, with the backgrounds that the first
+/// images give. Throws as runOffline(), and std::invalid_argument if the model of the silhouettes
+/// cannot be saved.
+void writePreparation(const OfflineOptions& options, const std::string& folder,
+                      std::ostream* notes);
+
+/// What writePreparation() wrote, for a part of the recording: one that begins with the recording
+/// learns from the first images itself, as a run over the whole recording does. Sets `pipeline` as
+/// prepare(). Throws std::invalid_argument if the folder lacks a file or is of other cameras.
+/// \param cameras of the recording
+Preparation readPreparation(const OfflineOptions& options, const std::string& folder,
+                            size_t cameras, PipelineOptions* pipeline);
+
+}  // namespace markerless_mocap
