@@ -136,6 +136,11 @@ void Pipeline::useBackgrounds(const std::vector<SharedBackground>& backgrounds) 
   for (size_t i = 0; i < backgrounds.size(); ++i) silhouettes_[i].useBackground(backgrounds[i]);
 }
 
+void Pipeline::followLight(const FrameSet& frame_set) {
+  PipelineResult ignored;
+  extractSilhouettes(frame_set, &ignored);
+}
+
 std::vector<SharedBackground> Pipeline::backgrounds() const {
   std::vector<SharedBackground> backgrounds;
   for (const SilhouetteExtractor& extractor : silhouettes_)

@@ -94,6 +94,9 @@ class Pipeline {
   /// Backgrounds from an earlier pass, one per camera, or none; nullptr: it is learned from the
   /// first images. Throws std::invalid_argument if their number is wrong.
   void useBackgrounds(const std::vector<SharedBackground>& backgrounds);
+  /// Shows a frame set to the silhouettes alone: their backgrounds follow the light. Throws as
+  /// process().
+  void followLight(const FrameSet& frame_set);
   /// The backgrounds in use, one per camera, as SilhouetteExtractor::background(). Do not call this
   /// while a stream is processed.
   std::vector<SharedBackground> backgrounds() const;

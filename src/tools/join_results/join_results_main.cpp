@@ -1,5 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <cstdio>
 #include <iostream>
 
 #include "tools/common/run_tool.h"
@@ -13,9 +13,8 @@ constexpr int kDisagree = 3;
 
 void print(const std::vector<Seam>& seams) {
   for (const Seam& seam : seams)
-    std::cerr << "joined at " << std::fixed << 1e-9 * double(seam.stamp_ns)
-              << " s: " << seam.frame_sets << " frame sets agree, joints at most "
-              << std::lround(1e4 * seam.largest_distance_m) / 10.0 << " mm apart\n";
+    std::fprintf(stderr, "joined at %.3f s: %d frame sets agree, joints at most %.1f mm apart\n",
+                 1e-9 * double(seam.stamp_ns), seam.frame_sets, 1e3 * seam.largest_distance_m);
 }
 
 }  // namespace

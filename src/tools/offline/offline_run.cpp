@@ -108,6 +108,8 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   resources.known_shape = prepared.shape;
   Pipeline pipeline(recording.rig(), resources, stages);
   pipeline.useBackgrounds(prepared.backgrounds);
+  if (!options.prepared.empty() && options.recording.start > 0.0)
+    settleBackgrounds(options, &pipeline);
   if (options.poses_only) pipeline.makePartsOnDemand();
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary(!options.poses_only);

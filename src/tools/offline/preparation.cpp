@@ -20,6 +20,7 @@ constexpr const char* kRecording = "recording";
 constexpr const char* kFirstImages = "first_images";
 constexpr const char* kNone = "none";  ///< masks, or a network
 constexpr int kMostPasses = 4;  ///< of SilhouetteOptions::background_frames, where images lack
+constexpr double kTimeConstants = 4.0;  ///< of the background's following, before a part begins
 
 std::string backgroundFile(const std::string& folder, size_t camera) {
   return folder + "/camera" + std::to_string(camera) + ".background";
@@ -68,6 +69,13 @@ std::vector<SharedBackground> learnFromFirstImages(const OfflineOptions& options
     if (std::count(backgrounds.begin(), backgrounds.end(), nullptr) == 0) break;
   }
   return backgrounds;
+}
+
+double secondsPerFrameSet(const OfflineOptions& options) {
+  Recording recording(options.input, options.recording);
+  const auto first = nextFrameSet(options, &recording);
+  const auto second = nextFrameSet(options, &recording);
+  return first && second ? 1e-9 * double(second->stamp_ns - first->stamp_ns) : 0.0;
 }
 
 void save(const SharedBackground& background, const SilhouetteOptions& options,
@@ -137,6 +145,18 @@ Preparation readPreparation(const OfflineOptions& options, const std::string& fo
     prepared.backgrounds.push_back(extractor.background());
   }
   return prepared;
+}
+
+void settleBackgrounds(const OfflineOptions& options, Pipeline* pipeline) {
+  const double rate = options.pipeline.silhouette.update_rate;
+  if (rate == 0.0 || options.recording.use_masks) return;
+  RecordingOptions before = options.recording;
+  const double wanted = kTimeConstants / rate * secondsPerFrameSet(options);
+  before.duration = std::min(wanted, options.recording.start);
+  before.start -= before.duration;
+  Recording recording(options.input, before);
+  while (const auto frame_set = nextFrameSet(options, &recording))
+    pipeline->followLight(*frame_set);
 }
 
 }  // namespace markerless_mocap

@@ -38,4 +38,9 @@ void writePreparation(const OfflineOptions& options, const std::string& folder,
 Preparation readPreparation(const OfflineOptions& options, const std::string& folder,
                             size_t cameras, PipelineOptions* pipeline);
 
+/// Lets the backgrounds of a part follow the light in the images before it, as they would have done
+/// from the beginning of the recording on: in so many images that what they had been before counts
+/// two per cent. Throws as runOffline().
+void settleBackgrounds(const OfflineOptions& options, Pipeline* pipeline);
+
 }  // namespace markerless_mocap
