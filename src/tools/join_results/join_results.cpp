@@ -51,7 +51,8 @@ std::string differenceOf(const ResultFrame& earlier, const ResultFrame& later, d
   if (hasPose(earlier) != hasPose(later))
     return std::string("only the ") + (hasPose(earlier) ? "earlier" : "later") + " one has a pose";
   if (hasPose(earlier) && !(distance <= max_distance_m))
-    return "their joints are " + text("%.1f mm apart", 1e3 * distance);
+    return std::isfinite(distance) ? "their joints are " + text("%.1f mm apart", 1e3 * distance)
+                                   : "they have no joint in common";
   return "";
 }
 
