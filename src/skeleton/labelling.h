@@ -31,6 +31,7 @@ class Labelling {
   const std::optional<ValidityFeatures>& features() const { return validity_features_; }
   const TreeGraph& graph() const { return graph_; }
   const TreeVolume& volume() const { return volume_; }
+  const LabelChoice& choice() const { return choice_; }
 
  private:
   PoseTree& reject(TreeStatus status, const std::string& reason) {

@@ -293,8 +293,23 @@ TEST(EdgeSamples, leaveOutWhatAnotherConeHides) {
       float& place = (*ends)[axis][kLeftCalfCone];
       place = view.position()[axis] + (away ? 2.0f : 0.5f) * (place - view.position()[axis]);
     }
-  EXPECT_TRUE(HiddenPoints(corners, far, view.position())(kLeftCalfCone, 0.5f, x, y));
-  EXPECT_FALSE(HiddenPoints(corners, near, view.position())(kLeftCalfCone, 0.5f, x, y));
+  const EdgeLine point{{x, x}, {y, y}, {0.5f, 0.5f}, 1};
+  EXPECT_TRUE(HiddenPoints(corners, far, view.position()).on(point, kLeftCalfCone)[0]);
+  EXPECT_FALSE(HiddenPoints(corners, near, view.position()).on(point, kLeftCalfCone)[0]);
+  // Of a line across the picture, what lies inside the torso's outline is hidden.
+  const EdgeLine across{{0.0f, float(view.width())}, {y, y}, {0.5f, 0.5f}, 200};
+  const HiddenPoints::Points covered =
+      HiddenPoints(corners, far, view.position()).on(across, kLeftCalfCone);
+  std::vector<cv::Point2f> torso;
+  for (int k = 0; k < 4; ++k)
+    torso.emplace_back(corners.x[k][kTorsoCone], corners.y[k][kTorsoCone]);
+  for (int i = 0; i < across.samples; ++i) {
+    const cv::Point2f p(across.at(i) * float(view.width()), y);
+    if (cv::pointPolygonTest(torso, p, false) > 0) {
+      EXPECT_TRUE(covered[size_t(i)]) << i;
+    }
+  }
+  EXPECT_LT(covered.count(), size_t(across.samples / 2));
 }
 
 TEST(FleischmannFitness, coveredEdgesCanBeLeftOutAndTheSilhouetteWeighed) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bitset>
 #include <opencv2/core/mat.hpp>
+#include <utility>
 
 #include "fleischmann/fitness/fleischmann_cone_outlines.h"
 #include "fleischmann/fleischmann_fitness.h"
@@ -14,22 +16,37 @@ struct EdgeSum {
   int points = 0;
 };
 
-/// Whether a point of the image, at a fraction of the axis of its cone, is hidden by another cone.
+/// A line in an image, along the outline of a cone.
+struct EdgeLine {
+  float x[2], y[2];  ///< ends, pixels
+  float along[2];    ///< the ends' places along the cone's axis, 0 to 1
+  int samples;       ///< points, at the centres of equal sections
+  float at(int i) const { return (float(i) + 0.5f) / float(samples); }
+};
+
+/// What the cones hide of each other in one view.
 class HiddenPoints {
  public:
+  static constexpr int kMaxSamples = 200;
+  using Points = std::bitset<kMaxSamples>;
+
   HiddenPoints(const ConeCorners& corners, const FleischmannWorldCones& cones,
                const Eigen::Vector3f& camera);
-  bool operator()(int cone, float along, float x, float y) const;
+  /// The points of a line that another cone hides: those inside its outline where its axis is
+  /// nearer to the camera than that of the line's own cone.
+  Points on(const EdgeLine& line, int cone) const;
 
  private:
   struct Outline {
-    float x[4], y[4];  ///< corners, pixels
+    float x[4], y[4];  ///< corners, pixels; the inside is on the right of each side
     float low_x, high_x, low_y, high_y;
+    float start_x, start_y;   ///< where the axis begins
     float axis_x, axis_y;     ///< along the axis; scaled so that its end is at 1
     float near_end, far_end;  ///< distances of the axis' ends from the camera, m
     bool seen;
   };
-  static bool contains(const Outline& outline, float x, float y);
+  /// The part of a line inside an outline, as fractions of it; empty if the first is larger.
+  static std::pair<float, float> inside(const Outline& outline, const EdgeLine& line);
 
   std::array<Outline, kFleischmannConeCount> outlines_;
 };

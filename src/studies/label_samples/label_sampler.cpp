@@ -1,13 +1,17 @@
 #include "studies/label_samples/label_sampler.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "evaluation/label_error.h"
+#include "markerless_mocap/skeleton/pose_tree_builder.h"
 #include "skeleton/label_template.h"
 #include "skeleton/labelling.h"
 #include "skeleton/plausibility_checks.h"
 #include "skeleton/thinner.h"
+#include "studies/label_samples/limb_shares.h"
+#include "studies/reproduce/bakken/bakken_film.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {
@@ -56,10 +60,30 @@ void writeEnds(const TreeGraph& graph, const TreeVolume& volume, const Eigen::Ma
 
 }  // namespace
 
+/// A published labelling.
+struct LabelSampleWriter::Ranking {
+  explicit Ranking(const BakkenVariant& variant)
+      : id(variant.id), options(optionsOf(variant, publishedBakkenYaml())), builder(options) {}
+  std::string id;
+  PoseTreeOptions options;
+  PoseTreeBuilder builder;
+};
+
+std::vector<BakkenVariant> rankedVariants() {
+  std::vector<BakkenVariant> ranked{
+      {"defaults", "ranking, all else as the defaults", {{"labelling", "ranking"}}, true}};
+  for (const BakkenVariant& variant : bakkenVariants())
+    if (variant.id == "published" || variant.id == "prune08" || variant.id == "paths08")
+      ranked.push_back(variant);
+  for (BakkenVariant& variant : ranked) variant.changes.emplace_back("follow_labels", "false");
+  return ranked;
+}
+
 LabelSampleWriter::LabelSampleWriter(std::vector<std::string> names, std::ostream* out)
     : names_(std::move(names)),
       thinner_(std::make_unique<Thinner>(PoseTreeOptions().persistence)),
       out_(*out) {
+  for (const BakkenVariant& variant : rankedVariants()) rankings_.emplace_back(variant);
   out_ << "validity_features";
   for (int i = 0; i < kValidityFeatureCount; ++i) out_ << ' ' << toString(ValidityFeature(i));
   out_ << '\n';
@@ -72,6 +96,7 @@ void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vec
   truth.names = names_;
   truth.add(
       0, Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, Eigen::Index(points.size())));
+  const JointTrack all = truth;
   truth = truth.select(labelTruthNames());
   PoseTreeOptions options;
   options.min_validity = 0.0;
@@ -87,6 +112,25 @@ void LabelSampleWriter::add(const VisualHull& hull, const std::vector<Eigen::Vec
   if (labelling.features())
     for (const double feature : *labelling.features()) out_ << ' ' << feature;
   out_ << '\n';
+  if (verdict.right && tree.valid() && !limb_cut) {
+    out_ << "shares";
+    for (const auto& [name, share] : limbShares(labelling, tree, all))
+      out_ << ' ' << name << ' ' << share;
+    out_ << '\n';
+  }
+  writeRankings(hull, truth);
+}
+
+void LabelSampleWriter::writeRankings(const VisualHull& hull, const JointTrack& truth) {
+  std::map<double, CurveSkeleton> skeletons;  // by persistence
+  for (Ranking& ranking : rankings_) {
+    const double persistence = ranking.options.persistence;
+    if (!skeletons.count(persistence)) skeletons[persistence] = Thinner(persistence).thin(hull);
+    const PoseTree tree = ranking.builder.build(hull, skeletons[persistence]);
+    const LabelEvaluation verdict = labelErrors(truth, {labelsOf(tree)}).verdicts.front();
+    out_ << "ranking " << ranking.id << ' ' << verdict.kinds_correct << ' ' << verdict.right
+         << '\n';
+  }
 }
 
 }  // namespace markerless_mocap

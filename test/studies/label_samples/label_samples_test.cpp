@@ -68,6 +68,10 @@ TEST(FilmLabels, EachFrameHasItsEndsWaysAndVerdict) {
   EXPECT_EQ(wordsOf(lines["validity_features"].front()), 1 + size_t(kValidityFeatureCount));
   EXPECT_EQ(lines["validity_features"].front().find("validity_features names_odds arms_offset "),
             0u);
+  ASSERT_EQ(lines["ranking"].size(), 4u * 4u);  // four published labellings of each hull
+  for (const std::string& ranking : lines["ranking"]) EXPECT_EQ(wordsOf(ranking), 4u) << ranking;
+  EXPECT_EQ(lines["ranking"].front().find("ranking defaults "), 0u);
+  EXPECT_EQ(lines["ranking"][1].find("ranking published "), 0u);
   std::string cut;
   for (const std::string& frame : lines["frame"]) cut += frame.back();
   EXPECT_EQ(cut, "0100");  // after the first frame

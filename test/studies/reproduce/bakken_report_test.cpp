@@ -31,6 +31,7 @@ Results results(double error_mm) {
     results["labels_whirl_" + std::string(edge)] = labels(error_mm);
     results["times_whirl_" + std::string(edge)] = {
         {"hull", {4.0, 6.0}}, {"thinning", {2.0, 2.0}}, {"tree", {1.0, 1.0}}};
+    results["follow_whirl_" + std::string(edge)] = {{"pairs", 20}, {"exchanged", 0}};
   }
   return results;
 }
@@ -71,6 +72,18 @@ TEST(BakkenReport, VerdictsFollowThePapersFigures) {
   EXPECT_EQ(verdictOf(good, "128 voxels: 95.8 %"), Verdict::kDoesNotHold);
   EXPECT_EQ(verdictOf(good, "walk: 100 %"), Verdict::kNotMeasured);
   EXPECT_EQ(verdictOf(good, "the tree is built"), Verdict::kHolds);
+}
+
+TEST(BakkenReport, LabelsThatGoAstrayAreCountedOverAllCaptures) {
+  Results all = results(30.0);
+  const char* sentence = "labels that follow the last frame";
+  EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kNotMeasured);
+  all["labels_ballet_128"] = labels(30.0);
+  all["follow_ballet_128"] = {{"pairs", 5}, {"exchanged", 2}, {"jpeg", "AA=="}, {"frame", 7}};
+  EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kHolds);
+  Page page("");
+  bakkenReport(all, &page);
+  EXPECT_NE(page.html().find("frames 7 and 8"), std::string::npos);
 }
 
 TEST(BakkenReport, EveryVariantHasOptions) {

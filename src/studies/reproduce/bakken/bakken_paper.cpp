@@ -1,5 +1,6 @@
 #include "studies/reproduce/bakken/bakken_paper.h"
 
+#include "studies/reproduce/bakken/bakken_correspondence.h"
 #include "studies/reproduce/bakken/bakken_film.h"
 #include "studies/reproduce/bakken/bakken_pictures.h"
 #include "studies/reproduce/bakken/bakken_report.h"
@@ -107,7 +108,8 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
   return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge, volume); },
            edge == 64 ? 1.0 : 2.0},
           {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true},
-          {"trees_" + suffix, settings, [=] { return drawTrees(capture, edge); }, 0.5}};
+          {"trees_" + suffix, settings, [=] { return drawTrees(capture, edge); }, 0.5},
+          {"follow_" + suffix, settings, [=] { return followLabels(capture, edge); }, 0.5}};
 }
 
 std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {

@@ -13,21 +13,27 @@ constexpr size_t kPictures = 4;
 constexpr int kWidth = 300, kHeight = 360, kQuality = 85;
 const cv::Scalar kHullColor(225, 225, 225), kWhite(255, 255, 255);
 
-cv::Scalar colorOf(const PoseTree& tree, TreePart part) {
-  static const cv::Scalar kColors[kTreePartCount] = {{150, 150, 150}, {0, 170, 220}, {60, 60, 60},
-                                                     {0, 170, 0},     {0, 0, 220},   {0, 110, 0},
-                                                     {0, 0, 140}};  // BGR; left green, right red
-  return kColors[size_t(tree.valid() ? part : TreePart::kNone)];
-}
-
 void dot(const Camera& camera, const Eigen::Vector3d& point, int radius, const cv::Scalar& color,
          cv::Mat* image) {
   if (const auto pixel = camera.project(point))
     cv::circle(*image, {int(pixel->x()), int(pixel->y())}, radius, color, cv::FILLED, cv::LINE_AA);
 }
 
-/// The person's part of the view.
-cv::Mat drawTree(const Camera& camera, const VisualHull& hull, const PoseTree& tree) {
+}  // namespace
+
+const TreeColors& sideColors() {
+  static const TreeColors kColors = {{{150, 150, 150},
+                                      {0, 170, 220},
+                                      {60, 60, 60},
+                                      {0, 170, 0},
+                                      {0, 0, 220},
+                                      {0, 110, 0},
+                                      {0, 0, 140}}};
+  return kColors;
+}
+
+cv::Mat drawTree(const Camera& camera, const VisualHull& hull, const PoseTree& tree,
+                 const TreeColors& nodes) {
   cv::Mat image(camera.height(), camera.width(), CV_8UC3, kWhite);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const HullVoxel& voxel : hull.voxels) {
@@ -35,11 +41,14 @@ cv::Mat drawTree(const Camera& camera, const VisualHull& hull, const PoseTree& t
     dot(camera, center, 3, kHullColor, &image);
     middle += center / double(hull.voxels.size());
   }
+  const auto partOf = [&](const TreeNode& node) {
+    return size_t(tree.valid() ? node.part : TreePart::kNone);
+  };
   for (const TreeNode& node : tree.nodes)
-    dot(camera, node.position, 2, colorOf(tree, node.part), &image);
+    dot(camera, node.position, 2, nodes[partOf(node)], &image);
   for (const TreeExtremity& extremity : tree.extremities)
     if (extremity.node >= 0 && tree.valid())
-      dot(camera, extremity.position, 5, colorOf(tree, tree.nodes[size_t(extremity.node)].part),
+      dot(camera, extremity.position, 5, sideColors()[partOf(tree.nodes[size_t(extremity.node)])],
           &image);
   const auto at = camera.project(middle);
   if (!at) return cv::Mat(kHeight, kWidth, CV_8UC3, kWhite);
@@ -47,8 +56,6 @@ cv::Mat drawTree(const Camera& camera, const VisualHull& hull, const PoseTree& t
   cv::getRectSubPix(image, {kWidth, kHeight}, {float(at->x()), float(at->y())}, part);
   return part;
 }
-
-}  // namespace
 
 Json drawTrees(const Capture& capture, int edge) {
   const JointTrack truth = labelTruth(capture);

@@ -174,6 +174,33 @@ void addTrees(const Results& results, Page* page) {
     }
 }
 
+/// Of the captures in which the labels that follow the last frame go astray.
+void addCorrespondence(const Results& results, Page* page) {
+  page->heading("Figure 7: labels that follow the last frame, and sides");
+  Rows rows;
+  for (const std::string& capture : capturesIn(results))
+    for (const int edge : {64, 128}) {
+      const auto run = results.find("follow_" + capture + "_" + std::to_string(edge));
+      if (run == results.end()) continue;
+      const Json& found = run->second;
+      rows.push_back({capture, std::to_string(edge), std::to_string(found["pairs"].get<int>()),
+                      std::to_string(found["exchanged"].get<int>())});
+      if (!found.contains("jpeg")) continue;
+      const int frame = found["frame"].get<int>();
+      page->add({{"kind", "picture"},
+                 {"jpeg", found["jpeg"]},
+                 {"caption", capture + ", " + std::to_string(edge) + " voxels, frames " +
+                                 std::to_string(frame) + " and " + std::to_string(frame + 1) +
+                                 ": limbs by the labels that follow the last frame, first blue, "
+                                 "second orange; extremities by side, left green, right red"}});
+    }
+  page->text(
+      "Pairs of successive frames that are labelled right, and those of them in which the first "
+      "and "
+      "the second arm or leg change places; pruned below 0.08.");
+  page->table({"", "#voxels", "#pairs", "#exchanged"}, rows);
+}
+
 /// Correct frames, valid or not, by labelling.
 void addPeople(const Results& results, Page* page) {
   const std::vector<std::string> people = peopleIn(results);
@@ -218,6 +245,7 @@ std::vector<Claim> bakkenReport(const Results& results, Page* page) {
   addPruning(results, page);
   addTimes(results, page);
   addTrees(results, page);
+  addCorrespondence(results, page);
   return bakkenClaims(results);
 }
 

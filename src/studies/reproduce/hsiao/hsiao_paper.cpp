@@ -23,7 +23,8 @@ class HsiaoPaper : public Paper {
   std::vector<Capture> captures() const override { return hsiaoCaptures(request_.quick); }
   std::vector<PaperRun> runs(const std::vector<Capture>& captures) const override;
   std::vector<Claim> report(const Results& results, Page* page) const override {
-    return hsiaoReport(results, page);
+    addHsiaoTablesAndFigures(results, page);
+    return hsiaoClaims(results);
   }
 
  private:

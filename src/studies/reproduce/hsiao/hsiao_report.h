@@ -4,7 +4,7 @@
 
 namespace markerless_mocap {
 
-/// Adds figures and tables of the thesis to the page. \return its claims
-std::vector<Claim> hsiaoReport(const Results& results, Page* page);
+void addHsiaoTablesAndFigures(const Results& results, Page* page);
+std::vector<Claim> hsiaoClaims(const Results& results);
 
 }  // namespace markerless_mocap

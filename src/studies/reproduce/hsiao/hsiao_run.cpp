@@ -46,6 +46,11 @@ double jitterOf(const JointTrack& track) {
   return summaryStatistics(steps).mean;
 }
 
+bool hasSixParts(const BodyParts& parts) {
+  return std::all_of(parts.parts.begin(), parts.parts.end(),
+                     [](const PartCurve& part) { return part.seen && part.points.size() >= 2; });
+}
+
 /// Columns of the film strip, at even distances over the capture.
 class Strip {
  public:
@@ -115,8 +120,10 @@ Json trackSequence(const Capture& capture, const Overrides& changes, bool strip)
   JointTrack found;
   found.names = markerNames();
   double resets = 0.0;
+  Json six = Json::array();
   for (size_t f = 0; const auto now = film.next(); ++f) {
     found.add(film.frameSet().stamp_ns, markersOf(*now));
+    six.push_back(hasSixParts(now->parts));
     resets += f > 0 && now->pose.status == PoseStatus::kReinitialized;
     if (strip) pictures.add(f, film, *now);
   }
@@ -127,6 +134,7 @@ Json trackSequence(const Capture& capture, const Overrides& changes, bool strip)
     seconds.push_back(1e-9 * double(stamp - joints.stamps_ns.front()));
   Json out{{"D", rounded(errors.D)},
            {"seconds", seconds},
+           {"six", six},
            {"lost", errors.fraction_without_estimate},
            {"reset", resets / double(std::max<size_t>(1, joints.frames()))},
            {"swaps", errors.swaps.all},

@@ -5,9 +5,10 @@
 namespace markerless_mocap {
 
 /// A capture run through the published system. {"D" of each frame, mm, null where lost, "seconds",
-/// "lost": share of the frames, "reset": share of the frames whose pose started anew, "swaps":
-/// share of frames with left and right exchanged, "jitter": mean second difference of the joints,
-/// mm, "strip": JPEG of a film strip in base64, if `strip`}
+/// "six": whether the segmentation has six parts, of each frame, "lost": share of the frames,
+/// "reset": share of the frames whose pose started anew, "swaps": share of frames with left and
+/// right exchanged, "jitter": mean second difference of the joints, mm, "strip": JPEG of a film
+/// strip in base64, if `strip`}
 Json trackSequence(const Capture& capture, const Overrides& changes, bool strip);
 
 /// How well the hulls of a capture are cut into parts by variants of the segmentation, over the
