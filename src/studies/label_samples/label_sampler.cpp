@@ -11,7 +11,6 @@
 #include "skeleton/plausibility_checks.h"
 #include "skeleton/thinner.h"
 #include "studies/label_samples/limb_shares.h"
-#include "studies/reproduce/bakken/bakken_film.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {

@@ -8,7 +8,7 @@
 
 #include "evaluation/joint_track.h"
 #include "markerless_mocap/products/visual_hull.h"
-#include "studies/reproduce/bakken/bakken_variants.h"
+#include "studies/common/bakken_variants.h"
 
 namespace markerless_mocap {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ros/package_files.h"
+#include "studies/common/bakken_variants.h"
 #include "studies/reproduce/bakken/bakken_results.h"
-#include "studies/reproduce/bakken/bakken_variants.h"
 
 namespace markerless_mocap {
 namespace {

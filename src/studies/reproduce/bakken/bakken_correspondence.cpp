@@ -7,9 +7,9 @@
 #include "skeleton/labelling.h"
 #include "skeleton/plausibility_checks.h"
 #include "skeleton/thinner.h"
+#include "studies/common/bakken_variants.h"
 #include "studies/reproduce/bakken/bakken_film.h"
 #include "studies/reproduce/bakken/bakken_pictures.h"
-#include "studies/reproduce/bakken/bakken_variants.h"
 #include "tools/common/tree_labels.h"
 
 namespace markerless_mocap {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "evaluation/label_error.h"
-#include "ros/package_files.h"
+#include "studies/common/bakken_variants.h"
 #include "tools/common/recording.h"
 #include "tools/common/truth_record.h"
 
@@ -21,10 +21,6 @@ RecordingOptions withMasks() {
 
 JointTrack labelTruth(const Capture& capture) {
   return readTruth(capture.bag).joints.select(labelTruthNames());
-}
-
-std::string publishedBakkenYaml() {
-  return readText(packageFile("config/as_published/bakken.yaml"));
 }
 
 PipelineOptions publishedBakkenOptions(int edge) {

@@ -16,7 +16,6 @@ JointTrack labelTruth(const Capture& capture);
 /// loadPipelineOptions().
 /// \param edge voxels along an edge of the cube, 64 or 128
 PipelineOptions publishedBakkenOptions(int edge);
-std::string publishedBakkenYaml();
 
 /// The published options of the hull with the cube in the middle of a person's track.
 HullOptions cubeAround(const JointTrack& truth, HullOptions options);

@@ -3,8 +3,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
+#include "studies/common/bakken_variants.h"
 #include "studies/reproduce/bakken/bakken_film.h"
-#include "studies/reproduce/bakken/bakken_variants.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "studies/common/bakken_variants.h"
 #include "studies/reproduce/bakken/bakken_results.h"
-#include "studies/reproduce/bakken/bakken_variants.h"
 #include "studies/reproduce/result_cache.h"
 #include "tools/common/number_format.h"
 

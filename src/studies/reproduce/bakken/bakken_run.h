@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/reproduce/bakken/bakken_variants.h"
+#include "studies/common/bakken_variants.h"
 #include "studies/reproduce/paper.h"
 
 namespace markerless_mocap {

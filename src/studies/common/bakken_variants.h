@@ -16,8 +16,11 @@ struct BakkenVariant {
 };
 const std::vector<BakkenVariant>& bakkenVariants();
 
+/// Text of config/as_published/bakken.yaml.
+std::string publishedBakkenYaml();
+
 /// Options of a variant. Throws std::invalid_argument as loadPipelineOptions().
-/// \param published text of config/as_published/bakken.yaml
+/// \param published publishedBakkenYaml()
 PoseTreeOptions optionsOf(const BakkenVariant& variant, const std::string& published);
 
 }  // namespace markerless_mocap

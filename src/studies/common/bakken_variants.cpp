@@ -1,8 +1,9 @@
-#include "studies/reproduce/bakken/bakken_variants.h"
+#include "studies/common/bakken_variants.h"
 
 #include <yaml-cpp/yaml.h>
 
 #include "markerless_mocap/pipeline/pipeline.h"
+#include "ros/package_files.h"
 
 namespace markerless_mocap {
 
@@ -31,6 +32,10 @@ const std::vector<BakkenVariant>& bakkenVariants() {
        true},
   };
   return kVariants;
+}
+
+std::string publishedBakkenYaml() {
+  return readText(packageFile("config/as_published/bakken.yaml"));
 }
 
 PoseTreeOptions optionsOf(const BakkenVariant& variant, const std::string& published) {
