@@ -25,13 +25,17 @@ Json labels(double error_mm) {
   return film;
 }
 
+Json follows(int step, int pairs, int exchanged) {
+  return {{"step", step}, {"pairs", pairs}, {"exchanged", exchanged}};
+}
+
 Results results(double error_mm) {
   Results results;
   for (const char* edge : {"64", "128"}) {
     results["labels_whirl_" + std::string(edge)] = labels(error_mm);
     results["times_whirl_" + std::string(edge)] = {
         {"hull", {4.0, 6.0}}, {"thinning", {2.0, 2.0}}, {"tree", {1.0, 1.0}}};
-    results["follow_whirl_" + std::string(edge)] = {{"pairs", 20}, {"exchanged", 0}};
+    results["follow_whirl_" + std::string(edge)] = {{"every", {follows(1, 20, 0)}}};
   }
   return results;
 }
@@ -79,11 +83,12 @@ TEST(BakkenReport, LabelsThatGoAstrayAreCountedOverAllCaptures) {
   const char* sentence = "labels that follow the last frame";
   EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kNotMeasured);
   all["labels_ballet_128"] = labels(30.0);
-  all["follow_ballet_128"] = {{"pairs", 5}, {"exchanged", 2}, {"jpeg", "AA=="}, {"frame", 7}};
+  all["follow_ballet_128"] = {
+      {"every", {follows(1, 9, 0), follows(2, 5, 2)}}, {"jpeg", "AA=="}, {"frame", 7}, {"step", 2}};
   EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kHolds);
   Page page("");
   bakkenReport(all, &page);
-  EXPECT_NE(page.html().find("frames 7 and 8"), std::string::npos);
+  EXPECT_NE(page.html().find("frames 7 and 9"), std::string::npos);
 }
 
 TEST(BakkenReport, EveryVariantHasOptions) {

@@ -2,6 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 
 #include "evaluation/label_error.h"
 #include "skeleton/labelling.h"
@@ -55,24 +56,34 @@ JointTrack frameOf(const JointTrack& truth, size_t frame) {
   return one;
 }
 
-/// The frames of a capture, one after another.
+/// Every n-th frame of a capture, one after another.
 class Follower {
  public:
-  explicit Follower(const PoseTreeOptions& options)
-      : options_(options), model_(PoseTreeModel::standard()), thinner_(options.persistence) {}
+  Follower(const PoseTreeOptions& options, size_t step) : step(step), options_(options) {}
 
+  void add(size_t frame, const Camera& camera, const VisualHull& hull,
+           const CurveSkeleton& skeleton, const JointTrack& truth) {
+    if (frame % step != 0) return;
+    std::optional<Followed> now = label(frame, hull, skeleton, truth);
+    if (now && exchanged == 0) now->picture = drawTree(camera, hull, now->tree, colorsOf(*now));
+    if (now && before_ && before_->frame + step == frame) count(*now);
+    before_ = std::move(now);
+  }
+
+  size_t step;
+  int pairs = 0, exchanged = 0;
+  cv::Mat picture;  ///< the first exchange
+  size_t picture_frame = 0;
+
+ private:
   /// The frame, if it is labelled right.
-  std::optional<Followed> add(size_t frame, const VisualHull& hull, const JointTrack& truth) {
+  std::optional<Followed> label(size_t frame, const VisualHull& hull, const CurveSkeleton& skeleton,
+                                const JointTrack& truth) {
     PreviousExtremities labelled;
-    if (rejectHull(hull)) {
-      last_.reset();
-      return std::nullopt;
-    }
-    Followed now{frame,
-                 Labelling(options_, model_, hull, thinner_.thin(hull)).run(last_, &labelled),
-                 {},
-                 false,
-                 false};
+    const PreviousExtremities last = std::exchange(last_, std::nullopt);
+    if (rejectHull(hull)) return std::nullopt;
+    Followed now{
+        frame, Labelling(options_, model_, hull, skeleton).run(last, &labelled), {}, false, false};
     last_ = labelled;
     if (!now.tree.valid() || !labelErrors(truth, {labelsOf(now.tree)}).verdicts.front().right)
       return std::nullopt;
@@ -82,12 +93,20 @@ class Follower {
         isAt(labelled, UnsidedExtremity::kFoot1, now.tree, Extremity::kLeftFoot);
     return now;
   }
+  void count(const Followed& now) {
+    ++pairs;
+    if (now.first_arm_is_left == before_->first_arm_is_left &&
+        now.first_leg_is_left == before_->first_leg_is_left)
+      return;
+    if (exchanged++ > 0) return;
+    cv::hconcat(before_->picture, now.picture, picture);
+    picture_frame = before_->frame;
+  }
 
- private:
   PoseTreeOptions options_;
-  PoseTreeModel model_;
-  Thinner thinner_;
+  PoseTreeModel model_ = PoseTreeModel::standard();
   PreviousExtremities last_;
+  std::optional<Followed> before_;
 };
 
 const BakkenVariant& variant(const std::string& id) {
@@ -102,30 +121,25 @@ Json followLabels(const Capture& capture, int edge) {
   const JointTrack truth = labelTruth(capture);
   const CameraRig rig = rigOf(capture);
   HullCarver carver(rig, cubeAround(truth, publishedBakkenOptions(edge).hull));
-  Follower follower(optionsOf(variant("prune08"), publishedBakkenYaml()));
-  std::optional<Followed> last;
-  int pairs = 0, exchanged = 0;
-  Json result;
+  const PoseTreeOptions options = optionsOf(variant("prune08"), publishedBakkenYaml());
+  Thinner thinner(options.persistence);
+  std::vector<Follower> followers;
+  for (const size_t step : {1, 2, 4}) followers.emplace_back(options, step);
   forEachFrame(capture, truth, [&](size_t frame, const std::vector<HullView>& views) {
     const VisualHull hull = carver.carve(views);
-    std::optional<Followed> now = follower.add(frame, hull, frameOf(truth, frame));
-    if (now) now->picture = drawTree(rig[0], hull, now->tree, colorsOf(*now));
-    if (now && last && last->frame + 1 == frame) {
-      ++pairs;
-      const bool change = now->first_arm_is_left != last->first_arm_is_left ||
-                          now->first_leg_is_left != last->first_leg_is_left;
-      exchanged += change;
-      if (change && !result.contains("jpeg")) {
-        cv::Mat picture;
-        cv::hconcat(last->picture, now->picture, picture);
-        result["jpeg"] = packedJpeg(picture, kQuality);
-        result["frame"] = last->frame;
-      }
-    }
-    last = std::move(now);
+    const CurveSkeleton skeleton = thinner.thin(hull);
+    for (Follower& follower : followers)
+      follower.add(frame, rig[0], hull, skeleton, frameOf(truth, frame));
   });
-  result["pairs"] = pairs;
-  result["exchanged"] = exchanged;
+  Json result;
+  for (const Follower& follower : followers) {
+    result["every"].push_back(
+        {{"step", follower.step}, {"pairs", follower.pairs}, {"exchanged", follower.exchanged}});
+    if (follower.exchanged == 0 || result.contains("jpeg")) continue;
+    result["jpeg"] = packedJpeg(follower.picture, kQuality);
+    result["frame"] = follower.picture_frame;
+    result["step"] = follower.step;
+  }
   return result;
 }
 

@@ -183,22 +183,24 @@ void addCorrespondence(const Results& results, Page* page) {
       const auto run = results.find("follow_" + capture + "_" + std::to_string(edge));
       if (run == results.end()) continue;
       const Json& found = run->second;
-      rows.push_back({capture, std::to_string(edge), std::to_string(found["pairs"].get<int>()),
-                      std::to_string(found["exchanged"].get<int>())});
+      rows.push_back({capture, std::to_string(edge)});
+      for (const Json& every : found["every"])
+        rows.back().push_back(std::to_string(every["exchanged"].get<int>()) + " of " +
+                              std::to_string(every["pairs"].get<int>()));
       if (!found.contains("jpeg")) continue;
-      const int frame = found["frame"].get<int>();
+      const int frame = found["frame"].get<int>(), step = found["step"].get<int>();
       page->add({{"kind", "picture"},
                  {"jpeg", found["jpeg"]},
                  {"caption", capture + ", " + std::to_string(edge) + " voxels, frames " +
-                                 std::to_string(frame) + " and " + std::to_string(frame + 1) +
+                                 std::to_string(frame) + " and " + std::to_string(frame + step) +
                                  ": limbs by the labels that follow the last frame, first blue, "
                                  "second orange; extremities by side, left green, right red"}});
     }
   page->text(
-      "Pairs of successive frames that are labelled right, and those of them in which the first "
-      "and "
-      "the second arm or leg change places; pruned below 0.08.");
-  page->table({"", "#voxels", "#pairs", "#exchanged"}, rows);
+      "Of pairs of successive frames that are labelled right, those in which the first and the "
+      "second arm or leg change places; with all frames, and with fewer, as of a person who moves "
+      "faster. Pruned below 0.08.");
+  page->table({"", "#voxels", "#all frames", "#every second", "#every fourth"}, rows);
 }
 
 /// Correct frames, valid or not, by labelling.

@@ -42,7 +42,8 @@ void addStrip(const FilmSource& film, const VariantResults& track,
 void addOverlays(const Results& results, const FilmSource& fast, const FilmSource& slow,
                  Page* page) {
   page->heading("6.2 General results (Figs. 6.2-6.4)");
-  page->text("The truth is black; left limbs are cyan, right ones yellow. Frames at 60 fps.");
+  page->text(
+      "The truth is red; estimated left limbs are cyan, right ones yellow. Frames at 60 fps.");
   std::vector<size_t> at60(std::begin(kShown), std::end(kShown)), at20;
   for (const size_t frame : at60) at20.push_back(frame / 3);
   addStrip(slow, {results, "base20"}, at20, 3, "Fig. 6.2: 1000 evaluations, 20 fps", page);

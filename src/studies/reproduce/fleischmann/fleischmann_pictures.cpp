@@ -44,7 +44,7 @@ DrawnPose plainPose(const FleischmannVector& v, const cv::Scalar& color) {
 }
 
 DrawnPose truePose(const FleischmannVector& v) {
-  return plainPose(v, cv::Scalar::all(0));
+  return plainPose(v, cv::Scalar(60, 60, 255));
 }
 
 DrawnPose estimatedPose(const FleischmannVector& v) {

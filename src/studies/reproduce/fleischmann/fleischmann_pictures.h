@@ -11,7 +11,7 @@ struct DrawnPose {
   FleischmannVector v;
   cv::Scalar left, right, middle;  ///< colours of the limbs of each side, and of torso and head
 };
-DrawnPose truePose(const FleischmannVector& v);       ///< black
+DrawnPose truePose(const FleischmannVector& v);       ///< red: black is not seen on dark clothes
 DrawnPose estimatedPose(const FleischmannVector& v);  ///< left cyan, right yellow (Fig. 5.1)
 DrawnPose plainPose(const FleischmannVector& v, const cv::Scalar& color);
 

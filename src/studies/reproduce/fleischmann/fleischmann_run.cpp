@@ -1,6 +1,5 @@
 #include "studies/reproduce/fleischmann/fleischmann_run.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "evaluation/joint_error.h"
@@ -8,11 +7,10 @@
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "resources/resources.h"
 #include "ros/package_files.h"
+#include "studies/common/cpu_time.h"
 
 namespace markerless_mocap {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Short in a file. \param steps per unit
 Json roundedNumbers(const std::vector<double>& values, double steps) {
@@ -79,9 +77,9 @@ Json trackFilm(const Capture& capture, const FilmTruth& truth, const Fleischmann
   FleischmannVector last = truth.poses.front();
   tracker.start(film.next()->stamp_ns, last);
   for (size_t f = 1; const std::optional<FilmFrame> frame = film.next(); ++f) {
-    const auto start = Clock::now();
+    const double start = threadSeconds();
     const FleischmannEstimate pose = tracker.update(frame->stamp_ns, frame->views);
-    track.busy += std::chrono::duration<double>(Clock::now() - start).count();
+    track.busy += threadSeconds() - start;
     if (pose.status == PoseStatus::kTracked)
       last = pose.v;
     else

@@ -3,20 +3,19 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 
 #include "fleischmann/fleischmann_motion_statistics.h"
 #include "fleischmann/fleischmann_pose_estimator.h"
 #include "resources/resources.h"
+#include "studies/common/cpu_time.h"
 
 namespace markerless_mocap {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kSwing = kRightShoulder + 1;  // x24
+constexpr double kMoves = 1e-9;             // spread of a parameter that is not held, rad or m
 constexpr int kTimedFrame = 3;              // the first one is where the search begins
 
 /// The published system for one capture.
@@ -65,7 +64,7 @@ class Convergence {
     Json out = Json::array();
     double first = 0.0;
     for (const Eigen::VectorXd& sum : sums_) {
-      if (first == 0.0) first = sum[parameter];
+      if (first == 0.0 && sum[parameter] > kMoves) first = sum[parameter];
       out.push_back(first > 0.0 ? sum[parameter] / first : NAN);
     }
     return out;
@@ -85,9 +84,9 @@ class Convergence {
 double minSeconds(const std::function<void()>& work) {
   double minimum = HUGE_VAL;
   for (int i = 0; i < 5; ++i) {
-    const auto start = Clock::now();
+    const double start = threadSeconds();
     work();
-    minimum = std::min(minimum, std::chrono::duration<double>(Clock::now() - start).count());
+    minimum = std::min(minimum, threadSeconds() - start);
   }
   return minimum;
 }
