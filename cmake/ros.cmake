@@ -30,7 +30,8 @@ function(mocap_use_ros target)
 endfunction()
 
 find_package(JPEG REQUIRED)
-mocap_room(ros DEPENDS checks hull silhouette tracking LIBRARIES JPEG::JPEG opencv_imgcodecs)
+find_package(PNG REQUIRED)
+mocap_room(ros DEPENDS checks hull silhouette tracking LIBRARIES JPEG::JPEG PNG::PNG opencv_imgcodecs)
 mocap_use_ros(mocap_ros)
 
 # The Point Cloud Library with all that it needs is for these files alone: its headers build slowly,

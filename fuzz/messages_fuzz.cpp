@@ -4,6 +4,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
 #include "ros/image_conversions.h"
+#include "ros/mask_png.h"
 #include "ros/pose_tree_conversions.h"
 #include "ros/segmentation_conversions.h"
 
@@ -117,6 +118,7 @@ void readCompressedImage(ByteSource& in) {
   message.format = in.text();
   message.data = in.rest();
   refusesOrReads([&] { matFromMessage(message); });
+  refusesOrReads([&] { maskFromCompressed(message); });
 }
 
 void readCameraInfo(ByteSource& in) {

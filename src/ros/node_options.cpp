@@ -13,6 +13,9 @@ constexpr const char* kRigMeaning =
     "rig file that calibrates the cameras in place of camera_info and tf; empty: none";
 constexpr const char* kTransportMeaning =
     "raw reads c/image_raw, compressed reads c/image_raw/compressed";
+constexpr const char* kMaskMeaning =
+    "raw reads the masks on c/silhouette, compressed reads PNGs on c/silhouette/compressed, which "
+    "are small enough for a network";
 constexpr const char* kBodyMeaning = "suffix of the body's frames, joints and topics";
 constexpr const char* kTemplateMeaning =
     "file of the URDF template; empty: the package's own urdf/human.urdf.in";
@@ -76,6 +79,9 @@ void HullNodeOptions::visit(OptionVisitor& v) {
   v.field("world_frame", world_frame, {}, "frame of the hull; tf connects the cameras to it");
   v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("mask_transport", mask_transport, {"raw", "compressed"}, kMaskMeaning);
+  v.field("privacy", privacy,
+          "whether no image may be read; voxels then have no colours, whatever color says");
   v.field("color", color, "whether the voxels are coloured from the images");
   v.field("min_cameras", min_cameras, 0, 32,
           "number of cameras that a frame set must have to be carved; 0: three quarters of those "
@@ -103,6 +109,10 @@ void HullNodeOptions::validate() const {
                                 ", allowed is stamp_tolerance or more");
 }
 
+bool HullNodeOptions::readsImages() const {
+  return color && !privacy;
+}
+
 size_t HullNodeOptions::requiredCameras() const {
   return required(min_cameras, cameras);
 }
@@ -112,6 +122,10 @@ void FittingNodeOptions::visit(OptionVisitor& v) {
   v.field("world_frame", world_frame, {}, "frame of the hulls; tf connects the cameras to it");
   v.field("rig_file", rig_file, {}, kRigMeaning);
   v.field("image_transport", image_transport, {"raw", "compressed"}, kTransportMeaning);
+  v.field("mask_transport", mask_transport, {"raw", "compressed"}, kMaskMeaning);
+  v.field("privacy", privacy,
+          "whether no image may be read; then there are no overlays, unknown backgrounds are not "
+          "looked up by colour, and methods that need images are refused");
   v.field("min_cameras", min_cameras, 0, 32,
           "number of cameras that a frame set must have to be fitted; 0: three quarters of those "
           "listed; as that of visual_hull");

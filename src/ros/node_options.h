@@ -40,6 +40,11 @@ struct HullNodeOptions {
   std::string rig_file;
   /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// raw reads the masks on c/silhouette, compressed reads PNGs on c/silhouette/compressed, which
+  /// are small enough for a network
+  std::string mask_transport = "raw";
+  /// whether no image may be read; voxels then have no colours, whatever color says
+  bool privacy = false;
   /// whether the voxels are coloured from the images
   bool color = true;
   /// number of cameras that a frame set must have to be carved; 0: three quarters of those listed
@@ -54,6 +59,7 @@ struct HullNodeOptions {
 
   void visit(OptionVisitor& v);
   void validate() const;
+  bool readsImages() const;
   /// min_cameras, or what it stands for when it is 0.
   size_t requiredCameras() const;
 };
@@ -69,6 +75,12 @@ struct FittingNodeOptions {
   std::string rig_file;
   /// raw reads c/image_raw, compressed reads c/image_raw/compressed
   std::string image_transport = "raw";
+  /// raw reads the masks on c/silhouette, compressed reads PNGs on c/silhouette/compressed, which
+  /// are small enough for a network
+  std::string mask_transport = "raw";
+  /// whether no image may be read; then there are no overlays, unknown backgrounds are not looked
+  /// up by colour, and methods that need images are refused
+  bool privacy = false;
   /// number of cameras that a frame set must have to be fitted; 0: three quarters of those listed;
   /// as that of visual_hull
   int min_cameras = 0;

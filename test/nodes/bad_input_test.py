@@ -105,6 +105,31 @@ class HullNode(Diagnosed):
         self.assertEqual({0}, {c.width for c in self.clouds})
 
 
+class CompressedMasks(Diagnosed):
+    def setUp(self):
+        rospy.set_param('/visual_hull/cameras', ['a', 'b'])
+        rospy.set_param('/visual_hull/mask_transport', 'compressed')
+        self.masks = [rospy.Publisher(c + '/silhouette/compressed', CompressedImage, queue_size=5)
+                      for c in 'ab']
+        self.run_node('visual_hull')
+
+    def expect(self, sentence, data):
+        def send(stamp):
+            message = CompressedImage(format='png', data=data)
+            message.header.stamp, message.header.frame_id = stamp, 'a_optical'
+            for publisher in self.masks:
+                publisher.publish(message)
+        self.send_until('a has sent masks that cannot be used: compressed mask of frame "a_optical" '
+                        'cannot be read: ' + sentence, send)
+
+    def test_no_png(self):
+        self.expect('it is not a PNG', b'\xff\xd8\xff\xe0 a JPEG')
+
+    def test_a_head_that_promises_too_much(self):
+        self.expect('its head says 65535 x 65535 pixels',
+                    b'\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff\x08\0\0\0\0' + bytes(200))
+
+
 class HullElsewhere(HullNode):
     volume = [20.0, 20.0, 0.0], [23.0, 23.0, 2.2]
 

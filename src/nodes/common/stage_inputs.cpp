@@ -2,6 +2,10 @@
 
 #include <ros/master.h>
 
+#include <exception>
+
+#include "ros/mask_png.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -35,6 +39,26 @@ ros::Subscriber StageInputs::subscribeToImages(
                                        [callback](const sensor_msgs::ImageConstPtr& image) {
                                          callback({image, nullptr});
                                        });
+}
+
+void StageInputs::listenToMasks(
+    const std::string& camera, const std::string& transport, uint32_t queue,
+    const std::function<void(const sensor_msgs::ImageConstPtr&)>& callback) {
+  using sensor_msgs::CompressedImage;
+  const std::string topic = camera + "/silhouette";
+  if (transport != "compressed") return listen<sensor_msgs::Image>(topic, queue, kCamera, callback);
+  listen<CompressedImage>(
+      topic + "/compressed", queue, kCamera,
+      [this, camera, callback](const CompressedImage::ConstPtr& message) {
+        sensor_msgs::ImageConstPtr mask;
+        try {
+          mask = maskFromCompressed(*message);
+        } catch (const std::exception& error) {
+          status_->count("masks of " + camera + " that cannot be read");
+          return status_->remark(camera + " has sent masks that cannot be used: " + error.what());
+        }
+        callback(mask);
+      });
 }
 
 void StageInputs::require(const std::string& topic, const std::string& type) {

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,6 +42,10 @@ class StageInputs {
                       Need need, const std::function<void(const CameraImage&)>& callback) {
     subscribers_.push_back(subscribeToImages(camera, transport, queue, need, callback));
   }
+  /// The masks of one of several cameras as images. A compressed one that cannot be read is
+  /// counted and told, and is left out. \param transport raw or compressed
+  void listenToMasks(const std::string& camera, const std::string& transport, uint32_t queue,
+                     const std::function<void(const sensor_msgs::ImageConstPtr&)>& callback);
   /// As listenToImages(), until the result is destroyed.
   ros::Subscriber subscribeToImages(const std::string& camera, const std::string& transport,
                                     uint32_t queue, Need need,

@@ -53,7 +53,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
     rig_ = std::make_shared<const CameraRig>();
     return;
   }
-  if (needs_.colors)
+  if (needs_.colors && !options_.privacy)
     colors_.emplace(options_.cameras, options_.image_transport, &inputs_, status_,
                     [this] { dispatchReady(); });
   // A driver of many cameras accepts one subscriber after another: the most needed come first.
@@ -77,8 +77,8 @@ void FittingInputs::listenToInfo(size_t camera) {
 
 void FittingInputs::listenToCamera(size_t camera) {
   const std::string& name = options_.cameras[camera];
-  inputs_.listen<sensor_msgs::Image>(
-      name + "/silhouette", kQueue, StageInputs::kCamera,
+  inputs_.listenToMasks(
+      name, options_.mask_transport, kQueue,
       [this, camera](const sensor_msgs::ImageConstPtr& mask) { receiveMask(camera, mask); });
   if (!needs_.images) return;
   inputs_.listenToImages(name, options_.image_transport, kQueue, StageInputs::kOptional,
@@ -96,6 +96,9 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
   }
   if (stamp_ns == 0) return;  // visual_hull says so
   if (colors_) colors_->noteMask(camera, stamp_ns, hasUnknownBackground(*mask));
+  if (options_.privacy && needs_.colors && hasUnknownBackground(*mask))
+    status_->remark("the background of " + options_.cameras[camera] +
+                    " is not known, and with privacy its colours are not read");
   const uint64_t jumps = assembler_.counts().time_jumps_back;
   auto frame_sets = assembler_.add(camera, stamp_ns, mask);
   if (assembler_.counts().time_jumps_back != jumps) pending_.clear();
@@ -167,7 +170,7 @@ void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
   }
   noteUse(camera, bool(mask), refusal);
   input->masks.push_back(mask);
-  if (needs_.images || needs_.colors)
+  if (needs_.images || colors_)
     input->images.push_back(mask ? takeImage(camera, *mask) : CameraImage());
 }
 

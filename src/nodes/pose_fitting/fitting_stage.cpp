@@ -4,6 +4,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <exception>
+#include <stdexcept>
 
 #include "markerless_mocap/tracking/shape_file.h"
 #include "nodes/common/low_latency_transport.h"
@@ -36,6 +37,17 @@ PersonResources resourcesOf(const FittingNodeOptions& options) {
   return resources;
 }
 
+/// Tells what goes without images. Throws std::invalid_argument if the method cannot.
+void forgoImages(const std::string& method) {
+  if (needsOf(method).images)
+    throw std::invalid_argument("pose_fitting/method is \"" + method +
+                                "\", which reads images, but privacy is true, allowed are methods "
+                                "that need none, such as contour");
+  ROS_INFO(
+      "pose fitting: with privacy no image is read, so there are no overlays, and backgrounds have "
+      "to be known");
+}
+
 }  // namespace
 
 FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
@@ -48,13 +60,14 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
       announcer_(handle, node_options.body_id),
       queue_(needsOf(options.method).images ? kMaxWaitingWithImages : kMaxWaiting) {
   if (needsOf(options_.method).masks) node_options_.requireCameras();
+  if (node_options_.privacy) forgoImages(options_.method);
   takeOver(initialBody(resources_, options_.person.stature));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
       "/humans/bodies/" + node_options_.body_id + "/joint_states", kPublisherQueue);
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
   text_ = handle.advertise<visualization_msgs::Marker>("pose/text", 4);
-  if (needsOf(options_.method).masks)
+  if (needsOf(options_.method).masks && !node_options_.privacy)
     overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needsOf(options_.method), &status_,

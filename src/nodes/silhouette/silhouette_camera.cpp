@@ -11,6 +11,7 @@
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
+#include "ros/mask_png.h"
 
 namespace markerless_mocap {
 namespace {
@@ -49,6 +50,8 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       background_(camera_, node_options, &extractor_, &status_),
       inputs_(handle, &status_) {
   publisher_ = handle.advertise<sensor_msgs::Image>(camera_ + "/silhouette", kPublisherQueue);
+  compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(
+      camera_ + "/silhouette/compressed", kPublisherQueue);
   inputs_.listenToImages(camera_, node_options.image_transport, kQueue, StageInputs::kRequired,
                          [this](const CameraImage& image) { receive(image); });
 }
@@ -117,13 +120,8 @@ void SilhouetteCamera::process(const CameraImage& image) {
 void SilhouetteCamera::publishMask(const cv::Mat& mask, const CameraImage& image) {
   if (mask.type() != CV_8UC1)
     throw std::invalid_argument("the image is not a mask, allowed is one channel");
-  publish(maskOfThreeValues(mask), image);
+  publish(maskOfThreeValues(mask), image.header());
   status_.ok("masks are published");
-}
-
-void SilhouetteCamera::publish(const cv::Mat& mask, const CameraImage& image) {
-  publishShared(publisher_, messageFromMat(mask, image.header()));
-  status_.sent(image.header().stamp);
 }
 
 void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
@@ -141,8 +139,15 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   if (silhouette->state == SilhouetteState::kLearning)
     return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
                       " images so far");
-  publish(silhouette->mask, image);
+  publish(silhouette->mask, image.header());
   reportSilhouette(*silhouette);
+}
+
+void SilhouetteCamera::publish(const cv::Mat& mask, const std_msgs::Header& header) {
+  if (compressed_publisher_.getNumSubscribers() > 0)
+    publishShared(compressed_publisher_, compressedMask(mask, header));
+  publishShared(publisher_, messageFromMat(mask, header));
+  status_.sent(header.stamp);
 }
 
 void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {

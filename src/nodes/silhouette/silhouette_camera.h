@@ -39,9 +39,10 @@ class SilhouetteCamera {
   /// Takes over settings that have changed.
   void followSettings(const ros::Time& stamp);
   void process(const CameraImage& image);
-  void publish(const cv::Mat& mask, const CameraImage& image);
   void publishMask(const cv::Mat& mask, const CameraImage& image);
   void publishSilhouette(const CameraImage& image);
+  /// As image, and as PNG while somebody subscribes to it.
+  void publish(const cv::Mat& mask, const std_msgs::Header& header);
   void reportSilhouette(const SilhouetteResult& silhouette);
   void checkInput() const;
 
@@ -58,7 +59,7 @@ class SilhouetteCamera {
   FrozenImages frozen_;
   SuddenChange change_;
   CameraImage last_image_;
-  ros::Publisher publisher_;
+  ros::Publisher publisher_, compressed_publisher_;
   StageInputs inputs_;
 };
 

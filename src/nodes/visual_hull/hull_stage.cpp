@@ -66,6 +66,8 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   cameras_ = handle.advertise<HullCameras>("hull/cameras_used", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);
+  if (node_options_.color && node_options_.privacy)
+    ROS_INFO("visual hull: with privacy no image is read, so voxels have no colours");
   if (!rig_.unusedCameras().empty()) ROS_WARN_STREAM("visual hull: " << rig_.unusedCameras());
   if (rig_.isFromFile()) prepareBeforehand(ros::Time());
   advertiseServices();
@@ -80,15 +82,14 @@ void HullStage::subscribe() {
         node_options_.cameras[i] + "/camera_info", kQueue, StageInputs::kOptional,
         [this, i](const sensor_msgs::CameraInfoConstPtr& info) { receiveInfo(i, *info); });
   for (size_t i = 0; i < node_options_.cameras.size(); ++i) {
-    const std::string& camera = node_options_.cameras[i];
-    inputs_.listen<sensor_msgs::Image>(
-        camera + "/silhouette", kQueue, StageInputs::kCamera,
+    inputs_.listenToMasks(
+        node_options_.cameras[i], node_options_.mask_transport, kQueue,
         [this, i](const sensor_msgs::ImageConstPtr& mask) { receiveMask(i, mask); });
   }
 }
 
 void HullStage::followDemand() {
-  if (!node_options_.color) return;
+  if (!node_options_.readsImages()) return;
   const double now = ros::WallTime::now().toSec();
   if (isWanted()) wanted_until_ = now + kImagesKept;
   if (now < wanted_until_ && image_subscribers_.empty())

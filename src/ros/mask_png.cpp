@@ -1,0 +1,107 @@
+#include "ros/mask_png.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <png.h>
+#include <sensor_msgs/image_encodings.h>
+#include <zlib.h>
+
+#include <boost/make_shared.hpp>
+#include <csetjmp>
+#include <cstring>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "markerless_mocap/products/silhouette_mask.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr size_t kUsualBytes = 8192;
+constexpr uint64_t kMaxRatio = 1100;  // that deflate reaches is 1032
+constexpr size_t kHeadBytes = 26;     // signature and the head's length, name, size, depth, colours
+
+void append(png_structp png, png_bytep bytes, png_size_t count) {
+  auto* out = static_cast<std::vector<uint8_t>*>(png_get_io_ptr(png));
+  out->insert(out->end(), bytes, bytes + count);
+}
+
+void nothingToFlush(png_structp) {}
+
+/// OpenCV's encoder knows neither one bit per pixel nor rows without a filter, which are quickest
+/// and smallest here. Returns false if libpng cannot write. Nothing with a destructor lives where
+/// it may leave.
+bool writePng(const cv::Mat& mask, int depth, png_structp png, png_infop info,
+              std::vector<uint8_t>* out) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_write_fn(png, out, append, nothingToFlush);
+  png_set_IHDR(png, info, png_uint_32(mask.cols), png_uint_32(mask.rows), depth,
+               PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(png, Z_BEST_SPEED);
+  png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+  png_write_info(png, info);
+  if (depth < 8) png_set_packing(png);  // of pixels that are not 0
+  for (int y = 0; y < mask.rows; ++y) png_write_row(png, mask.ptr(y));
+  png_write_end(png, info);
+  return true;
+}
+
+uint32_t bigEndian(const uint8_t* bytes) {
+  return uint32_t(bytes[0]) << 24 | uint32_t(bytes[1]) << 16 | uint32_t(bytes[2]) << 8 | bytes[3];
+}
+
+/// Why the bytes are not those of a mask; empty if they may be.
+std::string refusalOf(const std::vector<uint8_t>& bytes) {
+  constexpr char kStart[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
+  if (bytes.size() < kHeadBytes || std::memcmp(bytes.data(), kStart, sizeof kStart - 1) != 0)
+    return "it is not a PNG";
+  const uint32_t width = bigEndian(&bytes[16]), height = bigEndian(&bytes[20]);
+  const uint32_t depth = bytes[24], colors = bytes[25];
+  if (depth > 8 || colors != PNG_COLOR_TYPE_GRAY)
+    return "it is not grey of at most 8 bits per pixel";
+  if (width == 0 || height == 0 || uint64_t(width) * height > INT32_MAX ||
+      (uint64_t(width) * depth / 8 + 1) * height > kMaxRatio * bytes.size())
+    return "its head says " + std::to_string(width) + " x " + std::to_string(height) +
+           " pixels, its " + std::to_string(bytes.size()) + " bytes cannot hold them";
+  return "";
+}
+
+}  // namespace
+
+sensor_msgs::CompressedImage compressedMask(const cv::Mat& mask, const std_msgs::Header& header) {
+  sensor_msgs::CompressedImage message;
+  message.header = header;
+  message.format = sensor_msgs::image_encodings::MONO8 + "; png compressed ";
+  message.data.reserve(kUsualBytes);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  const bool written =
+      info && writePng(mask, hasUnknownPixels(mask) ? 8 : 1, png, info, &message.data);
+  png_destroy_write_struct(&png, &info);
+  if (!written) throw std::runtime_error("a mask cannot be written as PNG");
+  return message;
+}
+
+sensor_msgs::ImagePtr maskFromCompressed(const sensor_msgs::CompressedImage& message) {
+  std::string refusal = refusalOf(message.data);
+  cv::Mat mask;
+  if (refusal.empty()) {
+    try {
+      mask = cv::imdecode(message.data, cv::IMREAD_GRAYSCALE);
+    } catch (const cv::Exception& error) {
+      refusal = error.what();
+    }
+    if (refusal.empty() && mask.empty()) refusal = "it is damaged";
+  }
+  if (!refusal.empty())
+    throw std::invalid_argument("compressed mask of frame \"" + message.header.frame_id +
+                                "\" cannot be read: " + refusal);
+  auto image = boost::make_shared<sensor_msgs::Image>();
+  cv_bridge::CvImage(message.header, sensor_msgs::image_encodings::MONO8, mask).toImageMsg(*image);
+  return image;
+}
+
+}  // namespace markerless_mocap
