@@ -126,6 +126,7 @@ add_custom_target(demo_programs
 install(TARGETS ${programs} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS markerless_mocap_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(FILES nodelets.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+catkin_install_python(PROGRAMS scripts/hosts_launch DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY config launch models rviz urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 if(MARKERLESS_MOCAP_TESTS AND CATKIN_ENABLE_TESTING)
@@ -134,4 +135,11 @@ if(MARKERLESS_MOCAP_TESTS AND CATKIN_ENABLE_TESTING)
   foreach(test ${node_tests})
     add_rostest(${test})
   endforeach()
+  # Network namespaces where they are allowed; skipped elsewhere.
+  add_test(NAME hosts_launch COMMAND ${CATKIN_DEVEL_PREFIX}/env.sh
+    ${PYTHON_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/network/hosts_launch_test.py)
+  add_test(NAME network COMMAND ${CATKIN_DEVEL_PREFIX}/env.sh ${PYTHON_EXECUTABLE}
+    ${PROJECT_SOURCE_DIR}/test/network/network_test.py
+    ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  set_tests_properties(network PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 240)
 endif()

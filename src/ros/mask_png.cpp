@@ -1,6 +1,5 @@
 #include "ros/mask_png.h"
 
-#include <cv_bridge/cv_bridge.h>
 #include <png.h>
 #include <sensor_msgs/image_encodings.h>
 #include <zlib.h>
@@ -8,7 +7,6 @@
 #include <boost/make_shared.hpp>
 #include <csetjmp>
 #include <cstring>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +67,23 @@ std::string refusalOf(const std::vector<uint8_t>& bytes) {
   return "";
 }
 
+/// Sets all of a mono8 image but its header. Returns what is wrong with the PNG; empty: nothing.
+/// OpenCV is as quick, but prints what is wrong.
+std::string faultWhileReading(const std::vector<uint8_t>& bytes, sensor_msgs::Image* mask) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) return png.message;
+  png.format = PNG_FORMAT_GRAY;
+  mask->encoding = sensor_msgs::image_encodings::MONO8;
+  mask->width = mask->step = png.width;
+  mask->height = png.height;
+  mask->data.resize(size_t(png.width) * png.height);
+  const bool whole = png_image_finish_read(&png, nullptr, mask->data.data(), 0, nullptr) != 0;
+  const std::string fault = whole ? "" : png.message;
+  png_image_free(&png);
+  return fault;
+}
+
 }  // namespace
 
 sensor_msgs::CompressedImage compressedMask(const cv::Mat& mask, const std_msgs::Header& header) {
@@ -86,22 +101,14 @@ sensor_msgs::CompressedImage compressedMask(const cv::Mat& mask, const std_msgs:
 }
 
 sensor_msgs::ImagePtr maskFromCompressed(const sensor_msgs::CompressedImage& message) {
+  auto mask = boost::make_shared<sensor_msgs::Image>();
   std::string refusal = refusalOf(message.data);
-  cv::Mat mask;
-  if (refusal.empty()) {
-    try {
-      mask = cv::imdecode(message.data, cv::IMREAD_GRAYSCALE);
-    } catch (const cv::Exception& error) {
-      refusal = error.what();
-    }
-    if (refusal.empty() && mask.empty()) refusal = "it is damaged";
-  }
+  if (refusal.empty()) refusal = faultWhileReading(message.data, mask.get());
   if (!refusal.empty())
     throw std::invalid_argument("compressed mask of frame \"" + message.header.frame_id +
                                 "\" cannot be read: " + refusal);
-  auto image = boost::make_shared<sensor_msgs::Image>();
-  cv_bridge::CvImage(message.header, sensor_msgs::image_encodings::MONO8, mask).toImageMsg(*image);
-  return image;
+  mask->header = message.header;
+  return mask;
 }
 
 }  // namespace markerless_mocap

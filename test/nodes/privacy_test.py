@@ -13,14 +13,13 @@ from sensor_msgs.msg import CompressedImage, Image, PointCloud2
 
 CAMERAS = ['cam%d' % i for i in range(8)]
 POSES_WANTED = 8
-CALLER = '/privacy_test'
 
 
 class Privacy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('privacy_test')
-        cls.master = rosgraph.Master(CALLER)
+        cls.master = rosgraph.Master(rospy.get_name())
         cls.poses, cls.hulls, cls.masks, cls.overlays = [], [], [], []
         rospy.Subscriber('pose', BodyPose, cls.poses.append, queue_size=200)
         rospy.Subscriber('hull/points', PointCloud2, cls.hulls.append, queue_size=200)
@@ -41,9 +40,8 @@ class Privacy(unittest.TestCase):
     def sent(self, node):
         """Bytes that a node has sent, by topic: one number for each connection."""
         uri = self.master.lookupNode(node)
-        publications = xmlrpc.client.ServerProxy(uri).getBusStats(CALLER)[2][0]
-        return {topic: [connection[1] for connection in connections]
-                for topic, _, connections in publications}
+        publications, _ = xmlrpc.client.ServerProxy(uri).getBusStats(rospy.get_name())
+        return {topic: [connection[1] for connection in connections] for topic, connections in publications}
 
     def test_poses_come(self):
         self.assertGreaterEqual(len(self.tracked()), POSES_WANTED, {p.reason for p in self.poses})
@@ -65,10 +63,10 @@ class Privacy(unittest.TestCase):
         while rospy.get_time() < end and len(self.sent('/virtual_studio')['/cam5/image_raw']) < 2:
             rospy.sleep(0.2)
         self.assertEqual(2, len(self.sent('/virtual_studio')['/cam5/image_raw']))
-        self.assertIn(CALLER, self.subscribers('/image_raw'))
+        self.assertIn(rospy.get_name(), self.subscribers('/image_raw'))
         subscriber.unregister()
         end = rospy.get_time() + 20
-        while rospy.get_time() < end and CALLER in self.subscribers('/image_raw'):
+        while rospy.get_time() < end and rospy.get_name() in self.subscribers('/image_raw'):
             rospy.sleep(0.2)
 
     def test_masks_travel_compressed_only(self):
@@ -93,8 +91,8 @@ class Privacy(unittest.TestCase):
         self.assertNotIn('/cam3/overlay', published)
 
     def test_a_method_that_needs_images_is_refused(self):
-        refused = subprocess.run(['rosrun', 'markerless_mocap', 'pose_fitting', '__name:=other_fitting',
-                                  '_cameras:=[a, b]', '_privacy:=true', '_method:=fleischmann'],
+        rospy.set_param('/other_fitting', {'cameras': ['a', 'b'], 'privacy': True, 'method': 'fleischmann'})
+        refused = subprocess.run(['rosrun', 'markerless_mocap', 'pose_fitting', '__name:=other_fitting'],
                                  capture_output=True, text=True, timeout=30, check=False)
         self.assertEqual(1, refused.returncode)
         self.assertIn('pose_fitting/method is "fleischmann", which reads images, but privacy is true',
