@@ -4,7 +4,8 @@
     . devel/setup.bash
     sudo -E benchmark/network_table.py CAPTURE.bag [--cameras 4 8 16 32] [--rate 30] [--seconds 10]
 
-CAPTURE.bag holds <camera>/silhouette and camera_info. Four network namespaces play the masks of a
+CAPTURE.bag holds <camera>/silhouette (or that of the ground truth, as render_capture writes it) and
+camera_info. Four network namespaces play the masks of a
 quarter of the cameras each, with the stamps of now; where there are more cameras than in the bag, they
 are repeated. The stages of the centre run in a fifth. What crosses the wires is counted by the kernel.
 
@@ -13,6 +14,7 @@ noise, with one reader). `sent` is the fraction of the messages that the players
 of the frame sets that were answered; where they are below 1, the processors of this machine do not hold
 that many. Latencies are from the stamp of the image to the mask at the centre, and to the pose."""
 import argparse
+import json
 import os
 import pathlib
 import statistics
@@ -45,10 +47,8 @@ def connect(centre, hosts):
 
 
 def bytes_sent(host):
-    counted = host.run('cat', '/sys/class/net/centre/statistics/tx_bytes', capture_output=True, text=True)
-    if counted.stdout.strip():
-        return int(counted.stdout)
-    raise RuntimeError('the kernel does not count')
+    shown = host.run('ip', '-j', '-s', 'link', 'show', 'centre', capture_output=True, text=True).stdout
+    return json.loads(shown)[0]['stats64']['tx']['bytes']
 
 
 def play(kind, bag, rate, start, seconds, cameras):
@@ -57,12 +57,13 @@ def play(kind, bag, rate, start, seconds, cameras):
     import rosbag
     import rospy
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
-    sources = sorted({topic.split('/')[-2] for topic in rosbag.Bag(bag).get_type_and_topic_info()[1]
-                      if topic.endswith('/silhouette')})
+    topics = {topic.split('/')[-2]: topic for topic in rosbag.Bag(bag).get_type_and_topic_info()[1]
+              if topic.endswith('/silhouette')}
+    sources = sorted(topics)
     recorded = {}
     for camera in cameras:
         source = sources[int(camera[3:]) % len(sources)]
-        masks = [m for _, m, _ in rosbag.Bag(bag).read_messages(topics=['/' + source + '/silhouette'])]
+        masks = [m for _, m, _ in rosbag.Bag(bag).read_messages(topics=[topics[source]])]
         info = next(rosbag.Bag(bag).read_messages(topics=['/' + source + '/camera_info']))[1]
         recorded[camera] = [m for m in masks if max(m.data)], info
     rospy.init_node('player_' + cameras[0])
@@ -133,7 +134,7 @@ def measure(kind, count, arguments, folder):
             centre.start('roslaunch', '--wait', 'markerless_mocap', 'mocap.launch', 'nodelets:=true',
                          'privacy:=true', 'masks:=true', 'cameras:=[' + ', '.join(cameras) + ']',
                          'mask_transport:=' + ('compressed' if kind == 'png' else 'raw'))
-        start = time.time() + 14.0
+        start = time.time() + 12.0 + count / 2.0  # until all is loaded
         length = arguments.seconds + 10.0
         players = [host.start(sys.executable, __file__, arguments.bag, '--play', kind, '--rate',
                               arguments.rate, '--start', start, '--seconds', length, '--names',
