@@ -11,8 +11,9 @@ are repeated. The stages of the centre run in a fifth. What crosses the wires is
 
 For each number of cameras: masks as PNG, raw masks, and raw colour images of the same size (played as
 noise, with one reader). `sent` is the fraction of the messages that the players could send, `poses` that
-of the frame sets that were answered; where they are below 1, the processors of this machine do not hold
-that many. Latencies are from the stamp of the image to the mask at the centre, and to the pose."""
+of the frame sets that were answered, `tracked` that of poses that are not lost; where they are below 1,
+the processors of this machine do not hold that many. Latencies are medians from the stamp of the image to
+the mask at the centre, and to the tracked pose."""
 import argparse
 import json
 import os
@@ -31,6 +32,7 @@ import namespaces  # noqa: E402
 HOSTS = 4
 CENTRE = '10.78.0.1'
 KINDS = ('png', 'masks', 'images')
+WARM_UP = 8.0  # s, in which the person is found
 
 
 def connect(centre, hosts):
@@ -135,12 +137,12 @@ def measure(kind, count, arguments, folder):
                          'privacy:=true', 'masks:=true', 'cameras:=[' + ', '.join(cameras) + ']',
                          'mask_transport:=' + ('compressed' if kind == 'png' else 'raw'))
         start = time.time() + 12.0 + count / 2.0  # until all is loaded
-        length = arguments.seconds + 10.0
+        length = WARM_UP + arguments.seconds + 2.0
         players = [host.start(sys.executable, __file__, arguments.bag, '--play', kind, '--rate',
                               arguments.rate, '--start', start, '--seconds', length, '--names',
                               *cameras[i::HOSTS], output=subprocess.PIPE) for i, host in enumerate(hosts)]
         heard = listen(kind, centre, cameras, arguments, start)
-        time.sleep(max(0.0, start + 8.0 - time.time()))
+        time.sleep(max(0.0, start + WARM_UP - time.time()))
         before = [bytes_sent(host) for host in hosts]
         began = time.time()
         time.sleep(arguments.seconds)
@@ -171,32 +173,32 @@ def hear(kind, bag, rate, start, seconds, cameras):
     tf = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
     for _, message, _ in rosbag.Bag(bag).read_messages(topics=['/tf_static']):
         tf.publish(message)
-    masks, poses, lost, lock = [], [], [], threading.Lock()
+    masks, poses, tracked, lock = [], [], [], threading.Lock()
 
     def keep(times):
         def take(message):
             now = time.time()
-            if start + 8.0 <= now < start + 8.0 + seconds:
+            if start + WARM_UP <= now < start + WARM_UP + seconds:
                 with lock:
                     times.append(now - message.header.stamp.to_sec())
-                    if getattr(message, 'status', None) == BodyPose.LOST:
-                        lost.append(now)
+                    if getattr(message, 'status', BodyPose.LOST) != BodyPose.LOST:
+                        tracked.append(times[-1])
         return take
     if kind == 'images':
         subscribers = [rospy.Subscriber(c + '/image_raw', Image, keep(masks), queue_size=2, buff_size=2 ** 22,
                                         tcp_nodelay=True) for c in cameras]
     else:
         subscribers = [rospy.Subscriber('/pose', BodyPose, keep(poses), queue_size=100, tcp_nodelay=True)]
-    time.sleep(max(0.0, start + 8.0 + seconds - time.time()))
+    time.sleep(max(0.0, start + WARM_UP + seconds - time.time()))
     if kind != 'images':  # now that bytes are counted: one camera's masks
         late, topic = [], cameras[-1] + '/silhouette' + ('/compressed' if kind == 'png' else '')
         subscribers.append(rospy.Subscriber(topic, rospy.AnyMsg, lambda m: late.append(
             time.time() - stamp_of(m)), queue_size=100, tcp_nodelay=True))
         time.sleep(1.5)
         masks = late
-    tracked = 1.0 - len(lost) / max(1, len(poses))
-    print('result', *(f'{1e3 * statistics.median(t):.0f}' if t else '-' for t in (masks, poses)),
-          f'{len(poses) / (rate * seconds):.2f}' if poses else '-', f'{tracked:.2f}' if poses else '-', flush=True)
+    print('result', *(f'{1e3 * statistics.median(t):.0f}' if t else '-' for t in (masks, tracked)),
+          f'{len(poses) / (rate * seconds):.2f}' if poses else '-',
+          f'{len(tracked) / len(poses):.2f}' if poses else '-', flush=True)
     os._exit(0)
 
 
