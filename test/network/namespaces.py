@@ -3,6 +3,7 @@ import ctypes
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -22,10 +23,11 @@ def ensure_allowed():
         possible = subprocess.run(['unshare', '-n', 'true'], stderr=subprocess.DEVNULL,
                                   check=False).returncode == 0
         os.close(os.open('/dev/net/tun', os.O_RDWR))
+        possible = possible and shutil.which('ip') is not None
     except OSError:
         possible = False
     if not possible:
-        print('skipped: network namespaces or /dev/net/tun are not allowed here')
+        print('skipped: network namespaces and /dev/net/tun are not allowed here, or iproute2 is missing')
         sys.exit(SKIPPED)
 
 
