@@ -9,7 +9,7 @@ captures:
   nobody_moves: {motion: no_such_motion}
 methods:
   default: {}
-  coarse: {visual_hull: {voxel_size: 0.05}}
+  coarse: {visual_hull: {pitch: 0.05}}
 '''
 
 
