@@ -154,7 +154,7 @@ class Parts(WorkflowTest):
         self.assertIn('joined at', log)
 
     def test_parts_that_do_not_agree_are_not_joined(self):
-        (self.folder / 'never.yaml').write_text(SHORT + 'cut: {part_minutes: 0.12, overlap_s: 0.1}\n')
+        (self.folder / 'never.yaml').write_text(SHORT + 'cut: {part_minutes: 0.12, overlap_s: 0.05}\n')
         code, _, err = self.run_script('captures', 'long.bag', '--options', 'never.yaml', '--out', 'never')
         self.assertEqual(code, 1)
         self.assertRegex(err.splitlines()[-1], r'captures: long: join_results: parts 1 and 2 do not agree: ')
