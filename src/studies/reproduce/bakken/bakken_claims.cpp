@@ -34,7 +34,7 @@ Claim shareClaim(const Results& results, const std::string& capture, int edge, d
   const LabelResult own(results, capture, edge, "published"),
       other(results, capture, edge, kRemedy), smooth(results, capture, edge, "paths08"),
       learned(results, capture, edge, "learned");
-  Claim claim{"4", sentence, "", Verdict::kNotMeasured};
+  Claim claim{"4", sentence, "not a part of --quick", Verdict::kNotMeasured};
   if (own.frames() == 0) return claim;
   claim.ours = percent(own.right()) + "; pruned below 0.05: " + percent(other.right()) +
                ", below 0.08 with smoothed shortest paths: " + percent(smooth.right()) +
@@ -102,9 +102,11 @@ Claim correspondenceClaim(const Results& results) {
   }
   std::string ours = "exchanges in pairs of frames that are labelled right:";
   for (const auto& [step, count] : counts)
-    ours += (step == 1 ? " " : ", ") + std::to_string(count.first) + " of " +
-            std::to_string(count.second) +
-            (step == 1 ? "" : " with every " + std::to_string(step) + "th frame");
+    ours += " " + std::to_string(count.first) + " of " + std::to_string(count.second) +
+            (step == 1   ? " with all frames,"
+             : step == 2 ? " with every second,"
+                         : " with every fourth,");
+  ours.pop_back();
   return {"4, Figure 7",
           "labels that follow the last frame can fail in fast motions, left and right are still "
           "right",
