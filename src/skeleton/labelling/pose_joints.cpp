@@ -6,8 +6,9 @@
 namespace markerless_mocap {
 namespace {
 
-// Fractions of the longest path, means over people of the virtual studio; scripts/fit_pose_tree
-// does not make them.
+// Fractions of the longest path, means over people of the virtual studio, as `scripts/fit_pose_tree
+// shares` measures them. It gives shoulders and hips beside the nearest point of the trunk's path;
+// here that point is up to 0.03 away along it, and "up" makes up for it.
 constexpr double kWrist = 0.038, kElbow = 0.1445;            // from the knuckles
 constexpr double kAnkle = 0.049, kKnee = 0.224;              // from the ball of the foot
 constexpr double kNeckDown = 0.07;                           // from the head's extremity
