@@ -150,7 +150,9 @@ def run_workflow(name, out, plan, cores, profile=None, name_step=None, ended=Non
     log = out / 'snakemake.log'
     with open(log, 'w') as file:
         process = subprocess.Popen([str(part) for part in command], stdout=subprocess.PIPE, stderr=file,
-                                   text=True, start_new_session=True)
+                                   text=True, start_new_session=True,
+                                   # A shell's background jobs ignore it, and so would all programs.
+                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     stop = forward_interruption(process)
     progress = Progress()
     failed = {}
