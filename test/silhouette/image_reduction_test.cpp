@@ -67,7 +67,7 @@ TEST(ImageReduction, NoiseOfALargeImageIsAveragedAway) {
 
 TEST(ImageReduction, MayBeDoneBefore) {
   SilhouetteOptions options;
-  options.max_megapixels = 0.005;  // of 160 x 120 pixels half of each side
+  options.max_megapixels = 0.01;  // of 160 x 120 pixels half of each side
   SilhouetteExtractor extractor(options), other(options);
   const int reduction = extractor.reductionFor(kSize);
   ASSERT_EQ(reduction, 2);

@@ -10,8 +10,8 @@ namespace markerless_mocap {
 
 /// Position of knuckles, ball of the foot or centre of the head, world metres, from the path of a
 /// limb. The path is extended to the surface; the point lies before the surface by a fraction of
-/// the body's size. The fractions are means over people of the virtual studio, as
-/// `scripts/fit_pose_tree shares` measures them.
+/// the body's size. The fractions are means over people of the virtual studio;
+/// `scripts/fit_pose_tree shares` measures such means.
 /// \param path from the extremity upwards, at least one point, world metres
 /// \param closed whether the extremity touches the body; then the path is as long as the limb and
 ///   is not extended
