@@ -74,8 +74,21 @@ class Computer:
 
     def close(self):
         self.die()
-        self.holder.kill()
+        for pid in self.pids():  # roslaunch's nodes are no children of ours
+            if pid != os.getpid():
+                os.kill(pid, signal.SIGKILL)
         self.holder.wait()
+
+    def pids(self):
+        """Of all processes in the namespace."""
+        space, found = os.readlink(f'/proc/{self.holder.pid}/ns/net'), []
+        for folder in pathlib.Path('/proc').glob('[0-9]*'):
+            try:
+                if os.readlink(folder / 'ns/net') == space:
+                    found.append(int(folder.name))
+            except OSError:  # it has ended, or belongs to somebody else
+                pass
+        return found
 
 
 class Link:
