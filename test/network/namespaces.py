@@ -1,4 +1,5 @@
 """Computers in network namespaces of this one, and links between them."""
+import contextlib
 import ctypes
 import json
 import os
@@ -76,7 +77,8 @@ class Computer:
         self.die()
         for pid in self.pids():  # roslaunch's nodes are no children of ours
             if pid != os.getpid():
-                os.kill(pid, signal.SIGKILL)
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
         self.holder.wait()
 
     def pids(self):
