@@ -5,6 +5,8 @@ if(NOT CATKIN_DEVEL_PREFIX)
 endif()
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
 
+get_property(core_targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+
 # Messages, conversions, nodelets with their executables, tools.
 find_package(catkin REQUIRED COMPONENTS roscpp roslib nodelet pluginlib rosbag message_generation
   rosgraph_msgs std_msgs geometry_msgs sensor_msgs visualization_msgs std_srvs tf2_msgs tf2_ros tf2_eigen
@@ -21,8 +23,21 @@ export(EXPORT markerless_mocap NAMESPACE markerless_mocap::
   FILE ${CATKIN_DEVEL_PREFIX}/${MOCAP_CMAKE_DESTINATION}/markerless_mocapTargets.cmake)
 install(DIRECTORY include/markerless_mocap/ros DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 
+# catkin's definitions and folder are for what uses ROS. The core compiles as it does without ROS, so that
+# the compiler's cache has it once one of the two builds is there.
+get_directory_property(ros_definitions COMPILE_DEFINITIONS)
+set_directory_properties(PROPERTIES COMPILE_DEFINITIONS "")
+foreach(target ${core_targets})
+  get_target_property(folders ${target} INCLUDE_DIRECTORIES)
+  if(folders)
+    list(REMOVE_ITEM folders ${CATKIN_DEVEL_PREFIX}/include)
+    set_target_properties(${target} PROPERTIES INCLUDE_DIRECTORIES "${folders}")
+  endif()
+endforeach()
+
 # Everything that includes a ROS header: ROS's own headers are not held to our warnings.
 function(mocap_use_ros target)
+  target_compile_definitions(${target} PUBLIC ${ros_definitions})
   target_include_directories(${target} SYSTEM PUBLIC
     ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS})
   target_link_libraries(${target} PUBLIC ${catkin_LIBRARIES})
