@@ -11,7 +11,6 @@ namespace markerless_mocap {
 namespace {
 
 BodyModel body() {
-  setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
   return BodyModel::fromUrdf(bodyUrdf("", "person1", 1.75), "person1");
 }
 

@@ -17,7 +17,7 @@
 
 namespace markerless_mocap {
 
-/// A folder of its own for each test, removed afterwards, and the package's files where ROS looks.
+/// A folder of its own for each test, removed afterwards.
 class ToolTest : public ::testing::Test {
  protected:
   ToolTest() {
@@ -26,7 +26,6 @@ class ToolTest : public ::testing::Test {
               (std::string("mocap_") + info->test_suite_name() + "_" + info->name() + "_" +
                std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
-    setenv("ROS_PACKAGE_PATH", MOCAP_SOURCE_DIR, 1);
   }
   ~ToolTest() override { std::filesystem::remove_all(folder_); }
 
