@@ -26,8 +26,13 @@ bool hasUnknownBackground(const cv::Mat& mask) {
 }
 
 cv::Mat maskOfThreeValues(const cv::Mat& grey) {
-  cv::Mat mask = grey > 0;
-  if (hasUnknownPixels(grey)) mask.setTo(kUnknownPixel, grey == kUnknownPixel);
+  cv::Mat mask(grey.size(), CV_8UC1);
+  for (int y = 0; y < grey.rows; ++y) {
+    const uint8_t* from = grey.ptr(y);
+    uint8_t* to = mask.ptr(y);
+    for (int x = 0; x < grey.cols; ++x)
+      to[x] = from[x] == kUnknownPixel ? kUnknownPixel : from[x] ? kPersonPixel : kBackgroundPixel;
+  }
   return mask;
 }
 

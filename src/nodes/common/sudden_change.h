@@ -52,9 +52,12 @@ class SuddenChange {
   static bool isOtherBelow(const cv::Mat& difference) {
     cv::Mat largest;
     cv::reduce(difference.reshape(1, kSide * kSide), largest, 1, cv::REDUCE_MAX);
-    const cv::Mat pixels = largest.reshape(1, kSide);
-    for (int row = 0; row <= kSide - kMinRows; ++row)
-      if (changed(pixels.rowRange(row, kSide), kPartLevels) > kMostOfPart) return true;
+    const cv::Mat differs = largest.reshape(1, kSide) > kPartLevels;
+    int below = 0;
+    for (int rows = 1; rows <= kSide; ++rows) {
+      below += cv::countNonZero(differs.row(kSide - rows));
+      if (rows >= kMinRows && below > kMostOfPart * rows * kSide) return true;
+    }
     return false;
   }
 
