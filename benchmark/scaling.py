@@ -4,7 +4,7 @@ recording of eight cameras of 640 x 480 at 30 mm in the same run.
 
     benchmark/scaling.py OUT [--rounds 3]
 
-OUT keeps the recordings (raw images, up to 3 GB each), so that a second run only measures. Each row is run
+OUT keeps the recordings (raw images, up to 9 GB each), so that a second run only measures. Each row is run
 --rounds times, rows taking turns, and the quickest counts. The figures are printed as a Markdown table."""
 import argparse
 import os
@@ -17,7 +17,7 @@ import yaml
 
 PACKAGE = pathlib.Path(__file__).resolve().parent.parent
 PROGRAMS = PACKAGE / 'devel' / 'lib' / 'markerless_mocap'
-SCENE = {'motion': 'wave_and_walk', 'fps': 30, 'duration': 2.5, 'seed': 91, 'appearance_seed': 91}
+SCENE = {'motion': 'wave_and_walk', 'fps': 30, 'duration': 5, 'seed': 91, 'appearance_seed': 91}
 CAPTURES = {
     '4 cameras': {'rig': 'ring4', 'width': 640, 'height': 480},
     '8 cameras': {'rig': 'ring8', 'width': 640, 'height': 480},

@@ -8,6 +8,13 @@ namespace {
 
 constexpr double kMaxUnknown = 0.0005;  // of a mask
 
+void takeThreeValues(const uint8_t* __restrict from, int count, uint8_t* __restrict to) {
+  for (int i = 0; i < count; ++i) {
+    const uint8_t person = from[i] == kBackgroundPixel ? kBackgroundPixel : kPersonPixel;
+    to[i] = from[i] == kUnknownPixel ? kUnknownPixel : person;
+  }
+}
+
 }  // namespace
 
 bool hasUnknownPixels(const cv::Mat& mask) {
@@ -27,12 +34,7 @@ bool hasUnknownBackground(const cv::Mat& mask) {
 
 cv::Mat maskOfThreeValues(const cv::Mat& grey) {
   cv::Mat mask(grey.size(), CV_8UC1);
-  for (int y = 0; y < grey.rows; ++y) {
-    const uint8_t* from = grey.ptr(y);
-    uint8_t* to = mask.ptr(y);
-    for (int x = 0; x < grey.cols; ++x)
-      to[x] = from[x] == kUnknownPixel ? kUnknownPixel : from[x] ? kPersonPixel : kBackgroundPixel;
-  }
+  for (int y = 0; y < grey.rows; ++y) takeThreeValues(grey.ptr(y), grey.cols, mask.ptr(y));
   return mask;
 }
 

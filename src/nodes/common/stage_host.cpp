@@ -1,7 +1,6 @@
 #include "nodes/common/stage_host.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
-#include <malloc.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
@@ -15,14 +14,6 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int kRetryInterval = 5;  // s
-
-/// Keeps memory that was freed: glibc gives a block of the size of an image back to the system and
-/// then waits, page by page, for another one. That took an eighth of the time of eight cameras.
-void keepFreedMemory() {
-  constexpr int kLargestInHeap = 32 << 20, kKept = 256 << 20;  // bytes
-  mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
-  mallopt(M_TRIM_THRESHOLD, kKept);
-}
 
 bool loadAll(nodelet::Loader* loader, const std::vector<HostedStage>& stages,
              const std::vector<std::string>& arguments) {
@@ -57,7 +48,6 @@ void waitAsRefused(const ros::Publisher& diagnostics) {
 }  // namespace
 
 int runStages(const std::vector<HostedStage>& stages, const std::vector<std::string>& arguments) {
-  keepFreedMemory();
   std::vector<std::string> rest = arguments;
   rest.erase(std::remove(rest.begin(), rest.end(), "--retry"), rest.end());
   const bool retries = rest.size() < arguments.size();
