@@ -16,6 +16,9 @@ struct IdsList {
   std::vector<std::string> ids;
 };
 
+/// Topic of the bodies that are tracked, latched.
+constexpr const char* kTrackedBodies = "/humans/bodies/tracked";
+
 }  // namespace markerless_mocap
 
 namespace ros {

@@ -8,6 +8,8 @@
 
 #include "body/body_fixture.h"
 #include "markerless_mocap/ros/messages.h"
+#include "ros/camera_conversions.h"
+#include "ros/ids_list.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -90,6 +92,22 @@ TEST_F(ResultWriterTest, WithoutFilterAllIsRaw) {
   EXPECT_EQ(out.pose_height, raw);
   EXPECT_EQ(out.tf_height, raw);
   EXPECT_EQ(out.state_elbow, raw);
+}
+
+TEST_F(ResultWriterTest, TrackedBodiesAreLatchedWhenTheyChange) {
+  written(true);
+  rosbag::Bag bag(path("results.bag"));
+  std::vector<std::pair<int64_t, std::vector<std::string>>> lists;
+  for (const auto& message : rosbag::View(bag, rosbag::TopicQuery(kTrackedBodies))) {
+    EXPECT_EQ(message.getConnectionHeader()->at("latching"), "1");
+    const auto list = message.instantiate<IdsList>();
+    ASSERT_TRUE(list);
+    lists.emplace_back(nanosecondsOf(list->header.stamp), list->ids);
+  }
+  const auto stamp = [](int frame) { return kSecond + frame * kSecond / 30; };
+  const decltype(lists) expected{
+      {stamp(0), {"person1"}}, {stamp(kLostFrame), {}}, {stamp(kLostFrame + 1), {"person1"}}};
+  EXPECT_EQ(lists, expected);
 }
 
 }  // namespace

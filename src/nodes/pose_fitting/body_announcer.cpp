@@ -5,7 +5,7 @@
 namespace markerless_mocap {
 
 BodyAnnouncer::BodyAnnouncer(ros::NodeHandle& handle, std::string id)
-    : id_(std::move(id)), publisher_(handle.advertise<IdsList>("/humans/bodies/tracked", 1, true)) {
+    : id_(std::move(id)), publisher_(handle.advertise<IdsList>(kTrackedBodies, 1, true)) {
   publish(ros::Time::now());
 }
 

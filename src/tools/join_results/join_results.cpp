@@ -9,6 +9,7 @@
 #include "files/whole_file.h"
 #include "markerless_mocap/ros/messages.h"
 #include "ros/camera_conversions.h"
+#include "ros/ids_list.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/result_figures.h"
 
@@ -85,7 +86,9 @@ class Joiner {
     for (const rosbag::MessageInstance& message : rosbag::View(part)) {
       const auto header = message.getConnectionHeader();
       const auto latching = header->find("latching");
-      const bool is_latched = latching != header->end() && latching->second == "1";
+      // The bodies that are tracked are latched, too, but change.
+      const bool is_latched = latching != header->end() && latching->second == "1" &&
+                              message.getTopic() != kTrackedBodies;
       if (is_latched) {
         latched.insert(message.getTopic());
         if (latched_.count(message.getTopic()) > 0) continue;

@@ -6,6 +6,7 @@
 
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
+#include "ros/ids_list.h"
 #include "ros/image_conversions.h"
 #include "ros/pose_conversions.h"
 #include "ros/pose_tree_conversions.h"
@@ -71,12 +72,22 @@ void ResultWriter::writePose(int64_t stamp_ns, const BodyPose& raw) {
   const std_msgs::Header header = headerAt(stamp_ns);
   bag_->write("/pose", header.stamp, messageFromPose(model_, raw, header));
   const BodyPose pose = filter_ ? filter_->filtered(stamp_ns, raw) : raw;
-  if (pose.status == PoseStatus::kLost) return;
+  if (pose.status == PoseStatus::kLost) return announce(false, header);
   bag_->write("/humans/bodies/" + model_.id() + "/joint_states", header.stamp,
               jointStateFromPose(model_, pose, header));
   tf2_msgs::TFMessage transforms;
   transforms.transforms = linkTransforms(model_, pose, header);
   bag_->write("/tf", header.stamp, transforms);
+  announce(true, header);
+}
+
+void ResultWriter::announce(bool tracked, const std_msgs::Header& header) {
+  if (announced_ == tracked) return;
+  announced_ = tracked;
+  IdsList list;
+  list.header.stamp = header.stamp;
+  if (tracked) list.ids.push_back(model_.id());
+  bag_->writeLatched(kTrackedBodies, header.stamp, list);
 }
 
 }  // namespace markerless_mocap

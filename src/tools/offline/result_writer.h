@@ -35,12 +35,15 @@ class ResultWriter {
   std_msgs::Header headerAt(int64_t stamp_ns) const;
   void writeHull(const std_msgs::Header& header, const VisualHull& hull);
   void writeParts(const std_msgs::Header& header, const PipelineResult& result);
+  /// Writes the list of tracked bodies when it changes, latched.
+  void announce(bool tracked, const std_msgs::Header& header);
 
   BagWriter* bag_;
   const BodyModel& model_;
   std::string world_frame_;
   std::optional<PoseFilter> filter_;
   bool grid_written_ = false;
+  std::optional<bool> announced_;  ///< whether the body is in the list; unset before the first
 };
 
 }  // namespace markerless_mocap
