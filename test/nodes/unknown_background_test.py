@@ -63,6 +63,9 @@ class UnknownBackground(unittest.TestCase):
     def tracked(self, since=rospy.Time(0)):
         return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since]
 
+    def whole(self, since):
+        return [p for p in self.tracked(since) if not p.parts_not_seen]
+
     def subscribed(self):
         """The cameras whose images pose_fitting has subscribed."""
         subscriptions = dict(self.master.getSystemState()[1])
@@ -90,13 +93,12 @@ class UnknownBackground(unittest.TestCase):
         self.assertEqual(POORLY_KNOWN, self.subscribed())
         before = self.counts
         start = rospy.Time.now()
-        self.wait_for(lambda: len(self.tracked(start)) >= POSES_WANTED, 30)
+        self.wait_for(lambda: len(self.whole(start)) >= POSES_WANTED, 60)
         rospy.sleep(1.5)  # diagnostics come once a second
         for camera in POORLY_KNOWN:
             lack = 'frame sets without the colours of ' + camera
             self.assertEqual(before.get(lack, 0), self.counts.get(lack, 0))
-        whole = [p for p in self.tracked(start) if not p.parts_not_seen]
-        distances = self.distances(whole)
+        distances = self.distances(self.whole(start))
         shown = ' '.join('%.0f' % (1e3 * d) for d in distances) + ' mm'
         self.assertLess(statistics.median(distances), JOINT_BOUNDS[0], shown)
         self.assertLess(distances[int(0.9 * len(distances))], JOINT_BOUNDS[1], shown)
