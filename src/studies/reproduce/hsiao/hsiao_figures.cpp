@@ -137,12 +137,9 @@ Json curveJson(const PartCurve& curve) {
 
 Json figuresOf(const HsiaoFilm& film, const PipelineResult& now) {
   const Camera& camera = film.rig().front();
-  const CameraFrame& seen = film.frameSet().frames.front();
   const BodyView view = viewOf(now.hull, camera);
   const VisualHull four = hullOf(film, now, {0, 2, 4, 6});
   const auto jpeg = [](const cv::Mat& picture) { return packedJpeg(picture, kQuality); };
-  PipelineResult only_parts;
-  only_parts.parts = now.parts;
   return {{"3-7", jpeg(joined({imagesOf(film, now)}, {}))},
           {"3-7 hull", jpeg(joined({{hullPicture(view, now.hull),
                                      hullPicture(viewOf(now.hull, film.rig()[2]), now.hull)}},
@@ -151,14 +148,29 @@ Json figuresOf(const HsiaoFilm& film, const PipelineResult& now) {
                                 superposition(view, four, now.hull)}},
                               {"eight cameras", "four cameras", "blue: only four"}))},
           {"3-10", jpeg(embeddingPicture(now.hull, view, kOriginal))},
-          {"3-15", jpeg(embeddingPicture(now.hull, view, kModified))},
-          {"3-16",
-           jpeg(joined({{personImage(camera, seen.image, now.hull),
-                         partsPicture(view, now.hull, now.parts), curvesPicture(view, only_parts)}},
-                       {"image", "parts", "curves"}))},
+          {"3-15", jpeg(embeddingPicture(now.hull, view, kModified))}};
+}
+
+int partsSeen(const BodyParts& parts) {
+  return int(std::count_if(parts.parts.begin(), parts.parts.end(),
+                           [](const PartCurve& part) { return part.seen; }));
+}
+
+/// Figure 3-16: "3-16", a picture, and "site_values", the curves of the torso and of an arm.
+Json skeletonFigure(const HsiaoFilm& film, const PipelineResult& now) {
+  const Camera& camera = film.rig().front();
+  const BodyView view = viewOf(now.hull, camera);
+  PipelineResult only_parts;
+  only_parts.parts = now.parts;
+  const PartCurve& first_arm = now.parts.part(PartLabel::kArm1);
+  const PartCurve& arm = first_arm.seen ? first_arm : now.parts.part(PartLabel::kArm2);
+  const cv::Mat picture =
+      joined({{personImage(camera, film.frameSet().frames.front().image, now.hull),
+               partsPicture(view, now.hull, now.parts), curvesPicture(view, only_parts)}},
+             {"image", "parts", "curves"});
+  return {{"3-16", packedJpeg(picture, kQuality)},
           {"site_values",
-           {{"torso", curveJson(now.parts.part(PartLabel::kTorso))},
-            {"arm", curveJson(now.parts.part(PartLabel::kArm1))}}}};
+           {{"torso", curveJson(now.parts.part(PartLabel::kTorso))}, {"arm", curveJson(arm)}}}};
 }
 
 }  // namespace
@@ -186,12 +198,17 @@ Json hullFigures(const Capture& capture) {
   HsiaoFilm film(capture, truth, kQuickFit);
   double litres_8 = 0.0, litres_4 = 0.0;
   size_t frames = 0;
-  Json out;
+  int most_parts = 0;
+  Json out, skeleton;
   while (const auto now = film.next()) {
     litres_8 += now->hull.litres();
     litres_4 += hullOf(film, *now, {0, 2, 4, 6}).litres();
     if (frames++ == truth.points.frames() / 2) out = figuresOf(film, *now);
+    if (partsSeen(now->parts) <= most_parts) continue;
+    most_parts = partsSeen(now->parts);
+    skeleton = skeletonFigure(film, *now);
   }
+  out.update(skeleton);
   out["litres_8"] = litres_8 / double(frames);
   out["litres_4"] = litres_4 / double(frames);
   return out;

@@ -147,15 +147,18 @@ Json trackSequence(const Capture& capture, const Overrides& changes, bool strip)
 const std::vector<PartVariant>& partVariants() {
   static const Overrides kOriginal = {{"walk_stop", "outliers"}, {"shrink_weight", "0"}};
   static const std::vector<PartVariant> kVariants = {
-      {"published", {}},
-      {"no_colour", {{"use_color_votes", "false"}}},
-      {"no_shrinking", {{"shrink_weight", "0"}}},
+      {"published", "published", {}},
+      {"no_colour", "without colour votes", {{"use_color_votes", "false"}}},
+      {"no_shrinking", "without shrinking", {{"shrink_weight", "0"}}},
       {"original",
+       "original: Sundaresan's stop, no shrinking, no colours",
        {{"walk_stop", "outliers"}, {"shrink_weight", "0"}, {"use_color_votes", "false"}}},
-      {"site_values_combined", {{"site_modes", "0"}}},
+      {"site_values_combined", "published, several modes per site value", {{"site_modes", "0"}}},
       {"core_by_depth",
+       "shrinking by depth, without colour votes",
        {{"shrink_degree", "0"}, {"shrink_weight", "100"}, {"use_color_votes", "false"}}},
       {"merge_tree",
+       "merge tree (default)",
        {{"branch_method", "merge_tree"},
         {"modes", "0"},
         {"shrink_weight", "0"},

@@ -17,6 +17,7 @@ Json trackSequence(const Capture& capture, const Overrides& changes, bool strip)
 /// frames with an overlap over a half, "curve_mm": torso, head, arms, legs}}
 struct PartVariant {
   std::string name;
+  std::string title;  ///< in tables
   Overrides changes;  ///< of body_segmentation
 };
 const std::vector<PartVariant>& partVariants();

@@ -11,15 +11,15 @@ namespace markerless_mocap {
 
 Tracked trackedOf(const std::vector<const Json*>& runs) {
   Tracked sum{};
-  std::vector<double> all, of_six;
+  std::vector<double> all, of_six, of_fewer;
   for (const Json* run : runs) {
     const double weight = 1.0 / double(runs.size());
     const std::vector<double> D = numbersOf((*run)["D"]);
     for (size_t f = 0; f < D.size(); ++f) {
       all.push_back(D[f]);
-      if (!(*run)["six"].at(f).get<bool>()) continue;
-      of_six.push_back(D[f]);
-      sum.six += weight / double(D.size());
+      const bool six = (*run)["six"].at(f).get<bool>();
+      (six ? of_six : of_fewer).push_back(D[f]);
+      sum.six += six ? weight / double(D.size()) : 0.0;
     }
     sum.lost += weight * numberOf((*run)["lost"]);
     sum.reset += weight * numberOf((*run)["reset"]);
@@ -28,6 +28,7 @@ Tracked trackedOf(const std::vector<const Json*>& runs) {
   }
   sum.D = summaryStatistics(all);
   sum.D_of_six = summaryStatistics(of_six);
+  sum.D_of_fewer = summaryStatistics(of_fewer);
   return sum;
 }
 

@@ -13,6 +13,7 @@ namespace markerless_mocap {
 struct Tracked {
   SummaryStatistics D;                ///< mm
   SummaryStatistics D_of_six;         ///< mm, in frames whose segmentation has six parts
+  SummaryStatistics D_of_fewer;       ///< mm, in the other frames
   double six;                         ///< share of these frames
   double lost, reset, swaps, jitter;  ///< shares; mm
 };
