@@ -100,7 +100,7 @@ Claim correspondenceClaim(const Results& results) {
       exchanged += every["exchanged"].get<int>();
     }
   }
-  std::string ours = "exchanges in pairs of frames that are labelled right:";
+  std::string ours = "128 voxels, exchanges in pairs of frames that are labelled right:";
   for (const auto& [step, count] : counts)
     ours += " " + std::to_string(count.first) + " of " + std::to_string(count.second) +
             (step == 1   ? " with all frames,"

@@ -177,9 +177,9 @@ void addPruning(const Results& results, Page* page) {
       "hand is above the centre of the head in " +
       percent(found.raised()) + " of the frames.");
   addPruningTable(results, page);
-  page->text("Branch of the shorter arm, as a fraction of the longest path:");
+  page->text("Frames by the branch of the shorter arm, as a fraction of the longest path:");
   page->histogram(arms, "");
-  page->text("Branch of the head:");
+  page->text("Frames by the branch of the head:");
   page->histogram(necks, "");
 }
 

@@ -97,7 +97,7 @@ class Claims {
         against("swarm", slow, "filter", slow_filter),
         worse(slow_filter, slow) && slow_filter.max() > slow.max(), worse(slow_filter, slow));
     add("6.5, p. 51", "and equal at 60 fps", against("swarm", fast, "filter", fast_filter),
-        equalMeans(fast_filter, fast), worse(fast_filter, fast));
+        equalMeans(fast_filter, fast), false);
   }
 
   void partitions() {

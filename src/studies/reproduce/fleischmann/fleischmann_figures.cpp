@@ -90,7 +90,7 @@ void addConvergence(const Results& results, const FilmSource& slow, Page* page) 
       "Fig. 6.18: standard deviation over the swarm, relative to the first iteration in "
       "which the parameter moves, mean of " +
       std::to_string(frame) + " frames at 20 fps.");
-  page->lines(iterations, "iteration", lines, "");
+  page->lines(iterations, "", lines, "");
 }
 
 void addCurves(const Results& results, const FilmSource& fast, Page* page) {

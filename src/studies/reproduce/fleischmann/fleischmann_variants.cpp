@@ -100,8 +100,8 @@ const std::vector<FleischmannTable>& fleischmannTables() {
       {"5.3.2",
        "Joint limits, which the thesis leaves open",
        {"base60", "full60", "base20", "full20"}},
-      {"ours",
-       "Exact silhouettes in place of noisy ones",
+      {"Ours:",
+       "exact silhouettes in place of noisy ones",
        {"base60", "exact60", "base20", "exact20"}},
   };
   return kTables;
