@@ -7,7 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 // Distances from the surface back to the point, as fractions of the longest path.
-constexpr double kHeadBack = 0.0513, kHandBack = 0.0344, kFootBack = 0.0355;
+constexpr double kHeadBack = 0.0376, kHandBack = 0.0344, kFootBack = 0.0295;
 // For feet that are merged below, fractions of the longest path.
 constexpr double kShankLow = 0.10;   // path length from the end above which the shanks are separate
 constexpr double kFootReach = 0.13;  // maximum distance of the feet's voxels from the end

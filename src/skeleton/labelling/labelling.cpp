@@ -16,6 +16,16 @@ namespace {
 constexpr double kMaxGap = 0.15;   // between components of one body, metres
 constexpr double kMinLoop = 0.12;  // metres
 
+/// From the head, which is the tree's root and has no limb of its own, down to a foot.
+NodePath pathFromHead(const RerootedTree& tree) {
+  NodePath path;
+  for (int32_t node = tree.extremities[size_t(UnsidedExtremity::kFoot1)]; node >= 0;
+       node = tree.nodes[size_t(node)].parent)
+    path.push_back(tree.nodes[size_t(node)].position);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 }  // namespace
 
 Labelling::Labelling(const PoseTreeOptions& options, const PoseTreeModel& model,
@@ -45,8 +55,8 @@ void Labelling::reroot() {
 
 void Labelling::placeExtremities() {
   const bool at_leaf = options_.extremities == "leaf";
-  const NodePath* paths[] = {&body_.head, &body_.arms[0], &body_.arms[1], &body_.legs[0],
-                             &body_.legs[1]};
+  const NodePath head = pathFromHead(rerooted_);
+  const NodePath* paths[] = {&head, &body_.arms[0], &body_.arms[1], &body_.legs[0], &body_.legs[1]};
   for (size_t i = 0; i < rerooted_.extremities.size(); ++i) {
     const int32_t node = rerooted_.extremities[i];
     const Eigen::Vector3d at = rerooted_.nodes[size_t(node)].position;

@@ -10,7 +10,7 @@ namespace {
 // shares` measures them. It gives shoulders and hips beside the nearest point of the trunk's path;
 // here that point is up to 0.03 away along it, and "up" makes up for it.
 constexpr double kWrist = 0.038, kElbow = 0.1445;            // from the knuckles
-constexpr double kAnkle = 0.049, kKnee = 0.224;              // from the ball of the foot
+constexpr double kAnkle = 0.054, kKnee = 0.229;              // from the ball of the foot
 constexpr double kNeckDown = 0.07;                           // from the head's extremity
 constexpr double kShouldersDown = 0.13, kHipsDown = 0.31;    // from the head's extremity
 constexpr double kShoulderOut = 0.069, kShoulderUp = 0.027;  // from the trunk's path
