@@ -136,6 +136,9 @@ TEST(PublishedPoseTree, LearnedLabellingIsNoWorseAndNearer) {
   tell("learned", default_labels);
   EXPECT_GE(default_labels.fraction_correct, published_labels.fraction_correct - 0.05);
   EXPECT_LT(handsAndFeet(default_labels), 40.0);
+  const ExtremityLabelError& head = default_labels.ends.front();
+  std::cout << head.name << ' ' << head.error_mm.mean << " mm" << std::endl;
+  EXPECT_LT(head.error_mm.mean, 25.0) << "of its centre, not of the crown";
 }
 
 }  // namespace
