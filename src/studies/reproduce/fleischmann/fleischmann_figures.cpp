@@ -87,8 +87,8 @@ void addConvergence(const Results& results, const FilmSource& slow, Page* page) 
                            "left_knee", "right_shoulder_forward", "right_elbow"})
     lines.push_back({name, numbersOf(found["spread"][name])});
   page->text(
-      "Fig. 6.18: standard deviation over the swarm, relative to the first iteration in "
-      "which the parameter moves, mean of " +
+      "Fig. 6.18, over the iterations: standard deviation of the swarm, relative to the first one "
+      "in which the parameter moves, mean of " +
       std::to_string(frame) + " frames at 20 fps.");
   page->lines(iterations, "", lines, "");
 }
