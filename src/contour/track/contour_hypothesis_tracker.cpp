@@ -7,6 +7,7 @@
 
 #include "contour/fit/pose_priors.h"
 #include "contour/track/limb_search.h"
+#include "contour/track/search_times.h"
 
 namespace markerless_mocap {
 namespace {
@@ -156,7 +157,7 @@ ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
 ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
   last_.reset();
   next_search_ns_ = stamp_ns;
-  next_least_certain_ns_ = stamp_ns + kLeastCertainInterval_ns;
+  next_least_certain_ns_ = nextInstant(stamp_ns, kLeastCertainInterval_ns);
   next_untwist_ns_ = stamp_ns;
   return keep(stamp_ns, fit, ContourTrackingStatus::kTracked);
 }
@@ -256,20 +257,20 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
   ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
   ContourTrackingStatus status = ContourTrackingStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
-    const bool search = stamp_ns > next_search_ns_;
+    const bool search = stamp_ns >= next_search_ns_;
     const bool better = search && retry(seen, body, prediction, fit);
-    if (search && !better) next_search_ns_ = stamp_ns + kSearchInterval_ns;
+    if (search && !better) next_search_ns_ = nextInstant(stamp_ns, kSearchInterval_ns);
     status = any(suspicious(fit)) ? ContourTrackingStatus::kLimbLost
              : better             ? ContourTrackingStatus::kLimbRecovered
                                   : ContourTrackingStatus::kTracked;
   }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_least_certain_ns_) {
-    next_least_certain_ns_ = stamp_ns + kLeastCertainInterval_ns;
+  if (fit.status == ContourFitStatus::kFitted && stamp_ns >= next_least_certain_ns_) {
+    next_least_certain_ns_ = nextInstant(stamp_ns, kLeastCertainInterval_ns);
     if (searchLeastCertainLimb(seen, body, prediction, fit))
       status = ContourTrackingStatus::kLimbRecovered;
   }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns > next_untwist_ns_) {
-    next_untwist_ns_ = stamp_ns + kUntwistInterval_ns;
+  if (fit.status == ContourFitStatus::kFitted && stamp_ns >= next_untwist_ns_) {
+    next_untwist_ns_ = nextInstant(stamp_ns, kUntwistInterval_ns);
     if (untwist(seen, body, prediction, fit)) status = ContourTrackingStatus::kLimbRecovered;
   }
   return keep(stamp_ns, fit, status);

@@ -6,6 +6,7 @@
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
+#include "contour/track/search_times.h"
 #include "contour/track/stray_parts.h"
 #include "markerless_mocap/tracking/tracked_body.h"
 
@@ -102,7 +103,7 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
                                     : std::clamp(2 * limb_search_interval_ns_,
                                                  kLimbSearchInterval_ns, kMaxLimbSearchInterval_ns);
-  next_limb_search_ns_ = now.stamp_ns + limb_search_interval_ns_;
+  next_limb_search_ns_ = nextInstant(now.stamp_ns, limb_search_interval_ns_);
   if (!better) return;
   found = std::move(better->found);
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);
@@ -117,7 +118,7 @@ void ContourTracker::reconsider(const Frame& now, const ContourObservation& seen
   const bool uncertain = started || track.status == ContourTrackingStatus::kLimbLost;
   const bool doubtful = uncertain || qualityOf(track.fit) < kUsualQuality;
   if (!doubtful || now.stamp_ns < next_reconsideration_ns_ || hypotheses_.hasAlternative()) return;
-  next_reconsideration_ns_ = now.stamp_ns + kReconsiderInterval_ns;
+  next_reconsideration_ns_ = nextInstant(now.stamp_ns, kReconsiderInterval_ns);
   std::vector<ContourPose> others;
   const PoseTree& tree = now.products.ofThisFrame().tree;
   const auto of_tree = poseFromPoseTree(tree);
@@ -161,7 +162,7 @@ void ContourTracker::take(const RegionObservation& found) {
 
 void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
   if (now.stamp_ns < next_learning_ns_ && !active.switched) return;
-  next_learning_ns_ = now.stamp_ns + kLearningInterval_ns;
+  next_learning_ns_ = nextInstant(now.stamp_ns, kLearningInterval_ns);
   observer_.learn(now.regions, *contour_body_, active.track.fit.pose);
 }
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/fit/ray_match.h"
+#include "contour/track/search_times.h"
 
 namespace markerless_mocap {
 namespace {
@@ -61,7 +62,8 @@ void StillContours::reset() {
 }
 
 void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) const {
-  if (view.frames > kFirstFrames && stamp_ns - view.last_ns < kInterval_ns) return;
+  if (view.frames > kFirstFrames && stamp_ns < nextInstant(view.last_ns, kInterval_ns))
+    return;
   view.step = std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
   const cv::Mat now = brightnessOf(image, view.step);
   if (view.frames == 0 || view.mean.size() != now.size()) {

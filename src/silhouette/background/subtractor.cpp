@@ -13,12 +13,14 @@
 #include "silhouette/changes/kept_texture.h"
 #include "silhouette/changes/light_switch.h"
 #include "silhouette/changes/still_objects.h"
+#include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
 namespace {
 
 /// Each image updates one row in this many, with this many times the rate.
 constexpr int kUpdateStride = 16;
+static_assert(kImageCycle % kUpdateStride == 0);
 /// The background is not updated this near the person, px, so that parts missing in the mask are
 /// not learned as background.
 constexpr int kGuardX = 16, kGuardY = 8;

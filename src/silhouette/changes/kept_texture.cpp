@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silhouette/image_cycle.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr int kSide = 8;  ///< of a block, px
 /// While no such light is seen, one image in this many is searched for it.
 constexpr int kSearchStep = 12;
+static_assert(kImageCycle % kSearchStep == 0);
 /// All images are searched at first, and for so many after it was seen.
 constexpr int kKeepSearching = 24;
 /// Number of blocks that must show the texture, as a few may by chance.

@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "silhouette/bits/bit_morphology.h"
+#include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
 namespace {
 
 /// One image in this many is looked at; a component is an object after kChecks of them.
 constexpr int kStep = 10;
+static_assert(kImageCycle % kStep == 0);
 constexpr size_t kChecks = 2;
 /// Squared difference of two images, over all channels, that noise hardly reaches, in variances.
 constexpr double kNoiseVariances = 42;

@@ -209,6 +209,17 @@ void Recording::skip(int frame_sets) {
   for (; messages > 0 && message_ != view_->end(); --messages, ++messages_read_) ++message_;
 }
 
+std::vector<size_t> Recording::imagesBefore() {
+  if (!view_) startReading();
+  std::vector<size_t> counts(cameras_.size(), 0);
+  const ros::Time last = view_->getBeginTime() - ros::Duration(0, 1);
+  for (const Stream& stream : streams_)
+    if (!stream.is_mask)
+      counts[stream.camera] =
+          rosbag::View(bag_, rosbag::TopicQuery(stream.topic), ros::TIME_MIN, last).size();
+  return counts;
+}
+
 int Recording::expectedFrameSets() {
   if (!view_) startReading();
   return int(view_->size() / streams_.size());

@@ -63,6 +63,8 @@ class Recording {
   /// Passes over about so many frame sets without reading them: one more or less where images are
   /// missing. The next frame set may then lack images.
   void skip(int frame_sets);
+  /// For each camera, the number of its images before the start.
+  std::vector<size_t> imagesBefore();
   /// About as many frame sets as the recording has; 0 if it has none.
   int expectedFrameSets();
   /// Fraction of the recording that has been read, 0 to 1.

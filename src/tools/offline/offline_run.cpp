@@ -109,7 +109,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   Pipeline pipeline(recording.rig(), resources, stages);
   pipeline.useBackgrounds(prepared.backgrounds);
   if (!options.prepared.empty() && options.recording.start > 0.0)
-    settleBackgrounds(options, &pipeline);
+    settleBackgrounds(options, prepared, &pipeline);
   if (options.poses_only) pipeline.makePartsOnDemand();
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
   RunSummary summary(!options.poses_only);

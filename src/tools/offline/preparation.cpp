@@ -11,6 +11,7 @@
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
+#include "silhouette/image_cycle.h"
 #include "tools/offline/recording_backgrounds.h"
 
 namespace markerless_mocap {
@@ -20,7 +21,8 @@ constexpr const char* kRecording = "recording";
 constexpr const char* kFirstImages = "first_images";
 constexpr const char* kNone = "none";  ///< masks, or a network
 constexpr int kMostPasses = 4;  ///< of SilhouetteOptions::background_frames, where images lack
-constexpr double kTimeConstants = 4.0;  ///< of the background's following, before a part begins
+constexpr double kTimeConstants = 12.0;  ///< of the background's following, before a part begins
+constexpr double kEndBefore_s = 1e-6;    ///< the last image before a part is not its first one
 
 std::string backgroundFile(const std::string& folder, size_t camera) {
   return folder + "/camera" + std::to_string(camera) + ".background";
@@ -143,20 +145,33 @@ Preparation readPreparation(const OfflineOptions& options, const std::string& fo
     if (kind == kRecording || (kind == kFirstImages && options.recording.start > 0.0))
       extractor.loadBackground(backgroundFile(folder, i));
     prepared.backgrounds.push_back(extractor.background());
+    prepared.first_images.push_back(
+        kind == kFirstImages ? options.pipeline.silhouette.background_frames : 0);
   }
   return prepared;
 }
 
-void settleBackgrounds(const OfflineOptions& options, Pipeline* pipeline) {
+void settleBackgrounds(const OfflineOptions& options, const Preparation& prepared,
+                       Pipeline* pipeline) {
   const double rate = options.pipeline.silhouette.update_rate;
   if (rate == 0.0 || options.recording.use_masks) return;
   RecordingOptions before = options.recording;
-  const double wanted = kTimeConstants / rate * secondsPerFrameSet(options);
+  const double wanted = (kTimeConstants / rate + kImageCycle) * secondsPerFrameSet(options);
   before.duration = std::min(wanted, options.recording.start);
   before.start -= before.duration;
+  before.duration -= kEndBefore_s;
   Recording recording(options.input, before);
-  while (const auto frame_set = nextFrameSet(options, &recording))
+  std::vector<size_t> images = recording.imagesBefore();
+  std::vector<char> follows(images.size(), false);
+  while (auto frame_set = nextFrameSet(options, &recording)) {
+    for (size_t i = 0; i < images.size(); ++i) {
+      if (frame_set->frames[i].image.empty()) continue;
+      const size_t image = images[i]++, learned = size_t(prepared.first_images[i]);
+      follows[i] |= image >= learned && (image - learned) % kImageCycle == 0;
+      if (!follows[i]) frame_set->frames[i].image.release();
+    }
     pipeline->followLight(*frame_set);
+  }
 }
 
 }  // namespace markerless_mocap

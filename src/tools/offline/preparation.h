@@ -16,6 +16,9 @@ struct Preparation {
   /// One per camera, or none; nullptr: the first images give the background.
   std::vector<SharedBackground> backgrounds;
   std::optional<ShapeParameters> shape;  ///< of the person; empty: not measured
+  /// One per background: how many of the first images of the recording it was learned from, which
+  /// get no silhouette; 0: it was learned from the whole recording.
+  std::vector<int> first_images;
 };
 
 /// Learns the backgrounds if somebody is in the first images, and measures the person if the
@@ -39,8 +42,11 @@ Preparation readPreparation(const OfflineOptions& options, const std::string& fo
                             size_t cameras, PipelineOptions* pipeline);
 
 /// Lets the backgrounds of a part follow the light in the images before it, as they would have done
-/// from the beginning of the recording on: in so many images that what they had been before counts
-/// two per cent. Throws as runOffline().
-void settleBackgrounds(const OfflineOptions& options, Pipeline* pipeline);
+/// from the beginning of the recording on. They begin in the cycle of images (silhouette/image_cycle.h)
+/// where a run over the whole recording is, with so many images that what they had been before
+/// counts less than a pixel's rounding: the silhouettes are then those of the whole. Throws as
+/// runOffline().
+void settleBackgrounds(const OfflineOptions& options, const Preparation& prepared,
+                       Pipeline* pipeline);
 
 }  // namespace markerless_mocap
