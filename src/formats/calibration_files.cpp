@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -122,6 +123,17 @@ void tidyLens(CameraCalibration* camera) {
   if (D.size() == 6 || D.size() == 7) D.resize(8, 0.0);
 }
 
+/// For a lens to be judged where the format leaves the size open: the lens's centre is that of the
+/// image, nearly.
+void guessSize(CameraCalibration* camera) {
+  constexpr double kMost = 10000;
+  const auto twice = [&](double centre) {
+    return std::isfinite(centre) ? int(std::clamp(std::round(2 * centre), 1.0, kMost)) : 1;
+  };
+  camera->width = twice(camera->K(0, 2));
+  camera->height = twice(camera->K(1, 2));
+}
+
 /// Throws if a camera is not valid or two have one name. The size may be unknown.
 void check(const std::vector<CameraCalibration>& cameras, const std::string& where) {
   if (cameras.empty()) throwFormatError(where, "the calibration has no cameras");
@@ -129,7 +141,7 @@ void check(const std::vector<CameraCalibration>& cameras, const std::string& whe
   for (CameraCalibration camera : cameras) {
     if (!names.insert(camera.name).second)
       throwFormatError(where, "two cameras are named '" + camera.name + "'");
-    if (camera.width == 0 && camera.height == 0) camera.width = camera.height = 1;
+    if (camera.width == 0 && camera.height == 0) guessSize(&camera);
     try {
       camera.validate();
     } catch (const std::invalid_argument& error) {

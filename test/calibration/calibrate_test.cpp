@@ -252,6 +252,9 @@ TEST(Calibrate, KnownPointsPlaceCamerasThatShareNoView) {
                   .norm(),
               0.02);
   EXPECT_LT(result.points_rms, 1.0);
+  EXPECT_TRUE(std::any_of(result.verdict.begin(), result.verdict.end(), [](const auto& sentence) {
+    return sentence.find("The known points are met to 0.") == 0;
+  }));
 }
 
 TEST(Calibrate, BoardThatLooksTheSameTurnedIsTurnedToAgree) {

@@ -134,6 +134,31 @@ TEST_F(HandWritten, OpenCvXmlWithARotationVector) {
   expectCamera({path("front.xml")}, CalibrationFormat::kOpenCv, "front");
 }
 
+TEST_F(HandWritten, LensThatFoldsInTheCornerIsReadWithoutASize) {
+  const auto camera = [](const std::string& k1) {
+    return R"(<?xml version="1.0"?>
+<opencv_storage>
+<CameraMatrix type_id="opencv-matrix"><rows>3</rows><cols>3</cols><dt>d</dt>
+  <data>490. 0. 336. 0. 492. 224. 0. 0. 1.</data></CameraMatrix>
+<DistortionCoeffs type_id="opencv-matrix"><rows>1</rows><cols>5</cols><dt>d</dt>
+  <data>)" +
+           k1 + R"( 0.2 0. 0. -0.07</data></DistortionCoeffs>
+<Rotation type_id="opencv-matrix"><rows>3</rows><cols>1</cols><dt>d</dt>
+  <data>1.57079632679 0. 0.</data></Rotation>
+<Translation type_id="opencv-matrix"><rows>3</rows><cols>1</cols><dt>d</dt>
+  <data>0. 1. 4.</data></Translation>
+</opencv_storage>
+)";
+  };
+  write("front.xml", camera("-0.37"));
+  EXPECT_EQ(readCalibration({path("front.xml")}).cameras.at(0).width, 0);
+  write("folded.xml", camera("-37."));
+  EXPECT_NE(errorTextOf<std::exception>([&] {
+              readCalibration({path("folded.xml")});
+            }).find("the distortion D is not of a lens"),
+            std::string::npos);
+}
+
 TEST_F(HandWritten, OpenCvYamlWithLensAndPoseInTwoFilesOfAFolderPerCamera) {
   write("front/intrinsics.yml",
         "%YAML:1.0\n---\nK: !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n"

@@ -157,6 +157,16 @@ TEST_F(CalibrateRig, OnlyOneThingGivesTheWorld) {
             "--floor, --points and --walk all say where the world is: choose one");
 }
 
+TEST_F(CalibrateRig, SeparatePicturesNeedPointsForPlaces) {
+  arguments_.separate = true;
+  writePictures();
+  EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
+            "with --separate no two cameras see the board at one time, so it cannot tell their "
+            "places: give --points (docs/calibration.md), or --lens-only for the lenses alone");
+  arguments_.lens_only = true;
+  EXPECT_EQ(calibrateFilms(arguments_, nullptr, false).cameras.size(), 2u);
+}
+
 TEST_F(CalibrateRig, WhatIsMissingIsTold) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
             "there is no file or folder " + path("films"));

@@ -252,6 +252,21 @@ TEST_F(OfflineRun, ReportSaysThatMasksWereRecorded) {
             std::string::npos);
 }
 
+TEST(RunSummaryText, PosesThatHardlyOverlapTheSilhouettesAreDoubted) {
+  const auto textWith = [](double overlap) {
+    RunSummary summary(false);
+    PipelineResult tracked;
+    tracked.pose.status = PoseStatus::kTracked;
+    summary.add(tracked);
+    summary.addOverlaps({overlap, overlap});
+    std::ostringstream out;
+    summary.print(out);
+    return out.str();
+  };
+  EXPECT_NE(textWith(0.37).find("these poses are probably wrong"), std::string::npos);
+  EXPECT_EQ(textWith(0.7).find("these poses are probably wrong"), std::string::npos);
+}
+
 TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
   writeText("typo.yaml", "visual_hull: {pich: 0.02}\n");
   EXPECT_EQ(

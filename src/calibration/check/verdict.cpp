@@ -82,16 +82,19 @@ class Verdict {
 
   void judgeCertainty(const CalibratedCamera& camera) {
     constexpr double kFar = 0.01, kTurned = 0.2 * M_PI / 180;
+    const char* const kMorePoints = "name more points in its image, far apart, near and far";
     const char* name = camera.calibration.name.c_str();
     const double far = camera.position_sigma.norm(), turned = camera.direction_sigma.norm();
     if (input_.locate && far > kFar)
-      doubt(
-          text("The place of %s is known only to %.0f mm: show it the board more often together "
-               "with other cameras, near and far, tilted.",
-               name, 1e3 * far));
+      doubt(text("The place of %s is known only to %.0f mm: %s.", name, 1e3 * far,
+                 input_.points.empty()
+                     ? "show it the board more often together with other cameras, "
+                       "near and far, tilted"
+                     : kMorePoints));
     else if (input_.locate && turned > kTurned)
-      doubt(text("The direction of %s is known only to %.2f degrees: show it the board more often.",
-                 name, turned * 180 / M_PI));
+      doubt(text("The direction of %s is known only to %.2f degrees: %s.", name,
+                 turned * 180 / M_PI,
+                 input_.points.empty() ? "show it the board more often" : kMorePoints));
     const double focal = camera.focal_sigma.maxCoeff() / camera.calibration.K(0, 0);
     if (focal > 0.01)
       doubt(
@@ -151,6 +154,9 @@ class Verdict {
     if (result_.points_rms > 5.0)
       doubt(text("The known points are met only to %.1f pixels: are their places and pixels right?",
                  result_.points_rms));
+    else if (!input_.points.empty())
+      result_.verdict.push_back(
+          text("The known points are met to %.1f pixels.", result_.points_rms));
     if (result_.turned_guessed)
       doubt(
           "The board looks the same turned by half a turn and was seen in one place only, so that "

@@ -108,6 +108,14 @@ void checkOneWorld(const CalibrateRigArguments& a) {
         "--floor, --points and --walk all say where the world is: choose one");
 }
 
+/// Said before the films are searched, which takes long.
+void checkPlaces(const CalibrateRigArguments& a) {
+  if (a.separate && !a.lens_only && a.points.empty())
+    throw std::invalid_argument(
+        "with --separate no two cameras see the board at one time, so it cannot tell their places: "
+        "give --points (docs/calibration.md), or --lens-only for the lenses alone");
+}
+
 CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
@@ -163,6 +171,7 @@ void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
 RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* notes,
                               bool terminal) {
   checkOneWorld(given);
+  checkPlaces(given);
   CalibrateRigArguments arguments = given;
   const Board board(arguments.board);
   const FoundBoards boards = arguments.live ? watchCameras(&arguments, board, notes)

@@ -7,6 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr size_t kReasonsShown = 3;
+constexpr double kBelievable = 0.5;  // mean IoU; 0.7 where a chair is part of the silhouettes
 
 double secondsBetween(std::chrono::steady_clock::time_point a,
                       std::chrono::steady_clock::time_point b) {
@@ -71,6 +72,10 @@ void RunSummary::print(std::ostream& out) const {
         << " mean IoU of the body's silhouettes and the masks, " << views_ << " views\n";
   printTimes(out);
   if (!calibration_finding_.empty()) out << calibration_finding_ << '\n';
+  if (poses() > 0 && views_ > 0 && meanIou() < kBelievable)
+    out << "The body and the silhouettes hardly overlap: these poses are probably wrong. Look at "
+           "the "
+           "pictures of --report before you use them.\n";
   if (processed() > 0 && poses() == 0)
     out << "No frame has a pose: all poses in the bag are LOST.\n";
 }
