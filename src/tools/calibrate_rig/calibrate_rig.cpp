@@ -109,7 +109,8 @@ void checkOneWorld(const CalibrateRigArguments& a) {
 }
 
 /// Said before the films are searched, which takes long.
-void checkPlaces(const CalibrateRigArguments& a) {
+void checkSideInputs(const CalibrateRigArguments& a) {
+  if (!a.lenses.empty()) readRig(a.lenses);
   if (a.separate && !a.lens_only && a.points.empty())
     throw std::invalid_argument(
         "with --separate no two cameras see the board at one time, so it cannot tell their places: "
@@ -171,7 +172,7 @@ void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
 RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* notes,
                               bool terminal) {
   checkOneWorld(given);
-  checkPlaces(given);
+  checkSideInputs(given);
   CalibrateRigArguments arguments = given;
   const Board board(arguments.board);
   const FoundBoards boards = arguments.live ? watchCameras(&arguments, board, notes)
