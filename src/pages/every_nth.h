@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -19,6 +20,18 @@ class EveryNth {
     items_.insert_or_assign(frame, std::make_pair(std::move(item), size));
     total_ += size;
     while (total_ > limit_ && items_.size() > 1) thin();
+  }
+  /// Every second frame is forgotten, and the others are numbered anew.
+  void halveFrames() {
+    std::map<size_t, std::pair<Item, size_t>> kept;
+    total_ = 0;
+    for (auto& [frame, item] : items_)
+      if (frame % 2 == 0) {
+        total_ += item.second;
+        kept.emplace(frame / 2, std::move(item));
+      }
+    items_ = std::move(kept);
+    n_ = std::max<size_t>(1, n_ / 2);
   }
   /// By frame; each with its size.
   const std::map<size_t, std::pair<Item, size_t>>& items() const { return items_; }

@@ -14,6 +14,7 @@ namespace markerless_mocap {
 class PlayerHulls {
  public:
   bool wants(size_t frame) const { return hulls_.wants(frame); }
+  void halveFrames() { hulls_.halveFrames(); }  ///< see EveryNth
   /// Hulls without voxels are kept, too: they show that there was none.
   void add(size_t frame, const VisualHull& hull);
   /// [{"frame", "pitch", "corner": [x, y, z], "size": [x, y, z], "gaps": base64}]; metres, in the

@@ -72,5 +72,15 @@ TEST(EveryNth, ForgetsEverySecondItemWhenTheyOutgrowTheLimit) {
   EXPECT_EQ(few.items().size(), 3u) << "what fits stays";
 }
 
+TEST(EveryNth, HalvedFramesAreNumberedAnew) {
+  EveryNth<int> items(50);
+  for (size_t frame = 0; frame < 5; ++frame) items.add(frame, int(frame), 10);
+  items.halveFrames();
+  std::vector<std::pair<size_t, int>> kept;
+  for (const auto& [frame, item] : items.items()) kept.emplace_back(frame, item.first);
+  EXPECT_EQ(kept, (std::vector<std::pair<size_t, int>>{{0, 0}, {1, 2}, {2, 4}}));
+  EXPECT_TRUE(items.wants(3)) << "nothing was left out before";
+}
+
 }  // namespace
 }  // namespace markerless_mocap

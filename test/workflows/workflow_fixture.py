@@ -30,10 +30,10 @@ class WorkflowTest(unittest.TestCase):
         return str(DEVEL / 'lib' / 'markerless_mocap' / name)
 
     @classmethod
-    def render(cls, path, *options, motion='wave_and_walk'):
+    def render(cls, path, *options, motion='wave_and_walk', rig='ring7_overhead'):
         path.parent.mkdir(exist_ok=True)
         subprocess.run([cls.program('render_capture'), str(path), '--quiet', '--motion', motion, '--rig',
-                        'ring7_overhead', *[part for one in SMALL + options for part in ('--set', one)]], check=True)
+                        rig, *[part for one in SMALL + options for part in ('--set', one)]], check=True)
 
     @classmethod
     def start(cls, script, *words, environment=None):

@@ -62,8 +62,7 @@ void StillContours::reset() {
 }
 
 void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) const {
-  if (view.frames > kFirstFrames && stamp_ns < nextInstant(view.last_ns, kInterval_ns))
-    return;
+  if (view.frames > kFirstFrames && stamp_ns < nextInstant(view.last_ns, kInterval_ns)) return;
   view.step = std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
   const cv::Mat now = brightnessOf(image, view.step);
   if (view.frames == 0 || view.mean.size() != now.size()) {

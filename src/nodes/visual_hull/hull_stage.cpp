@@ -217,8 +217,12 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
                     message.cameras.begin();
     // Where too little is known, fitting goes by the colours.
     const sensor_msgs::ImageConstPtr& mask = frame_set.items[size_t(at)];
-    if (!mask || !hasUnknownBackground(*mask)) message.usable[size_t(at)] = false;
+    const bool by_color = mask && hasUnknownBackground(*mask);
+    if (!by_color) message.usable[size_t(at)] = false;
     message.reasons[size_t(at)] = camera.reason;
+    if (by_color && node_options_.privacy)
+      message.reasons[size_t(at)] +=
+          "; with privacy its colours are not read, and only what its mask knows is used";
   }
   cameras_.publish(message);
   display_.note(message);

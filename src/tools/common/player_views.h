@@ -18,6 +18,7 @@ class PlayerViews {
   explicit PlayerViews(bool images = true) : images_(images) {}
 
   bool wants(size_t frame) const { return views_.wants(frame); }
+  void halveFrames() { views_.halveFrames(); }  ///< see EveryNth
   /// \param masks one per camera; may be empty mats \param bodies silhouettes of the body, one per
   ///   camera, or none at all
   void add(size_t frame, const CameraRig& rig, const std::vector<CameraFrame>& frames,

@@ -42,10 +42,10 @@ Preparation readPreparation(const OfflineOptions& options, const std::string& fo
                             size_t cameras, PipelineOptions* pipeline);
 
 /// Lets the backgrounds of a part follow the light in the images before it, as they would have done
-/// from the beginning of the recording on. They begin in the cycle of images (silhouette/image_cycle.h)
-/// where a run over the whole recording is, with so many images that what they had been before
-/// counts less than a pixel's rounding: the silhouettes are then those of the whole. Throws as
-/// runOffline().
+/// from the beginning of the recording on. They begin in the cycle of images
+/// (silhouette/image_cycle.h) where a run over the whole recording is, with so many images that
+/// what they had been before counts less than a pixel's rounding: the silhouettes are then those of
+/// the whole. Throws as runOffline().
 void settleBackgrounds(const OfflineOptions& options, const Preparation& prepared,
                        Pipeline* pipeline);
 

@@ -34,6 +34,14 @@ FrameStatus statusOf(PoseStatus status) {
   return status == PoseStatus::kReinitialized ? FrameStatus::kReinitialized : FrameStatus::kLost;
 }
 
+/// With the first.
+template <class Item>
+void keepEverySecond(std::vector<Item>* items) {
+  size_t kept = 0;
+  for (size_t i = 0; i < items->size(); i += 2) std::swap((*items)[kept++], (*items)[i]);
+  items->resize(kept);
+}
+
 double unknownShare(const cv::Mat& mask) {
   return mask.empty() ? NAN : cv::countNonZero(mask == kUnknownPixel) / double(mask.total());
 }
@@ -55,12 +63,13 @@ void makeReportFolder(const std::string& folder) {
 }
 
 RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig& rig,
-                     std::optional<PoseFilter> filter, bool images)
+                     std::optional<PoseFilter> filter, bool images, size_t max_frames)
     : folder_(std::move(folder)),
       model_(model),
       rig_(rig),
       filter_(std::move(filter)),
       images_(images),
+      max_frames_(max_frames),
       views_(images),
       has_recorded_masks_(rig.size(), false) {
   makeReportFolder(folder_);
@@ -69,18 +78,42 @@ RunReport::RunReport(std::string folder, const BodyModel& model, const CameraRig
 }
 
 std::vector<double> RunReport::add(const FrameSet& frame_set, const PipelineResult& result) {
-  const size_t row = content_.rows.size();
+  const bool shown = frame_sets_++ % step_ == 0;
   const std::vector<cv::Mat> bodies = bodyMasks(result.pose);
-  const std::vector<double> overlaps = addViews(frame_set, result, bodies);
+  const std::vector<double> ious = overlapsOf(frame_set, result, bodies);
+  std::vector<double> overlaps;
+  for (const double iou : ious)
+    if (!std::isnan(iou)) overlaps.push_back(iou);
+  ResultFrame frame = frameOf(frame_set, result.pose);  // the filter needs all frames
+  if (!shown) return overlaps;
+  const size_t row = content_.rows.size();
   const bool lost = result.pose.status == PoseStatus::kLost;
   content_.rows.push_back(
       {meanOfFinite(overlaps), lost ? NAN : result.pose.skeleton_error_m, result.pose.part_seen});
-  addFrame(frame_set, result.pose);
+  content_.frames.push_back(std::move(frame));
+  for (size_t i = 0; i < ious.size(); ++i) {
+    content_.cameras[i].iou_of_row.push_back(ious[i]);
+    content_.cameras[i].unknown_of_row.push_back(unknownShare(result.masks[i]));
+  }
   keepPictures(row, frame_set, result, bodies);
+  if (content_.rows.size() > max_frames_) halveFrames();
   return overlaps;
 }
 
-void RunReport::addFrame(const FrameSet& frame_set, const BodyPose& raw) {
+void RunReport::halveFrames() {
+  keepEverySecond(&content_.rows);
+  keepEverySecond(&content_.frames);
+  for (ReportCamera& camera : content_.cameras) {
+    keepEverySecond(&camera.iou_of_row);
+    keepEverySecond(&camera.unknown_of_row);
+  }
+  hulls_.halveFrames();
+  views_.halveFrames();
+  overlays_.halveFrames();
+  step_ *= 2;
+}
+
+ResultFrame RunReport::frameOf(const FrameSet& frame_set, const BodyPose& raw) {
   ResultFrame frame{frame_set.stamp_ns, statusOf(raw.status), raw.reason, {}, raw.part_sigma_m};
   const BodyPose pose = filter_ ? filter_->filtered(frame_set.stamp_ns, raw) : raw;
   if (pose.status != PoseStatus::kLost) {
@@ -89,20 +122,17 @@ void RunReport::addFrame(const FrameSet& frame_set, const BodyPose& raw) {
     for (size_t i = 0; i < seen.size(); ++i)
       if (!seen[i]) frame.T_world_link[i].matrix().setConstant(NAN);
   }
-  content_.frames.push_back(std::move(frame));
+  return frame;
 }
 
-std::vector<double> RunReport::addViews(const FrameSet& frame_set, const PipelineResult& result,
-                                        const std::vector<cv::Mat>& bodies) {
+std::vector<double> RunReport::overlapsOf(const FrameSet& frame_set, const PipelineResult& result,
+                                          const std::vector<cv::Mat>& bodies) {
   std::vector<double> overlaps;
   for (size_t i = 0; i < rig_.size(); ++i) {
     const cv::Mat& mask = result.masks[i];
     const bool comparable = !bodies.empty() && !mask.empty();
-    const double iou = comparable ? maskIou(bodies[i], mask) : NAN;
-    content_.cameras[i].iou_of_row.push_back(iou);
-    content_.cameras[i].unknown_of_row.push_back(unknownShare(mask));
+    overlaps.push_back(comparable ? maskIou(bodies[i], mask) : NAN);
     has_recorded_masks_[i] |= !frame_set.frames[i].mask.empty();
-    if (comparable) overlaps.push_back(iou);
   }
   return overlaps;
 }
@@ -146,9 +176,13 @@ void RunReport::keepPictures(size_t row, const FrameSet& frame_set, const Pipeli
 void RunReport::write(const std::string& title, const std::vector<std::string>& remarks) {
   content_.title = title;
   content_.remarks = remarks;
+  if (step_ > 1)
+    content_.remarks.push_back("This page shows one in " + std::to_string(step_) + " of " +
+                               std::to_string(frame_sets_) +
+                               " frame sets, and its figures are those of these; the bag has all.");
   for (const auto& [row, overlay] : overlays_.items()) {
     char name[32];
-    std::snprintf(name, sizeof name, "/instant_%06zu.png", row);
+    std::snprintf(name, sizeof name, "/instant_%06zu.png", row * step_);
     if (!cv::imwrite(folder_ + name, overlay.first))
       throw std::runtime_error("cannot write " + folder_ + name);
   }

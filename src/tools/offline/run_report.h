@@ -20,8 +20,11 @@ class RunReport {
   /// Creates the folder. Throws std::runtime_error if this fails.
   /// \param filter of the motion in the page; empty: as the tracker gives it
   /// \param images false: no picture of a camera
+  /// \param max_frames of the page; of a longer run it shows every second frame set, or every
+  ///   fourth, ..., so that memory and page have a limit
   RunReport(std::string folder, const BodyModel& model, const CameraRig& rig,
-            std::optional<PoseFilter> filter = std::nullopt, bool images = true);
+            std::optional<PoseFilter> filter = std::nullopt, bool images = true,
+            size_t max_frames = kMaxFrames);
 
   /// \return intersection over union of each view with a mask; empty if the pose is lost
   std::vector<double> add(const FrameSet& frame_set, const PipelineResult& result);
@@ -35,20 +38,26 @@ class RunReport {
   void write(const std::string& title, const std::vector<std::string>& remarks = {});
 
  private:
-  void addFrame(const FrameSet& frame_set, const BodyPose& raw);
+  ResultFrame frameOf(const FrameSet& frame_set, const BodyPose& raw);
+  void halveFrames();
   std::vector<cv::Mat> bodyMasks(const BodyPose& pose) const;
-  std::vector<double> addViews(const FrameSet& frame_set, const PipelineResult& result,
-                               const std::vector<cv::Mat>& bodies);
+  /// Of each view; NaN: there is nothing to compare.
+  std::vector<double> overlapsOf(const FrameSet& frame_set, const PipelineResult& result,
+                                 const std::vector<cv::Mat>& bodies);
   void keepPictures(size_t row, const FrameSet& frame_set, const PipelineResult& result,
                     const std::vector<cv::Mat>& bodies);
 
   static constexpr size_t kMaxOverlays = 8;
+  static constexpr size_t kMaxFrames = 9000;  // five minutes at 30 Hz; some 26 kB each
 
   std::string folder_;
   const BodyModel& model_;
   const CameraRig& rig_;
   std::optional<PoseFilter> filter_;
   bool images_;
+  size_t max_frames_;
+  size_t frame_sets_ = 0;  ///< that have come
+  size_t step_ = 1;        ///< one in so many is shown
   ReportContent content_;
   PlayerHulls hulls_;
   PlayerViews views_;
