@@ -44,8 +44,8 @@ def render(name, folder):
         config, draft = bag.with_suffix('.yaml'), bag.with_suffix('.part')
         config.write_text(yaml.safe_dump({'virtual_studio': {**SCENE, **CAPTURES[name]}}))
         print(f'rendering {name}', file=sys.stderr)
-        subprocess.run([PROGRAMS / 'render_capture', draft, '--config', config, '--images', 'raw', '--compression', 'none'], check=True,
-                       stdout=subprocess.DEVNULL)
+        subprocess.run([PROGRAMS / 'render_capture', draft, '--config', config, '--images', 'raw',
+                        '--compression', 'none'], check=True, stdout=subprocess.DEVNULL)
         draft.rename(bag)
     return bag
 
@@ -56,8 +56,8 @@ def measure(bag, options, arguments, folder):
     config.write_text(yaml.safe_dump(options))
     read = subprocess.run(['/bin/cat', bag], stdout=subprocess.DEVNULL)  # into the page cache
     process = subprocess.Popen([PROGRAMS / 'mocap_offline', bag, out, '--config', config, *arguments],
-                               stdout=subprocess.PIPE, text=True)
-    text = process.stdout.read()
+                               stderr=subprocess.PIPE, text=True)
+    text = process.stderr.read()
     _, status, usage = os.wait4(process.pid, 0)
     if status or read.returncode:
         raise SystemExit(f'scaling: mocap_offline failed on {bag}')

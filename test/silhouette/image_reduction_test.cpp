@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "silhouette/scene.h"
 
@@ -38,6 +40,17 @@ TEST(ImageReduction, EnlargedMaskLiesWhereTheImageHadIt) {
     ASSERT_EQ(large.size(), size);
     EXPECT_GT(iou(large == kPersonPixel, person), 0.98) << reduction;
     EXPECT_EQ(cv::countNonZero(large == kUnknownPixel), 100 * reduction * reduction);
+  }
+}
+
+TEST(ImageReduction, EnlargedMaskIsThatOfTheWholeMaskWhereverThePersonIs) {
+  const cv::Size size(331, 242);
+  for (const cv::Point at : {cv::Point(0, 0), {60, 40}, {81, 59}, {-40, 300}}) {
+    cv::Mat mask(61, 83, CV_8UC1, cv::Scalar(0)), whole;
+    cv::circle(mask, at, 15, 255, cv::FILLED);
+    cv::resize(mask, whole, mask.size() * 4, 0, 0, cv::INTER_LINEAR);
+    const cv::Mat expected = whole(cv::Rect({0, 0}, size)) > 127;
+    EXPECT_EQ(cv::countNonZero(enlargedMask(mask, 4, size) != expected), 0) << at;
   }
 }
 

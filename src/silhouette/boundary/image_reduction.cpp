@@ -34,13 +34,26 @@ cv::Mat reducedImage(const cv::Mat& image, int reduction) {
 
 cv::Mat enlargedMask(const cv::Mat& mask, int reduction, const cv::Size& image) {
   if (reduction == 1) return mask;
-  const cv::Rect inside({0, 0}, image);
-  cv::Mat unknown, person;
-  cv::resize(mask == kUnknownPixel, unknown, mask.size() * reduction, 0, 0, cv::INTER_NEAREST);
-  cv::resize(mask == kPersonPixel, person, mask.size() * reduction, 0, 0, cv::INTER_LINEAR);
-  cv::Mat out(image, CV_8UC1, cv::Scalar(0));
-  out.setTo(kUnknownPixel, unknown(inside));
-  out.setTo(kPersonPixel, person(inside) > 127);
+  cv::Mat out(image, CV_8UC1, cv::Scalar(kBackgroundPixel));
+  const cv::Rect set = cv::boundingRect(mask);
+  if (set.empty()) return out;
+  // One pixel around them takes part in the interpolation.
+  const cv::Rect from =
+      cv::Rect(set.x - 1, set.y - 1, set.width + 2, set.height + 2) & cv::Rect({0, 0}, mask.size());
+  const cv::Rect to =
+      cv::Rect(from.tl() * reduction, from.br() * reduction) & cv::Rect({0, 0}, image);
+  const cv::Mat small = mask(from);
+  cv::Mat large = out(to), unknown, person;
+  const auto enlarge = [&](const cv::Mat& some, int interpolation, cv::Mat* enlarged) {
+    cv::resize(some, *enlarged, small.size() * reduction, 0, 0, interpolation);
+    *enlarged = (*enlarged)(cv::Rect({0, 0}, to.size()));
+  };
+  if (hasUnknownPixels(small)) {
+    enlarge(small == kUnknownPixel, cv::INTER_NEAREST, &unknown);
+    large.setTo(kUnknownPixel, unknown);
+  }
+  enlarge(small == kPersonPixel, cv::INTER_LINEAR, &person);
+  large.setTo(kPersonPixel, person > 127);
   return out;
 }
 
