@@ -133,7 +133,8 @@ TEST(Calibrate, StampsThatAreLateAreFoundAndTold) {
   EXPECT_TRUE(result.clocks_corrected);
   EXPECT_NEAR(result.cameras[1].time_offset - result.cameras[0].time_offset, -0.04, 0.005);
   EXPECT_EQ(result.verdict[1],
-            "The stamps of cam1 are 40 ms too late, by the motion of the board. That was corrected "
+            "The stamps of cam1 are 40 ms later than the middle one of all cameras, by the motion "
+            "of the board. That was corrected "
             "here; correct it in recordings, too.");
   EXPECT_EQ(result.cameras[1].calibration.time_offset, 0.0);
   input.clocks_last = true;
@@ -141,7 +142,8 @@ TEST(Calibrate, StampsThatAreLateAreFoundAndTold) {
   EXPECT_NEAR(kept.cameras[1].calibration.time_offset, -0.04, 0.005);
   EXPECT_NEAR(kept.cameras[2].calibration.time_offset, 0.0, 0.005);
   EXPECT_EQ(kept.verdict[1],
-            "The stamps of cam1 are 40 ms too late, by the motion of the board. The rig file "
+            "The stamps of cam1 are 40 ms later than the middle one of all cameras, by the motion "
+            "of the board. The rig file "
             "corrects it (time_offset).");
   scene.offsets[1] = 0.0;
   input = scene.input(30);

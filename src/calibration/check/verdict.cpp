@@ -115,11 +115,12 @@ class Verdict {
     for (const CalibratedCamera& camera : result_.cameras) offsets.push_back(camera.time_offset);
     for (const CalibratedCamera& camera : result_.cameras)
       if (const double late = medianOf(offsets) - camera.time_offset; std::abs(late) > kLeast)
-        doubt(text("The stamps of %s are %.0f ms too %s, by the motion of the board. %s",
-                   camera.calibration.name.c_str(), 1e3 * std::abs(late),
-                   late > 0 ? "late" : "early",
-                   input_.clocks_last ? "The rig file corrects it (time_offset)."
-                                      : "That was corrected here; correct it in recordings, too."));
+        doubt(text(
+            "The stamps of %s are %.0f ms %s than the middle one of all cameras, by the "
+            "motion of the board. %s",
+            camera.calibration.name.c_str(), 1e3 * std::abs(late), late > 0 ? "later" : "earlier",
+            input_.clocks_last ? "The rig file corrects it (time_offset)."
+                               : "That was corrected here; correct it in recordings, too."));
   }
 
   void judgeWalk(const WalkFloor& walk) {
