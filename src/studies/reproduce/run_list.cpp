@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "studies/reproduce/work_progress.h"
+#include "tools/common/bags_in_threads.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,6 +22,7 @@ class Workers {
       : cache_(cache), options_(options), progress_(progress), results_(results) {}
 
   void execute(const std::vector<const PaperRun*>& runs, int threads) {
+    const BagsInThreads bags;
     std::atomic<size_t> next{0};
     std::vector<std::thread> workers;
     for (int i = 0; i < threads; ++i)

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "tools/common/bags_in_threads.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -91,6 +93,7 @@ FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSour
                        const std::function<void(double)>& progress) {
   std::vector<FilmBoards> found(films.size());
   SharedProgress shared(films.size(), progress);
+  const BagsInThreads bags;
   tbb::parallel_for(size_t(0), films.size(), [&](size_t i) {
     found[i] = searchFilm(detector, films[i], most_images, times,
                           [&](double part) { shared.update(i, part); });

@@ -9,6 +9,7 @@
 
 #include "markerless_mocap/silhouette/recording_learner.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
+#include "tools/common/bags_in_threads.h"
 
 namespace markerless_mocap {
 namespace {
@@ -124,6 +125,7 @@ std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
   if (found < 2)
     throw std::runtime_error("the walk needs films of two cameras or more, it has those of " +
                              std::to_string(found) + ": films are named after their cameras");
+  const BagsInThreads bags;
   tbb::parallel_for(size_t(0), walks.size(), [&](size_t i) {
     if (!walks[i].film) return;
     const double offset = walks[i].film->topic.empty() ? 0.0 : offsets[i];
