@@ -74,8 +74,7 @@ TEST(LostStreams, APauseOfAllIsNoSilence) {
   sender.epoch_ns += 3000 * kMs;
   const Instants out = sender.send(2);
   ASSERT_EQ(out.size(), 2u);
-  for (const auto& frame_set : out)
-    EXPECT_EQ(frame_set.present, std::vector<bool>(kStreams, true));
+  for (const auto& frame_set : out) EXPECT_EQ(frame_set.present, std::vector<bool>(kStreams, true));
 }
 
 TEST(LostStreams, SlowStreamsAreNotTakenForSilent) {
@@ -108,6 +107,21 @@ TEST(LostStreams, AStreamWithOtherStampsIsLeftOutAndItsItemsAreNoFrameSets) {
   sender.send(2);
   EXPECT_TRUE(assembler.timing(3).awaited) << "its stamps fit again";
   EXPECT_EQ(sender.send(1).back().present, std::vector<bool>(kStreams, true));
+}
+
+// A camera whose host is faster than the others sends before the frame set it is nearest to closes.
+TEST(LostStreams, TheNearestStampIsTheSameWhoeverIsFirst) {
+  Assembler assembler = makeAssembler();
+  const auto send = [&](int from, int to, int64_t shift) {
+    for (int frame = from; frame < to; ++frame) {
+      assembler.add(3, frame * kPeriod + shift, frame);
+      for (size_t s = 0; s < 3; ++s) assembler.add(s, frame * kPeriod, frame);
+    }
+  };
+  send(0, 20, 0);
+  send(20, 40, 30 * kMs);
+  EXPECT_FALSE(assembler.timing(3).awaited);
+  EXPECT_NEAR(assembler.timing(3).nearest.value(), 0.03, 1e-9);
 }
 
 TEST(LostStreams, AStepBackWithinTheDeadlineLosesNothing) {

@@ -164,6 +164,8 @@ class FrameSetAssembler {
   void noteMissed(const FrameSet& frame_set);
   /// A stream that is not waited for comes back if its stamps fit a frame set of most streams.
   void takeBack(size_t stream, int64_t stamp_ns);
+  /// ns, from the nearest of the last frame sets of most streams.
+  int64_t fromNearestClosed(int64_t stamp_ns) const;
   bool sentLately(size_t stream) const;
   void remember(Arrival arrival);
   /// Adds the item to its frame set, or counts it as dropped.

@@ -247,11 +247,24 @@ void FrameSetAssembler<Item>::noteMissed(const FrameSet& frame_set) {
 template <class Item>
 void FrameSetAssembler<Item>::takeBack(size_t stream, int64_t stamp_ns) {
   if (options_.max_missed == 0 || missed_[stream] < options_.max_missed) return;
+  const int64_t distance_ns = fromNearestClosed(stamp_ns);
+  if (std::abs(distance_ns) <= tolerance_ns_) missed_[stream] = 0;
+  // The frame set next to this stamp may still be open, but that of a stamp before is closed.
+  int64_t nearest_ns = distance_ns;
+  for (const Arrival& arrival : recent_) {
+    if (arrival.stream != stream) continue;
+    const int64_t other_ns = fromNearestClosed(commonTime(stream, arrival.stamp_ns));
+    if (std::abs(other_ns) < std::abs(nearest_ns)) nearest_ns = other_ns;
+  }
+  nearest_[stream] = 1e-9 * double(nearest_ns);
+}
+
+template <class Item>
+int64_t FrameSetAssembler<Item>::fromNearestClosed(int64_t stamp_ns) const {
   int64_t nearest_ns = std::numeric_limits<int64_t>::max();
   for (const int64_t closed_ns : closed_ns_)
     if (std::abs(stamp_ns - closed_ns) < std::abs(nearest_ns)) nearest_ns = stamp_ns - closed_ns;
-  nearest_[stream] = 1e-9 * double(nearest_ns);
-  if (std::abs(nearest_ns) <= tolerance_ns_) missed_[stream] = 0;
+  return nearest_ns;
 }
 
 template <class Item>
