@@ -84,6 +84,8 @@ class ContourTracker : public BodyTracker {
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourObservation& seen, const ContourFit& fit) const;
+  /// True if the pose has been accepted and the silhouettes of this frame set do not contradict it.
+  bool isBelieved() const;
   std::vector<ContourPose> proposals(const Frame& now, const ContourObservation& seen);
   /// Takes other places of limbs if they agree better with colours and silhouettes.
   void searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active);

@@ -54,6 +54,20 @@ TEST_F(ColorStartTest, AGoodStartIsConfirmedTwiceAndStays) {
   EXPECT_LT(ankleError(found, right), 0.08);
 }
 
+// Colours would follow the body on; as soon as the background is known they are contradicted.
+TEST_F(ColorStartTest, APoseThatSilhouettesContradictIsNotReported) {
+  ContourTracker right = tracker();
+  ASSERT_EQ(poseAfter(45, right).status, PoseStatus::kTracked);
+  cv::Mat& unknown = masks[3];
+  const cv::Rect all = cv::boundingRect(person[3]);
+  unknown.setTo(255, person[3]);
+  unknown.rowRange(0, all.y + all.height * 2 / 5).setTo(0);
+  ReadyProducts products({hull, {}, {}});
+  const BodyPose found = right.update({1 + 45 * 33333333LL, masks, images, products});
+  EXPECT_EQ(found.status, PoseStatus::kLost);
+  EXPECT_EQ(found.reason, "colours show a person where the silhouettes show background");
+}
+
 TEST_F(ColorStartTest, WithAKnownBackgroundAGoodStartIsNotChecked) {
   masks = person;
   ContourTracker right = tracker();

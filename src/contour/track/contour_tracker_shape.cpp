@@ -48,7 +48,7 @@ std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
                                                       const ContourFit& fit) {
   if (!shape_estimator_) return std::nullopt;
   BodyPose pose;
-  if (accepted_ && hypotheses_.isUnambiguous())
+  if (isBelieved() && hypotheses_.isUnambiguous())
     shape_estimator_->add(stamp_ns, seen, *contour_body_, fit);
   if (useEstimatedShape()) {
     pose.reason = "the body has just been measured";  // the pose belongs to the old body
