@@ -1,6 +1,7 @@
 /// Light, reflections and objects that change the scene are no person.
 #include <gtest/gtest.h>
 
+#include "markerless_mocap/products/silhouette_mask.h"
 #include "silhouette/background/background_learner.h"
 #include "silhouette/changes/kept_texture.h"
 #include "silhouette/changes/light_switch.h"
@@ -196,6 +197,37 @@ TEST_F(StillObject, AloneOrTouchedByAPersonStays) {
   for (int i = 0; i < 40; ++i) mask = update(scene(true), {172 + 3 * (i % 3), 90, 30, 90});
   EXPECT_GT(cv::countNonZero(mask(kBox)), 0.95 * kBox.area())
       << "it may be a part of the person who moves";
+}
+
+/// The background is known but for the left part, where somebody stood all the time.
+class UnknownPlace : public StillObject {
+ protected:
+  UnknownPlace() {
+    Background background = *extractor_.background();
+    BitMask unknown(kRoom);
+    for (int y = kPlace.y; y < kPlace.br().y; ++y)
+      unknown.fill(y, kPlace.x, kPlace.br().x - 1, true);
+    background.setUnknown(std::move(unknown));
+    extractor_.useBackground(std::make_shared<const Background>(std::move(background)));
+  }
+
+  const cv::Rect kPlace{20, 80, 60, 120};
+};
+
+TEST_F(UnknownPlace, IsKnownAfterThePersonHasMovedAway) {
+  cv::Mat mask;
+  for (int i = 0; i < 30; ++i) mask = update(scene(true), {120 + (i % 20), 90, 30, 90});
+  EXPECT_EQ(cv::countNonZero(mask == kUnknownPixel), 0);
+  EXPECT_GT(overlap(mask, {129, 90, 30, 90}), 0.95) << "without the box, too";
+  const cv::Rect back(30, 90, 30, 90);
+  mask = update(scene(true), back);
+  EXPECT_GT(overlap(mask, back), 0.95) << "the place has become background as it is seen now";
+}
+
+TEST_F(UnknownPlace, StaysUnknownWhileThePersonMovesInIt) {
+  cv::Mat mask;
+  for (int i = 0; i < 40; ++i) mask = update(scene(false), {30 + (i % 20), 90, 30, 90});
+  EXPECT_EQ(cv::countNonZero(mask(kPlace) == kUnknownPixel), kPlace.area());
 }
 
 }  // namespace

@@ -68,6 +68,9 @@ class Background {
   const BitMask& unknown() const { return unknown_; }
   bool hasUnknown() const { return unknown_.rows() > 0; }
   void setUnknown(BitMask unknown) { unknown_ = std::move(unknown); }
+  bool isUnknown(int x, int y) const { return hasUnknown() && unknown_.at(x, y); }
+  /// Only if some pixels have been unknown before.
+  void setUnknown(int x, int y, bool unknown) { unknown_.fill(y, x, x, unknown); }
 
   /// Throws std::invalid_argument with a message that names the file if it cannot be written.
   void save(const std::string& path) const;

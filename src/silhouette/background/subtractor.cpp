@@ -70,7 +70,7 @@ class ModelSubtractor : public Subtractor {
     if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
     updateBackground(image, found.light_gain, found.mask, classes.shadow);
-    if (followsChanges()) still_objects_.update(image, found.light_gain, &background_, &found.mask);
+    if (options_.follow_changes) absorbObjects(image, &found);
     last_mask_ = found.mask;
     return found;
   }
@@ -85,7 +85,8 @@ class ModelSubtractor : public Subtractor {
  private:
   void setThreshold();
   double followLight(const cv::Mat& image);
-  bool followsChanges() const { return options_.follow_changes && !background_.hasUnknown(); }
+  bool followsLamps() const { return options_.follow_changes && !background_.hasUnknown(); }
+  void absorbObjects(const cv::Mat& image, Extraction* found);
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
   void restoreUnknown(const BitMask& unrefined, Extraction* found) const;
@@ -113,7 +114,7 @@ void ModelSubtractor::setThreshold() {
 /// The gain of the image, after the background has followed a switch of the light.
 double ModelSubtractor::followLight(const cv::Mat& image) {
   const LightGain light = estimateLightGain(image, background_);
-  if (!followsChanges() || !light_switch_.update(image, light, last_mask_, &background_))
+  if (!followsLamps() || !light_switch_.update(image, light, last_mask_, &background_))
     return light.gain;
   still_objects_.clear();
   return estimateLightGain(image, background_).gain;
@@ -142,6 +143,12 @@ void ModelSubtractor::restoreUnknown(const BitMask& unrefined, Extraction* found
   remove(near_unknown_, &found->mask);
   add(unrefined, &found->mask);
   add(background_.unknown(), &found->mask);
+  found->unknown = background_.unknown();
+}
+
+void ModelSubtractor::absorbObjects(const cv::Mat& image, Extraction* found) {
+  if (!still_objects_.update(image, found->light_gain, &background_, &found->mask)) return;
+  setThreshold();
   found->unknown = background_.unknown();
 }
 

@@ -77,16 +77,17 @@ void StillObjects::clear() {
   previous_.release();
 }
 
-void StillObjects::update(const cv::Mat& image, double gain, Background* background,
+bool StillObjects::update(const cv::Mat& image, double gain, Background* background,
                           BitMask* mask) {
-  if (images_++ % kStep != 0) return;
+  if (images_++ % kStep != 0) return false;
+  unknown_changed_ = false;
   noise_ = background->noise();
   if (!objects_.empty()) restoreUncovered(image, gain, background);
   const std::vector<Component> components = findBlobs(std::numeric_limits<int>::max(), *mask);
   if (components.size() < 2) {
     previous_.release();
     still_.clear();
-    return;
+    return unknown_changed_;
   }
   if (previous_.empty())
     previous_ = cv::Mat::zeros(image.size(), image.type());
@@ -94,6 +95,7 @@ void StillObjects::update(const cv::Mat& image, double gain, Background* backgro
     compare(components, image, gain, background, mask);
   copyRows(components, image, &previous_);
   previous_gain_ = gain;
+  return unknown_changed_;
 }
 
 void StillObjects::compare(const std::vector<Component>& components, const cv::Mat& image,
@@ -155,7 +157,12 @@ void StillObjects::absorb(const BitMask& place, const cv::Mat& image, double gai
     const size_t before = object.size();
     for (int i = 0; i < place.rowWords(); ++i)
       forEachBit(place.row(y)[i], 64 * i, [&](int x) {
-        Pixel pixel{x, y, {}};
+        Pixel pixel{x, y, {}, background->isUnknown(x, y)};
+        if (pixel.was_unknown) {
+          background->setUnknown(x, y, false);
+          background->sigma(0, y)[x] = uint16_t(noise_ * Background::kMeanScale);
+          unknown_changed_ = true;
+        }
         for (int c = 0; c < channels; ++c) {
           uint16_t& mean = background->mean(0, y, c)[x];
           pixel.before[c] = mean;
@@ -177,6 +184,7 @@ bool StillObjects::isGone(const Object& object, const cv::Mat& image, double gai
   const double limit = kNoiseVariances / 2 * noise_ * noise_;
   size_t clear = 0, uncovered = 0;
   for (const Pixel& pixel : object) {
+    if (pixel.was_unknown) continue;
     double to_before = 0, apart = 0;
     for (int c = 0; c < channels; ++c) {
       const double now = image.ptr(pixel.y)[pixel.x * channels + c] / gain;
@@ -194,9 +202,13 @@ bool StillObjects::isGone(const Object& object, const cv::Mat& image, double gai
 }
 
 void StillObjects::restore(const Object& object, Background* background) {
-  for (const Pixel& pixel : object)
+  for (const Pixel& pixel : object) {
     for (int c = 0; c < background->channels(); ++c)
       background->mean(0, pixel.y, c)[pixel.x] = pixel.before[c];
+    if (!pixel.was_unknown) continue;
+    background->setUnknown(pixel.x, pixel.y, true);
+    unknown_changed_ = true;
+  }
   for (size_t i = 0; i < object.size(); ++i)
     if (i == 0 || object[i].y != object[i - 1].y) background->updateQuantised(0, object[i].y);
 }
