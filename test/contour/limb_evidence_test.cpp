@@ -4,6 +4,7 @@
 
 #include "contour/drawn_body.h"
 #include "contour/fit/contour_fitter.h"
+#include "contour/track/pose_report.h"
 
 namespace markerless_mocap {
 namespace {
@@ -75,6 +76,37 @@ TEST_F(LimbEvidenceTest, MasksThatDisagreeWithALimbTellLessOfIt) {
   EXPECT_GT(damaged[ContourLimb::kRightArm], 2.0 * clean[ContourLimb::kRightArm]);
   for (const int leg : {ContourLimb::kLeftLeg, ContourLimb::kRightLeg})
     EXPECT_LT(damaged[size_t(leg)], 1.2 * clean[size_t(leg)]);
+}
+
+// Legs of somebody who sits still may be taken for background.
+TEST_F(LimbEvidenceTest, LegsThatTheMasksLackAreFoldedIntoTheTrunkAndNotSeen) {
+  const auto fitted = [&](bool with_legs) {
+    ContourFrames frames;
+    ContourWorldCones cones;
+    slim.place(pose, frames);
+    slim.place(frames, cones);
+    for (int c = 0; c < kContourCones && !with_legs; ++c)
+      if (limbOfCone(c) >= ContourLimb::kLeftLeg) cones[size_t(c)] = cones[0];
+    std::vector<cv::Mat> masks;
+    for (const Camera& camera : rig) masks.push_back(drawnMask(camera, cones));
+    return fitter.fit(ContourObserver(rig, options).observe(masks), slim, pose, std::nullopt,
+                      RobustSchedule{200, 0.3, 0.03});
+  };
+  const ContourFit whole = fitted(true), without = fitted(false);
+  for (const int leg : {ContourLimb::kLeftLeg, ContourLimb::kRightLeg}) {
+    EXPECT_LT(whole.limbs[size_t(leg)].inside, 0.2);
+    EXPECT_GT(without.limbs[size_t(leg)].inside, 0.4);
+  }
+  std::array<double, ContourLimb::kCount> agreement;
+  agreement.fill(1.0);
+  ContourFit fit = whole;
+  BodyPose report;
+  reportEvidence(fit, agreement, report);
+  for (const bool seen : report.part_seen) EXPECT_TRUE(seen);
+  fit.limbs[ContourLimb::kLeftLeg].inside = 0.5;
+  reportEvidence(fit, agreement, report);
+  EXPECT_EQ(std::count(report.part_seen.begin(), report.part_seen.end(), false), 1);
+  EXPECT_FALSE(report.part_seen[size_t(PartLabel::kLeg1)]);
 }
 
 }  // namespace

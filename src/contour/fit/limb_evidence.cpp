@@ -150,6 +150,33 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
   return std::sqrt((J * inverse.solve(J.transpose())).trace());
 }
 
+bool isInside(const Eigen::Vector3d& point, const ContourWorldCone& cone) {
+  const Eigen::Vector3d axis = cone.b - cone.a;
+  const double along = std::clamp(axis.dot(point - cone.a) / axis.squaredNorm(), 0.0, 1.0);
+  const double radius = cone.radius_a + along * (cone.radius_b - cone.radius_a);
+  return (point - cone.a - along * axis).norm() < radius;
+}
+
+/// Fraction of a limb's axis that is inside the trunk.
+double insideFraction(const ContourWorldCones& cones, int limb) {
+  constexpr std::array<double, 4> kPlaces{0.125, 0.375, 0.625, 0.875};
+  int inside = 0, all = 0;
+  for (int c = 0; c < kContourCones; ++c) {
+    if (limbOfCone(c) != limb) continue;
+    for (const double place : kPlaces) {
+      const Eigen::Vector3d point =
+          cones[size_t(c)].a + place * (cones[size_t(c)].b - cones[size_t(c)].a);
+      ++all;
+      for (int other = 0; other < kContourCones; ++other)
+        if (limbOfCone(other) == ContourLimb::kTrunk && isInside(point, cones[size_t(other)])) {
+          ++inside;
+          break;
+        }
+    }
+  }
+  return double(inside) / all;
+}
+
 }  // namespace
 
 void gatherEvidence(const ContourObservation& seen, const ContourOptions& options,
@@ -158,6 +185,8 @@ void gatherEvidence(const ContourObservation& seen, const ContourOptions& option
   const Eigen::LLT<Square> inverse(information(seen, options, problem, fit.pose, variance));
   for (int limb = 0; limb < ContourLimb::kCount; ++limb)
     fit.limbs[size_t(limb)].deviation = endDeviation(body, problem.frames(), inverse, limb);
+  for (const int limb : {ContourLimb::kLeftLeg, ContourLimb::kRightLeg})
+    fit.limbs[size_t(limb)].inside = insideFraction(problem.cones(), limb);
 }
 
 }  // namespace markerless_mocap
