@@ -34,6 +34,21 @@ TEST_F(RegionSearchTest, ColoursShowThePersonNearThePredictedBody) {
   EXPECT_EQ(found.agreement, 1.0) << "nothing is known";
 }
 
+TEST_F(RegionSearchTest, AViewIsTakenAsItIsWhereTheBackgroundIsKnownNearTheBody) {
+  masks = person;
+  const cv::Rect all = cv::boundingRect(person[0]);
+  ASSERT_GT(all.x, 30);
+  masks[0].colRange(0, 8).setTo(128);
+  cv::Mat near = masks[1].rowRange(all.y, all.y + 30);
+  near.setTo(128, near == 0);
+  const RegionFrame frame(images, masks);
+  ASSERT_FALSE(frame.views[0].colors.empty());
+  const RegionObservation found = observer.observeNear(frame, body, pose, 0.04);
+  EXPECT_EQ(cv::norm(found.masks[0], masks[0], cv::NORM_INF), 0) << "unknown is far away";
+  EXPECT_GT(cv::norm(found.masks[1], masks[1], cv::NORM_INF), 0);
+  EXPECT_EQ(cv::countNonZero(found.masks[1] == 128), 0) << "colours decide";
+}
+
 TEST_F(RegionSearchTest, HullPixelsAreAroundTheProjectedVoxels) {
   const cv::Mat pixels = hullPixels(hull, rig[0]);
   ASSERT_EQ(pixels.size(), person[0].size());

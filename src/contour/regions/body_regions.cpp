@@ -19,6 +19,11 @@ constexpr double kCandidateError = 0.04;
 constexpr float kCandidateReach = 0.5f;
 constexpr float kMinSigma = 0.7f;  // samples
 
+// Colours decide if a larger fraction of the body's box is unknown. The box is wider than the body
+// by kNear_sigmas expected errors and kNear samples.
+constexpr double kMaxUnknownNear = 0.005;
+constexpr float kNear_sigmas = 2.5f, kNear = 2.f;
+
 int stepOf(const cv::Mat& image) {
   return std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
 }
@@ -60,6 +65,23 @@ ProjectedBody projected(const Camera& camera, int step, const ContourBody& body,
   const double depth = std::max(0.1, depthOf(pose.position));
   out.sigma = float(f * error_m / depth) + kMinSigma;
   return out;
+}
+
+/// Whether the background is not known near the body.
+bool isUnknownNear(const ProjectedBody& body, const cv::Mat& known) {
+  const float reach = kNear_sigmas * body.sigma + kNear;
+  cv::Rect2f box;
+  for (const ProjectedCone& cone : body.cones) {
+    const float x = std::min(cone.a.x() - cone.radius_a, cone.b.x() - cone.radius_b) - reach;
+    const float y = std::min(cone.a.y() - cone.radius_a, cone.b.y() - cone.radius_b) - reach;
+    const float right = std::max(cone.a.x() + cone.radius_a, cone.b.x() + cone.radius_b) + reach;
+    const float bottom = std::max(cone.a.y() + cone.radius_a, cone.b.y() + cone.radius_b) + reach;
+    const cv::Rect2f wide(x, y, right - x, bottom - y);
+    box = box.area() > 0 ? box | wide : wide;
+  }
+  const cv::Rect near = cv::Rect(box) & cv::Rect(0, 0, known.cols, known.rows);
+  return near.area() > 0 &&
+         cv::countNonZero(known(near) == kUnknownPixel) > kMaxUnknownNear * near.area();
 }
 
 /// The mask at the samples, enlarged to the image with smooth borders.
@@ -141,8 +163,9 @@ RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& bo
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
     if (view.colors.empty()) return;
-    found[i] = segmenters_[i].segment(
-        view.colors, projected(rig_[i], view.step, body, pose, error_m), view.known);
+    const ProjectedBody at = projected(rig_[i], view.step, body, pose, error_m);
+    if (!isUnknownNear(at, view.known)) return;
+    found[i] = segmenters_[i].segment(view.colors, at, view.known);
     out.masks[i] = enlarged(found[i].mask, view.step, frame.masks[i].size());
   });
   measureAgreement(found, out);
