@@ -16,48 +16,50 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr int kFrames = 24;
-
 PipelineOptions published() {
   return loadPipelineOptions(
       YAML::LoadFile(std::string(MOCAP_SOURCE_DIR) + "/config/as_published/bakken.yaml"));
 }
 
-/// Hulls of the dance in the published cube, and the true points.
-struct Dance {
+/// Hulls of a motion in the published cube, and the true points.
+struct Motion {
   std::vector<VisualHull> coarse, fine;
   JointTrack truth;
 };
 
-const Dance& dance() {
-  static const Dance dance = [] {
+/// \param frames at even distances over the motion
+Motion filmed(StudioOptions studio, int frames) {
+  studio.character.stature = 1.62;
+  studio.width = 400;
+  studio.height = 300;
+  studio.background_frames = 0;
+  const VirtualStudio stage(studio, packageFiles(), "person1");
+  HullOptions fine = published().hull, coarse = fine;
+  coarse.pitch = 2.0 / 64.0;
+  for (HullOptions* options : {&fine, &coarse}) {
+    options->volume_min = {-1.25, -1.25, 0.0};  // room for all of the dance
+    options->volume_max = {1.25, 1.25, 2.2};
+  }
+  HullCarver carve_fine(stage.rig(), fine), carve_coarse(stage.rig(), coarse);
+  Motion out;
+  out.truth.names = groundTruthNames();
+  for (int i = 0; i < frames; ++i) {
+    const StudioFrameSet now = stage.render(i * stage.frameSetCount() / frames);
+    std::vector<HullView> views;
+    for (const cv::Mat& mask : now.masks) views.push_back({mask, {}});
+    out.fine.push_back(carve_fine.carve(views));
+    out.coarse.push_back(carve_coarse.carve(views));
+    out.truth.add(now.time_ns, Eigen::Map<const Eigen::Matrix3Xd>(now.points.front().data(), 3,
+                                                                  Eigen::Index(now.points.size())));
+  }
+  return out;
+}
+
+const Motion& dance() {
+  static const Motion dance = [] {
     StudioOptions studio;
     studio.motion = "whirling_dance";
-    studio.character.stature = 1.62;
-    studio.width = 400;
-    studio.height = 300;
-    studio.background_frames = 0;
-    const VirtualStudio stage(studio, packageFiles(), "person1");
-    HullOptions fine = published().hull, coarse = fine;
-    coarse.pitch = 2.0 / 64.0;
-    for (HullOptions* options : {&fine, &coarse}) {
-      options->volume_min = {-1.25, -1.25, 0.0};  // room for all of the dance
-      options->volume_max = {1.25, 1.25, 2.2};
-    }
-    HullCarver carve_fine(stage.rig(), fine), carve_coarse(stage.rig(), coarse);
-    Dance out;
-    out.truth.names = groundTruthNames();
-    for (int i = 0; i < kFrames; ++i) {
-      const StudioFrameSet now = stage.render(i * stage.frameSetCount() / kFrames);
-      std::vector<HullView> views;
-      for (const cv::Mat& mask : now.masks) views.push_back({mask, {}});
-      out.fine.push_back(carve_fine.carve(views));
-      out.coarse.push_back(carve_coarse.carve(views));
-      out.truth.add(now.time_ns,
-                    Eigen::Map<const Eigen::Matrix3Xd>(now.points.front().data(), 3,
-                                                       Eigen::Index(now.points.size())));
-    }
-    return out;
+    return filmed(studio, 24);
   }();
   return dance;
 }
@@ -81,11 +83,16 @@ LabelledExtremities labelsOf(const PoseTree& tree) {
   return labels;
 }
 
-LabelErrors judged(const std::vector<VisualHull>& hulls, const PoseTreeOptions& options) {
+LabelErrors judged(const JointTrack& truth, const std::vector<VisualHull>& hulls,
+                   const PoseTreeOptions& options) {
   PoseTreeBuilder builder(options);
   std::vector<LabelledExtremities> labels;
   for (const VisualHull& hull : hulls) labels.push_back(labelsOf(builder.build(hull)));
-  return labelErrors(dance().truth, labels);
+  return labelErrors(truth, labels);
+}
+
+LabelErrors judged(const std::vector<VisualHull>& hulls, const PoseTreeOptions& options) {
+  return judged(dance().truth, hulls, options);
 }
 
 /// The published options for frames that are half a second apart, with another least length.
@@ -126,6 +133,19 @@ TEST(PublishedPoseTree, MostFramesOfADanceAreLabelledRightAtBothResolutions) {
 TEST(PublishedPoseTree, LeavesAreWithinThePublishedErrors) {
   EXPECT_LT(handsAndFeet(judged(dance().fine, ranking(0.08))), 46.8);
   EXPECT_LT(handsAndFeet(judged(dance().coarse, ranking(0.08))), 53.2);
+}
+
+// 42.6 % in the paper; others are not valid.
+TEST(PublishedPoseTree, SomeFramesOfRunCrouchJumpAreLabelledRightAndFewWrongly) {
+  StudioOptions studio;
+  studio.motion = "run_crouch_jump";
+  studio.motion_start = 0.5;
+  studio.duration = 108.0 / 25.0;
+  const Motion jump = filmed(studio, 18);
+  const LabelErrors errors = judged(jump.truth, jump.fine, ranking(0.274));
+  tell("run-crouch-jump", errors);
+  EXPECT_GE(errors.fraction_correct_and_valid, 0.426);
+  EXPECT_LE(errors.fraction_wrong_but_valid, 0.12);
 }
 
 TEST(PublishedPoseTree, LearnedLabellingIsNoWorseAndNearer) {
