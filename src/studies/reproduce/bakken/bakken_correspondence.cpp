@@ -1,5 +1,6 @@
 #include "studies/reproduce/bakken/bakken_correspondence.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
@@ -72,7 +73,8 @@ class Follower {
 
   size_t step;
   int pairs = 0, exchanged = 0;
-  cv::Mat picture;  ///< the first exchange
+  int longest_astray = 0;  ///< successive frames that are valid, but wrong
+  cv::Mat picture;         ///< the first exchange
   size_t picture_frame = 0;
 
  private:
@@ -81,12 +83,17 @@ class Follower {
                                 const JointTrack& truth) {
     PreviousExtremities labelled;
     const PreviousExtremities last = std::exchange(last_, std::nullopt);
+    const int astray = std::exchange(astray_, 0);
     if (rejectHull(hull)) return std::nullopt;
     Followed now{
         frame, Labelling(options_, model_, hull, skeleton).run(last, &labelled), {}, false, false};
     last_ = labelled;
-    if (!now.tree.valid() || !labelErrors(truth, {labelsOf(now.tree)}).verdicts.front().right)
+    if (!now.tree.valid()) return std::nullopt;
+    if (!labelErrors(truth, {labelsOf(now.tree)}).verdicts.front().right) {
+      astray_ = astray + 1;
+      longest_astray = std::max(longest_astray, astray_);
       return std::nullopt;
+    }
     now.first_arm_is_left =
         isAt(labelled, UnsidedExtremity::kHand1, now.tree, Extremity::kLeftHand);
     now.first_leg_is_left =
@@ -106,6 +113,7 @@ class Follower {
   PoseTreeOptions options_;
   PoseTreeModel model_ = PoseTreeModel::standard();
   PreviousExtremities last_;
+  int astray_ = 0;
   std::optional<Followed> before_;
 };
 
@@ -133,8 +141,10 @@ Json followLabels(const Capture& capture, int edge) {
   });
   Json result;
   for (const Follower& follower : followers) {
-    result["every"].push_back(
-        {{"step", follower.step}, {"pairs", follower.pairs}, {"exchanged", follower.exchanged}});
+    result["every"].push_back({{"step", follower.step},
+                               {"pairs", follower.pairs},
+                               {"exchanged", follower.exchanged},
+                               {"astray", follower.longest_astray}});
     if (follower.exchanged == 0 || result.contains("jpeg")) continue;
     result["jpeg"] = packedJpeg(follower.picture, kQuality);
     result["frame"] = follower.picture_frame;

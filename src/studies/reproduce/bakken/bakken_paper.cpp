@@ -105,11 +105,13 @@ std::vector<PaperRun> BakkenPaper::runsOf(const Capture& capture, int edge) cons
   if (volume == Volume::kStudio) labelling["volume"] = "studio";
   for (const BakkenVariant& variant : bakkenVariants())
     labelling["variants"][variant.id] = {variant.changes, variant.product};
+  Json following = settings;
+  following["measures"] = {"exchanged", "astray"};
   return {{"labels_" + suffix, labelling, [=] { return labelCapture(capture, edge, volume); },
            edge == 64 ? 1.0 : 2.0},
           {"times_" + suffix, settings, [=] { return timeCapture(capture, edge); }, 1.0, true},
           {"trees_" + suffix, settings, [=] { return drawTrees(capture, edge); }, 0.5},
-          {"follow_" + suffix, settings, [=] { return followLabels(capture, edge); }, 0.5}};
+          {"follow_" + suffix, following, [=] { return followLabels(capture, edge); }, 0.5}};
 }
 
 std::vector<PaperRun> BakkenPaper::runs(const std::vector<Capture>& captures) const {

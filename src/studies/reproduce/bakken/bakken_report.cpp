@@ -209,7 +209,8 @@ void addCorrespondence(const Results& results, Page* page) {
       rows.push_back({capture, std::to_string(edge)});
       for (const Json& every : found["every"])
         rows.back().push_back(std::to_string(every["exchanged"].get<int>()) + " of " +
-                              std::to_string(every["pairs"].get<int>()));
+                              std::to_string(every["pairs"].get<int>()) + "; " +
+                              std::to_string(every["astray"].get<int>()));
       if (!found.contains("jpeg")) continue;
       const int frame = found["frame"].get<int>(), step = found["step"].get<int>();
       page->add({{"kind", "picture"},
@@ -222,7 +223,9 @@ void addCorrespondence(const Results& results, Page* page) {
   page->text(
       "Of pairs of successive frames that are labelled right, those in which the first and the "
       "second arm or leg change places; with all frames, and with fewer, as of a person who moves "
-      "faster. Pruned below 0.08.");
+      "faster. After them the longest run of frames that are valid, but labelled wrong: labels "
+      "that "
+      "follow hand errors on. Pruned below 0.08.");
   page->table({"", "#voxels", "#all frames", "#every second", "#every fourth"}, rows);
 }
 

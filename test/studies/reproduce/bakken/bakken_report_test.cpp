@@ -25,8 +25,8 @@ Json labels(double error_mm) {
   return film;
 }
 
-Json follows(int step, int pairs, int exchanged) {
-  return {{"step", step}, {"pairs", pairs}, {"exchanged", exchanged}};
+Json follows(int step, int pairs, int exchanged, int astray = 0) {
+  return {{"step", step}, {"pairs", pairs}, {"exchanged", exchanged}, {"astray", astray}};
 }
 
 Results results(double error_mm) {
@@ -89,6 +89,17 @@ TEST(BakkenReport, LabelsThatGoAstrayAreCountedOverAllCaptures) {
   Page page("");
   bakkenReport(all, &page);
   EXPECT_NE(page.html().find("frames 7 and 9"), std::string::npos);
+}
+
+TEST(BakkenReport, LabelsThatStayWrongAreNoRecovery) {
+  Results all = results(30.0);
+  const char* sentence = "the approach recovers";
+  EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kHolds);
+  all["labels_walk_128"] = labels(30.0);
+  all["follow_walk_128"] = {{"every", {follows(1, 9, 0, 3), follows(2, 5, 0, 40)}}};
+  EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kHoldsPartly);
+  all["follow_walk_128"] = {{"every", {follows(1, 9, 0, 40)}}};
+  EXPECT_EQ(verdictOf(bakkenClaims(all), sentence), Verdict::kDoesNotHold);
 }
 
 TEST(BakkenReport, EveryVariantHasOptions) {
