@@ -164,6 +164,14 @@ class Calibrator {
     if (offsets_free_) regroupAndAdjust();
     outliers_ = markOutliers(board_, outlierLimit(), &state_);
     adjustBundle(board_, options(), &state_);
+    if (!state_.points.empty()) weighPoints();
+  }
+
+  /// Points read off by eye are far less exact than corners: how far, their residuals tell.
+  void weighPoints() {
+    constexpr int kRounds = 8;
+    for (int k = 0; k < kRounds && estimateNoise(board_, held_, offsets_free_, &state_); ++k)
+      adjustBundle(board_, options(), &state_);
   }
 
   double outlierLimit() const { return std::max(1.0, 6.0 * robustSigma(board_, state_)); }

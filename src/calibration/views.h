@@ -40,6 +40,9 @@ struct KnownPoint {
   std::string name;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, world
   std::vector<std::pair<size_t, Eigen::Vector2d>> pixels;  ///< camera and pixel
+  /// Pixels, standard deviation of one coordinate of its pixels; 0: estimated, for all such points
+  /// together.
+  double sigma = 0.0;
 };
 
 }  // namespace markerless_mocap

@@ -212,12 +212,14 @@ TEST_F(CalibrateRig, FilesBesideTheFilmsAreFound) {
 
 TEST_F(CalibrateRig, PointsNameTheirCameras) {
   writeText("points.yaml",
-            "points:\n- {name: a, position: [1, 2, 3], pixels: {left: [4, 5], right: [6, 7]}}\n");
+            "points:\n- {name: a, position: [1, 2, 3], sigma: 2.5, pixels: {left: [4, 5], right: "
+            "[6, 7]}}\n");
   const std::vector<CameraToCalibrate> cameras = {{"left", 480, 360, {}}, {"right", 480, 360, {}}};
   const auto points = readKnownPoints(path("points.yaml"), cameras);
   ASSERT_EQ(points.size(), 1u);
   EXPECT_EQ(points[0].position, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(points[0].pixels[1].second, Eigen::Vector2d(6, 7));
+  EXPECT_EQ(points[0].sigma, 2.5);
   EXPECT_EQ(errorTextOf<std::exception>([&] {
               readKnownPoints(path("points.yaml"), {{"left", 480, 360, {}}});
             }),

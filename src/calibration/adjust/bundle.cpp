@@ -82,11 +82,17 @@ class Bundle {
     }
   }
 
+  /// Points count by how well they are known against corners.
   void addPoint(const KnownPoint& point) {
+    const double sigma = sigmaOf(state_, point), corner = state_.corner_sigma;
+    point_losses_.push_back(std::make_unique<ceres::ScaledLoss>(
+        new ceres::CauchyLoss(kPointLoss * sigma), corner * corner / (sigma * sigma),
+        ceres::TAKE_OWNERSHIP));
+    ceres::LossFunction* const loss = point_losses_.back().get();
     for (const auto& [index, pixel] : point.pixels) {
       CameraState& camera = state_.cameras[index];
       problem_->AddResidualBlock(
-          new PointCost(new PointResidual{point.position, pixel, typeOf(camera.lens)}), &loss_,
+          new PointCost(new PointResidual{point.position, pixel, typeOf(camera.lens)}), loss,
           camera.intrinsics.data(), camera.camera_world.data());
     }
   }
@@ -109,6 +115,7 @@ class Bundle {
   const BundleOptions& options_;
   RigState& state_;
   ceres::CauchyLoss loss_;
+  std::vector<std::unique_ptr<ceres::LossFunction>> point_losses_;  // outlive the problem
   std::unique_ptr<ceres::Problem> problem_;
   ceres::ParameterBlockOrdering* ordering_ = new ceres::ParameterBlockOrdering;
 };

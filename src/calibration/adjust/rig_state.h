@@ -50,7 +50,16 @@ struct RigState {
   std::vector<CameraState> cameras;
   std::vector<Instant> instants;
   std::vector<KnownPoint> points;
+  double corner_sigma = 0.3;  ///< pixels, of one coordinate of a corner
+  double point_sigma = 3.0;   ///< pixels, of one coordinate of a point that states none
 };
+
+inline double sigmaOf(const RigState& state, const KnownPoint& point) {
+  return point.sigma > 0 ? point.sigma : state.point_sigma;
+}
+
+/// Scale of the robust loss of points (Cauchy), in standard deviations of a coordinate.
+constexpr double kPointLoss = 6.0;
 
 inline PoseVector poseVector(const Eigen::Isometry3d& T) {
   const Eigen::AngleAxisd turn(T.linear());

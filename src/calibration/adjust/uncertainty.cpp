@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "calibration/adjust/bundle.h"
 #include "calibration/adjust/corner_cost.h"
@@ -23,38 +24,110 @@ Eigen::Matrix<double, 2, kPerCamera> cameraSlopes(const PixelSlopes& slopes,
   return J;
 }
 
-/// The normal equations of the cameras, the boards' poses eliminated, and the scatter of the
-/// gradients of whole instants.
+/// One instant without the pose of its board: what it says of the cameras that saw it.
+struct InstantPart {
+  std::vector<int> at;  ///< parameters
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd gradient;
+};
+
+/// One known point in one image.
+struct PointPart {
+  int at = 0;  ///< first parameter of its camera
+  Eigen::Matrix<double, 2, kPerCamera> slopes;
+  double squares = 0.0;   ///< square pixels
+  double weight = 1.0;    ///< of the robust loss
+  double variance = 1.0;  ///< square pixels
+  bool stated = false;    ///< the variance
+};
+
+/// The normal equations of the cameras, the boards' poses eliminated, in units of the variance of
+/// a corner's coordinate, and what each instant gives to them.
 class NormalEquations {
  public:
-  NormalEquations(const Board& board, const RigState& state)
-      : board_(board), state_(state), size_(kPerCamera * int(state.cameras.size())) {
+  NormalEquations(const Board& board, const RigState& state, const std::vector<int>& free)
+      : board_(board), state_(state), size_(kPerCamera * int(state.cameras.size())), free_(free) {
     normal_ = Eigen::MatrixXd::Zero(size_, size_);
-    scatter_ = normal_;
     for (const Instant& instant : state.instants)
       if (instant.located) addInstant(instant);
+    variance_ = squares_ > 0 ? squares_ / std::max(1.0, residuals_ - double(free.size()))
+                             : std::pow(state.corner_sigma, 2);
+    known_ = Eigen::MatrixXd::Zero(size_, size_);
     for (const KnownPoint& point : state.points) addPoint(point);
+    for (size_t i = 0; i < state.cameras.size(); ++i) addPriors(int(i));
+    invert();
   }
 
-  /// Covariance of the free parameters; rows and columns of the others are 0.
-  Eigen::MatrixXd covariance(const std::vector<int>& free) const {
-    constexpr int kEnough = 20;  // instants for their scatter to be known
-    const Eigen::MatrixXd H = normal_(free, free);
-    const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * H * scale.asDiagonal();
-    const Eigen::MatrixXd inverse = scale.asDiagonal() *
-                                    scaled.completeOrthogonalDecomposition().pseudoInverse() *
-                                    scale.asDiagonal();
-    const double variance = squares_ / std::max(1.0, residuals_ - double(free.size()));
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size_, size_);
-    if (instants_ >= kEnough)
-      all(free, free) = inverse * scatter_(free, free) * inverse * (instants_ / (instants_ - 1.0));
-    else
-      all(free, free) = variance * inverse;
-    return all;
+  double cornerVariance() const { return variance_; }
+
+  /// Square pixels, of points that state none. The guess of one pixel counts as two residuals, so
+  /// that few points that happen to fit are not believed. Source: Helmert's estimate of variance
+  /// components.
+  double pointVariance() const {
+    constexpr double kGuess = 1.0, kGuessCounts = 2.0;
+    double squares = kGuess * kGuessCounts, redundancy = kGuessCounts;
+    for (const PointPart& part : points_) {
+      if (part.stated) continue;
+      const auto own = covariance_.block<kPerCamera, kPerCamera>(part.at, part.at);
+      const double taken = (part.slopes * own * part.slopes.transpose()).trace() / part.variance;
+      squares += part.weight * part.squares;
+      redundancy += part.weight * std::max(0.0, 2.0 - part.weight * taken);
+    }
+    return squares / redundancy;
+  }
+
+  /// Covariance of the free parameters; rows and columns of the others are 0. With enough instants
+  /// their scatter counts, so that errors which a view's corners share do.
+  Eigen::MatrixXd covariance() const {
+    constexpr int kEnough = 20;
+    if (instants_.size() < kEnough) return covariance_;
+    const Eigen::MatrixXd inverse = covariance_ / variance_;
+    Eigen::MatrixXd scatter = variance_ * known_;
+    for (const InstantPart& instant : instants_) addScatter(instant, inverse, &scatter);
+    return inverse * scatter * inverse;
   }
 
  private:
+  void invert() {
+    const Eigen::MatrixXd H = (normal_ + known_)(free_, free_);
+    const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * H * scale.asDiagonal();
+    covariance_ = Eigen::MatrixXd::Zero(size_, size_);
+    covariance_(free_, free_) = variance_ * scale.asDiagonal() *
+                                scaled.completeOrthogonalDecomposition().pseudoInverse() *
+                                scale.asDiagonal();
+  }
+
+  /// The adjustment bends to each instant, most where there are few: their residuals are too small
+  /// by what it took from them. Source: Bell and McCaffrey, Bias reduction in standard errors
+  /// (2002), whose CR2 this is.
+  static void addScatter(const InstantPart& instant, const Eigen::MatrixXd& inverse,
+                         Eigen::MatrixXd* scatter) {
+    constexpr double kLeastLeft = 0.02, kTiny = 1e-9;
+    // In units of the parameters' uncertainty: parameters of which the instant says nothing, as
+    // the pose of a camera that saw the board alone, have but rounding errors in it.
+    const Eigen::MatrixXd own_inverse = inverse(instant.at, instant.at);
+    const Eigen::VectorXd unit = own_inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd per_unit = (unit.array() > 0).select(unit.cwiseInverse(), 0.0);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(unit.asDiagonal() * instant.normal *
+                                                             unit.asDiagonal());
+    const Eigen::VectorXd& values = own.eigenvalues();
+    const int rank = int((values.array() > kTiny * values.maxCoeff()).count());
+    if (rank == 0) return;
+    const Eigen::VectorXd root = values.tail(rank).cwiseSqrt();
+    const Eigen::MatrixXd vectors = own.eigenvectors().rightCols(rank);
+    // normal = A^T A, gradient = A^T y
+    const Eigen::MatrixXd A = root.asDiagonal() * vectors.transpose() * per_unit.asDiagonal();
+    const Eigen::VectorXd y = root.cwiseInverse().asDiagonal() * vectors.transpose() *
+                              unit.asDiagonal() * instant.gradient;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> taken(A * own_inverse * A.transpose());
+    const Eigen::VectorXd left = (1.0 - taken.eigenvalues().array()).max(kLeastLeft);
+    const Eigen::VectorXd gradient =
+        A.transpose() * (taken.eigenvectors() * left.cwiseSqrt().cwiseInverse().asDiagonal() *
+                         taken.eigenvectors().transpose() * y);
+    (*scatter)(instant.at, instant.at) += gradient * gradient.transpose();
+  }
+
   static int cornersUsed(const Instant& instant) {
     int corners = 0;
     for (const ViewSight& view : instant.views)
@@ -65,29 +138,38 @@ class NormalEquations {
   void addInstant(const Instant& instant) {
     const int corners = cornersUsed(instant);
     if (corners < 4) return;  // they do not fix the pose of the board
-    Eigen::MatrixXd with_board = Eigen::MatrixXd::Zero(size_, 6);
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size_);
+    InstantPart part;
+    std::vector<int> first(state_.cameras.size(), -1);
+    for (const ViewSight& view : instant.views) {
+      if (!view.used || first[view.camera] >= 0) continue;
+      first[view.camera] = int(part.at.size());
+      for (int k = 0; k < kPerCamera; ++k) part.at.push_back(kPerCamera * int(view.camera) + k);
+    }
+    const int size = int(part.at.size());
+    part.normal = Eigen::MatrixXd::Zero(size, size);
+    part.gradient = Eigen::VectorXd::Zero(size);
+    Eigen::MatrixXd with_board = Eigen::MatrixXd::Zero(size, 6);
     Eigen::Matrix<double, 6, 6> board_normal = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> board_gradient = Eigen::Matrix<double, 6, 1>::Zero();
     for (const ViewSight& view : instant.views)
       for (const CornerSight& corner : view.corners) {
         if (!view.used || !corner.used) continue;
         const Slopes s = slopesAt(instant, view, corner);
-        const int at = kPerCamera * int(view.camera);
+        const int at = first[view.camera];
         const double w = s.weight;
-        normal_.block<kPerCamera, kPerCamera>(at, at) += w * s.camera.transpose() * s.camera;
+        part.normal.block<kPerCamera, kPerCamera>(at, at) += w * s.camera.transpose() * s.camera;
         with_board.middleRows<kPerCamera>(at) += w * s.camera.transpose() * s.board;
-        gradient.segment<kPerCamera>(at) += w * s.camera.transpose() * s.residual;
+        part.gradient.segment<kPerCamera>(at) += w * s.camera.transpose() * s.residual;
         board_normal += w * s.board.transpose() * s.board;
         board_gradient += w * s.board.transpose() * s.residual;
         squares_ += w * s.residual.squaredNorm();
       }
     const Eigen::MatrixXd eliminate = board_normal.ldlt().solve(with_board.transpose()).transpose();
-    normal_ -= eliminate * with_board.transpose();
-    gradient -= eliminate * board_gradient;
-    scatter_ += gradient * gradient.transpose();
+    part.normal -= eliminate * with_board.transpose();
+    part.gradient -= eliminate * board_gradient;
+    normal_(part.at, part.at) += part.normal;
     residuals_ += 2 * corners - 6;
-    ++instants_;
+    instants_.push_back(std::move(part));
   }
 
   struct Slopes {
@@ -113,7 +195,7 @@ class NormalEquations {
     s.camera.col(kTime) = corner.motion.velocity + after * corner.motion.acceleration;
     s.board.leftCols<3>() = pixel.point * camera_board.linear();
     s.board.rightCols<3>() = -pixel.point * camera_board.linear() * crossMatrix(on_board);
-    s.weight = weightOf(s.residual);
+    s.weight = robustWeight(s.residual.squaredNorm(), BundleOptions().loss_pixels);
     return s;
   }
 
@@ -122,33 +204,59 @@ class NormalEquations {
       const CameraState& camera = state_.cameras[index];
       const Eigen::Vector3d in_camera = isometry(camera.camera_world) * point.position;
       const LensType lens = typeOf(camera.lens);
-      const auto J =
-          cameraSlopes(pixelSlopes(lens, camera.intrinsics.data(), in_camera), in_camera);
       Eigen::Vector2d projected;
       projectPoint(lens, camera.intrinsics.data(), in_camera.data(), projected.data());
-      const Eigen::Vector2d r = projected - pixel;
-      const double w = weightOf(r);
-      const int at = kPerCamera * int(index);
-      normal_.block<kPerCamera, kPerCamera>(at, at) += w * J.transpose() * J;
-      const Eigen::VectorXd g = w * J.transpose() * r;
-      scatter_.block<kPerCamera, kPerCamera>(at, at) += g * g.transpose();
-      squares_ += w * r.squaredNorm();
-      residuals_ += 2;
+      const double sigma = sigmaOf(state_, point);
+      PointPart part;
+      part.at = kPerCamera * int(index);
+      part.slopes = cameraSlopes(pixelSlopes(lens, camera.intrinsics.data(), in_camera), in_camera);
+      part.squares = (projected - pixel).squaredNorm();
+      part.weight = robustWeight(part.squares, kPointLoss * sigma);
+      part.variance = sigma * sigma;
+      part.stated = point.sigma > 0;
+      known_.block<kPerCamera, kPerCamera>(part.at, part.at) +=
+          part.weight * variance_ / part.variance * part.slopes.transpose() * part.slopes;
+      points_.push_back(part);
     }
   }
 
-  /// Of the robust loss.
-  static double weightOf(const Eigen::Vector2d& residual) {
-    const double scale = BundleOptions().loss_pixels;
-    return 1.0 / (1.0 + residual.squaredNorm() / (scale * scale));
+  /// What is known of a lens without views. Coefficients that the chosen model leaves at 0 may be
+  /// as large as in common lenses, so far as the views allow it.
+  void addPriors(int index) {
+    constexpr double kEstimated = 0.01;  // as DistortionPrior, of squared pixels
+    constexpr double kCommon[] = {0.2, 0.1, 0.001, 0.001, 0.05};  // k1 k2 p1 p2 k3
+    const CameraState& camera = state_.cameras[index];
+    for (int k = 0; k < 8; ++k) {
+      double& at = known_.diagonal()[kPerCamera * index + kIntrinsics + 4 + k];
+      if (k < coefficientsOf(camera.lens))
+        at += kEstimated;
+      else if (k < int(std::size(kCommon)))
+        at += variance_ / (kCommon[k] * kCommon[k]);
+    }
+  }
+
+  /// Of the Cauchy loss.
+  static double robustWeight(double squares, double scale) {
+    return 1.0 / (1.0 + squares / (scale * scale));
   }
 
   const Board& board_;
   const RigState& state_;
   int size_;
-  Eigen::MatrixXd normal_, scatter_;
-  double squares_ = 0.0, residuals_ = 0.0, instants_ = 0.0;
+  std::vector<int> free_;
+  Eigen::MatrixXd normal_;      ///< of the corners
+  Eigen::MatrixXd known_;       ///< of points and priors
+  Eigen::MatrixXd covariance_;  ///< if all corners are independent
+  std::vector<InstantPart> instants_;
+  std::vector<PointPart> points_;
+  double squares_ = 0.0, residuals_ = 0.0, variance_ = 0.0;
 };
+
+/// Coefficients that a polynomial model leaves at 0 are free here, too: they may be wrong.
+int doubtfulCoefficients(LensModel lens) {
+  return std::max(coefficientsOf(lens),
+                  typeOf(lens) == LensType::kPolynomial ? coefficientsOf(LensModel::kPlumbBob) : 0);
+}
 
 std::vector<int> freeParameters(const RigState& state, const std::set<size_t>& held, bool offsets) {
   std::vector<int> free;
@@ -158,7 +266,7 @@ std::vector<int> freeParameters(const RigState& state, const std::set<size_t>& h
     if (held.count(i) == 0)
       for (int k = 0; k < 6; ++k) free.push_back(at + kPose + k);
     if (!camera.intrinsics_fixed)
-      for (int k = 0; k < 4 + coefficientsOf(camera.lens); ++k)
+      for (int k = 0; k < 4 + doubtfulCoefficients(camera.lens); ++k)
         free.push_back(at + kIntrinsics + k);
     const bool clock_held = held.count(i) > 0 || (held.empty() && i == 0);
     if (offsets && !clock_held) free.push_back(at + kTime);
@@ -187,7 +295,7 @@ Eigen::MatrixXd relativeToAll(const RigState& state, const Eigen::MatrixXd& cova
 std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigState& state,
                                                const std::set<size_t>& held, bool offsets) {
   Eigen::MatrixXd covariance =
-      NormalEquations(board, state).covariance(freeParameters(state, held, offsets));
+      NormalEquations(board, state, freeParameters(state, held, offsets)).covariance();
   if (state.points.empty()) covariance = relativeToAll(state, covariance);
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   std::vector<CameraUncertainty> out;
@@ -197,6 +305,16 @@ std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigStat
                    own.segment<2>(kIntrinsics + 2), own[kTime]});
   }
   return out;
+}
+
+bool estimateNoise(const Board& board, const std::set<size_t>& held, bool offsets,
+                   RigState* state) {
+  constexpr double kSame = 0.05;
+  const NormalEquations equations(board, *state, freeParameters(*state, held, offsets));
+  const double before = state->point_sigma / state->corner_sigma;
+  state->corner_sigma = std::max(1e-3, std::sqrt(equations.cornerVariance()));
+  state->point_sigma = std::sqrt(equations.pointVariance());
+  return std::abs(state->point_sigma / state->corner_sigma / before - 1.0) > kSame;
 }
 
 }  // namespace markerless_mocap

@@ -18,10 +18,15 @@ struct CameraUncertainty {
 
 /// Standard deviations from the covariance of the adjustment (normal equations without the boards'
 /// poses). The scatter of the residuals of whole instants gives their scale, so that errors which a
-/// view's corners share count. Without known points the world is free: then positions and
-/// directions are relative to the mean of all cameras. \param offsets whether time offsets were
+/// view's corners share count. Known points count by their own noise. Lens coefficients that a
+/// model does without count as not known. Without known points the world is free: then positions
+/// and directions are relative to the mean of all cameras. \param offsets whether time offsets were
 /// estimated
 std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigState& state,
                                                const std::set<size_t>& held, bool offsets);
+
+/// Sets corner_sigma and point_sigma from the residuals. \return whether their ratio changed, so
+/// that an adjustment with points should be repeated
+bool estimateNoise(const Board& board, const std::set<size_t>& held, bool offsets, RigState* state);
 
 }  // namespace markerless_mocap

@@ -63,6 +63,12 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
   if (position.size() != 3)
     throw std::invalid_argument(path + ": position of point " + point.name + " is not x, y, z");
   point.position << position[0], position[1], position[2];
+  if (node["sigma"]) {
+    point.sigma = node["sigma"].as<double>();
+    if (!(point.sigma > 0 && point.sigma < 1000))
+      throw std::invalid_argument(path + ": sigma of point " + point.name +
+                                  " is not between 0 and 1000 pixels");
+  }
   for (const auto& entry : node["pixels"]) {
     const auto pixel = entry.second.as<std::vector<double>>();
     if (pixel.size() != 2)
