@@ -50,7 +50,7 @@ std::vector<KnownPoint> pointsByEye(const BoardScene& scene, double noise, unsig
   return points;
 }
 
-/// Cameras whose lens is known from `pictures` pictures, and whose place from points by eye.
+/// Cameras whose lens is known from pictures of a board, and whose place from points by eye.
 Honesty honestyOfPoints(double noise, double seconds, double rate) {
   Honesty honesty;
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -92,6 +92,7 @@ TEST(CalibrationHonesty, BoardSeenInASmallPartOfTheImage) {
     BoardScene scene;
     scene.addRing(4);
     scene.seed = seed;
+    scene.rate = 4;
     scene.board.square = 0.04;
     scene.board.marker = 0.03;
     CalibrationInput input = scene.input(40);
