@@ -107,6 +107,8 @@ class SilhouetteExtractor::Impl {
 
   int framesLearned() const { return frames_learned_; }
 
+  void learnBeside() { beside_ = true; }
+
  private:
   void checkImage(const cv::Mat& image) const;
   SilhouetteState stateAfter(const Extraction& found);
@@ -141,12 +143,18 @@ class SilhouetteExtractor::Impl {
 
   void addLive(const cv::Mat& image) {
     live_->add(image);
-    if (live_->isDue()) subtractor_ = makeSubtractor(options_, live_->learn());
+    if (live_->isDue() && beside_)
+      live_->learnBeside();
+    else if (live_->isDue())
+      subtractor_ = makeSubtractor(options_, live_->learn());
+    if (const std::optional<Background> better = live_->learned())
+      subtractor_ = makeSubtractor(options_, *better);
     if (live_->isDone()) live_.reset();
   }
 
   SilhouetteOptions options_;
   std::optional<LiveLearner> live_;         ///< as long as the background gets better
+  bool beside_ = false;                     ///< it is learned again beside the images
   std::unique_ptr<Subtractor> subtractor_;  ///< created at the first image
   Background loaded_;                       ///< background from a file or given; else empty
   int frames_learned_ = 0;
@@ -199,6 +207,10 @@ void SilhouetteExtractor::reset() {
 
 void SilhouetteExtractor::relearn() {
   impl_->relearn();
+}
+
+void SilhouetteExtractor::learnBeside() {
+  impl_->learnBeside();
 }
 
 int SilhouetteExtractor::framesLearned() const {

@@ -1,10 +1,9 @@
 #include "contour/measure/online_shape_estimator.h"
 
-#include <sys/resource.h>
-#include <tbb/task_arena.h>
-
 #include <chrono>
 #include <utility>
+
+#include "numerics/low_priority.h"
 
 namespace markerless_mocap {
 namespace {
@@ -56,15 +55,6 @@ ShapeParameters estimated(const CameraRig& rig, const ContourOptions& contour, S
     for (size_t i = 0; i < samples.size(); ++i) samples[i].start = estimate.poses[i];
   }
   return shape;
-}
-
-constexpr int kNiceness = 10;  // tracking has priority over the estimate
-
-/// Runs the function in a thread of low priority.
-template <class Function>
-auto unobtrusively(const Function& function) {
-  setpriority(PRIO_PROCESS, 0, kNiceness);  // of this thread only
-  return tbb::task_arena(1).execute(function);
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
       status_(handle, private_handle, "silhouette of " + camera_),
       background_(camera_, node_options, &extractor_, &status_),
       inputs_(handle, &status_) {
+  extractor_.learnBeside();
   publisher_ = handle.advertise<sensor_msgs::Image>(camera_ + "/silhouette", kPublisherQueue);
   compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(
       camera_ + "/silhouette/compressed", kPublisherQueue);

@@ -1,5 +1,9 @@
 #include "silhouette/recording/live_learner.h"
 
+#include <chrono>
+#include <utility>
+
+#include "numerics/low_priority.h"
 #include "silhouette/recording/first_images.h"
 #include "silhouette/recording/recording_background.h"
 
@@ -24,10 +28,32 @@ bool LiveLearner::isOccupied() const {
   return options_.background == "recording" || showMotion(sampler_.motion());
 }
 
+void LiveLearner::schedule(const Background& background) {
+  if (!background.hasUnknown()) next_ = last_ + 1;
+}
+
 Background LiveLearner::learn() {
   next_ *= 2;
   Background background = learnFromRecording(sampler_.samples(options_.compensate_flicker));
-  if (!background.hasUnknown()) next_ = last_ + 1;
+  schedule(background);
+  return background;
+}
+
+void LiveLearner::learnBeside() {
+  next_ *= 2;
+  if (learning_.valid()) return;
+  learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_] {
+    return unobtrusively(
+        [&] { return learnFromRecording(sampler.samples(options.compensate_flicker)); });
+  });
+}
+
+std::optional<Background> LiveLearner::learned() {
+  if (!learning_.valid() ||
+      learning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  Background background = learning_.get();
+  schedule(background);
   return background;
 }
 

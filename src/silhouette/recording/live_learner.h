@@ -1,5 +1,8 @@
 #pragma once
 
+#include <future>
+#include <optional>
+
 #include "markerless_mocap/silhouette/silhouette_options.h"
 #include "silhouette/background/background.h"
 #include "silhouette/recording/scene_samples.h"
@@ -20,13 +23,22 @@ class LiveLearner {
   /// Whether the background should be learned again now.
   bool isDue() const { return sampler_.seen() == next_; }
   /// Whether it need not be learned again.
-  bool isDone() const { return next_ > last_; }
+  bool isDone() const { return next_ > last_ && !learning_.valid(); }
   Background learn();
+  /// The same in a thread of low priority, as it takes as long as some images; nothing happens if
+  /// that still runs.
+  void learnBeside();
+  /// What learnBeside() has found; empty if it has found nothing new yet.
+  std::optional<Background> learned();
 
  private:
+  /// When to learn again.
+  void schedule(const Background& background);
+
   SilhouetteOptions options_;
   SceneSampler sampler_;
   int next_, last_;  ///< numbers of images
+  std::future<Background> learning_;
 };
 
 }  // namespace markerless_mocap
