@@ -1,8 +1,10 @@
 /// Backgrounds of recordings in which nobody leaves the scene.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <thread>
 
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "markerless_mocap/silhouette/background_picture.h"
@@ -251,6 +253,24 @@ TEST(SilhouetteExtractor, LiveBackgroundIsFilledInAsThePersonMoves) {
   for (; frame < 130; ++frame) late = extractor.update(walkerImage(scene, frame % kFrames));
   EXPECT_LT(late.unknown_fraction, 0.005);
   EXPECT_GT(iou(late.mask == kPersonPixel, exactMask(walker((frame - 1) % kFrames))), 0.95);
+}
+
+TEST(SilhouetteExtractor, LiveBackgroundIsLearnedAgainBesideTheImages) {
+  const cv::Mat scene = makeScene(3);
+  SilhouetteOptions options;
+  options.follow_changes = false;  // nothing else makes the background known
+  SilhouetteExtractor extractor{options};
+  extractor.learnBeside();
+  for (int frame = 0; frame < 31; ++frame)
+    extractor.update(withNoise(withPerson(scene, swayer(frame)), frame));
+  double unknown = 1.0;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  for (int frame = 31; unknown > 0.005 && std::chrono::steady_clock::now() < end; ++frame) {
+    unknown = extractor.update(walkerImage(scene, frame % kFrames)).unknown_fraction;
+    if (frame == 32) EXPECT_GT(unknown, 0.05);
+    if (frame > 130) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_LT(unknown, 0.005);
 }
 
 TEST(SilhouetteExtractor, UnknownPixelsAreSavedWithTheBackground) {
