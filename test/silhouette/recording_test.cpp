@@ -267,7 +267,9 @@ TEST(SilhouetteExtractor, LiveBackgroundIsLearnedAgainBesideTheImages) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   for (int frame = 31; unknown > 0.005 && std::chrono::steady_clock::now() < end; ++frame) {
     unknown = extractor.update(walkerImage(scene, frame % kFrames)).unknown_fraction;
-    if (frame == 32) EXPECT_GT(unknown, 0.05);
+    if (frame == 32) {
+      EXPECT_GT(unknown, 0.05);
+    }
     if (frame > 130) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   EXPECT_LT(unknown, 0.005);
