@@ -149,6 +149,22 @@ TEST(CatchUpQueue, WhoFallsBehindGetsTheNewestUntilNoneIsLeft) {
   EXPECT_EQ(queue.droppedCount(), 6u);
 }
 
+TEST(CatchUpQueue, ThinnedOutItLeadsToTheNewestWithoutALargeGap) {
+  CatchUpQueue<int> queue(100);
+  const auto near = [](int one, int other) { return other - one <= 8; };
+  for (int i = 0; i < 60; ++i) {
+    queue.push(i);
+    queue.thinOut(3, near);
+  }
+  std::vector<int> left;
+  while (queue.waitingCount() > 0) left.push_back(*queue.take());
+  EXPECT_EQ(left.front(), 0);
+  EXPECT_EQ(std::vector<int>(left.end() - 3, left.end()), (std::vector<int>{57, 58, 59}));
+  for (size_t i = 1; i < left.size(); ++i) EXPECT_LE(left[i] - left[i - 1], 8);
+  EXPECT_LE(left.size(), 60 / 8 + 4u);
+  EXPECT_EQ(queue.droppedCount(), 60 - left.size());
+}
+
 TEST(CatchUpQueue, WhoHasHadToWaitHasCaughtUp) {
   CatchUpQueue<int> queue(3);
   for (int i = 0; i < 6; ++i) queue.push(i);

@@ -36,6 +36,22 @@ class CatchUpQueue {
     return item;
   }
 
+  /// While a long item is processed: drops items amid others that are near enough to each other, so
+  /// that few wait, but without a large gap between two of them. The newest ones stay.
+  /// \param near_enough whether none is needed between two items, bool(const Item&, const Item&)
+  template <class NearEnough>
+  void thinOut(size_t newest, const NearEnough& near_enough) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (size_t i = 1; i + newest < waiting_.size();) {
+      if (!near_enough(waiting_[i - 1], waiting_[i + 1])) {
+        ++i;
+        continue;
+      }
+      waiting_.erase(waiting_.begin() + long(i));
+      ++dropped_;
+    }
+  }
+
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     closed_ = true;

@@ -19,13 +19,16 @@
 namespace markerless_mocap {
 namespace {
 
-// Frame sets that wait during a long search, 3 s at 30 per second. All of them are processed,
-// because each pose depends on the last one; a gap would need another search. Fewer if a frame set
-// contains images (10 MB). Where images are used for their colours only, those behind that many
-// frame sets go without.
+// Frame sets that wait, 3 s at 30 per second. All of them are processed, but for those behind a
+// search, because each pose depends on the last one; a gap would need another search. Fewer if a
+// frame set contains images (10 MB). Where images are used for their colours only, those behind
+// that many frame sets go without.
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
+// Of the frame sets behind a search, those are kept that lead from its pose to the newest ones.
+constexpr double kLargestLeap = 0.25;            // s, a tracker follows a person over it
+constexpr size_t kNewest = 3;                    // of which none is left out
 constexpr int64_t kLargestStep = 2'000'000'000;  // ns
 constexpr int64_t kLargestPeriod = 500'000'000;  // ns
 constexpr double kLongestSilence = 2.0;          // s of the wall clock, then nobody is announced
@@ -99,6 +102,10 @@ void FittingStage::enqueue(FittingMessages input) {
     input.images.clear();
   answerLate(input.header);
   queue_.push(std::move(input));
+  if (searches_)
+    queue_.thinOut(kNewest, [](const FittingMessages& one, const FittingMessages& other) {
+      return (other.header.stamp - one.header.stamp).toSec() < kLargestLeap;
+    });
 }
 
 // Following takes less than a period, a search as long as many. While frame sets wait behind one,
@@ -127,7 +134,7 @@ void FittingStage::work() {
     const double fitting = (ros::WallTime::now() - start).toSec();
     if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
     if (answer(pose, *input)) reportTimes(fitting);
-    if (queue_.waitingCount() == 0) searches_ = false;
+    if (queue_.waitingCount() <= kNewest) searches_ = false;
   }
 }
 
