@@ -31,16 +31,18 @@ double overlapOf(const std::vector<cv::Mat>& masks, const std::vector<cv::Mat>& 
   int views = 0;
   for (size_t i = 0; i < masks.size(); ++i) {
     if (masks[i].empty() || others[i].empty()) continue;
-    const int either = cv::countNonZero(masks[i] | others[i]);
-    sum += either ? double(cv::countNonZero(masks[i] & others[i])) / either : 0.0;
+    const cv::Mat one = personPixels(masks[i]), other = personPixels(others[i]);
+    const int either = cv::countNonZero(one | other);
+    sum += either ? double(cv::countNonZero(one & other)) / either : 0.0;
     ++views;
   }
   return views ? sum / views : 0.0;
 }
 
 /// Those candidates that touch the person or each other: a limb is attached to the body.
-cv::Mat attached(const cv::Mat& person, const cv::Mat& candidates) {
-  if (person.empty() || candidates.empty()) return candidates;
+cv::Mat attached(const cv::Mat& mask, const cv::Mat& candidates) {
+  if (mask.empty() || candidates.empty()) return candidates;
+  const cv::Mat person = personPixels(mask);
   const int across = std::max(5, person.cols / kWidthPerDisk | 1);
   const cv::Mat disk = cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across});
   cv::Mat found, all, labels;
