@@ -37,6 +37,7 @@ class ContourTracker : public BodyTracker {
   struct Frame {
     int64_t stamp_ns;
     ProductSource& products;
+    bool behind;
     RegionFrame regions;
   };
   BodyPose updateFrom(const Frame& now);

@@ -164,6 +164,13 @@ TEST_F(BodyMeasurerTest, OneWhoHardlyMovesIsMeasuredFromFewerPosesAfterAWhile) {
   EXPECT_TRUE(measurer.isEstimating());
   EXPECT_EQ(measurer.poses(), 10);
 
+  OnlineShapeEstimator doubted = this->measurer(false, 30);
+  for (int i = 0; i < 8; ++i) count(310 * i, fit, doubted);
+  doubted.skip(4'990'000'000);
+  EXPECT_FALSE(doubted.isEstimating());
+  doubted.skip(5'010'000'000);
+  EXPECT_TRUE(doubted.isEstimating()) << "no pose has been believed for some time";
+
   OnlineShapeEstimator rare = this->measurer(false, 30);
   for (int i = 0; i < 7; ++i) count(1000 * i, fit, rare);
   EXPECT_FALSE(rare.isEstimating()) << "seven are too few even after 6 s";

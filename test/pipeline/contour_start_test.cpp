@@ -61,7 +61,7 @@ class ContourStartTest : public testing::Test {
   void make() { tracker = makeBodyTracker(drawnRig(5), resources, options); }
   BodyPose show(int frame, const std::vector<cv::Mat>& masks, const PoseTree& tree) {
     ReadyProducts products({hull, parts, tree});
-    return tracker->update({(frame + 1) * kFrame_ns, masks, {}, products});
+    return tracker->update({(frame + 1) * kFrame_ns, masks, {}, products, behind, images_awaited});
   }
   double error(const BodyPose& pose, int frame) const {
     return errorOf(*tracker->body()->model, pose, frame);
@@ -71,6 +71,7 @@ class ContourStartTest : public testing::Test {
   TrackerOptions options;
   VisualHull hull;  // empty, and so are the parts: the tree and the masks must do
   BodyParts parts;
+  bool behind = false, images_awaited = false;
   std::unique_ptr<BodyTracker> tracker;
 };
 
@@ -84,6 +85,29 @@ TEST_F(ContourStartTest, SpoiltMasksAreBelievedWhenALaterInstantShowsTheSame) {
   EXPECT_EQ(pose.status, PoseStatus::kReinitialized) << pose.reason;
   EXPECT_LT(error(pose, 4), 0.04);
   EXPECT_EQ(show(5, spoilt(5), PoseTree{}).status, PoseStatus::kTracked) << "decided once";
+}
+
+TEST_F(ContourStartTest, WhileNewerInstantsWaitNobodyIsLookedForAgain) {
+  make();
+  EXPECT_EQ(show(0, spoilt(0), rightTree(0)).reason, kOnce);
+  behind = true;
+  for (const int frame : {1, 2, 3, 4, 5, 6})
+    EXPECT_EQ(show(frame, spoilt(frame), rightTree(frame)).reason, kOnce) << frame;
+  behind = false;
+  EXPECT_EQ(show(7, spoilt(7), rightTree(7)).status, PoseStatus::kReinitialized)
+      << "put off, but not forgotten";
+}
+
+TEST_F(ContourStartTest, AStartWaitsForImagesThatHaveBeenAskedForAndFollowingDoesNot) {
+  make();
+  images_awaited = true;
+  const BodyPose pose = show(0, masksAt(0), rightTree(0));
+  EXPECT_EQ(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "images of cameras whose background is not known have been asked for");
+  images_awaited = false;
+  EXPECT_EQ(show(1, masksAt(1), rightTree(1)).status, PoseStatus::kReinitialized);
+  images_awaited = true;
+  EXPECT_EQ(show(2, masksAt(2), PoseTree{}).status, PoseStatus::kTracked);
 }
 
 TEST_F(ContourStartTest, AWrongStartIsLeftForABetterOneAndNeverClaimed) {

@@ -18,6 +18,8 @@ struct TrackerInput {
       masks;  ///< by camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   const std::vector<cv::Mat>& images;  ///< by camera, grey or BGR; empty where missing
   ProductSource& products;
+  bool behind = false;  ///< newer frames wait: what is not needed to follow the person is put off
+  bool images_awaited = false;  ///< images that are missing here will come with later frames
 };
 
 /// Tracks the pose of one person over time. Every tracking method implements this interface. Not

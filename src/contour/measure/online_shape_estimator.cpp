@@ -84,8 +84,12 @@ void OnlineShapeEstimator::add(int64_t stamp_ns, const ContourObservation& seen,
   last_points_ = points;
   last_stamp_ns_ = stamp_ns;
   if (samples_.size() == 1) first_stamp_ns_ = stamp_ns;
-  const bool patient = stamp_ns - first_stamp_ns_ < kMaxWait_ns || samples_.size() < kMinPoses;
-  if (samples_.size() >= poses_ || !patient) estimateNow();
+  if (samples_.size() >= poses_) estimateNow();
+  skip(stamp_ns);
+}
+
+void OnlineShapeEstimator::skip(int64_t stamp_ns) {
+  if (samples_.size() >= kMinPoses && stamp_ns - first_stamp_ns_ >= kMaxWait_ns) estimateNow();
 }
 
 void OnlineShapeEstimator::estimateNow() {

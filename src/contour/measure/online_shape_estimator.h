@@ -24,6 +24,8 @@ class OnlineShapeEstimator {
   /// estimate starts as soon as there are enough poses, or after some seconds with fewer.
   void add(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
            const ContourFit& fit);
+  /// A frame whose pose is not to be added has passed.
+  void skip(int64_t stamp_ns);
   /// Estimates from the frames added so far, if there are any.
   void estimateNow();
   /// Number of frames added so far.

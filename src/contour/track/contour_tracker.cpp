@@ -38,6 +38,10 @@ constexpr double kMinOverlap = 0.72;
 // his desk, of whom little is seen, has 0.45 to 0.69.
 constexpr double kMinAgreement = 0.75, kLostAgreement = 0.5;
 
+// Without them a search finds little, and takes as long.
+const char* const kImagesAwaited =
+    "images of cameras whose background is not known have been asked for";
+
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
 
@@ -181,6 +185,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   }
   if (needsCheck(now)) active = check(now, active);
   accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
+  if (now.behind) return active;
   searchLimbs(now, found, active);
   reconsider(now, found.seen, active.track);
   return active;
@@ -191,10 +196,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
   stamp_ = now.stamp_ns;
   const bool follows = hypotheses_.predict(now.stamp_ns).has_value();
-  if (!follows && restsFromSearching(now)) {
+  if (!follows && (now.images_awaited || restsFromSearching(now))) {
     still_contours_.watch(now.stamp_ns, now.images, now.masks);
     BodyPose still_lost;
-    still_lost.reason = lost_reason_;
+    still_lost.reason = now.images_awaited ? kImagesAwaited : lost_reason_;
     return still_lost;
   }
   const auto hull = [&]() -> const VisualHull& {
@@ -202,7 +207,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   };
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
-  return updateFrom({now.stamp_ns, now.products, {now.images, masks}});
+  return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}});
 }
 
 bool ContourTracker::restsFromSearching(const TrackerInput& now) const {

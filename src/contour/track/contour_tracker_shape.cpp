@@ -50,6 +50,8 @@ std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
   BodyPose pose;
   if (isBelieved() && hypotheses_.isUnambiguous())
     shape_estimator_->add(stamp_ns, seen, *contour_body_, fit);
+  else
+    shape_estimator_->skip(stamp_ns);
   if (useEstimatedShape()) {
     pose.reason = "the body has just been measured";  // the pose belongs to the old body
     return pose;

@@ -11,6 +11,7 @@ namespace {
 
 // Default postures are tried if the proposals have a lower quality.
 constexpr double kPoorQuality = 0.86;
+constexpr size_t kMaxProposals = 12;  // that are worth being tried with several statures
 
 // A search costs as much as following the person over many frames. After one the next waits for
 // this fraction of the time since the first, up to the last value.
@@ -39,7 +40,7 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
   if (const auto of_tree = poseFromPoseTree(made.tree)) poses.push_back(*of_tree);
   if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
     for (const ContourPose& posture : defaultPostures(made.hull)) poses.push_back(posture);
-  return poses;
+  return hypotheses_.promising(seen, *contour_body_, poses, kMaxProposals);
 }
 
 std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observer, const Frame& now,
@@ -102,7 +103,7 @@ ActiveTrack ContourTracker::start(const Frame& now) {
 }
 
 bool ContourTracker::needsCheck(const Frame& now) const {
-  if (now.stamp_ns < next_check_ns_) return false;
+  if (now.behind || now.stamp_ns < next_check_ns_) return false;
   return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks &&
                         color_confirmations_ < kColorConfirmations);
 }

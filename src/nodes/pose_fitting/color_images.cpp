@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include <cstdlib>
 #include <exception>
 #include <utility>
 
@@ -10,9 +11,10 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 16;              // callbacks only store messages
-constexpr size_t kMaxImages = 64;            // per camera; it covers the delay of the stages
-constexpr int64_t kKeep_ns = 3'000'000'000;  // subscribing anew takes time at the ROS master
+constexpr uint32_t kQueue = 16;                // callbacks only store messages
+constexpr size_t kMaxImages = 64;              // per camera; it covers the delay of the stages
+constexpr int64_t kKeep_ns = 3'000'000'000;    // subscribing anew takes time at the ROS master
+constexpr int64_t kPatience_ns = 500'000'000;  // with a camera that sends no images
 
 }  // namespace
 
@@ -26,13 +28,22 @@ ColorImages::ColorImages(std::vector<std::string> cameras, std::string transport
       demand_(cameras_.size(), kKeep_ns),
       images_(cameras_.size(), kMaxImages),
       known_to_be_color_(cameras_.size()),
-      subscribers_(cameras_.size()) {}
+      subscribers_(cameras_.size()),
+      asked_ns_(cameras_.size()) {}
 
 void ColorImages::noteMask(size_t camera, int64_t stamp_ns, bool unknown) {
   if (unknown) demand_.noteUnknown(camera, stamp_ns);
   const bool needed = demand_.isNeeded(camera, stamp_ns);
-  if (needed && !subscribers_[camera]) subscribe(camera);
+  if (needed && !subscribers_[camera]) {
+    asked_ns_[camera] = stamp_ns;
+    subscribe(camera);
+  }
   if (!needed && subscribers_[camera]) unsubscribe(camera);
+}
+
+bool ColorImages::areAwaited(size_t camera, int64_t stamp_ns) const {
+  return asked_ns_[camera] && std::abs(stamp_ns - *asked_ns_[camera]) < kPatience_ns &&
+         demand_.isNeeded(camera, stamp_ns);
 }
 
 bool ColorImages::mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns,
@@ -44,6 +55,7 @@ bool ColorImages::mayStillCome(size_t camera, int64_t stamp_ns, int64_t toleranc
 void ColorImages::receive(size_t camera, const CameraImage& image) {
   const int64_t stamp_ns = nanosecondsOf(image.header().stamp);
   const bool color = isColor(camera, image);
+  asked_ns_[camera].reset();
   if (!demand_.isNeeded(camera, stamp_ns)) {  // masks may have stopped
     unsubscribe(camera);
     return;

@@ -2,7 +2,9 @@
 
 #include <ros/subscriber.h>
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,8 @@ class ColorImages {
   bool isNeeded(size_t camera, int64_t stamp_ns) const {
     return demand_.isNeeded(camera, stamp_ns);
   }
+  /// True for a short time after the first images have been asked for: none has come yet.
+  bool areAwaited(size_t camera, int64_t stamp_ns) const;
   /// True if the image of this time is needed and may still arrive.
   bool mayStillCome(size_t camera, int64_t stamp_ns, int64_t tolerance_ns,
                     int64_t max_behind_ns) const;
@@ -48,6 +52,8 @@ class ColorImages {
   StampCache<CameraImage> images_;
   std::vector<bool> known_to_be_color_;       ///< by camera
   std::vector<ros::Subscriber> subscribers_;  ///< by camera
+  /// By camera: stamp of the mask that asked for images, until one comes.
+  std::vector<std::optional<int64_t>> asked_ns_;
 };
 
 }  // namespace markerless_mocap

@@ -170,6 +170,8 @@ void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
   }
   noteUse(camera, bool(mask), refusal);
   input->masks.push_back(mask);
+  if (mask && colors_ && colors_->areAwaited(camera, nanosecondsOf(mask->header.stamp)))
+    input->images_awaited = true;
   if (needs_.images || colors_)
     input->images.push_back(mask ? takeImage(camera, *mask) : CameraImage());
 }

@@ -32,6 +32,8 @@ struct FittingMessages {
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
+  bool behind = false;              ///< newer frame sets wait
+  bool images_awaited = false;      ///< images that it lacks will come with later frame sets
 };
 
 /// Subscribes to all inputs of pose fitting. For a method that needs masks, silhouettes are joined

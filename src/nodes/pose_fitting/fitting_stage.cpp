@@ -121,7 +121,7 @@ void FittingStage::answerLate(const std_msgs::Header& newest) {
 }
 
 void FittingStage::work() {
-  while (const std::optional<FittingMessages> input = queue_.take()) {
+  while (std::optional<FittingMessages> input = queue_.take()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!runs_) {
       status_.ok("stopped by the service set_running");
@@ -129,6 +129,7 @@ void FittingStage::work() {
       answers_.take(input->header);
       continue;
     }
+    input->behind = queue_.waitingCount() > kNewest;
     const ros::WallTime start = ros::WallTime::now();
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();

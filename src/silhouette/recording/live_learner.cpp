@@ -1,6 +1,7 @@
 #include "silhouette/recording/live_learner.h"
 
 #include <chrono>
+#include <mutex>
 #include <utility>
 
 #include "numerics/low_priority.h"
@@ -43,6 +44,8 @@ void LiveLearner::learnBeside() {
   next_ *= 2;
   if (learning_.valid()) return;
   learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_] {
+    static std::mutex one_camera_after_another;
+    const std::lock_guard lock(one_camera_after_another);
     return unobtrusively(
         [&] { return learnFromRecording(sampler.samples(options.compensate_flicker)); });
   });
