@@ -8,6 +8,7 @@
 #include "contour/contour_urdf_converter.h"
 #include "contour/measure/online_shape_estimator.h"
 #include "contour/regions/region_search.h"
+#include "contour/track/color_check.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
 #include "contour/track/still_contours.h"
 #include "markerless_mocap/contour/contour_options.h"
@@ -73,9 +74,7 @@ class ContourTracker : public BodyTracker {
   /// The masks, or colours around the predicted pose.
   RegionObservation observe(const Frame& now) const;
   /// Where the background is not known: the most promising poses, fitted to colours; best first.
-  /// \param rival see searchByColor()
-  std::vector<RegionFit> fitsByColor(const RegionObserver& observer, const Frame& now,
-                                     const Search& search, double rival) const;
+  std::vector<RegionFit> fitsByColor(const Frame& now, const Search& search) const;
   /// Replaces the poses by the most promising one that colours show, if there is one.
   void findByColor(const Frame& now, Search& search);
   /// True if the pose of a start is to be compared with that of another start now.
@@ -83,6 +82,13 @@ class ContourTracker : public BodyTracker {
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
   ActiveTrack check(const Frame& now, const ActiveTrack& active);
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);
+  /// Asks whether colours show another pose; none of those that were learned count.
+  ColorQuestion question(const Frame& now, const ContourPose& pose);
+  /// Takes up what a check in another thread has found, if it has ended.
+  ActiveTrack takeCheck(const Frame& now, const ActiveTrack& active);
+  /// Confirms the pose or replaces it.
+  ActiveTrack settle(const Frame& now, const ActiveTrack& active,
+                     const std::optional<RegionFit>& found);
   /// True if a pose that was found by a search may be reported.
   bool isAccepted(const ContourObservation& seen, const ContourFit& fit) const;
   /// True if the pose has been accepted and the silhouettes of this frame set do not contradict it.
@@ -117,6 +123,7 @@ class ContourTracker : public BodyTracker {
   std::string lost_reason_;                         ///< of the last start
   int color_checks_ = 0, color_confirmations_ = 0;  ///< since the last start
   int64_t limb_search_interval_ns_ = 0;  ///< to the next search if this one has no success
+  ColorCheck color_check_;
   std::optional<OnlineShapeEstimator> shape_estimator_;
   std::shared_ptr<const TrackedBody> body_;
   std::optional<ContourBody> contour_body_;        ///< with the shape of body_

@@ -142,6 +142,13 @@ RegionFrame::RegionFrame(const std::vector<cv::Mat>& images, const std::vector<c
   });
 }
 
+RegionFrame RegionFrame::clone() const {
+  RegionFrame out = *this;
+  for (cv::Mat& mask : out.masks) mask = mask.clone();
+  for (RegionView& view : out.views) view = {view.step, view.colors.clone(), view.known.clone()};
+  return out;
+}
+
 bool RegionFrame::needsColors() const {
   return std::any_of(views.begin(), views.end(),
                      [](const RegionView& view) { return !view.colors.empty(); });

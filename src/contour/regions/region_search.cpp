@@ -129,4 +129,13 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   return out;
 }
 
+std::vector<RegionFit> searchProposalsByColor(
+    const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+    const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
+    const ContourObservation& seen, const std::vector<ContourPose>& proposals, double rival) {
+  std::vector<ContourPose> starts;
+  for (const ContourFit& fit : tracker.bestFits(seen, body, proposals)) starts.push_back(fit.pose);
+  return searchByColor(observer, tracker, frame, hull, body, starts, rival);
+}
+
 }  // namespace markerless_mocap

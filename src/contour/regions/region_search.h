@@ -29,6 +29,12 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourBody& body, const std::vector<ContourPose>& poses,
                                      double rival = 0.0);
 
+/// The same from the most promising of many poses. \param seen what they are judged by
+std::vector<RegionFit> searchProposalsByColor(
+    const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+    const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
+    const ContourObservation& seen, const std::vector<ContourPose>& proposals, double rival = 0.0);
+
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
 /// \return empty if they are not better
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,

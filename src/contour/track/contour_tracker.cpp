@@ -67,6 +67,7 @@ ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
 }
 
 void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
+  color_check_.forget();
   body_ = std::move(body);
   contour_body_.emplace(body_->shape);
   converter_.emplace(body_->model);
@@ -75,6 +76,7 @@ void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
 
 void ContourTracker::reset() {
   hypotheses_.lose();
+  color_check_.forget();
   still_contours_.reset();
   reconsider_until_ns_ = next_check_ns_ = next_reconsideration_ns_ = 0;
   next_limb_search_ns_ = limb_search_interval_ns_ = next_start_ns_ = next_learning_ns_ = 0;
@@ -183,6 +185,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     reported_ = false;
     return active;
   }
+  if (!now.behind) active = takeCheck(now, active);
   if (needsCheck(now)) active = check(now, active);
   accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
   if (now.behind) return active;

@@ -25,7 +25,6 @@ constexpr int64_t kCheckInterval_ns = 50000000;
 constexpr int64_t kFirstColorCheck_ns = 100000000;
 constexpr int kColorChecks = 4;         // at most
 constexpr int kColorConfirmations = 2;  // in a row are enough
-constexpr double kMinCheckGain = 0.01;  // of the score
 
 }  // namespace
 
@@ -43,23 +42,19 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
   return hypotheses_.promising(seen, *contour_body_, poses, kMaxProposals);
 }
 
-std::vector<RegionFit> ContourTracker::fitsByColor(const RegionObserver& observer, const Frame& now,
-                                                   const Search& search, double rival) const {
-  std::vector<ContourPose> starts;
-  for (const ContourFit& fit :
-       hypotheses_.bestFits(search.found.seen, *contour_body_, search.poses))
-    starts.push_back(fit.pose);
-  return searchByColor(observer, hypotheses_, now.regions, now.products.ofThisFrame().hull,
-                       *contour_body_, starts, rival);
+std::vector<RegionFit> ContourTracker::fitsByColor(const Frame& now, const Search& search) const {
+  return searchProposalsByColor(observer_, hypotheses_, now.regions,
+                                now.products.ofThisFrame().hull, *contour_body_, search.found.seen,
+                                search.poses);
 }
 
 // Colours find the pose of a body whose stature is about right, and a pose tells the stature better
 // than proposals do. So the stature comes first only if no pose of the usual body is found.
 void ContourTracker::findByColor(const Frame& now, Search& search) {
-  std::vector<RegionFit> fits = fitsByColor(observer_, now, search, 0.0);
+  std::vector<RegionFit> fits = fitsByColor(now, search);
   if (fits.empty() && shape_estimator_) {
     initializeStature(now, search.poses);
-    fits = fitsByColor(observer_, now, search, 0.0);
+    fits = fitsByColor(now, search);
   }
   if (fits.empty()) return;
   search.poses.clear();
@@ -75,6 +70,7 @@ void ContourTracker::scheduleStart(const Frame& now) {
       now.stamp_ns + restAfterSearch(now.stamp_ns, by_color ? 2 * kFirstColorCheck_ns : 0);
   next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kCheckInterval_ns);
   color_checks_ = color_confirmations_ = 0;
+  color_check_.forget();
 }
 
 int64_t ContourTracker::restAfterSearch(int64_t stamp_ns, int64_t least_ns) const {
@@ -103,7 +99,7 @@ ActiveTrack ContourTracker::start(const Frame& now) {
 }
 
 bool ContourTracker::needsCheck(const Frame& now) const {
-  if (now.behind || now.stamp_ns < next_check_ns_) return false;
+  if (now.behind || now.stamp_ns < next_check_ns_ || color_check_.isBusy()) return false;
   return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks &&
                         color_confirmations_ < kColorConfirmations);
 }
@@ -121,33 +117,54 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   return best;
 }
 
-// Colours that were learned at a wrong pose speak for it, so both poses are judged without them.
 ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& active) {
   next_check_ns_ = now.stamp_ns + (kFirstColorCheck_ns << std::min(++color_checks_, kColorChecks));
-  const RegionObserver observer = observer_.withoutColors();
+  ColorQuestion question = this->question(now, active.track.fit.pose);
+  if (!resources_.in_background) return settle(now, active, answered(question));
+  question.frame = question.frame.clone();  // the messages end with this frame
+  color_check_.ask(std::move(question));
+  return active;
+}
+
+ColorQuestion ContourTracker::question(const Frame& now, const ContourPose& pose) {
+  RegionObserver observer = observer_.withoutColors();
   const VisualHull& hull = now.products.ofThisFrame().hull;
-  Search search{observer.observeLargest(now.regions, hull), {}};
-  search.poses = proposals(now, search.found.seen);
+  std::vector<ContourPose> proposed =
+      proposals(now, observer.observeLargest(now.regions, hull).seen);
+  return {std::move(observer), hypotheses_, now.regions,        hull,
+          *contour_body_,      pose,        std::move(proposed)};
+}
+
+// What was right some frames ago proposes a pose of this frame; colours decide between both.
+ActiveTrack ContourTracker::takeCheck(const Frame& now, const ActiveTrack& active) {
+  const std::optional<ColorCheck::Answer> answer = color_check_.answer();
+  if (!answer || !answer->found) return active;
   const ContourPose& pose = active.track.fit.pose;
-  std::vector<RegionFit> fits =
-      searchByColor(observer, hypotheses_, now.regions, hull, *contour_body_,
-                    {pose, withLegsSwapped(*contour_body_, pose)});
-  const std::vector<RegionFit> others =
-      fitsByColor(observer, now, search, fits.empty() ? 0.0 : fits.front().score());
-  if (!others.empty() &&
-      (fits.empty() || others.front().score() > fits.front().score() + kMinCheckGain))
-    fits = others;
-  if (fits.empty()) return active;
-  const RegionFit& best = fits.front();
-  if (!limbsDiffer(*contour_body_, best.fit.pose, active.track.fit.pose)) {
+  if (!limbsDiffer(*contour_body_, answer->found->fit.pose, answer->asked))
+    return settle(now, active, RegionFit{{}, active.track.fit});
+  const ContourPose rival = broughtForward(answer->found->fit.pose, answer->asked, pose);
+  return settle(now, active,
+                answered({observer_.withoutColors(),
+                          hypotheses_,
+                          now.regions,
+                          now.products.newestHull(),
+                          *contour_body_,
+                          pose,
+                          {rival}}));
+}
+
+ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,
+                                   const std::optional<RegionFit>& found) {
+  if (!found) return active;
+  if (!limbsDiffer(*contour_body_, found->fit.pose, active.track.fit.pose)) {
     hypotheses_.confirm();
     ++color_confirmations_;
     return active;
   }
   color_confirmations_ = 0;
   observer_.reset();
-  take(best.found);
-  return hypotheses_.startFrom(now.stamp_ns, best.fit);
+  take(found->found);
+  return hypotheses_.startFrom(now.stamp_ns, found->fit);
 }
 
 }  // namespace markerless_mocap

@@ -1,0 +1,68 @@
+#include "contour/track/color_check.h"
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "numerics/low_priority.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kMinGain = 0.01;       // of the score
+constexpr double kOtherRotation = 0.3;  // radians; a joint that differs by more was wrong
+
+double angleBetween(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other) {
+  return Eigen::AngleAxisd(one.transpose() * other).angle();
+}
+
+}  // namespace
+
+std::optional<RegionFit> answered(const ColorQuestion& question) {
+  const auto& [observer, tracker, frame, hull, body, pose, proposals] = question;
+  std::vector<RegionFit> fits =
+      searchByColor(observer, tracker, frame, hull, body, {pose, withLegsSwapped(body, pose)});
+  const ContourObservation seen = observer.observeLargest(frame, hull).seen;
+  std::vector<RegionFit> others =
+      searchProposalsByColor(observer, tracker, frame, hull, body, seen, proposals,
+                             fits.empty() ? 0.0 : fits.front().score());
+  if (!others.empty() && (fits.empty() || others.front().score() > fits.front().score() + kMinGain))
+    fits = std::move(others);
+  if (fits.empty()) return std::nullopt;
+  return std::move(fits.front());
+}
+
+void ColorCheck::ask(ColorQuestion question) {
+  forgotten_ = false;
+  answer_ = std::async(std::launch::async, [question = std::move(question)] {
+    return unobtrusively([&] { return Answer{question.pose, answered(question)}; });
+  });
+}
+
+std::optional<ColorCheck::Answer> ColorCheck::answer() {
+  if (!answer_.valid() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  Answer answer = answer_.get();
+  if (std::exchange(forgotten_, false)) return std::nullopt;
+  return answer;
+}
+
+ContourPose broughtForward(const ContourPose& found, const ContourPose& asked,
+                           const ContourPose& now) {
+  ContourPose out = now;
+  out.position += found.position - asked.position;
+  for (size_t i = 0; i < out.rotations.size(); ++i)
+    if (angleBetween(found.rotations[i], asked.rotations[i]) > kOtherRotation)
+      out.rotations[i] = found.rotations[i];
+  // The body may have turned since.
+  constexpr size_t kRoot = SphericalJoint::kRoot;
+  out.rotations[kRoot] =
+      now.rotations[kRoot] * asked.rotations[kRoot].transpose() * found.rotations[kRoot];
+  for (size_t i = 0; i < out.angles.size(); ++i)
+    if (std::abs(found.angles[i] - asked.angles[i]) > kOtherRotation)
+      out.angles[i] = found.angles[i];
+  return out;
+}
+
+}  // namespace markerless_mocap
