@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "camera/camera_difference.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
 
@@ -17,7 +18,7 @@ bool sameCalibration(const sensor_msgs::CameraInfo& a, const sensor_msgs::Camera
 }
 
 constexpr double kSettled = 0.5;   // s that a change must stay
-constexpr double kMoving = 3.0;    // s until a camera that does not come to rest is told
+constexpr double kMoving = 3.0;    // s until a camera that shakes is told
 constexpr int kMaxWanderings = 8;  // changes
 constexpr double kMoved = 1e-3;    // m
 constexpr double kTurned = 5e-4;   // rad; a tenth of a pixel in most cameras
@@ -52,8 +53,9 @@ RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_f
       world_frame_(std::move(world_frame)),
       infos_(cameras_.size()),
       candidates_(cameras_.size()),
-      wanderings_(cameras_.size(), 0),
+      wanderings_(cameras_.size()),
       placed_(cameras_.size()),
+      doubts_(cameras_.size()),
       image_sizes_(cameras_.size(), {0, 0}) {
   if (rig_file.empty()) return;
   const std::vector<CameraCalibration> rig = readRig(rig_file);
@@ -87,8 +89,8 @@ bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
   if (sameCalibration(*known, info)) {
     candidate.reset();
   } else if (!candidate || !sameCalibration(candidate->info, info)) {
-    candidate = Candidate{info, std::nullopt, false};
-    ++wanderings_[camera];
+    candidate = Candidate{info, std::nullopt, false, false};
+    ++wanderings_[camera].changes;
   }
   return false;
 }
@@ -118,14 +120,21 @@ std::string RigCollector::refusalOf(size_t camera, const sensor_msgs::CameraInfo
 bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string>* remarks) {
   std::optional<Candidate>& candidate = candidates_[camera];
   const std::string subject = "camera_info of " + cameras_[camera];
-  if (wanderings_[camera] >= kMaxWanderings) {
-    wanderings_[camera] = 1;
+  Wandering& wandering = wanderings_[camera];
+  if (wandering.changes >= kMaxWanderings) {
+    wandering.changes = 1;
+    wandering.told = true;
     remarks->push_back(subject + " changes all the time; what came first is used");
   }
+  if (!candidate && now - wandering.last > kSettled) wandering = {};
   if (!candidate || candidate->refused) return false;
-  if (!candidate->since) candidate->since = now;
-  if (now - *candidate->since < rest_) return false;
-  wanderings_[camera] = 0;
+  if (!candidate->since) judge(camera, now, &*candidate);
+  if (now - *candidate->since < rest_) {
+    if (candidate->misleads && !wandering.told)
+      doubts_[camera] = subject + " has changed, it is left out until the new one stays";
+    return false;
+  }
+  wandering = {};
   const std::string why = refusalOf(camera, candidate->info);
   candidate->refused = !why.empty();
   remarks->push_back(subject + " has changed, " +
@@ -135,6 +144,32 @@ bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string
   candidate.reset();
   placed_[camera].reset();
   return true;
+}
+
+void RigCollector::judge(size_t camera, double now, Candidate* candidate) {
+  candidate->since = wanderings_[camera].last = now;
+  if (wanderings_[camera].told || !refusalOf(camera, candidate->info).empty()) return;
+  geometry_msgs::Transform anywhere;
+  anywhere.rotation.w = 1.0;
+  const auto seen = [&](const sensor_msgs::CameraInfo& info) {
+    return Camera(calibrationFromMessage(cameras_[camera], info, anywhere));
+  };
+  try {
+    candidate->misleads = seeDifferently(seen(*infos_[camera]), seen(candidate->info));
+  } catch (const std::invalid_argument&) {
+    // The one of before is no camera's, so it is not used.
+  }
+}
+
+bool RigCollector::misleads(size_t camera, const Placed& placed) const {
+  const auto from = [&](const geometry_msgs::Transform& pose) {
+    return Camera(calibrationFromMessage(cameras_[camera], *infos_[camera], pose));
+  };
+  try {
+    return seeDifferently(from(placed.used), from(placed.seen));
+  } catch (const std::invalid_argument&) {
+    return true;  // it has gone where no camera can be
+  }
 }
 
 bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double now,
@@ -154,7 +189,9 @@ bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double n
     return false;
   }
   if (now - placed->seen_since < rest_) {
-    if (now - placed->used_until > kMoving)
+    if (misleads(camera, *placed))
+      doubts_[camera] = cameras_[camera] + " has moved by tf, it is left out until it rests";
+    else if (now - placed->used_until > kMoving)
       remarks->push_back(cameras_[camera] + " moves by tf; it is used where it was before");
     return false;
   }
@@ -173,8 +210,10 @@ RigChange RigCollector::settle(const tf2::BufferCore& tf, double now,
   bool changed = false;
   for (size_t i = 0; i < cameras_.size(); ++i) {
     if (!infos_[i]) continue;
+    doubts_[i].clear();
     changed = settleInfo(i, now, remarks) || changed;
     changed = settlePose(i, tf, now, remarks) || changed;
+    if (!doubts_[i].empty()) remarks->push_back(doubts_[i]);
   }
   if (!changed) return RigChange::kNone;
   return paused ? RigChange::kAfterPause : RigChange::kWhileUsed;
@@ -201,9 +240,12 @@ CameraRig RigCollector::rig(const tf2::BufferCore& tf) const {
   if (!reason.empty()) throw std::invalid_argument(reason);
   CameraRig rig;
   for (size_t i = 0; i < cameras_.size(); ++i) {
-    const auto transform =
-        tf.lookupTransform(world_frame_, infos_[i]->header.frame_id, ros::Time(0));
-    rig.emplace_back(calibrationFromMessage(cameras_[i], *infos_[i], transform.transform));
+    // A camera that moves is where it was before, or doubtOf() would not tell its error.
+    const geometry_msgs::Transform pose =
+        placed_[i]
+            ? placed_[i]->used
+            : tf.lookupTransform(world_frame_, infos_[i]->header.frame_id, ros::Time(0)).transform;
+    rig.emplace_back(calibrationFromMessage(cameras_[i], *infos_[i], pose));
   }
   return rig;
 }

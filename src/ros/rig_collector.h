@@ -59,12 +59,22 @@ class RigCollector {
   /// \param now s, by a clock that is never set
   /// \param remarks a sentence is appended for each change and each refusal
   RigChange settle(const tf2::BufferCore& tf, double now, std::vector<std::string>* remarks);
+  /// Why what the camera sends must not be used, after settle(): its pose or its lens has changed
+  /// noticeably, and has not been taken over yet. Empty: it may be used.
+  const std::string& doubtOf(size_t camera) const { return doubts_.at(camera); }
 
  private:
   struct Candidate {
     sensor_msgs::CameraInfo info;
     std::optional<double> since;  ///< s; none: settle() has not seen it yet
     bool refused = false;
+    bool misleads = false;  ///< the lens that is used is not that of the images
+  };
+  /// Changes of camera_info in a row that did not stay.
+  struct Wandering {
+    int changes = 0;
+    bool told = false;
+    double last = 0.0;  ///< s
   };
   struct Placed {
     geometry_msgs::Transform used, seen;
@@ -73,6 +83,10 @@ class RigCollector {
   bool settleInfo(size_t camera, double now, std::vector<std::string>* remarks);
   bool settlePose(size_t camera, const tf2::BufferCore& tf, double now,
                   std::vector<std::string>* remarks);
+  /// Sees a candidate for the first time.
+  void judge(size_t camera, double now, Candidate* candidate);
+  /// Whether images from the pose that was seen last mislead if they are used.
+  bool misleads(size_t camera, const Placed& placed) const;
   /// Why the camera_info cannot be taken over; empty if it can.
   std::string refusalOf(size_t camera, const sensor_msgs::CameraInfo& info) const;
 
@@ -80,8 +94,9 @@ class RigCollector {
   std::string world_frame_;
   std::vector<std::optional<sensor_msgs::CameraInfo>> infos_;
   std::vector<std::optional<Candidate>> candidates_;  ///< by camera
-  std::vector<int> wanderings_;                       ///< changes in a row that did not stay
+  std::vector<Wandering> wanderings_;                 ///< by camera
   std::vector<std::optional<Placed>> placed_;         ///< by camera
+  std::vector<std::string> doubts_;                   ///< by camera
   std::vector<std::pair<int, int>> image_sizes_;      ///< by camera; 0: not known
   std::optional<double> last_look_;                   ///< s, of settle()
   double rest_ = 0.0;                                 ///< s that a change must have stayed

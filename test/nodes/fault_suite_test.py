@@ -305,7 +305,17 @@ class FaultSuite(unittest.TestCase):
         time.sleep(0.7)
         self.end = time.time()
         self.cameras.heal()
-        self.expect('cam6 has moved by 0.300 m', least=0, silence=4.0)
+        self.expect('cam6 has moved by tf, it is left out until it rests',
+                    'cam6 has moved by 0.300 m and 0.0 degrees by tf, its new pose', least=0,
+                    silence=4.0)
+
+    def test_y_camera_keeps_moving_by_tf(self):
+        for i in range(20):
+            self.cameras.place('cam6', 0.3 + 0.1 * (i % 3))
+            time.sleep(0.2)
+        self.cameras.place('cam6', 0.0)
+        self.run_fault(0.1)
+        self.expect('cam6 has moved by tf, it is left out until it rests')
 
     def test_z_silhouette_starts_again(self):
         pid = pid_of('silhouette')

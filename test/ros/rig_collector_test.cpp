@@ -187,17 +187,76 @@ TEST_F(ChangingRig, ACalibrationOfNoCameraOrOfOtherImagesIsRefused) {
 }
 
 TEST_F(ChangingRig, ACameraThatHasMovedIsTakenOverWhenItRests) {
+  const std::string left_out = "a has moved by tf, it is left out until it rests";
   for (int i = 1; i <= 10; ++i) {
     move(0.03 * i);
     EXPECT_FALSE(settle(now_ + 0.1));
+    // By 3 cm at first, which is more than may be.
+    EXPECT_EQ(collector_.doubtOf(0), left_out) << i;
   }
+  EXPECT_NEAR(collector_.rig(tf_)[0].position().x(), 1.0, 1e-12);
   for (int i = 0; i < 4; ++i) EXPECT_FALSE(settle(now_ + 0.1));
+  EXPECT_EQ(remarks_, std::vector<std::string>(14, left_out));
+  remarks_.clear();
   EXPECT_TRUE(settle(now_ + 0.15));
+  EXPECT_EQ(collector_.doubtOf(0), "");
   EXPECT_EQ(change_, RigChange::kWhileUsed);
   EXPECT_EQ(remarks_, std::vector<std::string>{
                           "a has moved by 0.300 m and 0.0 degrees by tf, its new pose is used"});
   EXPECT_NEAR(collector_.rig(tf_)[0].position().x(), 1.3, 1e-12);
   EXPECT_FALSE(settle(now_ + 1.0));
+}
+
+TEST_F(ChangingRig, ACameraThatShakesALittleIsUsed) {
+  for (int i = 1; i <= 40; ++i) {
+    move(i % 2 ? 0.003 : -0.003);
+    EXPECT_FALSE(settle(now_ + 0.1));
+    EXPECT_EQ(collector_.doubtOf(0), "");
+  }
+  ASSERT_FALSE(remarks_.empty());
+  EXPECT_EQ(remarks_[0], "a moves by tf; it is used where it was before");
+}
+
+TEST_F(ChangingRig, ACameraThatMovesAllTheTimeIsLeftOut) {
+  for (int i = 1; i <= 40; ++i) {
+    move(i % 2 ? 0.05 : 0.1);
+    EXPECT_FALSE(settle(now_ + 0.1));
+    EXPECT_NE(collector_.doubtOf(0), "");
+  }
+}
+
+TEST_F(ChangingRig, ACameraOfAnotherLensIsLeftOutUntilItIsTakenOver) {
+  const sensor_msgs::CameraInfo first = info_;
+  info_.K[0] *= 1.05;
+  EXPECT_FALSE(collector_.add(0, info_));
+  EXPECT_FALSE(settle(now_ + 0.1));
+  EXPECT_EQ(collector_.doubtOf(0),
+            "camera_info of a has changed, it is left out until the new one stays");
+  EXPECT_TRUE(send(info_));
+  EXPECT_EQ(collector_.doubtOf(0), "");
+  // Back for one frame, and of impossible lenses and other images: the rig holds.
+  collector_.add(0, first);
+  settle(now_ + 0.1);
+  EXPECT_NE(collector_.doubtOf(0), "");
+  collector_.add(0, info_);
+  settle(now_ + 0.1);
+  EXPECT_EQ(collector_.doubtOf(0), "");
+  sensor_msgs::CameraInfo other = info_;
+  other.width = 30000;
+  collector_.add(0, other);
+  settle(now_ + 0.1);
+  EXPECT_EQ(collector_.doubtOf(0), "");
+}
+
+TEST_F(ChangingRig, ALensThatWandersForALongTimeCostsNoCamera) {
+  for (int i = 0; i < 40; ++i) {
+    info_.K[0] *= i % 2 ? 1.05 : 1.0 / 1.05;
+    collector_.add(0, info_);
+    EXPECT_FALSE(settle(now_ + 0.067));
+    if (i > 16) {
+      EXPECT_EQ(collector_.doubtOf(0), "") << i;
+    }
+  }
 }
 
 TEST_F(ChangingRig, WhatHasChangedInAPauseIsTakenOverAtOnce) {

@@ -12,7 +12,6 @@ namespace markerless_mocap {
 namespace {
 
 constexpr uint32_t kQueue = 64;              // callbacks only store messages
-constexpr double kLookInterval = 0.1;        // s
 constexpr size_t kMaxImages = 64;            // per camera; it covers the delay of the masks
 constexpr size_t kMaxWaiting = 3;            // frame sets that wait for their images
 constexpr int64_t kMaxDelay = 100'000'000;   // ns; a camera with a larger delay is assumed to have
@@ -115,23 +114,20 @@ void FittingInputs::receiveHull(const std_msgs::Header& header) {
 }
 
 void FittingInputs::followRig() {
-  const double now = ros::WallTime::now().toSec();
-  if (now >= next_look_ || now < next_look_ - kLookInterval) {
-    next_look_ = now + kLookInterval;
-    std::vector<std::string> remarks;
-    if (collector_.settle(tf_, now, &remarks) != RigChange::kNone) rig_.reset();
-    for (const std::string& remark : remarks) status_->remark(remark);
-  }
+  std::vector<std::string> remarks;
+  if (collector_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
+    rig_.reset();
+  for (const std::string& remark : remarks) status_->remark(remark);
 }
 
 void FittingInputs::dispatchReady() {
-  followRig();
   pending_.release([this](const Assembler::FrameSet& one) { return waitsForImages(one); },
                    [this](const Assembler::FrameSet& one) { dispatch(one); });
 }
 
 void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
   if (isStray(frame_set)) return status_->count("lone masks between frame sets");
+  followRig();
   FittingMessages input;
   input.header.stamp = rosTime(frame_set.stamp_ns);
   input.header.frame_id = options_.world_frame;
@@ -142,8 +138,20 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
         lackOfMasks(countOf(frame_set), options_.cameras.size(), options_.requiredCameras());
   else
     last_passed_ns_ = frame_set.stamp_ns;
+  if (input.error.empty()) input.error = doubtOf(frame_set);
   input.rig = rig_;
   sink_(std::move(input));
+}
+
+std::string FittingInputs::doubtOf(const Assembler::FrameSet& frame_set) const {
+  size_t usable = countOf(frame_set);
+  std::string doubt;
+  for (size_t i = 0; i < options_.cameras.size(); ++i) {
+    if (!frame_set.present[i] || collector_.doubtOf(i).empty()) continue;
+    doubt = collector_.doubtOf(i);
+    --usable;
+  }
+  return usable < options_.requiredCameras() ? doubt : "";
 }
 
 bool FittingInputs::isStray(const Assembler::FrameSet& frame_set) const {
@@ -162,10 +170,14 @@ bool FittingInputs::waitsForImages(const Assembler::FrameSet& frame_set) const {
 void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
                             FittingMessages* input) {
   sensor_msgs::ImageConstPtr mask = frame_set.items[camera];
-  const std::string refusal = refusalOf(camera, frame_set.stamp_ns);
+  const std::string judgement = refusalOf(camera, frame_set.stamp_ns);
+  const std::string& doubt = collector_.doubtOf(camera);
+  const std::string& refusal = doubt.empty() ? judgement : doubt;
   if (!mask) status_->count("frame sets without the silhouette of " + options_.cameras[camera]);
   if (mask && !refusal.empty()) {
-    status_->count("frame sets in which visual_hull left out " + options_.cameras[camera]);
+    status_->count(
+        (doubt.empty() ? "frame sets in which visual_hull left out " : "frame sets without ") +
+        options_.cameras[camera]);
     mask.reset();
   }
   noteUse(camera, bool(mask), refusal);

@@ -75,6 +75,8 @@ class FittingInputs {
   void addView(size_t camera, const Assembler::FrameSet& frame_set, FittingMessages* input);
   /// Why visual_hull says that nobody should use the camera; empty: it does not say so.
   std::string refusalOf(size_t camera, int64_t stamp_ns) const;
+  /// Why too few cameras are where the rig has them; empty: there are enough.
+  std::string doubtOf(const Assembler::FrameSet& frame_set) const;
   void noteUse(size_t camera, bool used, const std::string& reason);
   /// Takes over what has changed about the cameras.
   void followRig();
@@ -96,7 +98,6 @@ class FittingInputs {
   HoldingQueue<Assembler::FrameSet> pending_;                    ///< joined, but without images
   std::deque<boost::shared_ptr<const HullCameras>> judgements_;  ///< the last ones
   std::optional<int64_t> last_passed_ns_;  ///< stamp of the last frame set of several cameras
-  double next_look_ = 0.0;                 ///< s, when to look for changes of the rig
   mutable std::mutex states_mutex_;
   std::vector<CameraState> states_;    ///< by camera
   std::optional<ColorImages> colors_;  ///< of a method that needs them

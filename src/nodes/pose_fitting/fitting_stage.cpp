@@ -144,8 +144,8 @@ BodyPose FittingStage::fit(const FittingMessages& input) {
     if (!input.error.empty()) throw std::invalid_argument(input.error);
     const int64_t stamp_ns = steadyStamp(input.header.stamp);
     prepareTracker(input, stamp_ns);
-    const BodyPose pose =
-        updated(*tracker_, input, inputs_->products(), stamp_ns, needsOf(options_.method).images);
+    const BodyPose pose = updated(*tracker_, withoutChangedCameras(input, *rig_),
+                                  inputs_->products(), stamp_ns, needsOf(options_.method).images);
     follows_ = pose.status != PoseStatus::kLost;
     return pose;
   } catch (const std::exception& error) {

@@ -3,6 +3,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "camera/camera_difference.h"
 #include "nodes/common/camera_pixels.h"
 #include "ros/image_conversions.h"
 
@@ -44,6 +45,16 @@ std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
 }
 
 }  // namespace
+
+FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& rig) {
+  if (input.rig.get() == &rig) return input;
+  for (size_t i = 0; i < input.masks.size(); ++i) {
+    if (!seeDifferently((*input.rig)[i], rig[i])) continue;
+    input.masks[i].reset();
+    if (i < input.images.size()) input.images[i] = {};
+  }
+  return input;
+}
 
 BodyPose updated(BodyTracker& tracker, const FittingMessages& input, LiveProducts& products,
                  int64_t stamp_ns, bool images_required) {

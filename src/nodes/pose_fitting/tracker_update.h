@@ -7,6 +7,9 @@
 
 namespace markerless_mocap {
 
+/// The messages without those of cameras that are elsewhere than the tracker's rig has them.
+FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& rig);
+
 /// Updates a tracker with messages. A mask that cannot be used is left out; if none can, or if
 /// another message cannot be used, this throws std::invalid_argument. \param stamp_ns the tracker's
 /// time \param images_required if not, images that cannot be read are left out

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "camera/camera_difference.h"
 #include "camera/timing_remarks.h"
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
@@ -22,7 +23,6 @@ constexpr uint32_t kQueue = 16;    // messages per topic that wait while another
 constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
 constexpr int64_t kStrayTime = 500'000'000;  // ns
-constexpr double kLookInterval = 0.1;        // s
 constexpr double kImagesKept = 3.0;          // s after somebody listened last
 
 AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
@@ -126,17 +126,21 @@ void HullStage::receiveImage(size_t camera, const CameraImage& image) {
 }
 
 void HullStage::followRig() {
-  const double now = ros::WallTime::now().toSec();
-  if (now >= next_look_ || now < next_look_ - kLookInterval) {
-    next_look_ = now + kLookInterval;
-    std::vector<std::string> remarks;
-    const RigChange change = rig_.settle(tf_, now, &remarks);
-    if (change == RigChange::kAfterPause)
-      carver_.forgetRig();
-    else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
-      carver_.changeRig(rig_.rig(tf_));
-    for (const std::string& remark : remarks) status_.remark(remark);
-  }
+  std::vector<std::string> remarks;
+  const RigChange change = rig_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks);
+  if (change == RigChange::kAfterPause)
+    carver_.forgetRig();
+  else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
+    carver_.changeRig(rig_.rig(tf_));
+  for (const std::string& remark : remarks) status_.remark(remark);
+}
+
+std::string HullStage::doubtOf(size_t camera) const {
+  const std::string& doubt = rig_.doubtOf(camera);
+  const CameraRig* next = carver_.nextRig();
+  if (!doubt.empty() || !next || !seeDifferently(carver_->rig()[camera], (*next)[camera]))
+    return doubt;
+  return node_options_.cameras[camera] + " is left out until its new pose has been taken over";
 }
 
 void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask) {
@@ -217,7 +221,7 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
                     message.cameras.begin();
     // Where too little is known, fitting goes by the colours.
     const sensor_msgs::ImageConstPtr& mask = frame_set.items[size_t(at)];
-    const bool by_color = mask && hasUnknownBackground(*mask);
+    const bool by_color = mask && hasUnknownBackground(*mask) && doubtOf(size_t(at)).empty();
     if (!by_color) message.usable[size_t(at)] = false;
     message.reasons[size_t(at)] = camera.reason;
     if (by_color && node_options_.privacy)
@@ -291,6 +295,7 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
   for (size_t i = 0; i < views.size(); ++i) {
     if (!frame_set.present[i]) continue;
     try {
+      if (const std::string doubt = doubtOf(i); !doubt.empty()) throw std::invalid_argument(doubt);
       views[i].mask = maskOfCamera(carver_->rig()[i], *frame_set.items[i]);
       views[i].image = imageOfCamera(carver_->rig()[i], images[i]);
     } catch (const std::exception& error) {

@@ -65,13 +65,15 @@ class HullStage {
   std::vector<HullView> viewsOf(const Assembler::FrameSet& frame_set,
                                 const std::vector<CameraImage>& images,
                                 std::vector<LeftOutCamera>* left_out) const;
+  /// Why the carver's rig does not hold for what a camera sends; empty: it does.
+  std::string doubtOf(size_t camera) const;
   void requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const;
   /// Whether this is a lone mask between frame sets that have enough of them.
   bool isStray(const Assembler::FrameSet& frame_set) const;
   void publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
                       const std_msgs::Header& header);
   /// Takes over what has changed about the cameras. The old carver is used until the new one is
-  /// made.
+  /// made, without the cameras that have changed noticeably.
   void followRig();
   void reportCounts();
 
@@ -87,7 +89,6 @@ class HullStage {
   std::vector<ros::Subscriber> image_subscribers_;
   double wanted_until_ = 0.0;              ///< s, when images are needed no more
   std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
-  double next_look_ = 0.0;                 ///< s, when to look for changes of the rig
   ros::Publisher points_, cameras_, grid_;
   CameraDisplay display_;
   std::atomic<bool> runs_{true};

@@ -27,6 +27,8 @@ class LiveCarver {
   /// The rig has changed: the old carver works until that of the new rig is made. Nothing happens
   /// if there is none, as the next one is made then.
   void changeRig(const CameraRig& rig);
+  /// The rig that a carver is being made of while the old one works; null: none.
+  const CameraRig* nextRig() const { return next_rig_.get(); }
   /// The rig has changed, and nothing is known of the new one.
   void forgetRig();
   /// Makes a carver. Throws std::invalid_argument as HullCarver; so does every later call until the
