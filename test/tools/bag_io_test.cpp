@@ -31,6 +31,22 @@ class BagIo : public ToolTest {
   }
 };
 
+TEST_F(BagIo, ADiskThatIsFullAtTheStartIsASentenceAndLeavesNoFile) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{100, 100};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        const std::string why = refusal(path("new.bag"));
+        std::_Exit(
+            why == "cannot write " + path("new.bag") + ": the disk is full" &&
+                    std::filesystem::is_empty(std::filesystem::path(path("new.bag")).parent_path())
+                ? 0
+                : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
 TEST_F(BagIo, AFullDiskIsASentenceAndLeavesNoFile) {
   EXPECT_EXIT(
       {

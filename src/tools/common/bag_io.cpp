@@ -52,8 +52,12 @@ BagWriter::BagWriter(std::string path, rosbag::CompressionType compression)
   try {
     bag_->open(active_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException&) {
-    throw std::runtime_error("cannot write " + path_ +
-                             ": its folder is missing or may not be written");
+    abandon();
+    std::error_code ignored;
+    const bool is_full = std::filesystem::remove(active_path_, ignored);
+    throw std::runtime_error(
+        "cannot write " + path_ +
+        (is_full ? ": the disk is full" : ": its folder is missing or may not be written"));
   }
   bag_->setCompression(compression);
 }
