@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <stdexcept>
 
 #include "files/whole_file.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/evaluate/evaluation.h"
 #include "tools/evaluate/evaluation_json.h"
+#include "tools/evaluate/evaluation_marks.h"
 #include "tools/evaluate/evaluation_page.h"
 #include "tools/evaluate/evaluation_table.h"
 
@@ -15,7 +17,7 @@ using namespace markerless_mocap;
 
 struct Arguments {
   EvaluationRequest request;
-  std::string json, html;
+  std::string json, html, marks;
   bool quiet = false, no_images = false;
 };
 
@@ -24,8 +26,11 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_option("results", request.results,
                  "bag with the results of a tracker: tf, pose, joint states, hull")
       ->required();
-  app.add_option("--truth", request.truth, "bag with /ground_truth; may be the same file")
-      ->required();
+  auto* against = app.add_option_group("compared with")->require_option(1);
+  against->add_option("--truth", request.truth, "bag with /ground_truth; may be the same file");
+  against->add_option("--marks", arguments->marks,
+                      "YAML file of marks set by hand in images of a recording without ground "
+                      "truth; needs --rig, and takes --id, --json and --quiet");
   app.add_option("--json", arguments->json, "write all results as JSON to this file");
   app.add_option("--html", arguments->html,
                  "write a self-contained page to this file: it plays the motion beside "
@@ -43,8 +48,21 @@ void describe(CLI::App& app, Arguments* arguments) {
   app.add_flag("--quiet", arguments->quiet, "no progress and no table");
 }
 
+void runMarks(const Arguments& arguments) {
+  const EvaluationRequest& request = arguments.request;
+  if (request.rig.empty()) throw std::runtime_error("--marks needs --rig, the rig file of the run");
+  if (!arguments.html.empty() || !request.config.empty() || request.skip > 0.0 ||
+      arguments.no_images)
+    throw std::runtime_error("--marks takes only --rig, --id, --json and --quiet");
+  const MarksEvaluation evaluation =
+      evaluateMarks(request.results, request.body_id, arguments.marks, request.rig);
+  if (!arguments.json.empty()) writeWholeFile(arguments.json, marksJson(evaluation));
+  if (!arguments.quiet) printMarks(evaluation, std::cout);
+}
+
 void run(Arguments* arguments) {
   EvaluationRequest& request = arguments->request;
+  if (!arguments->marks.empty()) return runMarks(*arguments);
   request.images = !arguments->no_images;
   request.page = !arguments->html.empty();
   Progress progress("evaluate", arguments->quiet ? nullptr : &std::cerr, isStderrTerminal());
@@ -59,7 +77,9 @@ void run(Arguments* arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares the results of a tracker with the ground truth.", "evaluate");
+  CLI::App app(
+      "Compares the results of a tracker with the ground truth, or with marks set by hand.",
+      "evaluate");
   Arguments arguments;
   describe(app, &arguments);
   CLI11_PARSE(app, argc, argv);
