@@ -119,6 +119,22 @@ void compare(const BodyDrawing& drawing, const cv::Mat& known, const cv::Mat& ma
     }
 }
 
+/// Adds what background subtraction sees as person if it is attached to the mask: limbs that the
+/// body in its pose does not reach.
+void addAttached(const cv::Mat& known, cv::Mat& mask) {
+  const cv::Mat person = known == kPersonPixel;
+  cv::Mat labels;
+  const int count = cv::connectedComponents(person, labels, 8, CV_32S);
+  std::vector<uchar> attached(size_t(count), 0);
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (mask.at<uchar>(y, x)) attached[size_t(labels.at<int>(y, x))] = 255;
+  attached[0] = 0;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      mask.at<uchar>(y, x) |= attached[size_t(labels.at<int>(y, x))];
+}
+
 /// Drops small components.
 void dropSpecks(cv::Mat& mask) {
   cv::Mat labels, stats, centres;
@@ -177,8 +193,11 @@ class RegionSegmenter::Impl {
     cv::Mat mask = bandCut(image(drawing.box), log_odds, band);
     dropSpecks(mask);
     fillHoles(mask);
+    if (!known.empty()) {
+      compare(drawing, known, mask, out);
+      addAttached(known(drawing.box), mask);
+    }
     mask.copyTo(out.mask(drawing.box));
-    if (!known.empty()) compare(drawing, known, mask, out);
     return out;
   }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "region/region_scene.h"
 
 namespace markerless_mocap {
@@ -24,8 +26,7 @@ TEST(RegionSegmenter, LearnedColoursHoldWhereTheImageAloneMisleads) {
   // So far off that a part's core is on the wall.
   const RegionScene scene;
   const ProjectedBody off = RegionScene::bodyAt({0, 9}, 0, 6);
-  const double learned =
-      scene.overlapWith(segmenter.segment(scene.image, off, kNothingKnown).mask);
+  const double learned = scene.overlapWith(segmenter.segment(scene.image, off, kNothingKnown).mask);
   EXPECT_GT(learned, 0.93);
   segmenter.reset();
   EXPECT_LT(scene.overlapWith(segmenter.segment(scene.image, off, kNothingKnown).mask), learned);
@@ -73,6 +74,26 @@ TEST(RegionSegmenter, ProposesAnArmThatIsElsewhereByItsColour) {
   const cv::Mat candidates = segmenter.candidates(scene.image, expected, nothing, 60);
   EXPECT_GT(cv::countNonZero(candidates(hand)), 0.8 * cv::countNonZero(scene.person(hand)));
   EXPECT_LT(cv::countNonZero(candidates & ~scene.person), 0.05 * cv::countNonZero(scene.person));
+}
+
+TEST(RegionSegmenter, AnArmThatTheSilhouetteKnowsIsKeptWhereverTheBodyHasIt) {
+  const RegionScene scene(-1.2f);  // the arm is raised
+  const RegionSegmenter segmenter(RegionScene::kParts);
+  const ProjectedBody expected = RegionScene::bodyAt({0, 0}, 0);
+  const cv::Rect elbow(79, 28, 10, 10);
+  ASSERT_GT(cv::countNonZero(scene.person(elbow)), 60);
+  cv::Mat known(scene.person.size(), CV_8UC1, cv::Scalar(128));
+  const cv::Mat without = segmenter.segment(scene.image, expected, known).mask;
+  EXPECT_LT(cv::countNonZero(without(elbow)), 0.5 * cv::countNonZero(scene.person(elbow)));
+  known = scene.person.clone();
+  known.colRange(0, 65).setTo(128);
+  known(cv::Rect(100, 90, 12, 12)).setTo(255);  // something beside the person
+  const RegionMask found = segmenter.segment(scene.image, expected, known);
+  EXPECT_EQ(cv::countNonZero(found.mask(elbow)), cv::countNonZero(scene.person(elbow)));
+  EXPECT_EQ(cv::countNonZero(found.mask(cv::Rect(100, 90, 12, 12))), 0);
+  EXPECT_LT(std::accumulate(found.agreeing.begin(), found.agreeing.end(), 0),
+            0.95 * found.silhouette)
+      << "what colours around the body do not explain";
 }
 
 TEST(RegionSegmenter, ABodyOutsideTheImageGivesAnEmptyMask) {

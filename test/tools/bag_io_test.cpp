@@ -34,7 +34,7 @@ class BagIo : public ToolTest {
 TEST_F(BagIo, ADiskThatIsFullAtTheStartIsASentenceAndLeavesNoFile) {
   EXPECT_EXIT(
       {
-        limitFiles(100);
+        limitFiles(1000);
         std::_Exit(runTool("tool", [&] { BagWriter bag(path("out.bag")); }));
       },
       testing::ExitedWithCode(1), "tool: cannot write .*out.bag: the disk is full");

@@ -21,8 +21,8 @@ constexpr int64_t kCheckInterval_ns = 50000000;
 
 // A search by colour takes longer. Of seventeen starts on the beam film five had a wrong arm or
 // exchanged legs; later searches found the right pose, with a higher score. So each start is
-// checked by searches after this time, and again after twice, four times and eight times this.
-constexpr int64_t kFirstColorCheck_ns = 100000000;
+// checked by a search, and again after twice this time, then four times and eight times this.
+constexpr int64_t kColorCheckInterval_ns = 100000000;
 constexpr int kColorChecks = 4;         // at most
 constexpr int kColorConfirmations = 2;  // in a row are enough
 
@@ -67,8 +67,8 @@ void ContourTracker::scheduleStart(const Frame& now) {
   const bool by_color = now.regions.needsColors();
   if (!searching_since_ns_) searching_since_ns_ = now.stamp_ns;
   next_start_ns_ =
-      now.stamp_ns + restAfterSearch(now.stamp_ns, by_color ? 2 * kFirstColorCheck_ns : 0);
-  next_check_ns_ = now.stamp_ns + (by_color ? kFirstColorCheck_ns : kCheckInterval_ns);
+      now.stamp_ns + restAfterSearch(now.stamp_ns, by_color ? 2 * kColorCheckInterval_ns : 0);
+  next_check_ns_ = now.stamp_ns + kCheckInterval_ns;
   color_checks_ = color_confirmations_ = 0;
   color_check_.forget();
 }
@@ -118,7 +118,8 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
 }
 
 ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& active) {
-  next_check_ns_ = now.stamp_ns + (kFirstColorCheck_ns << std::min(++color_checks_, kColorChecks));
+  next_check_ns_ =
+      now.stamp_ns + (kColorCheckInterval_ns << std::min(++color_checks_, kColorChecks));
   ColorQuestion question = this->question(now, active.track.fit.pose);
   if (!resources_.in_background) return settle(now, active, answered(question));
   question.frame = question.frame.clone();  // the messages end with this frame
