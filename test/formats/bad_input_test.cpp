@@ -78,9 +78,10 @@ TEST_F(BadCalibration, TomlThatIsBrokenOrWrongIsToldWithTheCamera) {
                                   "[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]\n")),
             "a.toml, camera cam_0: the rotation is no rotation matrix (determinant -1, allowed is "
             "1)");
-  EXPECT_EQ(of("a.toml", replaced(kAnipose, "[0.0, 0.0, 0.0, 0.0, 0.0]", "[0.0, 0.0, 0.0, 0.0, 0.1]") +
-                             "fisheye = true\n"),
-            "a.toml: camera 'A': D has 5 distortion coefficients, allowed are 0 or 4 of a fisheye");
+  EXPECT_EQ(
+      of("a.toml", replaced(kAnipose, "[0.0, 0.0, 0.0, 0.0, 0.0]", "[0.0, 0.0, 0.0, 0.0, 0.1]") +
+                       "fisheye = true\n"),
+      "a.toml: camera 'A': D has 5 distortion coefficients, allowed are 0 or 4 of a fisheye");
   EXPECT_EQ(of("a.toml", replaced(kAnipose, "rotation = [1.0, 0.0, 0.0]\n", "")),
             "a.toml: the calibration has no cameras");
   EXPECT_EQ(of("a.toml", kAnipose + replaced(kAnipose, "[cam_0]", "[cam_1]")),
