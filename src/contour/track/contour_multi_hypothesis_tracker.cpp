@@ -65,26 +65,21 @@ std::vector<ContourFit> ContourMultiHypothesisTracker::fitsFrom(
   return fits;
 }
 
-std::vector<ContourPose> ContourMultiHypothesisTracker::promising(
-    const ContourObservation& seen, const ContourBody& body, const std::vector<ContourPose>& poses,
-    size_t most) const {
-  if (poses.size() <= most) return poses;
-  const std::vector<ContourFit> fits = fitsFrom(seen, body, poses, kCoarseFit);
-  std::vector<ContourPose> best;
-  for (size_t i = 0; i < std::min(most, fits.size()); ++i) best.push_back(fits[i].pose);
-  return best;
-}
-
 std::vector<ContourFit> ContourMultiHypothesisTracker::bestFits(
-    const ContourObservation& seen, const ContourBody& body,
-    const std::vector<ContourPose>& poses) const {
-  return fitsFrom(seen, body, promising(seen, body, poses, kMaxFinalFits), RobustSchedule::wide());
+    const ContourObservation& seen, const ContourBody& body, std::vector<ContourPose> poses) const {
+  if (poses.size() > kMaxFinalFits) {
+    const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kCoarseFit);
+    poses.clear();
+    for (size_t i = 0; i < std::min(kMaxFinalFits, first.size()); ++i)
+      poses.push_back(first[i].pose);
+  }
+  return fitsFrom(seen, body, poses, RobustSchedule::wide());
 }
 
 ContourFit ContourMultiHypothesisTracker::bestFit(const ContourObservation& seen,
                                                   const ContourBody& body,
-                                                  const std::vector<ContourPose>& poses) const {
-  const std::vector<ContourFit> fits = bestFits(seen, body, poses);
+                                                  std::vector<ContourPose> poses) const {
+  const std::vector<ContourFit> fits = bestFits(seen, body, std::move(poses));
   return fits.empty() ? ContourFit{} : fits.front();
 }
 

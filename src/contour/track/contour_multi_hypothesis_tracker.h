@@ -56,15 +56,12 @@ class ContourMultiHypothesisTracker {
   /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
-  /// The poses that coarse fits from several poses make the most promising, best first.
-  std::vector<ContourPose> promising(const ContourObservation& seen, const ContourBody& body,
-                                     const std::vector<ContourPose>& poses, size_t most) const;
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.
   std::vector<ContourFit> bestFits(const ContourObservation& seen, const ContourBody& body,
-                                   const std::vector<ContourPose>& poses) const;
+                                   std::vector<ContourPose> poses) const;
   /// The first of bestFits().
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
-                     const std::vector<ContourPose>& poses) const;
+                     std::vector<ContourPose> poses) const;
 
  private:
   /// The successful fits, best first.

@@ -11,7 +11,6 @@ namespace {
 
 // Default postures are tried if the proposals have a lower quality.
 constexpr double kPoorQuality = 0.86;
-constexpr size_t kMaxProposals = 12;  // that are worth being tried with several statures
 
 // A search costs as much as following the person over many frames. After one the next waits for
 // this fraction of the time since the first, up to the last value.
@@ -39,7 +38,7 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
   if (const auto of_tree = poseFromPoseTree(made.tree)) poses.push_back(*of_tree);
   if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
     for (const ContourPose& posture : defaultPostures(made.hull)) poses.push_back(posture);
-  return hypotheses_.promising(seen, *contour_body_, poses, kMaxProposals);
+  return poses;
 }
 
 std::vector<RegionFit> ContourTracker::fitsByColor(const Frame& now, const Search& search) const {
