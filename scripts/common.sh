@@ -5,6 +5,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 export ROS_HOSTNAME=localhost ROS_MASTER_URI="${ROS_MASTER_URI:-http://localhost:11311}"
 export ROSCONSOLE_STDOUT_LINE_BUFFERED=1
+# A compiler cache serves every checkout, wherever it lies.
+export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}"
 build=build
 
 say() { printf '\n== %s\n' "$*"; }
