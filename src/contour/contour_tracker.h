@@ -82,6 +82,8 @@ class ContourTracker : public BodyTracker {
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
   ActiveTrack check(const Frame& now, const ActiveTrack& active);
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);
+  /// True if the start needs no further check by colour.
+  bool isCheckedByColor() const;
   /// Asks whether colours show another pose; none of those that were learned count.
   ColorQuestion question(const Frame& now, const ContourPose& pose);
   /// Takes up what a check in another thread has found, if it has ended.
@@ -98,10 +100,14 @@ class ContourTracker : public BodyTracker {
   void searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active);
   void reconsider(const Frame& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
-  /// Returns a pose without estimate as long as the body shape is being estimated: no pose is
-  /// reported before.
-  std::optional<BodyPose> estimateShape(int64_t stamp_ns, const ContourObservation& seen,
-                                        const ContourFit& fit);
+  /// Takes the pose for the estimate of the body shape, if there is none yet. Returns true if the
+  /// shape has been estimated now: the pose is still that of the mean body.
+  bool measure(int64_t stamp_ns, const ContourObservation& seen, const ContourFit& fit);
+  /// What the user is told meanwhile.
+  std::string measuringProgress() const;
+  /// True if the mean body was found by colours only a short time ago: they also fit to a wrong pose,
+  /// and a body that is not the person's does not tell.
+  bool awaitsCheck(const Frame& now) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
 

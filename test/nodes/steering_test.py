@@ -22,6 +22,10 @@ CAMERAS = [f'cam{i}' for i in range(8)]
 PATIENCE = 60  # s; the machine may have other things to do
 
 
+def is_measured(pose):
+    return pose.status != BodyPose.LOST and 'the body is being measured' not in pose.reason
+
+
 class Recorder:
     """Keeps what comes on a topic."""
 
@@ -144,7 +148,7 @@ class Steering(unittest.TestCase):
 
     def test_the_body_is_saved_measured_anew_and_loaded(self):
         file = os.path.join(rospkg.get_ros_home(), rospy.get_param('/pose_fitting/body_file'))
-        self.wait_for_pose()
+        self.wait_for_pose(is_measured, 'a pose of the measured body')
         if os.path.exists(file):
             os.remove(file)  # written after measuring
         try:
@@ -156,7 +160,7 @@ class Steering(unittest.TestCase):
             self.assertEqual((False, 'the person has not been measured yet'),
                              (refusal.success, refusal.message))
             self.assertTrue(self.call('/pose_fitting/load_body').success)
-            self.wait_for_pose()
+            self.wait_for_pose(is_measured, 'a pose of the loaded body')
         finally:
             os.remove(file)
         self.assertFalse(self.call('/pose_fitting/load_body').success)

@@ -27,7 +27,9 @@ class StoppedCamera(unittest.TestCase):
                 self.counts = {v.key: int(v.value) for v in status.values if v.value.isdigit()}
 
     def tracked(self, since=rospy.Time(0)):
-        return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since]
+        """Poses of the measured body."""
+        return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since
+                and 'the body is being measured' not in p.reason]
 
     def lacking(self):
         return self.counts.get(LACK, 0)

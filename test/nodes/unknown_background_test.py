@@ -61,7 +61,9 @@ class UnknownBackground(unittest.TestCase):
                 cls.counts = {v.key: int(v.value) for v in status.values if v.value.isdigit()}
 
     def tracked(self, since=rospy.Time(0)):
-        return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since]
+        """Poses of the measured body."""
+        return [p for p in self.poses if p.status != BodyPose.LOST and p.header.stamp > since
+                and 'the body is being measured' not in p.reason]
 
     def whole(self, since):
         return [p for p in self.tracked(since) if not p.parts_not_seen]

@@ -164,11 +164,14 @@ TEST_F(ContourStartTest, APersonWithFurnitureIsNeverClaimed) {
 TEST_F(ContourStartTest, ABodyIsNotMeasuredFromWhatIsNotDecided) {
   resources.known_shape.reset();
   make();
-  EXPECT_EQ(show(0, spoilt(0), rightTree(0)).reason,
-            "the body is being measured, 0 of 6 different poses have been seen");
+  const BodyPose undecided = show(0, spoilt(0), rightTree(0));
+  EXPECT_EQ(undecided.status, PoseStatus::kLost);
+  EXPECT_EQ(undecided.reason, "a person was found, but another frame must confirm the pose");
   BodyPose pose;
   for (const int frame : {2, 4, 6}) pose = show(frame, spoilt(frame), rightTree(frame));
-  EXPECT_NE(pose.reason, "the body is being measured, 0 of 6 different poses have been seen");
+  EXPECT_NE(pose.status, PoseStatus::kLost);
+  EXPECT_EQ(pose.reason, "the body is being measured, 2 of 6 different poses have been seen")
+      << "only from frames after the decision";
 }
 
 }  // namespace

@@ -59,20 +59,25 @@ class ContourMethodTest : public testing::Test {
   int64_t stamp_ns = 0;
 };
 
-TEST_F(ContourMethodTest, ClaimsNothingBeforeTheBodyIsMeasured) {
+TEST_F(ContourMethodTest, ReportsTheMeanBodyWithItsUncertaintyUntilThePersonIsMeasured) {
   make();
-  EXPECT_EQ(show(0).reason, beingMeasured(1));
+  BodyPose pose = show(0);
+  EXPECT_EQ(pose.status, PoseStatus::kReinitialized);
+  EXPECT_EQ(pose.reason, beingMeasured(1));
   const auto believed = tracker->body();
   EXPECT_FALSE(believed->shape_estimated);
   int frame = 1, poses = 1;
-  BodyPose pose;
-  while ((pose = show(frame++)).reason != "the body has just been measured") {
+  while ((pose = show(frame)).reason != "the body has just been measured") {
     ASSERT_LT(frame, 30);
-    EXPECT_EQ(pose.status, PoseStatus::kLost) << frame;
+    EXPECT_EQ(pose.status, PoseStatus::kTracked) << frame;
+    EXPECT_LT(error(pose, frame), 0.06) << frame;
+    for (const double sigma : pose.part_sigma_m) EXPECT_GT(sigma, 0.015) << "of the lengths";
     EXPECT_TRUE(tracker->body() == believed) << frame;
     if (pose.reason != beingMeasured(poses)) ++poses;
     EXPECT_EQ(pose.reason, beingMeasured(poses)) << frame;
+    ++frame;
   }
+  ++frame;
   EXPECT_EQ(poses, kMeasuringPoses - 1);
   EXPECT_EQ(pose.status, PoseStatus::kLost) << "the fit was still the other body's";
   pose = show(frame);

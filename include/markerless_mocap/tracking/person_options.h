@@ -9,7 +9,7 @@ struct PersonOptions {
   static constexpr const char* kStage = "pose_fitting";
   /// height of the person, m
   double stature = 1.75;
-  /// estimate the shape of the body before the first pose is reported (contour); false: the
+  /// estimate the shape of the body from the first poses (contour); false: the
   /// proportions follow from the stature
   bool measure = true;
   /// standard deviation of the error of `stature` when the shape is estimated, m

@@ -148,11 +148,17 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   converter_->convert(active.track.fit.pose, pose.T_world_body, pose.angles);
   reportEvidence(active.track.fit, limb_agreement_, pose);
   widenExpectedErrors(*body_, person_, pose);
+  if (shape_estimator_)
+    pose.reason = measuringProgress() + (pose.reason.empty() ? "" : "; " + pose.reason);
   return pose;
 }
 
 bool ContourTracker::isBelieved() const {
   return accepted_ && agreement_ > kMinAgreement;
+}
+
+bool ContourTracker::awaitsCheck(const Frame& now) const {
+  return shape_estimator_ && now.regions.needsColors() && !isCheckedByColor();
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -161,6 +167,8 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
     pose.reason = overlapTooSmall(fit);
   else if (agreement_ <= kMinAgreement)
     pose.reason = "colours show a person where the silhouettes show background";
+  else if (accepted_)
+    pose.reason = "a person was found, but another search by colour must confirm the pose";
   else
     pose.reason = whyUncertain(hypotheses_);
   return pose;
@@ -235,9 +243,12 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   learn(now, active);
   still_contours_.compare(found.seen, *contour_body_, fit.pose);
-  if (const std::optional<BodyPose> estimating = estimateShape(now.stamp_ns, found.seen, fit))
-    return *estimating;
-  return isBelieved() ? reported(active) : unaccepted(fit);
+  if (measure(now.stamp_ns, found.seen, fit)) {
+    BodyPose pose;
+    pose.reason = "the body has just been measured";
+    return pose;
+  }
+  return isBelieved() && !awaitsCheck(now) ? reported(active) : unaccepted(fit);
 }
 
 }  // namespace markerless_mocap

@@ -43,22 +43,19 @@ void ContourTracker::initializeStature(const Frame& now, const std::vector<Conto
   shape_estimator_->setStature(best_stature);
 }
 
-std::optional<BodyPose> ContourTracker::estimateShape(int64_t stamp_ns,
-                                                      const ContourObservation& seen,
-                                                      const ContourFit& fit) {
-  if (!shape_estimator_) return std::nullopt;
-  BodyPose pose;
+bool ContourTracker::measure(int64_t stamp_ns, const ContourObservation& seen,
+                             const ContourFit& fit) {
+  if (!shape_estimator_) return false;
   if (isBelieved() && hypotheses_.isUnambiguous())
     shape_estimator_->add(stamp_ns, seen, *contour_body_, fit);
   else
     shape_estimator_->skip(stamp_ns);
-  if (useEstimatedShape()) {
-    pose.reason = "the body has just been measured";  // the pose belongs to the old body
-    return pose;
-  }
-  pose.reason = "the body is being measured, " + std::to_string(shape_estimator_->poses()) +
-                " of " + std::to_string(person_.shape_poses) + " different poses have been seen";
-  return pose;
+  return useEstimatedShape();
+}
+
+std::string ContourTracker::measuringProgress() const {
+  return "the body is being measured, " + std::to_string(shape_estimator_->poses()) + " of " +
+         std::to_string(person_.shape_poses) + " different poses have been seen";
 }
 
 void ContourTracker::estimateShapeNow() {
@@ -72,6 +69,7 @@ bool ContourTracker::useEstimatedShape() {
   if (!shape) return false;
   setBody(bodyFromShape(resources_, *shape));
   shape_estimator_.reset();
+  reported_ = false;  // the next pose is that of another body
   return true;
 }
 
