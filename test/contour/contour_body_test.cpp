@@ -7,6 +7,7 @@
 #include "body/body_fixture.h"
 #include "contour/drawn_body.h"
 #include "contour/model/contour_kinematics.h"
+#include "contour/model/normal_equations.h"
 #include "error_text_of.h"
 #include "markerless_mocap/body/body_model.h"
 
@@ -79,6 +80,33 @@ TEST(ContourBody, DerivativesByPoseAreThoseOfDifferences) {
       EXPECT_LT((J.col(dof) - difference).norm(), 1e-6) << i << " by " << dof;
     }
   }
+}
+
+TEST(ContourBody, EquationsOfThePoseAreThoseOfAllDerivatives) {
+  const ContourBody body(plainSizes());
+  ContourFrames frames;
+  ContourWorldCones cones;
+  body.place(disturbed(stride(), 0.3, 0.1, 5), frames);
+  body.place(frames, cones);
+  AllConeNormalEquations sums;
+  PoseNormalEquations equations, expected;
+  equations.clear();
+  expected.clear();
+  for (size_t c = 0; c < kContourCones; ++c) {
+    for (int i = 0; i < 5; ++i) {
+      const double u[4] = {0.3 * i - 0.5, 0.2 + 0.1 * double(c), 0.4 - 0.2 * i, i % 2 ? -1.0 : 1.0};
+      sums[c].add(0.2 * i, u, 0.01 * i - 0.03, 1.0 + i);
+    }
+    Eigen::Matrix<double, 8, kContourDof> J = Eigen::Matrix<double, 8, kContourDof>::Zero();
+    const int segment = contourKinematicTree().cones[c].ends[0].segment;
+    poseJacobian(frames, segment, cones[c].a, J.topRows<3>());
+    poseJacobian(frames, segment, cones[c].b, J.middleRows<3>(4));
+    expected.H += J.transpose() * sums[c].hessian() * J;
+    expected.g += J.transpose() * sums[c].gradient();
+  }
+  accumulatePoseEquations(sums, frames, cones, equations);
+  EXPECT_TRUE(equations.H.isApprox(expected.H, 1e-12));
+  EXPECT_TRUE(equations.g.isApprox(expected.g, 1e-12));
 }
 
 TEST(ContourBody, DerivativesBySizesAreThoseOfDifferences) {

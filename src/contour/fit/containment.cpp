@@ -46,13 +46,14 @@ BorderDistance sample(const ContourView& view, const Vector2d& pixel) {
   return border;
 }
 
-/// Distance of a sphere outside the mask of one view, negative inside, metres, and its derivative
-/// with respect to the centre.
+/// Distance of a sphere outside the mask of one view, metres, and its derivative with respect to
+/// the centre.
 struct SphereInView {
   double outside;
   Vector3d gradient;  ///< world
 };
 
+/// Empty if the sphere is inside the mask.
 std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView& view,
                                          const Vector3d& middle, double radius) {
   const auto pixel = camera.projectInside(middle);
@@ -63,6 +64,7 @@ std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView
   const double fx = lens.fx, fy = lens.fy, f = 0.5 * (fx + fy);
   SphereInView sphere;
   sphere.outside = border.value * p.z() / f + radius;
+  if (!(sphere.outside > 0)) return std::nullopt;
   const double gx = border.gradient.x() * fx / f, gy = border.gradient.y() * fy / f;
   const Vector3d gradient(gx, gy, border.value / f - (gx * p.x() + gy * p.y()) / p.z());
   sphere.gradient = lens.R_world_view * gradient;
@@ -84,7 +86,7 @@ void forEachViolation(const ContourObservation& seen, const CameraRig& rig, size
         const double radius = cone.radius_a + s * (cone.radius_b - cone.radius_a);
         const auto sphere =
             sphereInView(rig[v], seen.views[v], cone.a + s * (cone.b - cone.a), radius);
-        if (sphere && sphere->outside > 0) add(c, i, s, *sphere);
+        if (sphere) add(c, i, s, *sphere);
       }
   }
 }

@@ -7,6 +7,7 @@
 #include "contour/fit/contour_observation.h"
 #include "contour/fit/outline.h"
 #include "contour/fit/ray_table.h"
+#include "contour/fit/signed_distance.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
@@ -38,13 +39,6 @@ void checkMasks(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
           "' must have one channel of 8 bits and the size of the camera's image");
 }
 
-/// Distance of each non-zero pixel to the border, pixels; 0.5 next to it, 0 elsewhere.
-cv::Mat depthOf(const cv::Mat& shape) {
-  cv::Mat depth;
-  cv::distanceTransform(shape, depth, cv::DIST_L2, cv::DIST_MASK_5, CV_32F);
-  return depth;
-}
-
 void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& view) {
   view.step = std::max(1, (mask.cols + kSamplesAcross - 1) / kSamplesAcross);
   const int margin = int(kMargin * mask.cols);
@@ -61,13 +55,8 @@ void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& vie
     uchar* to = view.person.ptr<uchar>(y);
     for (int x = 0; x < view.person.cols; ++x) to[x] = from[x * view.step] ? 255 : 0;
   }
-  const cv::Mat inside = depthOf(view.person), outside = depthOf(~view.person);
-  view.distance.create(view.person.size(), CV_32FC1);
-  for (int y = 0; y < view.person.rows; ++y)
-    for (int x = 0; x < view.person.cols; ++x) {
-      const float in = inside.at<float>(y, x), out = outside.at<float>(y, x);
-      view.distance.at<float>(y, x) = float(view.step) * (in > 0 ? 0.5f - in : out - 0.5f);
-    }
+  view.distance = signedDistance(view.person);
+  if (view.step > 1) view.distance *= view.step;
 }
 
 /// Marks unknown samples; the body may be there.

@@ -1,9 +1,53 @@
 #include "contour/model/normal_equations.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
 
 namespace markerless_mocap {
+namespace {
+
+/// The degrees of freedom that move a segment, ascending: half of all or fewer.
+struct MovedBy {
+  std::array<int, kContourDof> dofs;
+  int count = 0;
+
+  explicit MovedBy(uint64_t dof_mask) {
+    for (int dof = 0; dof < kContourDof; ++dof)
+      if (dof_mask >> dof & 1) dofs[size_t(count++)] = dof;
+  }
+};
+
+/// d(a, b)/d(degrees of freedom that move the cone), one column for each.
+using EndsJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kContourDof>;
+
+/// The columns of poseJacobian() that are not 0, for both ends.
+EndsJacobian endsJacobian(const MovedBy& moved, const ContourFrames& frames,
+                          const ContourWorldCone& cone) {
+  EndsJacobian J(6, moved.count);
+  for (int i = 0; i < moved.count; ++i) {
+    const int dof = moved.dofs[size_t(i)];
+    const Eigen::Vector3d axis = frames.axis.col(dof), pivot = frames.pivot.col(dof);
+    const bool turns = dof >= 3;
+    J.col(i).head<3>() = turns ? Eigen::Vector3d(axis.cross(cone.a - pivot)) : axis;
+    J.col(i).tail<3>() = turns ? Eigen::Vector3d(axis.cross(cone.b - pivot)) : axis;
+  }
+  return J;
+}
+
+/// The equations of the ends alone: a pose changes no radius.
+Eigen::Matrix<double, 6, 6> withoutRadii(const Eigen::Matrix<double, 8, 8>& H) {
+  Eigen::Matrix<double, 6, 6> out;
+  out << H.block<3, 3>(0, 0), H.block<3, 3>(0, 4), H.block<3, 3>(4, 0), H.block<3, 3>(4, 4);
+  return out;
+}
+Eigen::Matrix<double, 6, 1> withoutRadii(const Eigen::Matrix<double, 8, 1>& gradient) {
+  Eigen::Matrix<double, 6, 1> out;
+  out << gradient.head<3>(), gradient.segment<3>(4);
+  return out;
+}
+
+}  // namespace
 
 void ConeNormalEquations::clear() {
   std::fill(&products_[0][0], &products_[0][0] + 30, 0.0);
@@ -35,16 +79,23 @@ Eigen::Matrix<double, 8, 1> ConeNormalEquations::gradient() const {
 
 void accumulatePoseEquations(const AllConeNormalEquations& sums, const ContourFrames& frames,
                              const ContourWorldCones& cones, PoseNormalEquations& equations) {
-  Eigen::Matrix<double, 8, kContourDof> J;
   for (size_t c = 0; c < kContourCones; ++c) {
     const int segment = contourKinematicTree().cones[c].ends[0].segment;
-    J.row(3).setZero();
-    J.row(7).setZero();
-    poseJacobian(frames, segment, cones[c].a, J.topRows<3>());
-    poseJacobian(frames, segment, cones[c].b, J.middleRows<3>(4));
-    const Eigen::Matrix<double, 8, kContourDof> HJ = sums[c].hessian() * J;
-    equations.H.noalias() += J.transpose() * HJ;
-    equations.g.noalias() += J.transpose() * sums[c].gradient();
+    const MovedBy moved(contourKinematicTree().segments[size_t(segment)].dof_mask);
+    const EndsJacobian J = endsJacobian(moved, frames, cones[c]);
+    const EndsJacobian HJ = withoutRadii(sums[c].hessian()).lazyProduct(J);
+    const Eigen::Matrix<double, 6, 1> gradient = withoutRadii(sums[c].gradient());
+    for (int i = 0; i < moved.count; ++i) {
+      const int row = moved.dofs[size_t(i)];
+      equations.g[row] += J.col(i).dot(gradient);
+      equations.H(row, row) += J.col(i).dot(HJ.col(i));
+      for (int j = 0; j < i; ++j) {
+        const int column = moved.dofs[size_t(j)];
+        const double product = J.col(i).dot(HJ.col(j));
+        equations.H(row, column) += product;
+        equations.H(column, row) += product;
+      }
+    }
   }
 }
 
