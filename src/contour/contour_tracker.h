@@ -82,8 +82,6 @@ class ContourTracker : public BodyTracker {
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
   ActiveTrack check(const Frame& now, const ActiveTrack& active);
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);
-  /// True if the start needs no further check by colour.
-  bool isCheckedByColor() const;
   /// Asks whether colours show another pose; none of those that were learned count.
   ColorQuestion question(const Frame& now, const ContourPose& pose);
   /// Takes up what a check in another thread has found, if it has ended.
@@ -105,9 +103,9 @@ class ContourTracker : public BodyTracker {
   bool measure(int64_t stamp_ns, const ContourObservation& seen, const ContourFit& fit);
   /// What the user is told meanwhile.
   std::string measuringProgress() const;
-  /// True if the mean body was found by colours only a short time ago: they also fit to a wrong pose,
-  /// and a body that is not the person's does not tell.
-  bool awaitsCheck(const Frame& now) const;
+  /// True if the pose may be reported: it is believed, and it is not that of a mean body that colours
+  /// follow. Colours also fit to a wrong pose, and a body that is not the person's does not tell.
+  bool isReportable(const Frame& now) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
 

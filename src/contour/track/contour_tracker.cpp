@@ -157,8 +157,8 @@ bool ContourTracker::isBelieved() const {
   return accepted_ && agreement_ > kMinAgreement;
 }
 
-bool ContourTracker::awaitsCheck(const Frame& now) const {
-  return shape_estimator_ && now.regions.needsColors() && !isCheckedByColor();
+bool ContourTracker::isReportable(const Frame& now) const {
+  return isBelieved() && !(shape_estimator_ && now.regions.needsColors());
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -168,7 +168,7 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
   else if (agreement_ <= kMinAgreement)
     pose.reason = "colours show a person where the silhouettes show background";
   else if (accepted_)
-    pose.reason = "a person was found, but another search by colour must confirm the pose";
+    pose.reason = measuringProgress();
   else
     pose.reason = whyUncertain(hypotheses_);
   return pose;
@@ -248,7 +248,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
     pose.reason = "the body has just been measured";
     return pose;
   }
-  return isBelieved() && !awaitsCheck(now) ? reported(active) : unaccepted(fit);
+  return isReportable(now) ? reported(active) : unaccepted(fit);
 }
 
 }  // namespace markerless_mocap

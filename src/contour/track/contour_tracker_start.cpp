@@ -99,11 +99,8 @@ ActiveTrack ContourTracker::start(const Frame& now) {
 
 bool ContourTracker::needsCheck(const Frame& now) const {
   if (now.behind || now.stamp_ns < next_check_ns_ || color_check_.isBusy()) return false;
-  return !accepted_ || (now.regions.needsColors() && !isCheckedByColor());
-}
-
-bool ContourTracker::isCheckedByColor() const {
-  return color_checks_ >= kColorChecks || color_confirmations_ >= kColorConfirmations;
+  return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks &&
+                        color_confirmations_ < kColorConfirmations);
 }
 
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
