@@ -103,10 +103,10 @@ class ContourTracker : public BodyTracker {
   bool measure(int64_t stamp_ns, const ContourObservation& seen, const ContourFit& fit);
   /// What the user is told meanwhile.
   std::string measuringProgress() const;
-  /// True if the pose may be reported: it is believed, and it is not that of a mean body that
-  /// colours follow. Colours also fit to a wrong pose, and a body that is not the person's does not
-  /// tell.
-  bool isReportable(const Frame& now) const;
+  /// True if the pose may be reported. That of a mean body only after something has moved, as many
+  /// things are like some body; and none that colours follow: they also fit to a wrong pose, and a
+  /// body that is not the person's does not tell.
+  bool isReportable(const Frame& now, const ContourObservation& seen) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
 

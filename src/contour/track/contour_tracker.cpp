@@ -157,8 +157,9 @@ bool ContourTracker::isBelieved() const {
   return accepted_ && agreement_ > kMinAgreement;
 }
 
-bool ContourTracker::isReportable(const Frame& now) const {
-  return isBelieved() && !(shape_estimator_ && now.regions.needsColors());
+bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
+  if (!isBelieved() || !shape_estimator_) return isBelieved();
+  return !now.regions.needsColors() && (reported_ || still_contours_.showLife(seen));
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -248,7 +249,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
     pose.reason = "the body has just been measured";
     return pose;
   }
-  return isReportable(now) ? reported(active) : unaccepted(fit);
+  return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
 }
 
 }  // namespace markerless_mocap
