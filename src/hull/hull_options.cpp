@@ -1,8 +1,8 @@
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "hull/camera_trust.h"
 #include "hull/voting/viewing_volume.h"
 #include "markerless_mocap/hull/hull_carver.h"
 
@@ -105,24 +105,9 @@ VoxelLattice HullOptions::lattice(const CameraRig& rig) const {
 }
 
 std::vector<double> HullOptions::trust(const CameraRig& rig) const {
-  std::vector<double> result(rig.size(), 1.0);
-  for (const std::string& entry : camera_trust) {
-    const size_t equals = entry.rfind('=');
-    double trust = -1;
-    size_t camera = rig.size();
-    if (equals != std::string::npos) {
-      const char* end = entry.data() + entry.size();
-      const auto read = std::from_chars(entry.data() + equals + 1, end, trust);
-      if (read.ec != std::errc() || read.ptr != end) trust = -1;
-      for (size_t c = 0; c < rig.size(); ++c)
-        if (rig[c].name() == entry.substr(0, equals)) camera = c;
-    }
-    if (camera == rig.size() || !(trust >= 0 && trust <= 1))
-      throw std::invalid_argument(std::string(kStage) + "/camera_trust has '" + entry +
-                                  "', allowed is <camera of the rig>=<0 to 1>");
-    result[camera] = trust;
-  }
-  return result;
+  std::vector<std::string> cameras;
+  for (const Camera& camera : rig) cameras.push_back(camera.name());
+  return trustIn(cameras, camera_trust);
 }
 
 }  // namespace markerless_mocap

@@ -53,6 +53,11 @@ class Refusals(unittest.TestCase):
     def test_pose_tree_out_of_range(self):
         self.expect('/pose_tree/prune_ratio is 0.9, allowed is', 'pose_tree', prune_ratio=0.9)
 
+    def test_trust_in_a_camera_that_is_none(self):
+        for entry in ('c=0.5', 'a=x', 'a'):
+            self.expect("visual_hull/camera_trust has '%s', allowed is <camera of the rig>=<0 to 1>"
+                        % entry, 'visual_hull', cameras=['a', 'b'], camera_trust=[entry])
+
     def test_wrong_type(self):
         self.expect('/silhouette/background_frames is many, allowed is a whole number',
                     'silhouette', cameras=['a'], background_frames='many')
@@ -154,6 +159,27 @@ class Waiting(unittest.TestCase):
             log.seek(0)
             self.assertEqual(1, log.read().count('lists 1 cameras, allowed is 2 to 32'))
         self.assertIn('lists 1 cameras, allowed is 2 to 32', told[0])
+
+
+class DamagedBackground(unittest.TestCase):
+    def test_it_is_told_and_learned_anew(self):
+        told = []
+        rospy.Subscriber('/diagnostics', DiagnosticArray, lambda array: told.extend(
+            s.message for s in array.status if s.name.endswith('silhouette of a')))
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, 'a.background')
+            with open(file, 'w') as damaged:
+                damaged.write('cut off')
+            rospy.set_param('/silhouette', {'cameras': ['a'], 'background_folder': folder})
+            process = node('silhouette')
+            try:
+                sentence = 'the file %s holds no background of a silhouette; it is learned' % file
+                self.assertTrue(wait_for(lambda: any(sentence in t for t in told), 20), told)
+                self.assertIn('/a/silhouette', dict(rospy.get_published_topics()))
+            finally:
+                process.terminate()
+                process.wait()
+                rospy.delete_param('/silhouette')
 
 
 class RoscoreStartsAgain(unittest.TestCase):

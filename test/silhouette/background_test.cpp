@@ -1,5 +1,6 @@
 /// How the background is learned, kept and followed.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cstdio>
 #include <fstream>
@@ -216,6 +217,14 @@ std::string refusal(const ActT& act) {
   return "";
 }
 
+constexpr int kWidthAt = 32;  // in a background file, bytes
+
+long peakMemory_MB() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
 TEST(BackgroundFile, UnusableOnesAreRefusedInOneSentence) {
   const std::string path = testing::TempDir() + "/bad.background";
   SilhouetteExtractor extractor(ofModel("gaussian"));
@@ -228,6 +237,17 @@ TEST(BackgroundFile, UnusableOnesAreRefusedInOneSentence) {
   std::ofstream(path, std::ios::app) << "more";
   EXPECT_EQ(refusal([&] { extractor.loadBackground(path); }),
             "the background file " + path + " is shorter or longer than its head says");
+  {
+    Background({64, 48}, 3, 1).save(path);
+    std::fstream damaged(path, std::ios::binary | std::ios::in | std::ios::out);
+    damaged.seekp(kWidthAt);
+    const int32_t sides[] = {8000, 8000};
+    damaged.write(reinterpret_cast<const char*>(sides), sizeof sides);
+  }
+  const long before = peakMemory_MB();
+  EXPECT_EQ(refusal([&] { extractor.loadBackground(path); }),
+            "the background file " + path + " is shorter or longer than its head says");
+  EXPECT_LT(peakMemory_MB(), before + 100) << "memory for a size that the file cannot have";
   Background({64, 48}, 3, 3).save(path);
   EXPECT_EQ(refusal([&] { extractor.loadBackground(path); }),
             "the background file " + path + " is not of the model gaussian");

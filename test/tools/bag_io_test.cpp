@@ -104,6 +104,28 @@ TEST_F(BagIo, DamagedIndexesAreRefusedBeforeTheyAreRead) {
   EXPECT_NO_THROW(openForReading(path("in.bag"), bag));
 }
 
+TEST_F(BagIo, AnInterruptionIsASentenceAndLeavesTheFileThatWas) {
+  std::ofstream(path("out.bag")) << "the file that was";
+  EXPECT_EXIT(
+      {
+        std::_Exit(runTool("tool", [&] {
+          catchInterruptions();
+          BagWriter bag(path("out.bag"));
+          for (int i = 1; i < 100; ++i) {
+            bag.write("/text", ros::Time(i), textOf(10));
+            if (i == 10) std::raise(SIGHUP);
+          }
+          bag.commit();
+        }));
+      },
+      testing::ExitedWithCode(1), "tool: interrupted, .*out.bag is not written");
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    files.push_back(entry.path().filename());
+  EXPECT_EQ(files, std::vector<std::string>{"out.bag"});
+  EXPECT_EQ(std::filesystem::file_size(path("out.bag")), 17u);
+}
+
 TEST_F(BagIo, TheStampZeroIsRefusedInOurWords) {
   BagWriter bag(path("out.bag"));
   EXPECT_EQ(errorTextOf<std::runtime_error>([&] { bag.write("/a", ros::Time(), textOf(1)); }),

@@ -137,6 +137,10 @@ TEST_F(EvaluationMarksTest, BadFilesAreNamedInOneSentence) {
             std::string::npos);
   EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {head: [1, 2]}}}]").find("not in the rig"),
             std::string::npos);
+  EXPECT_NE(errorOf("? [a, b]\n: 1").find("has a key that is no name"), std::string::npos);
+  EXPECT_NE(errorOf("frames: [{time: 0, marks: {? [c] : {head: [1, 2]}}}]")
+                .find("frame 1: has a key that is no name"),
+            std::string::npos);
   EXPECT_NE(errorOf("frames: [").find("is no YAML"), std::string::npos);
 }
 

@@ -42,9 +42,14 @@ KeptBackground::KeptBackground(const std::string& camera, const SilhouetteNodeOp
       keeps_(options.keep_background && !file_.empty()),
       extractor_(extractor),
       status_(status) {
-  if (file_.empty() || !fs::exists(file_)) return;
-  extractor_->loadBackground(file_);
-  unchecked_ = kCheckedImages;
+  std::error_code unreadable;  // told by loading it
+  if (file_.empty() || (!fs::exists(file_, unreadable) && !unreadable)) return;
+  try {
+    extractor_->loadBackground(file_);
+    unchecked_ = kCheckedImages;
+  } catch (const std::exception& error) {  // of ours, or of the file system
+    status_->remark(std::string(error.what()) + "; it is learned anew");
+  }
 }
 
 std::optional<SilhouetteResult> KeptBackground::update(const cv::Mat& image,

@@ -8,6 +8,7 @@
 
 #include "camera/camera_difference.h"
 #include "camera/timing_remarks.h"
+#include "hull/camera_trust.h"
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/mask_sets.h"
@@ -57,12 +58,16 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       display_(handle, node_options.cameras.size()),
       inputs_(handle, &status_),
       live_(private_handle, options, {},
-            [this](const HullOptions& changed) { carver_.prepare(changed); }),
+            [this](const HullOptions& changed) {
+              trustIn(node_options_.cameras, changed.camera_trust);  // before there is a rig
+              carver_.prepare(changed);
+            }),
       handles_(handle.resolveName("hull/volume"), node_options.world_frame,
                {[this](const SettingChanges& changes) { live_.change(changes); },
                 [this] { return saveVolume(); }},
                &status_),
       services_(private_handle) {
+  trustIn(node_options_.cameras, options.camera_trust);
   points_ = handle.advertise<sensor_msgs::PointCloud2>("hull/points", kPublisherQueue);
   cameras_ = handle.advertise<HullCameras>("hull/cameras_used", kPublisherQueue);
   grid_ = handle.advertise<VoxelGrid>("hull/grid", 1, true);

@@ -31,6 +31,18 @@ bool isUsable(const FileHead& head) {
          within(head.modes, Background::kMaxModes);
 }
 
+[[noreturn]] void throwLength(const std::string& path) {
+  throw std::invalid_argument("the background file " + path +
+                              " is shorter or longer than its head says");
+}
+
+/// Before there is memory for what the head says: gigabytes, where it is damaged.
+void checkLength(const std::string& path, const FileHead& head) {
+  const uintmax_t least = uintmax_t(head.width) * head.height * head.channels * head.modes;
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) < least || error) throwLength(path);
+}
+
 template <class VectorT>
 std::streamsize bytesOf(const VectorT& values) {
   return std::streamsize(values.size() * sizeof(typename VectorT::value_type));
@@ -101,6 +113,7 @@ Background Background::load(const std::string& path) {
   FileHead head;
   if (!file.read(reinterpret_cast<char*>(&head), sizeof(head)) || !isUsable(head))
     throw std::invalid_argument("the file " + path + " holds no background of a silhouette");
+  checkLength(path, head);
   Background background({head.width, head.height}, head.channels, head.modes);
   file.read(reinterpret_cast<char*>(background.mean_.data()), bytesOf(background.mean_));
   file.read(reinterpret_cast<char*>(background.sigma_.data()), bytesOf(background.sigma_));
@@ -109,9 +122,7 @@ Background Background::load(const std::string& path) {
     std::vector<uint64_t>& words = background.unknown_.words();
     file.read(reinterpret_cast<char*>(words.data()), bytesOf(words));
   }
-  if (!file || file.peek() != std::ifstream::traits_type::eof())
-    throw std::invalid_argument("the background file " + path +
-                                " is shorter or longer than its head says");
+  if (!file || file.peek() != std::ifstream::traits_type::eof()) throwLength(path);
   return background;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/common/bag_records.h"
+#include "tools/common/run_tool.h"
 
 namespace markerless_mocap {
 
@@ -85,6 +86,7 @@ void BagWriter::fail(int error) {
 }
 
 void BagWriter::check(const std::string& topic, const ros::Time& stamp) const {
+  if (isInterrupted()) throw std::runtime_error("interrupted, " + path_ + " is not written");
   if (!bag_) throw std::runtime_error("cannot write " + path_);
   if (stamp < ros::TIME_MIN)
     throw std::runtime_error("a message of " + topic + " has the stamp 0, bags hold later ones");

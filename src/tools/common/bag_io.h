@@ -37,7 +37,7 @@ Message firstMessage(const rosbag::Bag& bag, const std::string& topic) {
 
 /// Writes a bag to a file of its own beside <path>; commit() renames it to <path>. Without commit()
 /// the file is removed. What cannot be written is a std::runtime_error that says why, and so is an
-/// output that another program is writing.
+/// output that another program is writing, and an interruption, see catchInterruptions().
 class BagWriter {
  public:
   /// Throws std::runtime_error if the file cannot be written, or the path is no regular file.

@@ -29,7 +29,11 @@ int runTool(const char* name, const std::function<void()>& work) {
 std::function<bool()> catchInterruptions() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants
-  return [] { return interrupted != 0; };
+  return isInterrupted;
+}
+
+bool isInterrupted() {
+  return interrupted != 0;
 }
 
 }  // namespace markerless_mocap

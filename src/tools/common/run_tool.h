@@ -10,5 +10,7 @@ int runTool(const char* name, const std::function<void()>& work);
 /// After this call, SIGINT, SIGTERM and SIGHUP set the result of the returned function to true, so
 /// that a run can stop and remove incomplete output. A second signal ends the program at once.
 std::function<bool()> catchInterruptions();
+/// What that function returns.
+bool isInterrupted();
 
 }  // namespace markerless_mocap

@@ -34,13 +34,18 @@ double numberOf(const YAML::Node& node, const std::string& where, const std::str
   throwError(where, key + " is missing or no number");
 }
 
+std::string nameOf(const YAML::Node& key, const std::string& where) {
+  if (!key.IsScalar()) throwError(where, "has a key that is no name");
+  return key.Scalar();
+}
+
 void allowOnly(const YAML::Node& map, const std::vector<std::string>& keys,
                const std::string& where) {
   if (!map.IsMap()) throwError(where, "is no map; allowed are the keys " + joined(keys));
   for (const auto& entry : map)
-    if (std::find(keys.begin(), keys.end(), entry.first.as<std::string>()) == keys.end())
-      throwError(where,
-                 "unknown key " + entry.first.as<std::string>() + ", allowed are " + joined(keys));
+    if (const std::string key = nameOf(entry.first, where);
+        std::find(keys.begin(), keys.end(), key) == keys.end())
+      throwError(where, "unknown key " + key + ", allowed are " + joined(keys));
 }
 
 void addCamera(const std::string& camera, const YAML::Node& marks, const std::string& where,
@@ -63,7 +68,7 @@ MarkedFrame frameOf(const YAML::Node& node, const std::string& where) {
   if (!node["marks"] || !node["marks"].IsMap())
     throwError(where, "marks is missing or no map of cameras");
   for (const auto& camera : node["marks"]) {
-    const auto name = camera.first.as<std::string>();
+    const std::string name = nameOf(camera.first, where);
     addCamera(name, camera.second, where + ", " + name, &frame);
   }
   return frame;

@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
   describeVideos(app, &arguments);
   CLI11_PARSE(app, argc, argv);
   return runTool("import_recording", [&] {
+    catchInterruptions();
     std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;
     const bool terminal = isStderrTerminal();
     ImportResult result;

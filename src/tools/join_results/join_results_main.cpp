@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   options.max_distance_m = 1e-3 * max_distance_mm;
   size_t disagreeing = 0;
   const int code = runTool("join_results", [&] {
+    catchInterruptions();
     try {
       print(joinResults(options));
     } catch (const Disagreement& error) {

@@ -85,7 +85,12 @@ void save(const SharedBackground& background, const SilhouetteOptions& options,
   if (!background) return;
   SilhouetteExtractor extractor(options);
   extractor.useBackground(background);
-  extractor.saveBackground(file);
+  writeWholeFileBy(file, [&](const std::string& draft) {
+    namespace fs = std::filesystem;
+    fs::permissions(draft, fs::perms::owner_read | fs::perms::owner_write);  // a picture of a room
+    extractor.saveBackground(draft);
+    return true;
+  });
 }
 
 }  // namespace
