@@ -106,6 +106,17 @@ TEST_F(OfflineRun, TwiceTheSameBytes) {
   EXPECT_TRUE(bytes == bytesOf("again.bag"));
 }
 
+TEST_F(OfflineRun, ResultsHoldNoImagesThoughTheReportShowsThem) {
+  writeBag();
+  options_.report_folder = path("report");
+  runOffline(options_, nullptr, false);
+  rosbag::Bag bag(options_.output);
+  rosbag::View results(bag);
+  ASSERT_GT(results.size(), 0u);
+  for (const rosbag::ConnectionInfo* connection : results.getConnections())
+    EXPECT_EQ(connection->datatype.find("Image"), std::string::npos) << connection->topic;
+}
+
 TEST_F(OfflineRun, MasksAreWrittenOnRequest) {
   writeBag();
   options_.masks_out = true;
