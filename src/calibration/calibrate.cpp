@@ -79,6 +79,7 @@ class Calibrator {
 
   void startLens(size_t i) {
     CameraState& camera = state_.cameras[i];
+    camera.size << input_.cameras[i].width, input_.cameras[i].height;
     if (const auto& given = input_.cameras[i].given) {
       camera.intrinsics = intrinsicsOf(*given);
       camera.intrinsics_fixed = true;
@@ -163,6 +164,7 @@ class Calibrator {
     adjustBundle(board_, options(), &state_);
     if (offsets_free_) regroupAndAdjust();
     outliers_ = markOutliers(board_, outlierLimit(), &state_);
+    estimateViewNoise(board_, held_, offsets_free_, &state_);
     adjustBundle(board_, options(), &state_);
     if (!state_.points.empty()) weighPoints();
   }

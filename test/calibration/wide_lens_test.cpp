@@ -2,6 +2,7 @@
 
 #include "calibration/board_scene.h"
 #include "calibration/calibrate.h"
+#include "calibration/origin/world_frame.h"
 
 namespace markerless_mocap {
 namespace {
@@ -58,6 +59,27 @@ TEST(WideLenses, FisheyesThatAreGivenAreKept) {
     EXPECT_EQ(result.cameras[i].calibration.D, scene.cameras[i].D) << i;
   }
   EXPECT_LT(rigError(result, scene.cameras).largestPosition(), 0.002);
+}
+
+TEST(WideLenses, KnownPointsPlaceFisheyes) {
+  const CameraCalibration fisheye = wideScene().cameras[0];
+  RigState state;
+  state.cameras.resize(1);
+  state.cameras[0].lens = LensModel::kFisheye;
+  state.cameras[0].intrinsics = intrinsicsOf(fisheye);
+  for (int k = 0; k < 12; ++k) {
+    const double angle = (10 + 5 * k) * kDegree;  // from the axis
+    const Eigen::Vector3d ray(std::sin(angle) * std::cos(2.0 * k),
+                              std::sin(angle) * std::sin(2.0 * k), std::cos(angle));
+    KnownPoint point;
+    point.position = fisheye.T_world_camera * ((1.5 + 0.2 * k) * ray);
+    if (const auto pixel = Camera(fisheye).project(point.position))
+      point.pixels.emplace_back(0, *pixel);
+    state.points.push_back(point);
+  }
+  const auto pose = posesByPoints(state).at(0);
+  ASSERT_TRUE(pose);
+  EXPECT_TRUE(pose->isApprox(fisheye.T_world_camera.inverse(), 1e-4));
 }
 
 }  // namespace

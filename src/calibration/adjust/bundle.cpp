@@ -8,11 +8,12 @@
 #include <stdexcept>
 
 #include "calibration/adjust/corner_cost.h"
+#include "calibration/adjust/lens_prior.h"
 
 namespace markerless_mocap {
 namespace {
 
-using PriorCost = ceres::AutoDiffCostFunction<DistortionPrior, 8, 12>;
+using PriorCost = ceres::AutoDiffCostFunction<LensPrior, 12, 12>;
 using PointCost = ceres::AutoDiffCostFunction<PointResidual, 2, 12, 6>;
 
 bool contributes(const Instant& instant) {
@@ -56,8 +57,8 @@ class Bundle {
  private:
   void addCamera(CameraState* camera) {
     problem_->AddParameterBlock(camera->intrinsics.data(), 12);
-    problem_->AddResidualBlock(new PriorCost(new DistortionPrior), nullptr,
-                               camera->intrinsics.data());
+    problem_->AddResidualBlock(new PriorCost(new LensPrior(commonLens(*camera, state_.view_sigma))),
+                               nullptr, camera->intrinsics.data());
     problem_->AddParameterBlock(camera->camera_world.data(), 6);
     problem_->AddParameterBlock(&camera->time_offset, 1);
     ordering_->AddElementToGroup(camera->intrinsics.data(), 1);

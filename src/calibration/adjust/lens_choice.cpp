@@ -13,10 +13,12 @@ namespace markerless_mocap {
 namespace {
 
 /// One camera at the origin with the views as instants.
-RigState aloneState(const Board& board, const std::vector<const BoardView*>& views,
-                    const Intrinsics& start, LensModel lens) {
+RigState aloneState(const Board& board, const CameraToCalibrate& camera,
+                    const std::vector<const BoardView*>& views, const Intrinsics& start,
+                    LensModel lens) {
   RigState state;
   state.cameras.resize(1);
+  state.cameras[0].size << camera.width, camera.height;
   state.cameras[0].intrinsics = start;
   for (const int fixed : fixedIntrinsics(lens)) state.cameras[0].intrinsics[fixed] = 0.0;
   state.cameras[0].lens = lens;
@@ -53,7 +55,7 @@ double viewError(const Board& board, const RigState& state, const Instant& insta
 }
 
 /// Error of each view when the intrinsics come from the other folds.
-std::vector<double> errorsOnViewsLeftOut(const Board& board,
+std::vector<double> errorsOnViewsLeftOut(const Board& board, const CameraToCalibrate& camera,
                                          const std::vector<const BoardView*>& views,
                                          const Intrinsics& start, LensModel lens) {
   const size_t folds = std::min<size_t>(views.size(), 5);
@@ -62,8 +64,8 @@ std::vector<double> errorsOnViewsLeftOut(const Board& board,
     std::vector<const BoardView*> kept, left_out;
     for (size_t i = 0; i < views.size(); ++i)
       (i % folds == fold ? left_out : kept).push_back(views[i]);
-    const Intrinsics intrinsics = adjustIntrinsics(board, kept, start, lens);
-    RigState test = aloneState(board, left_out, intrinsics, lens);
+    const Intrinsics intrinsics = adjustIntrinsics(board, camera, kept, start, lens);
+    RigState test = aloneState(board, camera, left_out, intrinsics, lens);
     BundleOptions options = aloneOptions();
     options.estimate_intrinsics = false;
     if (!test.instants.empty()) adjustBundle(board, options, &test);
@@ -73,12 +75,13 @@ std::vector<double> errorsOnViewsLeftOut(const Board& board,
 }
 
 /// Pixels; infinite if the model cannot be fitted to the views.
-double rmsOnViewsLeftOut(const Board& board, const std::vector<const BoardView*>& views,
-                         const Intrinsics& start, LensModel lens) {
+double rmsOnViewsLeftOut(const Board& board, const CameraToCalibrate& camera,
+                         const std::vector<const BoardView*>& views, const Intrinsics& start,
+                         LensModel lens) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<double> errors;
   try {
-    errors = errorsOnViewsLeftOut(board, views, start, lens);
+    errors = errorsOnViewsLeftOut(board, camera, views, start, lens);
   } catch (const std::runtime_error&) {
     return kNone;
   }
@@ -104,9 +107,10 @@ Intrinsics startOf(LensModel lens, const Board& board, const CameraToCalibrate& 
 
 }  // namespace
 
-Intrinsics adjustIntrinsics(const Board& board, const std::vector<const BoardView*>& views,
-                            const Intrinsics& start, LensModel lens) {
-  RigState state = aloneState(board, views, start, lens);
+Intrinsics adjustIntrinsics(const Board& board, const CameraToCalibrate& camera,
+                            const std::vector<const BoardView*>& views, const Intrinsics& start,
+                            LensModel lens) {
+  RigState state = aloneState(board, camera, views, start, lens);
   if (!state.instants.empty()) adjustBundle(board, aloneOptions(), &state);
   return state.cameras[0].intrinsics;
 }
@@ -124,7 +128,7 @@ LensChoice chooseLens(const Board& board, const CameraToCalibrate& camera,
   for (const LensModel lens : kLensModels) {
     const bool is_wide = lens == LensModel::kFisheye;
     const Intrinsics& start = is_wide ? fisheye : polynomial;
-    const LensTrial trial{lens, rmsOnViewsLeftOut(board, chosen, start, lens)};
+    const LensTrial trial{lens, rmsOnViewsLeftOut(board, camera, chosen, start, lens)};
     choice.trials.push_back(trial);
     if (views.size() >= kManyViews && coefficientsOf(lens) < 4) continue;
     if (is_wide)
@@ -151,7 +155,7 @@ LensChoice lensFromViews(const Board& board, const CameraToCalibrate& camera,
     choice = chooseLens(board, camera, views);
   std::vector<const BoardView*> different;
   for (const size_t k : differentViews(board, views, kViews)) different.push_back(views[k]);
-  *intrinsics = adjustIntrinsics(board, different, choice.start, choice.lens);
+  *intrinsics = adjustIntrinsics(board, camera, different, choice.start, choice.lens);
   return choice;
 }
 

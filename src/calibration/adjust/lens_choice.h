@@ -36,7 +36,8 @@ LensChoice lensFromViews(const Board& board, const CameraToCalibrate& camera,
                          const std::optional<LensModel>& lens, Intrinsics* intrinsics);
 
 /// Intrinsics from the views of one camera alone. Keeps `start` where the model has no coefficient.
-Intrinsics adjustIntrinsics(const Board& board, const std::vector<const BoardView*>& views,
-                            const Intrinsics& start, LensModel lens);
+Intrinsics adjustIntrinsics(const Board& board, const CameraToCalibrate& camera,
+                            const std::vector<const BoardView*>& views, const Intrinsics& start,
+                            LensModel lens);
 
 }  // namespace markerless_mocap

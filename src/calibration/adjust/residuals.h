@@ -88,14 +88,4 @@ struct PointResidual {
   }
 };
 
-/// Keeps distortion coefficients that the views say nothing about near 0: a standard deviation of 3
-/// for each at a noise of 0.3 pixels, so that it has no weight where views say something.
-struct DistortionPrior {
-  template <class T>
-  bool operator()(const T* intrinsics, T* residual) const {
-    for (int i = 0; i < 8; ++i) residual[i] = T(0.1) * intrinsics[4 + i];
-    return true;
-  }
-};
-
 }  // namespace markerless_mocap

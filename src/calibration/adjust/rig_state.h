@@ -15,6 +15,7 @@ struct CameraState {
   Intrinsics intrinsics{};
   LensModel lens = LensModel::kPlumbBob;
   bool intrinsics_fixed = false;
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< pixels, of the image; 0: not known
   PoseVector camera_world = PoseVector::Zero();
   bool located = false;      ///< its pose is known
   double time_offset = 0.0;  ///< s, to be added to the camera's clock
@@ -51,7 +52,11 @@ struct RigState {
   std::vector<Instant> instants;
   std::vector<KnownPoint> points;
   double corner_sigma = 0.3;  ///< pixels, of one coordinate of a corner
-  double point_sigma = 3.0;   ///< pixels, of one coordinate of a point that states none
+  /// Pixels: the noise that corners would have, were those of a view independent, for lenses to be
+  /// as uncertain as the scatter of whole views shows. By it corners count against what is known of
+  /// lenses beforehand.
+  double view_sigma = 0.3;
+  double point_sigma = 3.0;  ///< pixels, of one coordinate of a point that states none
 };
 
 inline double sigmaOf(const RigState& state, const KnownPoint& point) {

@@ -7,6 +7,7 @@
 
 #include "calibration/adjust/bundle.h"
 #include "calibration/adjust/corner_cost.h"
+#include "calibration/adjust/lens_prior.h"
 
 namespace markerless_mocap {
 namespace {
@@ -53,6 +54,7 @@ class NormalEquations {
     variance_ = squares_ > 0 ? squares_ / std::max(1.0, residuals_ - double(free.size()))
                              : std::pow(state.corner_sigma, 2);
     known_ = Eigen::MatrixXd::Zero(size_, size_);
+    known_scatter_ = Eigen::VectorXd::Zero(size_);
     for (const KnownPoint& point : state.points) addPoint(point);
     for (size_t i = 0; i < state.cameras.size(); ++i) addPriors(int(i));
     invert();
@@ -76,6 +78,22 @@ class NormalEquations {
     return squares / redundancy;
   }
 
+  /// Square pixels: variance of corners that, were they independent, let the axes of the lenses be
+  /// as uncertain as they are.
+  double viewVariance() const {
+    const Eigen::VectorXd scattered = covariance().diagonal(), apart = covariance_.diagonal();
+    double sum = 0;
+    int count = 0;
+    for (size_t i = 0; i < state_.cameras.size(); ++i)
+      for (int k = 2; k < 4; ++k) {
+        const Eigen::Index at = kPerCamera * Eigen::Index(i) + kIntrinsics + k;
+        if (!(apart[at] > 0)) continue;
+        sum += scattered[at] / apart[at];
+        ++count;
+      }
+    return variance_ * (count > 0 ? std::max(1.0, sum / count) : 1.0);
+  }
+
   /// Covariance of the free parameters; rows and columns of the others are 0. With enough instants
   /// their scatter counts, so that errors which a view's corners share do.
   Eigen::MatrixXd covariance() const {
@@ -83,6 +101,7 @@ class NormalEquations {
     if (instants_.size() < kEnough) return covariance_;
     const Eigen::MatrixXd inverse = covariance_ / variance_;
     Eigen::MatrixXd scatter = variance_ * known_;
+    scatter.diagonal() += known_scatter_;
     for (const InstantPart& instant : instants_) addScatter(instant, inverse, &scatter);
     return inverse * scatter * inverse;
   }
@@ -223,16 +242,18 @@ class NormalEquations {
   /// What is known of a lens without views. Coefficients that the chosen model leaves at 0 may be
   /// as large as in common lenses, so far as the views allow it.
   void addPriors(int index) {
-    constexpr double kEstimated = 0.01;  // as DistortionPrior, of squared pixels
     constexpr double kCommon[] = {0.2, 0.1, 0.001, 0.001, 0.05};  // k1 k2 p1 p2 k3
     const CameraState& camera = state_.cameras[index];
-    for (int k = 0; k < 8; ++k) {
-      double& at = known_.diagonal()[kPerCamera * index + kIntrinsics + 4 + k];
-      if (k < coefficientsOf(camera.lens))
-        at += kEstimated;
-      else if (k < int(std::size(kCommon)))
-        at += variance_ / (kCommon[k] * kCommon[k]);
+    const LensPrior prior = commonLens(camera, state_.view_sigma);
+    const int first = kPerCamera * index + kIntrinsics;
+    for (int k = 0; k < 4 + coefficientsOf(camera.lens); ++k) {
+      const double weight = std::pow(prior.noise / prior.sigma[k], 2);
+      known_.diagonal()[first + k] += weight;
+      // It is weighed by the noise of views, not by that of corners.
+      known_scatter_[first + k] += weight * (prior.noise * prior.noise - variance_);
     }
+    for (int k = coefficientsOf(camera.lens); k < int(std::size(kCommon)); ++k)
+      known_.diagonal()[first + 4 + k] += variance_ / (kCommon[k] * kCommon[k]);
   }
 
   /// Of the Cauchy loss.
@@ -244,9 +265,10 @@ class NormalEquations {
   const RigState& state_;
   int size_;
   std::vector<int> free_;
-  Eigen::MatrixXd normal_;      ///< of the corners
-  Eigen::MatrixXd known_;       ///< of points and priors
-  Eigen::MatrixXd covariance_;  ///< if all corners are independent
+  Eigen::MatrixXd normal_;         ///< of the corners
+  Eigen::MatrixXd known_;          ///< of points and priors
+  Eigen::VectorXd known_scatter_;  ///< of priors, beyond that of corners
+  Eigen::MatrixXd covariance_;     ///< if all corners are independent
   std::vector<InstantPart> instants_;
   std::vector<PointPart> points_;
   double squares_ = 0.0, residuals_ = 0.0, variance_ = 0.0;
@@ -305,6 +327,12 @@ std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigStat
                    own.segment<2>(kIntrinsics + 2), own[kTime]});
   }
   return out;
+}
+
+void estimateViewNoise(const Board& board, const std::set<size_t>& held, bool offsets,
+                       RigState* state) {
+  const NormalEquations equations(board, *state, freeParameters(*state, held, offsets));
+  state->view_sigma = std::max(1e-3, std::sqrt(equations.viewVariance()));
 }
 
 bool estimateNoise(const Board& board, const std::set<size_t>& held, bool offsets,

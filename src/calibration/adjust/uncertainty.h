@@ -25,6 +25,12 @@ struct CameraUncertainty {
 std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigState& state,
                                                const std::set<size_t>& held, bool offsets);
 
+/// Sets view_sigma: how far whole views scatter more than corners that are independent would, at
+/// the lenses' axes, on the mean of the cameras that are estimated. Source: Rao and Scott, The
+/// analysis of categorical data from complex sample surveys (1981), whose mean design effect it is.
+void estimateViewNoise(const Board& board, const std::set<size_t>& held, bool offsets,
+                       RigState* state);
+
 /// Sets corner_sigma and point_sigma from the residuals. \return whether their ratio changed, so
 /// that an adjustment with points should be repeated
 bool estimateNoise(const Board& board, const std::set<size_t>& held, bool offsets, RigState* state);

@@ -7,6 +7,8 @@
 #include <opencv2/core/eigen.hpp>
 #include <stdexcept>
 
+#include "calibration/start/seen_ahead.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -23,29 +25,52 @@ const Instant* instantNear(const RigState& state, size_t camera, double time) {
   return nearest;
 }
 
-std::optional<Eigen::Isometry3d> poseByPoints(const RigState& state, size_t camera) {
-  constexpr size_t kLeast = 4;
-  std::vector<cv::Point3d> places;
+/// What a camera sees of the known points, as a pinhole camera would.
+struct SeenPoints {
+  std::vector<cv::Point3d> places;  ///< m, world
   std::vector<cv::Point2d> pixels;
+  cv::Matx33d K = cv::Matx33d::eye();
+  cv::Mat D;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< from its frame to the camera's
+};
+
+SeenPoints pointsSeen(const RigState& state, size_t camera) {
+  SeenPoints seen;
   for (const KnownPoint& point : state.points)
     for (const auto& [seen_by, pixel] : point.pixels)
       if (seen_by == camera) {
-        places.emplace_back(point.position.x(), point.position.y(), point.position.z());
-        pixels.emplace_back(pixel.x(), pixel.y());
+        seen.places.emplace_back(point.position.x(), point.position.y(), point.position.z());
+        seen.pixels.emplace_back(pixel.x(), pixel.y());
       }
-  if (places.size() < kLeast) return std::nullopt;
   const Intrinsics& in = state.cameras[camera].intrinsics;
-  const cv::Matx33d K(in[0], 0, in[2], 0, in[1], in[3], 0, 0, 1);
-  const cv::Mat D(1, 8, CV_64F, const_cast<double*>(in.data() + 4));
+  if (typeOf(state.cameras[camera].lens) == LensType::kPolynomial) {
+    seen.K = cv::Matx33d(in[0], 0, in[2], 0, in[1], in[3], 0, 0, 1);
+    seen.D = cv::Mat(1, 8, CV_64F, const_cast<double*>(in.data() + 4));
+    return seen;
+  }
+  const AheadView ahead = seenAhead(in, seen.pixels);
+  std::vector<cv::Point3d> places;
+  for (const size_t i : ahead.seen) places.push_back(seen.places[i]);
+  seen.places = places;
+  seen.pixels = ahead.pixels;
+  seen.turn = ahead.turn;
+  return seen;
+}
+
+std::optional<Eigen::Isometry3d> poseByPoints(const RigState& state, size_t camera) {
+  constexpr size_t kLeast = 4;
+  const SeenPoints seen = pointsSeen(state, camera);
+  if (seen.places.size() < kLeast) return std::nullopt;
   cv::Mat r, t;
-  if (!cv::solvePnP(places, pixels, K, D, r, t, false, cv::SOLVEPNP_SQPNP)) return std::nullopt;
-  cv::solvePnPRefineLM(places, pixels, K, D, r, t);
+  if (!cv::solvePnP(seen.places, seen.pixels, seen.K, seen.D, r, t, false, cv::SOLVEPNP_SQPNP))
+    return std::nullopt;
+  cv::solvePnPRefineLM(seen.places, seen.pixels, seen.K, seen.D, r, t);
   PoseVector pose;
   for (int i = 0; i < 3; ++i) {
     pose[i] = r.at<double>(i);
     pose[3 + i] = t.at<double>(i);
   }
-  return isometry(pose);
+  return seen.turn * isometry(pose);
 }
 
 /// Cameras of a group hold their views together, so only instants of the group move.

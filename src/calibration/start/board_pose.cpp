@@ -6,7 +6,7 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "calibration/adjust/residuals.h"
-#include "camera/lens_distortion.h"
+#include "calibration/start/seen_ahead.h"
 
 namespace markerless_mocap {
 namespace {
@@ -75,27 +75,9 @@ BoardPose bestPose(const Points& seen, const cv::Matx33d& K, const cv::Mat& D,
 
 /// A pinhole camera that looks at the board sees its corners without distortion.
 BoardPose fisheyePose(const Points& points, const Intrinsics& in, const PoseError& error) {
-  constexpr double kBeside = 0.1;  // least cosine to the middle of the board
-  CameraCalibration calibration;
-  setIntrinsics(in, LensModel::kFisheye, &calibration);
-  const LensNumbers lens = lensNumbersOf(calibration);
-  std::vector<Eigen::Vector3d> rays;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const cv::Point2d& pixel : points.pixels) {
-    rays.push_back(
-        undistortedDirection(lens, {(pixel.x - in[2]) / in[0], (pixel.y - in[3]) / in[1]})
-            .normalized());
-    middle += rays.back();
-  }
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), middle).toRotationMatrix();
-  Points seen{points.places, {}};
-  for (const Eigen::Vector3d& ray : rays) {
-    const Eigen::Vector3d turned = turn.transpose() * ray;
-    if (!(turned.z() > kBeside)) return {Eigen::Isometry3d::Identity(), INFINITY};
-    seen.pixels.emplace_back(turned.x() / turned.z(), turned.y() / turned.z());
-  }
-  return bestPose(seen, cv::Matx33d::eye(), cv::Mat(), turn, error);
+  const AheadView ahead = seenAhead(in, points.pixels);
+  if (ahead.seen.size() < points.pixels.size()) return {Eigen::Isometry3d::Identity(), INFINITY};
+  return bestPose({points.places, ahead.pixels}, cv::Matx33d::eye(), cv::Mat(), ahead.turn, error);
 }
 
 }  // namespace
