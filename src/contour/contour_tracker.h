@@ -104,8 +104,8 @@ class ContourTracker : public BodyTracker {
   /// What the user is told meanwhile.
   std::string measuringProgress() const;
   /// True if the pose may be reported. That of a mean body only after something has moved, as many
-  /// things are like some body; and none that colours follow: they also fit to a wrong pose, and a
-  /// body that is not the person's does not tell.
+  /// things are like some body; not while an alternative is followed, and none that colours follow:
+  /// a body that is not the person's hardly tells a wrong pose from a right one.
   bool isReportable(const Frame& now, const ContourObservation& seen) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);

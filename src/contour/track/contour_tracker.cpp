@@ -159,7 +159,8 @@ bool ContourTracker::isBelieved() const {
 
 bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
   if (!isBelieved() || !shape_estimator_) return isBelieved();
-  return !now.regions.needsColors() && (reported_ || still_contours_.showLife(seen));
+  return !now.regions.needsColors() && hypotheses_.isUnambiguous() &&
+         (reported_ || still_contours_.showLife(seen));
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -168,7 +169,7 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
     pose.reason = overlapTooSmall(fit);
   else if (agreement_ <= kMinAgreement)
     pose.reason = "colours show a person where the silhouettes show background";
-  else if (accepted_)
+  else if (accepted_ && hypotheses_.isUnambiguous())
     pose.reason = measuringProgress();
   else
     pose.reason = whyUncertain(hypotheses_);
