@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "calibration/board/chessboard_corners.h"
 #include "calibration/board_drawing.h"
 #include "error_text_of.h"
 
@@ -140,6 +141,31 @@ TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {
         std::max(turned, (found->pixels[i] - picture.corners[found->ids.size() - 1 - i]).norm());
   }
   EXPECT_LT(std::min(same, turned), 0.35);
+}
+
+/// Corners of 7 x 4 seen at a steep angle from near.
+std::vector<cv::Point2f> steepGrid() {
+  std::vector<cv::Point2f> grid;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 7; ++x) {
+      const float depth = 0.45f + 0.06f * float(y) + 0.02f * float(x);  // m
+      grid.emplace_back(500 + 800 * (0.06f * float(x) - 0.18f) / depth,
+                        400 + 800 * 0.02f * float(y) / depth);
+    }
+  return grid;
+}
+
+TEST(BoardDetector, AGridOfWhichAPartLiesElsewhereIsNone) {
+  const cv::Size inner(7, 4);
+  EXPECT_TRUE(isGrid(steepGrid(), inner));
+  std::vector<cv::Point2f> mirrored = steepGrid();
+  for (cv::Point2f& p : mirrored) p.x = -p.x;
+  EXPECT_TRUE(isGrid(mirrored, inner));
+  std::vector<cv::Point2f> row_elsewhere = steepGrid(), exchanged = steepGrid();
+  for (size_t i = 21; i < 28; ++i) row_elsewhere[i].y += 60;
+  EXPECT_FALSE(isGrid(row_elsewhere, inner));
+  std::swap(exchanged[12], exchanged[13]);
+  EXPECT_FALSE(isGrid(exchanged, inner));
 }
 
 TEST(BoardDetector, NothingInAnEmptyPicture) {

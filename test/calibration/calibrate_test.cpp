@@ -1,5 +1,6 @@
 #include "calibration/calibrate.h"
 
+#include <glog/logging.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,20 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
+/// What Ceres says of steps that it cannot compute.
+class Warnings : public google::LogSink {
+ public:
+  Warnings() { google::AddLogSink(this); }
+  ~Warnings() override { google::RemoveLogSink(this); }
+  void send(google::LogSeverity, const char*, const char*, int, const google::LogMessageTime&,
+            const char* message, size_t length) override {
+    text.append(message, length).push_back('\n');
+  }
+  std::string text;
+};
+
 TEST(Calibrate, EightCamerasFromNoisyCorners) {
+  const Warnings warnings;
   BoardScene scene;
   scene.addRing(8);
   const RigCalibration result = calibrateRig(scene.input(60));
@@ -28,6 +42,7 @@ TEST(Calibrate, EightCamerasFromNoisyCorners) {
   }
   EXPECT_NEAR(result.rms, 0.3 * std::sqrt(2.0), 0.02);
   EXPECT_TRUE(result.good) << result.verdict[1];
+  EXPECT_EQ(warnings.text, "");
 }
 
 TEST(Calibrate, UncertaintyIsAsLargeAsTheErrors) {

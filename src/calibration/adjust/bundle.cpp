@@ -39,6 +39,9 @@ class Bundle {
 
   void solve() {
     constexpr size_t kDense = 24;  // cameras up to which the reduced equations are solved as dense
+    // Some damping stays when steps succeed: of a rational lens, k4 k5 k6 do nearly what k1 k2 k3
+    // do, and undamped equations have no Cholesky factors.
+    constexpr double kLeastDamping = 1e8;
     ceres::Solver::Options options;
     options.max_num_iterations = options_.iterations;
     options.num_threads = options_.threads;
@@ -47,6 +50,7 @@ class Bundle {
     options.linear_solver_ordering.reset(ordering_);
     ordering_ = nullptr;
     options.function_tolerance = 1e-9;
+    options.max_trust_region_radius = kLeastDamping;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, problem_.get(), &summary);

@@ -19,19 +19,30 @@ void refine(const cv::Mat& grey, cv::Size inner, Points* found) {
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
 }
 
+/// Whether two neighbouring sides of squares may be two sides of one board in perspective.
+bool areAlike(const cv::Point2f& a, const cv::Point2f& b) {
+  constexpr double kDiffer = 0.4;  // of the longer side
+  return cv::norm(a - b) <= kDiffer * std::max(cv::norm(a), cv::norm(b));
+}
+
+Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
+  Points found;
+  const int flags = cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY | more;
+  if (!cv::findChessboardCornersSB(grey, inner, found, flags) || !isGrid(found, inner)) return {};
+  return found;
+}
+
 /// A chessboard's inner corners by rows; empty if it is not there.
 Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
-  Points found;
-  const int more = thorough ? cv::CALIB_CB_EXHAUSTIVE : 0;
-  if (cv::findChessboardCornersSB(grey, inner, found,
-                                  cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY | more))
-    return found;
+  Points found = findBySectors(grey, inner, 0);
+  if (found.empty() && thorough) found = findBySectors(grey, inner, cv::CALIB_CB_EXHAUSTIVE);
+  if (!found.empty()) return found;
   const int fast = thorough ? 0 : cv::CALIB_CB_FAST_CHECK;
   if (!cv::findChessboardCorners(
           grey, inner, found, cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | fast))
     return {};
   refine(grey, inner, &found);
-  return found;
+  return isGrid(found, inner) ? found : Points();
 }
 
 /// As findRows() in a magnified image.
@@ -83,6 +94,22 @@ double colourAgreement(const Board& board, const cv::Mat& grey, const Points& fo
 }
 
 }  // namespace
+
+bool isGrid(const std::vector<cv::Point2f>& found, cv::Size inner) {
+  const size_t width = size_t(inner.width), height = size_t(inner.height);
+  size_t left = 0, right = 0;  // cells that turn so
+  for (size_t at = 0; at < width * height; ++at) {
+    const size_t x = at % width, y = at / width;
+    const cv::Point2f* const p = &found[at];
+    if (x + 2 < width && !areAlike(p[1] - p[0], p[2] - p[1])) return false;
+    if (y + 2 < height && !areAlike(p[width] - p[0], p[2 * width] - p[width])) return false;
+    if (x + 1 == width || y + 1 == height) continue;
+    const cv::Point2f across = p[1] - p[0], along = p[width] - p[0];
+    if (!areAlike(across, p[width + 1] - p[width])) return false;
+    ++(across.cross(along) > 0 ? left : right);
+  }
+  return left == 0 || right == 0;
+}
 
 BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough) {
   const cv::Size inner(board.options().columns - 1, board.options().rows - 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "calibration/board.h"
 #include "calibration/views.h"
@@ -12,5 +13,10 @@ namespace markerless_mocap {
 /// the board is not the same turned.
 /// \param thorough look longer, and in small images also magnified
 BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough);
+
+/// Whether neighbouring sides among corners by rows are nearly alike, and all cells turn the same
+/// way. OpenCV's longer search returns grids of which a part lies on other things.
+/// \param inner corners of a row, and rows
+bool isGrid(const std::vector<cv::Point2f>& found, cv::Size inner);
 
 }  // namespace markerless_mocap

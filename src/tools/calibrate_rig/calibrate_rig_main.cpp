@@ -79,8 +79,12 @@ void useFilesBesideFilms(CalibrateRigArguments* arguments, BoardArguments* board
     if (notes && !file.empty()) *notes << what << file << ", which lies beside the films\n";
     return file;
   };
-  if (!isBoardDescribed(*board))
+  if (!isBoardDescribed(*board)) {
     board->file = find("the board is that of ", {"board.yaml", "charuco.toml"});
+    if (notes && board->file.empty())
+      *notes << "no board is described (--board), nor lies board.yaml beside the films: looked for "
+                "is the one that make_board prints if it is not told otherwise\n";
+  }
   if (arguments->times.empty() && !arguments->unsynchronised)
     arguments->times = find("the times are those of ", {"timestamps.csv"});
 }
