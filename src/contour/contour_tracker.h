@@ -11,6 +11,7 @@
 #include "contour/track/color_check.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
 #include "contour/track/still_contours.h"
+#include "contour/track/usual_quality.h"
 #include "markerless_mocap/contour/contour_options.h"
 #include "markerless_mocap/tracking/body_tracker.h"
 #include "markerless_mocap/tracking/person_options.h"
@@ -103,9 +104,14 @@ class ContourTracker : public BodyTracker {
   bool measure(int64_t stamp_ns, const ContourObservation& seen, const ContourFit& fit);
   /// What the user is told meanwhile.
   std::string measuringProgress() const;
+  /// For some time after a gap or a new start, a pose is reported only if it fits as well as usual.
+  void doubt(int64_t stamp_ns);
+  /// True if the pose of this frame set is doubted; else its quality is usual.
+  bool isDoubted(int64_t stamp_ns, const ContourFit& fit);
   /// True if the pose may be reported. That of a mean body only after something has moved, as many
-  /// things are like some body; not while an alternative is followed, and none that colours follow:
-  /// a body that is not the person's hardly tells a wrong pose from a right one.
+  /// things are like some body, and after another search has confirmed what colours follow; not
+  /// while an alternative is followed: a body that is not the person's hardly tells a wrong pose
+  /// from a right one.
   bool isReportable(const Frame& now, const ContourObservation& seen) const;
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
@@ -121,6 +127,8 @@ class ContourTracker : public BodyTracker {
   std::array<double, ContourLimb::kCount> limb_agreement_{};
   bool accepted_ = false;  ///< the pose has been accepted since the last start
   bool reported_ = false;  ///< a pose has been reported since the last start
+  UsualQuality usual_quality_;
+  int64_t doubted_until_ns_ = 0;
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_check_ns_ = 0;
   int64_t next_limb_search_ns_ = 0, next_start_ns_ = 0, next_learning_ns_ = 0;
   std::optional<int64_t> searching_since_ns_;       ///< no pose has been reported since

@@ -49,6 +49,8 @@ class ContourHypothesisTracker {
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const;
   void lose() { last_.reset(); }
+  /// Lets the next frame search for limbs, however short ago that was done.
+  void searchSoon() { next_search_ns_ = next_least_certain_ns_ = 0; }
   bool tracking() const { return last_.has_value(); }
   /// Usual quality of the fits, 0 to 1: mean of overlap and explained rays; 0 while lost.
   double quality() const { return last_ ? last_->quality : 0.0; }

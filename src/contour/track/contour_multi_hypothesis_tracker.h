@@ -56,6 +56,8 @@ class ContourMultiHypothesisTracker {
   /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
+  /// See ContourHypothesisTracker::searchSoon().
+  void searchSoon() { active_.searchSoon(); }
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.
   std::vector<ContourFit> bestFits(const ContourObservation& seen, const ContourBody& body,
                                    std::vector<ContourPose> poses) const;

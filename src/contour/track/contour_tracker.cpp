@@ -38,9 +38,16 @@ constexpr double kMinOverlap = 0.72;
 // his desk, of whom little is seen, has 0.45 to 0.69.
 constexpr double kMinAgreement = 0.75, kLostAgreement = 0.5;
 
+// After a longer gap the person may have moved too far for the prediction. A limb or the whole body
+// is then fitted to the wrong place, nearly as well as usual; and so it is by one start in forty.
+constexpr int64_t kLongGap_ns = 150000000, kDoubt_ns = 1000000000;
+
 // Without them a search finds little, and takes as long.
 const char* const kImagesAwaited =
     "images of cameras whose background is not known have been asked for";
+
+const char* const kDoubtful =
+    "a person was found again, but no pose fits as well as before the gap yet";
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
@@ -68,6 +75,7 @@ ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
 
 void ContourTracker::setBody(std::shared_ptr<const TrackedBody> body) {
   color_check_.forget();
+  usual_quality_.forget();
   body_ = std::move(body);
   contour_body_.emplace(body_->shape);
   converter_.emplace(body_->model);
@@ -80,6 +88,7 @@ void ContourTracker::reset() {
   still_contours_.reset();
   reconsider_until_ns_ = next_check_ns_ = next_reconsideration_ns_ = 0;
   next_limb_search_ns_ = limb_search_interval_ns_ = next_start_ns_ = next_learning_ns_ = 0;
+  doubted_until_ns_ = 0;
   searching_since_ns_.reset();
   initializer_->reset();
   converter_->reset();
@@ -153,14 +162,31 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   return pose;
 }
 
+void ContourTracker::doubt(int64_t stamp_ns) {
+  doubted_until_ns_ = stamp_ns + kDoubt_ns;
+  accepted_ = false;
+  next_check_ns_ = next_reconsideration_ns_ = 0;
+}
+
+bool ContourTracker::isDoubted(int64_t stamp_ns, const ContourFit& fit) {
+  if (stamp_ns >= doubted_until_ns_) {
+    if (isBelieved()) usual_quality_.add(qualityOf(fit));
+    return false;
+  }
+  if (usual_quality_.includes(qualityOf(fit))) return false;
+  hypotheses_.searchSoon();
+  return true;
+}
+
 bool ContourTracker::isBelieved() const {
   return accepted_ && agreement_ > kMinAgreement;
 }
 
 bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
   if (!isBelieved() || !shape_estimator_) return isBelieved();
-  return !now.regions.needsColors() && hypotheses_.isUnambiguous() &&
-         (reported_ || still_contours_.showLife(seen));
+  const bool checked = !now.regions.needsColors() || color_confirmations_ > 0;
+  return hypotheses_.isUnambiguous() &&
+         (reported_ || (checked && still_contours_.showLife(seen)));
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -191,6 +217,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
     active = start(now);
+    doubt(now.stamp_ns);
     accepted_ = isAccepted(found.seen, active.track.fit);
     reported_ = false;
     return active;
@@ -207,6 +234,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
+  if (stamp_ && now.stamp_ns - *stamp_ > kLongGap_ns) doubt(now.stamp_ns);
   stamp_ = now.stamp_ns;
   const bool follows = hypotheses_.predict(now.stamp_ns).has_value();
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
@@ -248,6 +276,11 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (measure(now.stamp_ns, found.seen, fit)) {
     BodyPose pose;
     pose.reason = "the body has just been measured";
+    return pose;
+  }
+  if (isDoubted(now.stamp_ns, fit)) {
+    BodyPose pose;
+    pose.reason = kDoubtful;
     return pose;
   }
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
