@@ -1,9 +1,13 @@
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 
+#include <chrono>
+#include <future>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "numerics/low_priority.h"
 #include "options/settings.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
@@ -38,12 +42,14 @@ class SilhouetteExtractor::Impl {
   SilhouetteResult update(const cv::Mat& given, const cv::Size& whole) {
     const cv::Mat image = given.size() == whole ? reducedImage(given, reduction(whole)) : given;
     checkImage(image);
-    if (!subtractor_ || type_ < 0) begin(image);
+    if (type_ < 0 || (!subtractor_ && frames_learned_ == 0)) begin(image);
     if (learns() && frames_learned_ < options_.background_frames && loaded_.empty()) {
       learn(image);
       return {};
     }
     if (live_) addLive(image);
+    if (first_background_.valid()) takeFirstBackground();
+    if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
     const double unknown = double(found.unknown.count()) / double(image.total());
     return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole), unknown,
@@ -60,6 +66,7 @@ class SilhouetteExtractor::Impl {
 
   void reset() {
     if (learns()) subtractor_.reset();
+    first_background_ = {};
     live_.reset();
     frames_learned_ = stale_run_ = 0;
     size_ = loaded_.size();
@@ -134,11 +141,40 @@ class SilhouetteExtractor::Impl {
     subtractor_->learn(image);
     if (live_) live_->add(image);
     if (++frames_learned_ < options_.background_frames) return;
-    subtractor_->finishLearning();
-    if (live_ && live_->isOccupied())
+    if (live_ && !live_->isOccupied()) live_.reset();
+    if (beside_)
+      learnFirstBeside();
+    else
+      learnFirst();
+  }
+
+  void learnFirst() {
+    if (live_)
       subtractor_ = makeSubtractor(options_, live_->learn());
     else
-      live_.reset();
+      subtractor_->finishLearning();
+  }
+
+  /// There is no subtractor until this has ended.
+  void learnFirstBeside() {
+    if (live_) {
+      live_->learnBeside();
+      subtractor_.reset();
+    } else {
+      first_background_ =
+          std::async(std::launch::async, [learning = std::move(subtractor_)]() mutable {
+            return unobtrusively([&] {
+              learning->finishLearning();
+              return std::move(learning);
+            });
+          });
+    }
+  }
+
+  void takeFirstBackground() {
+    if (first_background_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    subtractor_ = first_background_.get();
+    subtractor_->change(options_);  // they may have changed
   }
 
   void addLive(const cv::Mat& image) {
@@ -155,8 +191,9 @@ class SilhouetteExtractor::Impl {
   SilhouetteOptions options_;
   std::optional<LiveLearner> live_;         ///< as long as the background gets better
   bool beside_ = false;                     ///< it is learned again beside the images
-  std::unique_ptr<Subtractor> subtractor_;  ///< created at the first image
-  Background loaded_;                       ///< background from a file or given; else empty
+  std::unique_ptr<Subtractor> subtractor_;  ///< none before the first image and while it is learned
+  std::future<std::unique_ptr<Subtractor>> first_background_;  ///< beside the images
+  Background loaded_;  ///< background from a file or given; else empty
   int frames_learned_ = 0;
   int stale_run_ = 0;  ///< number of images in a row that differ too much from the background
   cv::Size size_;

@@ -56,8 +56,9 @@ class SilhouetteExtractor {
   void change(const SilhouetteOptions& options);
   /// Returns to the initial state: the background as it was loaded, or learning.
   void reset();
-  /// From now on an unknown background is learned again in another thread, of low priority, while
-  /// images go on: for live images. Results then depend on the time this takes.
+  /// From now on backgrounds are learned in another thread, of low priority, while images go on:
+  /// for live images. Results, and how many images the first background takes, then depend on the
+  /// time this takes.
   void learnBeside();
   /// Discards the background, also a loaded or given one, and starts learning.
   void relearn();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/large_memory.h"
 #include "silhouette/background/color_modes.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/one_color_row.h"
@@ -38,10 +39,19 @@ void store(const std::vector<ColorMode>& modes, int x, int y, Background* backgr
 void BackgroundLearner::add(const cv::Mat& image) {
   const int64_t budget = affordableImages(image, frames_);
   if ((seen_ + 1) * budget / frames_ > seen_ * budget / frames_) {
-    kept_.push_back(image.clone());
+    keep(image, size_t(budget));
     gains_.push_back(compensate_flicker_ ? float(estimateLightGain(image, kept_.front()).gain) : 1);
   }
   ++seen_;
+}
+
+/// In one piece: pages of images that are kept one by one cost more than all else here.
+void BackgroundLearner::keep(const cv::Mat& image, size_t budget) {
+  if (kept_.size() == budget) return kept_.push_back(image.clone());
+  const size_t row = image.cols * image.elemSize(), bytes = row * image.rows;
+  if (!pixels_) pixels_ = largeMemory(bytes * budget);
+  kept_.emplace_back(image.rows, image.cols, image.type(), pixels_.get() + bytes * kept_.size());
+  image.copyTo(kept_.back());
 }
 
 Background BackgroundLearner::learn(int modes, double min_sigma) const {

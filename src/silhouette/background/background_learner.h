@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "silhouette/background/background.h"
@@ -23,9 +24,12 @@ class BackgroundLearner {
   Background learn(int modes, double min_sigma) const;
 
  private:
+  void keep(const cv::Mat& image, size_t budget);
+
   int frames_;
   bool compensate_flicker_;
   int seen_ = 0;
+  std::shared_ptr<uint8_t> pixels_;  ///< of all kept images
   std::vector<cv::Mat> kept_;
   std::vector<float> gains_;  ///< light of the kept images relative to the first
 };

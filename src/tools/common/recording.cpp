@@ -14,6 +14,7 @@
 #include "ros/rig_collector.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/recorded_transforms.h"
+#include "tools/common/reused_image.h"
 
 namespace markerless_mocap {
 namespace {
@@ -42,9 +43,9 @@ std::vector<std::string> namesOf(const std::vector<RecordedCamera>& cameras) {
 }
 
 RecordedImage imageOf(const rosbag::MessageInstance& message) {
-  RecordedImage image{messageOf<sensor_msgs::Image>(message),
-                      messageOf<sensor_msgs::CompressedImage>(message)};
-  if (image.raw || image.compressed) return image;
+  if (const auto raw = messageOf<ReusedImage>(message)) return {raw->image, nullptr};
+  if (const auto compressed = messageOf<sensor_msgs::CompressedImage>(message))
+    return {nullptr, compressed};
   throw std::runtime_error("topic " + message.getTopic() + " holds " + message.getDataType() +
                            ", expected are images of this ROS");
 }
