@@ -10,18 +10,21 @@ import time
 import unittest
 import xmlrpc.client
 
+import cv2
+import numpy
 import rosgraph
 import rosnode
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from faulty_cameras import CAMERAS, RATE, Cameras, Recording, places, render
+from faulty_cameras import CAMERAS, EMPTY, RATE, Cameras, Recording, places, render
 from markerless_mocap.msg import BodyPose, MocapStatus
 from sensor_msgs.msg import CameraInfo
 from tf2_msgs.msg import TFMessage
 
 FALSE = 0.20  # m; without faults the worst joint is off by 0.05 to 0.1
 SECONDS = 3.0
+WALKS = EMPTY + 25, EMPTY + 70  # frame sets in which the person leaves the place
 Pose = collections.namedtuple('Pose', 'sent latency error limbs')  # s, s, m, m by limb
 # Ends of limbs, and their places in part_deviation.
 LIMBS = {'l_wrist': 2, 'r_wrist': 3, 'l_ankle': 4, 'r_ankle': 5}
@@ -276,6 +279,22 @@ class FaultSuite(unittest.TestCase):
         self.expect('has sent images that cannot be used', least=0, silence=4.0)
         self.assertLess(self.recovery, 1.5)
 
+    def light(self, factor):
+        self.cameras.data_of = lambda camera, data: in_light(data, factor)
+        time.sleep(SECONDS)
+        self.end = time.time()
+        self.cameras.heal()
+
+    def test_white_light(self):
+        self.light(8.0)
+        self.expect(least=0, silence=5.0)
+        self.assertLess(self.recovery, 1.0)
+
+    def test_darkness(self):
+        self.light(0.02)
+        self.expect(least=0, silence=5.0)
+        self.assertLess(self.recovery, 1.0)
+
     def test_k_wanders(self):
         def info_of(camera, info):
             wandering = CameraInfo(**{name: getattr(info, name) for name in info.__slots__})
@@ -326,6 +345,31 @@ class FaultSuite(unittest.TestCase):
         self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
 
+    def test_z_stands_still_while_the_background_is_learned(self):
+        """Nobody can know at first; it is told, and whoever moves away is seen."""
+        noisy = {}
+
+        def data_of(camera, data):
+            which = camera, hash(data), numpy.random.randint(6)
+            if which not in noisy:
+                noisy[which] = with_noise(data)
+            return noisy[which]
+        wait_for(lambda: WALKS[0] < self.cameras.index(self.cameras.frame) < WALKS[1], 20)
+        self.cameras.stands, self.cameras.data_of = True, data_of
+        time.sleep(1.0)
+        for camera in CAMERAS:
+            os.remove('/tmp/%s.background' % camera)
+        os.kill(pid_of('silhouette'), signal.SIGKILL)
+        asked = time.time()
+        wait_for(lambda: any('whoever stands still there' in m for at, _, _, m in self.states
+                             if at > asked), 30)
+        time.sleep(3.0)
+        self.assertTrue(self.said('somebody has stood still since the background was learned', 1))
+        self.end = time.time()
+        self.cameras.heal()
+        self.expect('stood still in view of', least=0, silence=60.0)
+        self.assertLess(self.recovery, 4.0)
+
     def test_zzz_expected_errors_cover_the_real_ones(self):
         self.assertGreaterEqual(self.covered, 0.95 * self.limbs, 'of all cases before')
 
@@ -343,6 +387,20 @@ def runs_again(node, killed):
         return pid_of(node) != killed
     except OSError:  # it has not registered yet
         return False
+
+
+def in_light(data, factor):
+    """A JPEG in light of so many times the usual."""
+    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+    lit = numpy.clip(factor * picture.astype(numpy.float32), 0, 255).astype(numpy.uint8)
+    return cv2.imencode('.jpg', lit)[1].tobytes()
+
+
+def with_noise(data):
+    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+    noise = numpy.random.normal(0, 2, picture.shape)
+    noisy = numpy.clip(picture + noise, 0, 255).astype(numpy.uint8)
+    return cv2.imencode('.jpg', noisy, [cv2.IMWRITE_JPEG_QUALITY, 90])[1].tobytes()
 
 
 def median(values):

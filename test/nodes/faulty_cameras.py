@@ -74,7 +74,7 @@ class Recording:
 
 class Cameras:
     """What a fault changes are the functions `stamp_of`, `content_of`, `data_of`, `info_of`,
-    `sends`, each by camera."""
+    `sends`, each by camera. While `stands` the person keeps still."""
 
     def __init__(self, recording):
         self.recording, self.frame, self.tick_count = recording, 0, 0
@@ -96,6 +96,7 @@ class Cameras:
         self.data_of = lambda camera, data: data
         self.info_of = lambda camera, info: info
         self.sends = lambda camera: True
+        self.stands = False
 
     def place(self, camera, shift):
         moved = TransformStamped()
@@ -134,7 +135,7 @@ class Cameras:
             self.images[camera].publish(image)
             self.content[stamp.to_nsec()] = self.index(self.frame)
             self.sent_at[stamp.to_nsec()] = now.to_sec()
-        self.frame += 1
+        self.frame += not self.stands
 
     def nearest(self, stamp_ns):
         return min(list(self.content), key=lambda s: abs(s - stamp_ns))

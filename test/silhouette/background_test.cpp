@@ -207,6 +207,17 @@ TEST(Stale, IsALightThatIsOff) {
   EXPECT_EQ(extractor.update(makeScene(3) * 0.3).state, SilhouetteState::kStale);
 }
 
+/// White and black images say nothing about the room.
+TEST_P(OwnModel, LightThatBlindsTheCameraForAWhileChangesNothing) {
+  const cv::Mat scene = makeScene(3), seen = withNoise(withPerson(scene), 300);
+  for (const double light : {8.0, 0.02}) {
+    SilhouetteExtractor blinded = learned(scene, ofModel(GetParam()));
+    SilhouetteExtractor other = learned(scene, ofModel(GetParam()));
+    for (int i = 0; i < 160; ++i) blinded.update(withNoise(withPerson(scene) * light, 100 + i));
+    EXPECT_EQ(cv::countNonZero(blinded.update(seen).mask != other.update(seen).mask), 0) << light;
+  }
+}
+
 template <class ActT>
 std::string refusal(const ActT& act) {
   try {

@@ -13,6 +13,7 @@
 #include "silhouette/changes/kept_texture.h"
 #include "silhouette/changes/light_switch.h"
 #include "silhouette/changes/still_objects.h"
+#include "silhouette/changes/uncovered_places.h"
 #include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
@@ -58,6 +59,7 @@ class ModelSubtractor : public Subtractor {
     static thread_local BoundaryMatting matting;
     Extraction found;
     if (options_.compensate_flicker) found.light_gain = followLight(image);
+    const bool is_clipped = isClipped(image, found.light_gain);
     PixelClasses& classes = test.classify(options_, image, background_, found.light_gain);
     found.changed_fraction = double(classes.changed) / double(image.total());
     if (options_.follow_changes && options_.remove_shadows)
@@ -69,9 +71,12 @@ class ModelSubtractor : public Subtractor {
     fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
     if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
-    updateBackground(image, found.light_gain, found.mask, classes.shadow);
-    if (options_.follow_changes) absorbObjects(image, &found);
-    last_mask_ = found.mask;
+    if (!is_clipped) updateBackground(image, found.light_gain, found.mask, classes.shadow);
+    if (options_.follow_changes && !is_clipped) {
+      found.uncovered = uncovered_.update(image, found.light_gain, &background_, &found.mask);
+      absorbObjects(image, &found);
+    }
+    if (!is_clipped) last_mask_ = found.mask;
     return found;
   }
 
@@ -101,6 +106,7 @@ class ModelSubtractor : public Subtractor {
   LightSwitch light_switch_;
   KeptTexture kept_texture_;
   StillObjects still_objects_;
+  UncoveredPlaces uncovered_;
   int next_row_ = 0;  ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
@@ -114,9 +120,11 @@ void ModelSubtractor::setThreshold() {
 /// The gain of the image, after the background has followed a switch of the light.
 double ModelSubtractor::followLight(const cv::Mat& image) {
   const LightGain light = estimateLightGain(image, background_);
-  if (!followsLamps() || !light_switch_.update(image, light, last_mask_, &background_))
+  if (!followsLamps() || isClipped(image, light.gain) ||
+      !light_switch_.update(image, light, last_mask_, &background_))
     return light.gain;
   still_objects_.clear();
+  uncovered_.clear();
   return estimateLightGain(image, background_).gain;
 }
 
