@@ -138,7 +138,7 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
                            "before; it is left out, unless the change stays");
   }
   const std::optional<SilhouetteResult> silhouette = background_.update(pixels, whole);
-  if (!silhouette) return status_.waiting("checking the background that was kept");
+  if (!silhouette) return status_.waiting("learning the background anew");
   if (silhouette->state == SilhouetteState::kLearning) {
     has_seen_somebody_ = false;
     return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
