@@ -4,6 +4,8 @@ published stays true, comes in time, and every fault is told. FAULTS=name,name r
 prints what was measured."""
 import collections
 import os
+import pathlib
+import random
 import signal
 import tempfile
 import time
@@ -11,13 +13,13 @@ import unittest
 import xmlrpc.client
 
 import cv2
-import numpy
 import rosgraph
 import rosnode
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from faulty_cameras import CAMERAS, EMPTY, RATE, Cameras, Recording, places, render
+from faulty_cameras import (CAMERAS, EMPTY, RATE, Cameras, Recording, in_light, places, redrawn,
+                            render, with_noise)
 from markerless_mocap.msg import BodyPose, MocapStatus
 from sensor_msgs.msg import CameraInfo
 from tf2_msgs.msg import TFMessage
@@ -242,7 +244,8 @@ class FaultSuite(unittest.TestCase):
         self.kill_stage('visual_hull')
 
     def test_stamps_of_one_off(self):
-        for shift in (0.03,):
+        for shift in (0.03, -0.05, 0.05):
+            self.start = time.time()
             self.cameras.stamp_of = (lambda camera, stamp, s=rospy.Duration(shift):
                                      stamp + s if camera == 'cam2' else stamp)
             self.run_fault(4.0)
@@ -278,6 +281,24 @@ class FaultSuite(unittest.TestCase):
         self.run_fault(2.0)
         self.expect('has sent images that cannot be used', least=0, silence=4.0)
         self.assertLess(self.recovery, 1.5)
+
+    def pictures_of_one(self, change, *sentences):
+        self.cameras.data_of = lambda camera, data: change(data) if camera == 'cam5' else data
+        self.run_fault()
+        self.expect(*sentences)
+
+    def test_pictures_of_one_are_black(self):
+        self.pictures_of_one(lambda data: in_light(data, 0.0))
+
+    def test_pictures_of_one_are_mirrored(self):
+        self.pictures_of_one(lambda data: redrawn(data, lambda picture: cv2.flip(picture, 1)))
+
+    def test_pictures_of_one_are_half_as_large(self):
+        self.pictures_of_one(lambda data: redrawn(data, lambda picture: picture[::2, ::2]),
+                             'cam5 has sent images that cannot be used')
+
+    def test_pictures_of_one_are_empty(self):
+        self.pictures_of_one(lambda data: b'', 'cam5 has sent images that cannot be used')
 
     def light(self, factor):
         self.cameras.data_of = lambda camera, data: in_light(data, factor)
@@ -316,6 +337,15 @@ class FaultSuite(unittest.TestCase):
         self.run_fault()
         self.expect('but the new one is not used: it says 30000 x 30000')
 
+    def test_camera_info_of_no_lens(self):
+        def info_of(camera, info):
+            other = CameraInfo(**{name: getattr(info, name) for name in info.__slots__})
+            other.D = [1e6, -1e9, 0.0, 0.0, 0.0]
+            return other
+        self.cameras.info_of = info_of
+        self.run_fault()
+        self.expect('but the new one is not used')
+
     def test_y_camera_moves_by_tf(self):
         self.cameras.place('cam6', 0.3)
         self.run_fault(2.0)
@@ -352,7 +382,7 @@ class FaultSuite(unittest.TestCase):
         noisy = {}
 
         def data_of(camera, data):
-            which = camera, hash(data), numpy.random.randint(6)
+            which = camera, hash(data), random.randrange(6)
             if which not in noisy:
                 noisy[which] = with_noise(data)
             return noisy[which]
@@ -360,7 +390,7 @@ class FaultSuite(unittest.TestCase):
         self.cameras.stands, self.cameras.data_of = True, data_of
         time.sleep(1.0)
         for camera in CAMERAS:
-            os.remove('/tmp/%s.background' % camera)
+            pathlib.Path('/tmp/%s.background' % camera).unlink(missing_ok=True)
         os.kill(pid_of('silhouette'), signal.SIGKILL)
         asked = time.time()
         wait_for(lambda: any('whoever stands still there' in m for at, _, _, m in self.states
@@ -370,7 +400,7 @@ class FaultSuite(unittest.TestCase):
         self.end = time.time()
         self.cameras.heal()
         self.expect('stood still in view of', least=0, silence=60.0)
-        self.assertLess(self.recovery, 4.0)
+        self.assertLess(self.recovery, 6.0)  # with the way out of the place
 
     def test_zzz_expected_errors_cover_the_real_ones(self):
         self.assertGreaterEqual(self.covered, 0.95 * self.limbs, 'of all cases before')
@@ -389,20 +419,6 @@ def runs_again(node, killed):
         return pid_of(node) != killed
     except OSError:  # it has not registered yet
         return False
-
-
-def in_light(data, factor):
-    """A JPEG in light of so many times the usual."""
-    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
-    lit = numpy.clip(factor * picture.astype(numpy.float32), 0, 255).astype(numpy.uint8)
-    return cv2.imencode('.jpg', lit)[1].tobytes()
-
-
-def with_noise(data):
-    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
-    noise = numpy.random.normal(0, 2, picture.shape)
-    noisy = numpy.clip(picture + noise, 0, 255).astype(numpy.uint8)
-    return cv2.imencode('.jpg', noisy, [cv2.IMWRITE_JPEG_QUALITY, 90])[1].tobytes()
 
 
 def median(values):

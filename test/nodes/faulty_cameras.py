@@ -4,6 +4,7 @@ import math
 import subprocess
 import threading
 
+import cv2
 import numpy
 import rosbag
 import rospy
@@ -49,6 +50,24 @@ def places(transforms):
             break
         waiting = rest
     return found
+
+
+def redrawn(data, change):
+    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+    return cv2.imencode('.jpg', change(picture), [cv2.IMWRITE_JPEG_QUALITY, 90])[1].tobytes()
+
+
+def bytes_of(levels):
+    return numpy.clip(levels, 0, 255).astype(numpy.uint8)
+
+
+def in_light(data, factor):
+    """A JPEG in light of so many times the usual."""
+    return redrawn(data, lambda picture: bytes_of(factor * picture.astype(numpy.float32)))
+
+
+def with_noise(data):
+    return redrawn(data, lambda picture: bytes_of(picture + numpy.random.normal(0, 2, picture.shape)))
 
 
 class Recording:
