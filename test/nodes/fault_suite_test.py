@@ -374,11 +374,12 @@ class FaultSuite(unittest.TestCase):
         time.sleep(0.8)  # what is under way
         self.end = time.time()
         self.expect('is that of /tmp', least=0, silence=5.0)
-        self.assertLess(self.recovery, 3.0)
+        self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
 
     def test_z_stands_still_while_the_background_is_learned(self):
-        """Nobody can know at first; it is told, and whoever moves away is seen."""
+        """Nobody can know at first: it is told, and no ghost becomes a pose. When the masks are
+        right again is tested in test/silhouette/uncovered_test.cpp."""
         noisy = {}
 
         def data_of(camera, data):
@@ -399,8 +400,10 @@ class FaultSuite(unittest.TestCase):
         self.assertTrue(self.said('somebody has stood still since the background was learned', 1))
         self.end = time.time()
         self.cameras.heal()
-        self.expect('stood still in view of', least=0, silence=60.0)
-        self.assertLess(self.recovery, 6.0)  # with the way out of the place
+        wait_for(lambda: self.said('stood still in view of'), 20)
+        self.finish()
+        self.assertTrue(self.said('stood still in view of', 1), self.messages())
+        self.assertLessEqual(len(self.false), round(0.2 * RATE))
 
     def test_zzz_expected_errors_cover_the_real_ones(self):
         self.assertGreaterEqual(self.covered, 0.95 * self.limbs, 'of all cases before')
