@@ -377,7 +377,7 @@ class FaultSuite(unittest.TestCase):
         self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
 
-    def test_z_stands_still_while_the_background_is_learned(self):
+    def test_zzy_stands_still_while_the_background_is_learned(self):
         """Nobody can know at first: it is told, and no ghost becomes a pose. When the masks are
         right again is tested in test/silhouette/uncovered_test.cpp."""
         noisy = {}
