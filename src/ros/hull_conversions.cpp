@@ -7,6 +7,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "ros/aligned_points.h"
 #include "ros/message_limits.h"
 #include "ros/point_cloud_reader.h"
 
@@ -90,6 +91,7 @@ sensor_msgs::PointCloud2 emptyCloud(const std_msgs::Header& header, size_t point
   modifier.setPointCloud2Fields(11, "x", 1, f32, "y", 1, f32, "z", 1, f32, "rgb", 1, f32, "views",
                                 1, u8, "votes_x", 1, u8, "votes_y", 1, u8, "votes_z", 1, u8,
                                 "possible_x", 1, u8, "possible_y", 1, u8, "possible_z", 1, u8);
+  alignPoints(&cloud);
   modifier.resize(points);
   return cloud;
 }

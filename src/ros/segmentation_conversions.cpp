@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ros/aligned_points.h"
 #include "ros/message_limits.h"
 #include "ros/point_cloud_reader.h"
 
@@ -152,6 +153,7 @@ sensor_msgs::PointCloud2 labelledCloud(const VisualHull& hull, const BodyParts& 
   const auto f32 = sensor_msgs::PointField::FLOAT32;
   modifier.setPointCloud2Fields(5, "x", 1, f32, "y", 1, f32, "z", 1, f32, "rgb", 1, f32, "label", 1,
                                 sensor_msgs::PointField::UINT8);
+  alignPoints(&cloud);
   modifier.resize(parts.labels.size());
   sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
   sensor_msgs::PointCloud2Iterator<uint8_t> r(cloud, "r"), g(cloud, "g"), b(cloud, "b");

@@ -52,8 +52,9 @@ class SilhouetteExtractor::Impl {
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
     const double unknown = double(found.unknown.count()) / double(image.total());
-    return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole), unknown,
-            found.changed_fraction, found.light_gain};
+    return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
+            unknown,           found.changed_fraction,
+            found.light_gain,  double(found.uncovered) / double(image.total())};
   }
 
   void change(const SilhouetteOptions& changed) {

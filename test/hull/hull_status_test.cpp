@@ -26,7 +26,8 @@ TEST(HullStatus, NoCameras) {
 
 TEST(HullStatus, AllMasksEmpty) {
   expectUnusable(carve(renderViews(makeRig(4), {})), HullStatus::kEmptyMasks,
-                 "the masks of all 4 cameras are empty");
+                 "the masks of all 4 cameras are empty: nobody is there, or somebody has stood "
+                 "still since the background was learned and has to move to be seen");
 }
 
 TEST(HullStatus, EmptyMasksAreNamedWhereCamerasAreNotLeftOut) {

@@ -4,6 +4,7 @@ import math
 import subprocess
 import threading
 
+import cv2
 import numpy
 import rosbag
 import rospy
@@ -51,6 +52,24 @@ def places(transforms):
     return found
 
 
+def redrawn(data, change):
+    picture = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+    return cv2.imencode('.jpg', change(picture), [cv2.IMWRITE_JPEG_QUALITY, 90])[1].tobytes()
+
+
+def bytes_of(levels):
+    return numpy.clip(levels, 0, 255).astype(numpy.uint8)
+
+
+def in_light(data, factor):
+    """A JPEG in light of so many times the usual."""
+    return redrawn(data, lambda picture: bytes_of(factor * picture.astype(numpy.float32)))
+
+
+def with_noise(data):
+    return redrawn(data, lambda picture: bytes_of(picture + numpy.random.normal(0, 2, picture.shape)))
+
+
 class Recording:
     def __init__(self, path):
         sets, self.infos, self.truth, self.static = {}, {}, {}, []
@@ -74,7 +93,7 @@ class Recording:
 
 class Cameras:
     """What a fault changes are the functions `stamp_of`, `content_of`, `data_of`, `info_of`,
-    `sends`, each by camera."""
+    `sends`, each by camera. While `stands` the person keeps still."""
 
     def __init__(self, recording):
         self.recording, self.frame, self.tick_count = recording, 0, 0
@@ -96,6 +115,7 @@ class Cameras:
         self.data_of = lambda camera, data: data
         self.info_of = lambda camera, info: info
         self.sends = lambda camera: True
+        self.stands = False
 
     def place(self, camera, shift):
         moved = TransformStamped()
@@ -134,7 +154,7 @@ class Cameras:
             self.images[camera].publish(image)
             self.content[stamp.to_nsec()] = self.index(self.frame)
             self.sent_at[stamp.to_nsec()] = now.to_sec()
-        self.frame += 1
+        self.frame += not self.stands
 
     def nearest(self, stamp_ns):
         return min(list(self.content), key=lambda s: abs(s - stamp_ns))

@@ -110,6 +110,13 @@ TEST(HullConversions, EveryVoxelComesBackAsItWas) {
   }
 }
 
+TEST(HullConversions, FloatsOfEveryPointAreAligned) {
+  const auto cloud = messageFromHull(sampleHull(), worldHeader());
+  EXPECT_EQ(cloud.point_step % 4, 0u);
+  EXPECT_EQ(cloud.row_step, cloud.point_step * cloud.width);
+  EXPECT_EQ(cloud.data.size(), size_t(cloud.row_step));
+}
+
 TEST(HullConversions, FirstPointIsTheCentreOfItsVoxel) {
   const auto cloud = messageFromHull(sampleHull(), worldHeader());
   float xyz[3];

@@ -116,6 +116,8 @@ TEST(SuddenChange, ADamagedImageIsLeftOutAndOneThatStaysIsNot) {
   EXPECT_TRUE(change.add(picture(33, 2)));
   EXPECT_FALSE(change.add(picture(33, 3))) << "a lamp";
   EXPECT_FALSE(change.add(picture(33, 4)));
+  EXPECT_FALSE(change.add(picture(1, 10))) << "as it was before the lamp";
+  EXPECT_TRUE(change.add(picture(34, 1)));
 }
 
 TEST(SuddenChange, AnUnreadableImageBetweenEndsTheRun) {

@@ -135,6 +135,12 @@ TEST(SegmentationConversions, WhatIsCarriedOverIsToldAndDrawnDarker) {
   EXPECT_EQ(red[0], partColor(PartLabel::kLeg1)[0]);
 }
 
+TEST(SegmentationConversions, FloatsOfEveryPointAreAligned) {
+  const auto cloud = labelledCloud(threeVoxels(), sampleParts(), std_msgs::Header());
+  EXPECT_EQ(cloud.point_step % 4, 0u);
+  EXPECT_EQ(cloud.data.size(), size_t(cloud.point_step * cloud.width));
+}
+
 TEST(SegmentationConversions, NoLabelsGiveNoPoints) {
   BodyParts parts;
   EXPECT_EQ(labelledCloud(threeVoxels(), parts, std_msgs::Header()).width, 0u);

@@ -207,6 +207,23 @@ TEST(Stale, IsALightThatIsOff) {
   EXPECT_EQ(extractor.update(makeScene(3) * 0.3).state, SilhouetteState::kStale);
 }
 
+/// White and black images say nothing about the room.
+TEST_P(OwnModel, LightThatBlindsTheCameraForAWhileChangesNothing) {
+  cv::Mat scene = makeScene(3);
+  cv::Mat dark = scene.rowRange(50, kSize.height);
+  dark *= 0.2;  // does not become white
+  const cv::Mat seen = withNoise(withPerson(scene), 300);
+  for (const double light : {8.0, 0.02}) {
+    SilhouetteExtractor blinded = learned(scene, ofModel(GetParam()));
+    SilhouetteExtractor other = learned(scene, ofModel(GetParam()));
+    for (int i = 0; i < 160; ++i) {
+      const cv::Mat image = withNoise(withPerson(scene) * light, 100 + i);
+      EXPECT_EQ(blinded.update(image).uncovered_fraction, 0);
+    }
+    EXPECT_EQ(cv::countNonZero(blinded.update(seen).mask != other.update(seen).mask), 0) << light;
+  }
+}
+
 template <class ActT>
 std::string refusal(const ActT& act) {
   try {

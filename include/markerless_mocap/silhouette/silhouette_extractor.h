@@ -24,6 +24,9 @@ struct SilhouetteResult {
   /// Fraction of pixels that differ from the background, with shadows, 0 to 1; 0 for a network.
   double changed_fraction = 0;
   double light_gain = 1;  ///< brightness of the image divided by the background's
+  /// Fraction of pixels that have become background with this image, 0 to 1: somebody or something
+  /// stood there, still, while the background was learned, and has left.
+  double uncovered_fraction = 0;
 };
 
 /// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up. The

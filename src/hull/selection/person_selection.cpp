@@ -95,7 +95,10 @@ bool rejectMasks(const MaskSummary& masks, CameraSet usable, const CameraRig& ri
                    " cameras are present, " + std::to_string(min_views) + " are needed";
   } else if (masks.empty == masks.present) {
     hull->status = HullStatus::kEmptyMasks;
-    hull->reason = "the masks of all " + std::to_string(masks.count()) + " cameras are empty";
+    hull->reason = "the masks of all " + std::to_string(masks.count()) +
+                   " cameras are empty: nobody is there, or "
+                   "somebody has stood still since the background "
+                   "was learned and has to move to be seen";
   } else if ((masks.full & usable) != 0) {
     hull->status = HullStatus::kFullMask;
     hull->reason = "the mask of " + namesOf(masks.full, rig) +

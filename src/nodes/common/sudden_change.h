@@ -7,7 +7,7 @@ namespace markerless_mocap {
 
 /// Tells an image that differs from the last one nearly everywhere, or from some row down to the
 /// bottom: a damaged JPEG that could be decoded all the same is wrong from the damage on. Where the
-/// change stays, as of a lamp, the third image is taken.
+/// change stays, as of a lamp, the third image is taken; and at once what is as it was before that.
 class SuddenChange {
  public:
   /// \return whether the image is to be left out
@@ -15,7 +15,10 @@ class SuddenChange {
     cv::Mat sample;
     cv::resize(image, sample, cv::Size(kSide, kSide), 0, 0, cv::INTER_NEAREST);
     const bool stays = !changed_.empty() && isLike(sample, changed_) && ++run_ >= kStays;
-    if (last_.empty() || isLike(sample, last_) || stays) {
+    const bool is_back = !before_.empty() && isLike(sample, before_);
+    if (last_.empty() || isLike(sample, last_) || stays || is_back) {
+      if (stays) before_ = last_;
+      if (is_back) before_.release();
       last_ = sample;
       changed_.release();
       usual_ *= kForgotten;
@@ -67,6 +70,7 @@ class SuddenChange {
   }
 
   cv::Mat last_, changed_;
+  cv::Mat before_;      ///< the last image before a change that stayed
   int run_ = 0;         ///< images in a row that are like changed_
   double usual_ = 0.0;  ///< images left out lately, see kForgotten
 };

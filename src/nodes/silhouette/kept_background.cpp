@@ -17,6 +17,7 @@ constexpr int kCheckedImages = 3;
 constexpr double kMostChanged = 0.5;     // of the image; a person covers less
 constexpr double kMostGain = 1.6;        // with another exposure, colours are no longer the same
 constexpr double kSaveInterval = 600.0;  // s; the background follows the light of the day
+constexpr double kSettled = 5.0;         // s without a new piece of background before it is saved
 
 double steadySeconds() {
   using namespace std::chrono;
@@ -27,6 +28,12 @@ std::string fileOf(std::string camera, const SilhouetteNodeOptions& options) {
   if (options.input != "image" || options.background_folder.empty()) return "";
   std::replace(camera.begin(), camera.end(), '/', '_');
   return (fs::path(options.background_folder) / (camera + ".background")).string();
+}
+
+/// Whether the image is like the background.
+bool isLike(const SilhouetteResult& result) {
+  const double gain = std::max(result.light_gain, 1.0 / result.light_gain);
+  return result.changed_fraction <= kMostChanged && gain <= kMostGain;
 }
 
 std::string percent(double fraction) {
@@ -54,29 +61,28 @@ KeptBackground::KeptBackground(const std::string& camera, const SilhouetteNodeOp
 
 std::optional<SilhouetteResult> KeptBackground::update(const cv::Mat& image,
                                                        const cv::Size& whole) {
-  if (unchecked_ > 0) {
-    if (isLike(image, whole) && --unchecked_ == 0)
-      status_->remark("the background of " + camera_ + " is that of " + file_);
-    return std::nullopt;
-  }
+  if (unchecked_ > 0) return checked(image, whole);
   const SilhouetteResult result = extractor_->update(image, whole);
   if (keeps_) keep(result);
   return result;
 }
 
-bool KeptBackground::isLike(const cv::Mat& image, const cv::Size& whole) {
+std::optional<SilhouetteResult> KeptBackground::checked(const cv::Mat& image,
+                                                        const cv::Size& whole) {
   SilhouetteResult result;
   try {
     result = extractor_->update(image, whole);
   } catch (const std::invalid_argument& error) {
     refuse(error.what());
-    return false;
+    return std::nullopt;
   }
-  const double gain = std::max(result.light_gain, 1.0 / result.light_gain);
-  if (result.changed_fraction <= kMostChanged && gain <= kMostGain) return true;
-  refuse(percent(result.changed_fraction) + " of the image differ from it, the light is " +
-         percent(result.light_gain) + " of what it was");
-  return false;
+  if (!isLike(result)) {
+    refuse(percent(result.changed_fraction) + " of the image differ from it, the light is " +
+           percent(result.light_gain) + " of what it was");
+    return std::nullopt;
+  }
+  if (--unchecked_ == 0) status_->remark("the background of " + camera_ + " is that of " + file_);
+  return result;
 }
 
 void KeptBackground::refuse(const std::string& why) {
@@ -93,8 +99,11 @@ void KeptBackground::relearn() {
 
 void KeptBackground::keep(const SilhouetteResult& result) {
   const double now = steadySeconds();
+  if (result.uncovered_fraction > 0) saved_at_ = now - kSaveInterval + kSettled;
   const bool is_due = !saved_at_ || now - *saved_at_ > kSaveInterval;
-  if (!is_due || result.state != SilhouetteState::kReady || result.unknown_fraction > 0.0) return;
+  if (!is_due || result.state != SilhouetteState::kReady || result.unknown_fraction > 0.0 ||
+      !isLike(result))
+    return;
   saved_at_ = now;
   try {
     save();

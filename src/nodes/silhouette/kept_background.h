@@ -18,16 +18,17 @@ class KeptBackground {
   KeptBackground(const std::string& camera, const SilhouetteNodeOptions& options,
                  SilhouetteExtractor* extractor, StageStatus* status);
 
-  /// The extractor's result; none while the file is checked. Throws as
-  /// SilhouetteExtractor::update().
+  /// The extractor's result; none for an image that shows that the file is of another scene. Throws
+  /// as SilhouetteExtractor::update().
   std::optional<SilhouetteResult> update(const cv::Mat& image, const cv::Size& whole);
   void relearn();
   /// Throws std::invalid_argument with the reason if it fails.
   void save();
 
  private:
-  /// Whether the image is like the background; if not, the reason is told.
-  bool isLike(const cv::Mat& image, const cv::Size& whole);
+  /// The result while the background from the file is checked; if the image is not like it, the
+  /// reason is told, and none is returned.
+  std::optional<SilhouetteResult> checked(const cv::Mat& image, const cv::Size& whole);
   void refuse(const std::string& why);
   void keep(const SilhouetteResult& result);
 

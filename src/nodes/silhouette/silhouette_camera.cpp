@@ -16,6 +16,8 @@
 namespace markerless_mocap {
 namespace {
 
+/// Fraction of an image that has changed when somebody is there.
+constexpr double kSomebody = 0.005;
 constexpr uint32_t kQueue = 16;  // images that wait while all cameras compute their backgrounds
 
 int64_t steadyNanoseconds() {
@@ -136,10 +138,12 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
                            "before; it is left out, unless the change stays");
   }
   const std::optional<SilhouetteResult> silhouette = background_.update(pixels, whole);
-  if (!silhouette) return status_.waiting("checking the background that was kept");
-  if (silhouette->state == SilhouetteState::kLearning)
+  if (!silhouette) return status_.waiting("learning the background anew");
+  if (silhouette->state == SilhouetteState::kLearning) {
+    has_seen_somebody_ = false;
     return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
                       " images so far");
+  }
   publish(silhouette->mask, image.header());
   reportSilhouette(*silhouette);
 }
@@ -158,6 +162,11 @@ void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {
   status_.set("unknown pixels, per cent", unknown);
   status_.set("changed pixels, per cent", changed);
   status_.set("light, per cent of the background's", light);
+  has_seen_somebody_ = has_seen_somebody_ || silhouette.changed_fraction > kSomebody;
+  if (silhouette.uncovered_fraction > 0)
+    status_.remark("somebody or something stood still in view of " + camera_ +
+                   " while its background was learned, and has moved away; what is behind it is "
+                   "background from now on");
   if (silhouette.state == SilhouetteState::kStale)
     status_.waiting("the background is stale: " + std::to_string(changed) +
                     " % of the image differ from it, the light is " + std::to_string(light) +
@@ -165,6 +174,10 @@ void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {
   else if (unknown > 0)
     status_.ok("ready, masks are published; the background of " + std::to_string(unknown) +
                " % of the image has not been seen yet, as somebody stood there");
+  else if (!has_seen_somebody_)
+    status_.ok(
+        "ready, masks are published; nothing has moved in view since the background was learned, "
+        "and whoever stands still there is taken for background until they move");
   else
     status_.ok("ready, masks are published");
 }

@@ -59,6 +59,7 @@ class SilhouetteCamera {
   FrozenImages frozen_;
   SuddenChange change_;
   CameraImage last_image_;
+  bool has_seen_somebody_ = false;  ///< since the background was learned
   ros::Publisher publisher_, compressed_publisher_;
   StageInputs inputs_;
 };

@@ -16,6 +16,9 @@ constexpr int kFewest = 50;
 constexpr int kRowsApart = 2;
 // Dark pixels are mostly noise, bright ones are clipped.
 constexpr int kDarkest = 25, kBrightest = 230;
+/// An image is clipped if this fraction of its values is beyond these.
+constexpr double kClippedFraction = 0.5;
+constexpr int kBlack = 8, kWhite = 250;
 /// Ratios further from the median belong to people and shadows.
 constexpr float kInlierBand = 0.05f;
 
@@ -74,6 +77,21 @@ LightGain robustMeanRatio(const std::vector<float>& ratios) {
 }
 
 }  // namespace
+
+bool isClipped(const cv::Mat& image, double gain) {
+  const bool dark = gain <= kDarkestGain, bright = gain >= kBrightestGain;
+  if (!dark && !bright) return false;
+  const int step = std::max(1, int(std::sqrt(image.total() / kSamples)));
+  const int channels = image.channels();
+  size_t all = 0, clipped = 0;
+  for (int y = step / 2; y < image.rows; y += step)
+    for (int x = step / 2; x < image.cols; x += step)
+      for (int c = 0; c < channels; ++c, ++all) {
+        const int value = image.ptr(y)[x * channels + c];
+        clipped += dark ? value <= kBlack : value >= kWhite;
+      }
+  return double(clipped) > kClippedFraction * double(all);
+}
 
 LightGain estimateLightGain(const cv::Mat& image, const Background& expected) {
   return robustMeanRatio(brightnessRatios(image, [&](int y) {

@@ -20,4 +20,8 @@ constexpr double kDarkestGain = 0.5, kBrightestGain = 1.99;
 LightGain estimateLightGain(const cv::Mat& image, const Background& expected);
 LightGain estimateLightGain(const cv::Mat& image, const cv::Mat& expected);
 
+/// Whether the image is far brighter or darker than expected, and most of it is white or black, so
+/// that it says nothing about the scene.
+bool isClipped(const cv::Mat& image, double gain);
+
 }  // namespace markerless_mocap

@@ -13,6 +13,7 @@
 #include "silhouette/changes/kept_texture.h"
 #include "silhouette/changes/light_switch.h"
 #include "silhouette/changes/still_objects.h"
+#include "silhouette/changes/uncovered_places.h"
 #include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
@@ -24,6 +25,8 @@ static_assert(kImageCycle % kUpdateStride == 0);
 /// The background is not updated this near the person, px, so that parts missing in the mask are
 /// not learned as background.
 constexpr int kGuardX = 16, kGuardY = 8;
+/// A light, or a scene, that is quite another is only learned from after so many images.
+constexpr int kOddImages = kImageCycle;
 /// The boundary of the person is not refined this near unknown pixels, px.
 constexpr int kUnrefinedReach = 3;
 
@@ -69,9 +72,7 @@ class ModelSubtractor : public Subtractor {
     fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
     if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
-    updateBackground(image, found.light_gain, found.mask, classes.shadow);
-    if (options_.follow_changes) absorbObjects(image, &found);
-    last_mask_ = found.mask;
+    follow(image, classes.shadow, &found);
     return found;
   }
 
@@ -85,7 +86,12 @@ class ModelSubtractor : public Subtractor {
  private:
   void setThreshold();
   double followLight(const cv::Mat& image);
+  bool isOdd(const Extraction& found) const {
+    return found.light_gain <= kDarkestGain || found.light_gain >= kBrightestGain ||
+           found.changed_fraction > options_.stale_fraction;
+  }
   bool followsLamps() const { return options_.follow_changes && !background_.hasUnknown(); }
+  void follow(const cv::Mat& image, const BitMask& shadow, Extraction* found);
   void absorbObjects(const cv::Mat& image, Extraction* found);
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
@@ -101,6 +107,8 @@ class ModelSubtractor : public Subtractor {
   LightSwitch light_switch_;
   KeptTexture kept_texture_;
   StillObjects still_objects_;
+  UncoveredPlaces uncovered_;
+  int odd_run_ = 0;   ///< images in a row that are unlike the background
   int next_row_ = 0;  ///< first row that the next image updates
   std::vector<uint8_t> now_, held_;
   std::vector<uint64_t> guarded_;
@@ -114,9 +122,11 @@ void ModelSubtractor::setThreshold() {
 /// The gain of the image, after the background has followed a switch of the light.
 double ModelSubtractor::followLight(const cv::Mat& image) {
   const LightGain light = estimateLightGain(image, background_);
-  if (!followsLamps() || !light_switch_.update(image, light, last_mask_, &background_))
+  if (!followsLamps() || isClipped(image, light.gain) ||
+      !light_switch_.update(image, light, last_mask_, &background_))
     return light.gain;
   still_objects_.clear();
+  uncovered_.clear();
   return estimateLightGain(image, background_).gain;
 }
 
@@ -144,6 +154,20 @@ void ModelSubtractor::restoreUnknown(const BitMask& unrefined, Extraction* found
   add(unrefined, &found->mask);
   add(background_.unknown(), &found->mask);
   found->unknown = background_.unknown();
+}
+
+/// Takes over what has changed in the scene. Light that blinds the camera teaches nothing.
+void ModelSubtractor::follow(const cv::Mat& image, const BitMask& shadow, Extraction* found) {
+  const bool is_odd = isOdd(*found);
+  odd_run_ = is_odd ? odd_run_ + 1 : 0;
+  if (!is_odd || (odd_run_ > kOddImages && !isClipped(image, found->light_gain)))
+    updateBackground(image, found->light_gain, found->mask, shadow);
+  if (is_odd) return;
+  if (options_.follow_changes) {
+    found->uncovered = uncovered_.update(image, found->light_gain, &background_, &found->mask);
+    absorbObjects(image, found);
+  }
+  last_mask_ = found->mask;
 }
 
 void ModelSubtractor::absorbObjects(const cv::Mat& image, Extraction* found) {

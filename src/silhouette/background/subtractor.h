@@ -15,6 +15,7 @@ struct Extraction {
   BitMask unknown = BitMask();  ///< without rows: nothing is unknown
   double changed_fraction = 0;
   double light_gain = 1;
+  size_t uncovered = 0;  ///< pixels that became background as what had stood there has left
 };
 
 /// Background subtraction of one camera's images, which all have the same size and type.
