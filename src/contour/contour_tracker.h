@@ -143,6 +143,7 @@ class ContourTracker : public BodyTracker {
   std::optional<ContourUrdfConverter> converter_;  ///< to the joint angles of body_
   std::unique_ptr<PoseInitializer> initializer_;   ///< proposes poses after a loss
   std::optional<int64_t> stamp_;                   ///< of the last frame
+  int64_t gap_ns_ = 0;                             ///< between the last two frames
   std::string initializer_error_;                  ///< why it proposed no pose
 };
 

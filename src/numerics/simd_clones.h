@@ -18,7 +18,11 @@ namespace markerless_mocap {
 inline const bool kHasAvx2 = __builtin_cpu_supports("avx2");
 }
 
+#ifdef __SANITIZE_THREAD__  // what chooses among the clones runs before the sanitizer is there
+#define MOCAP_CLONES(...)
+#else
 #define MOCAP_CLONES(...) __attribute__((target_clones(__VA_ARGS__, "default")))
+#endif
 #define MOCAP_AT_O3 __attribute__((optimize("O3")))
 
 #else

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "error_text_of.h"
 #include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/pipeline/make_body_tracker.h"
@@ -40,6 +42,17 @@ class ContourMethodTest : public testing::Test {
   }
   double error(const BodyPose& pose, int frame) const {
     return errorOf(*tracker->body()->model, pose, frame);
+  }
+  std::vector<cv::Mat> masksWithoutHands(int frame) const {
+    std::vector<cv::Mat> masks = masksAt(frame);
+    const Eigen::Matrix3Xd points = person.points(at(frame));
+    for (size_t i = 0; i < masks.size(); ++i) {
+      masks[i] = masks[i].clone();
+      for (const int wrist : {5, 8})
+        if (const auto pixel = rig[i].projectInside(points.col(wrist)))
+          cv::circle(masks[i], cv::Point(int(pixel->x()), int(pixel->y())), 9, 0, cv::FILLED);
+    }
+    return masks;
   }
   static double offBy(const ShapeParameters& shape) {
     return (shape - truth()).head<BodyLength::kCount>().norm();
@@ -190,6 +203,29 @@ TEST_F(ContourMethodTest, IsLostWithTheMasksAndFoundAgain) {
   EXPECT_EQ(found.status, PoseStatus::kReinitialized);
   EXPECT_LT(error(found, 5), 0.012);
   EXPECT_EQ(show(6).status, PoseStatus::kTracked);
+}
+
+TEST_F(ContourMethodTest, APoseThatFitsWorseThanUsualIsNotReportedSoonAfterAGap) {
+  makeMeasured();
+  for (int frame = 0; frame < 30; ++frame)
+    ASSERT_NE(show(frame).status, PoseStatus::kLost) << frame;
+  EXPECT_NE(show(masksWithoutHands(30), PoseTree{}).status, PoseStatus::kLost) << "without a gap";
+  stamp_ns += 300000000;
+  const BodyPose doubted = show(masksWithoutHands(31), PoseTree{});
+  EXPECT_EQ(doubted.status, PoseStatus::kLost);
+  EXPECT_EQ(doubted.reason,
+            "a person was found again, but no pose fits as well as before the gap yet");
+  EXPECT_NE(showMasks(32).status, PoseStatus::kLost) << "it fits as usual";
+}
+
+TEST_F(ContourMethodTest, CamerasThatAreSlowAreNoGap) {
+  makeMeasured();
+  for (int frame = 0; frame < 30; ++frame) {
+    stamp_ns += 250000000;
+    ASSERT_NE(show(frame).status, PoseStatus::kLost) << frame;
+  }
+  stamp_ns += 250000000;
+  EXPECT_NE(show(masksWithoutHands(30), PoseTree{}).status, PoseStatus::kLost);
 }
 
 TEST_F(ContourMethodTest, DoesNotStartOnWhatIsNoPerson) {

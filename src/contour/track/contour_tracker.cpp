@@ -41,6 +41,7 @@ constexpr double kMinAgreement = 0.75, kLostAgreement = 0.5;
 // After a longer gap the person may have moved too far for the prediction. A limb or the whole body
 // is then fitted to the wrong place, nearly as well as usual; and so it is by one start in forty.
 constexpr int64_t kLongGap_ns = 150000000, kDoubt_ns = 1000000000;
+constexpr double kLonger = 1.5;  // times the last gap: cameras may be slow
 
 // Without them a search finds little, and takes as long.
 const char* const kImagesAwaited =
@@ -185,8 +186,7 @@ bool ContourTracker::isBelieved() const {
 bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
   if (!isBelieved() || !shape_estimator_) return isBelieved();
   const bool checked = !now.regions.needsColors() || color_confirmations_ > 0;
-  return hypotheses_.isUnambiguous() &&
-         (reported_ || (checked && still_contours_.showLife(seen)));
+  return hypotheses_.isUnambiguous() && (reported_ || (checked && still_contours_.showLife(seen)));
 }
 
 BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
@@ -234,7 +234,9 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
   if (stamp_ && now.stamp_ns <= *stamp_) reset();
-  if (stamp_ && now.stamp_ns - *stamp_ > kLongGap_ns) doubt(now.stamp_ns);
+  const int64_t gap_ns = stamp_ ? now.stamp_ns - *stamp_ : 0;
+  if (gap_ns > kLongGap_ns && double(gap_ns) > kLonger * double(gap_ns_)) doubt(now.stamp_ns);
+  gap_ns_ = gap_ns;
   stamp_ = now.stamp_ns;
   const bool follows = hypotheses_.predict(now.stamp_ns).has_value();
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
