@@ -216,8 +216,8 @@ void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_);
   if (active.track.status == ContourTrackingStatus::kLost) {
-    active = start(now);
     doubt(now.stamp_ns);
+    active = start(now);
     accepted_ = isAccepted(found.seen, active.track.fit);
     reported_ = false;
     return active;
