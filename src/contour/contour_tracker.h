@@ -106,8 +106,7 @@ class ContourTracker : public BodyTracker {
   std::string measuringProgress() const;
   /// For some time after a gap or a new start, a pose is reported only if it fits as well as usual.
   void doubt(int64_t stamp_ns);
-  /// True if the pose of this frame set is doubted; else its quality is usual.
-  bool isDoubted(int64_t stamp_ns, const ContourFit& fit);
+  bool isDoubted(int64_t stamp_ns, const ContourFit& fit) const;
   /// True if the pose may be reported. That of a mean body only after something has moved, as many
   /// things are like some body, and after another search has confirmed what colours follow; not
   /// while an alternative is followed: a body that is not the person's hardly tells a wrong pose
@@ -125,9 +124,9 @@ class ContourTracker : public BodyTracker {
   // Of the last frame, see RegionMasks.
   double agreement_ = 1.0;
   std::array<double, ContourLimb::kCount> limb_agreement_{};
-  bool accepted_ = false;  ///< the pose has been accepted since the last start
-  bool reported_ = false;  ///< a pose has been reported since the last start
-  UsualQuality usual_quality_;
+  bool accepted_ = false;       ///< the pose has been accepted since the last start
+  bool reported_ = false;       ///< a pose has been reported since the last start
+  UsualQuality usual_quality_;  ///< of poses that are not doubted
   int64_t doubted_until_ns_ = 0;
   int64_t reconsider_until_ns_ = 0, next_reconsideration_ns_ = 0, next_check_ns_ = 0;
   int64_t next_limb_search_ns_ = 0, next_start_ns_ = 0, next_learning_ns_ = 0;

@@ -212,8 +212,7 @@ TEST_F(ContourMethodTest, APoseThatFitsWorseThanUsualIsNotReportedSoonAfterAGap)
   stamp_ns += 300000000;
   const BodyPose doubted = show(masksWithoutHands(45), PoseTree{});
   EXPECT_EQ(doubted.status, PoseStatus::kLost);
-  EXPECT_EQ(doubted.reason,
-            "a person was found again, but no pose fits as well as before the gap yet");
+  EXPECT_EQ(doubted.reason, "a person was found again, but no pose fits as well as before yet");
   EXPECT_NE(showMasks(46).status, PoseStatus::kLost) << "it fits as usual";
 }
 

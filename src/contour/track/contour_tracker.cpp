@@ -39,7 +39,7 @@ constexpr double kMinOverlap = 0.72;
 constexpr double kMinAgreement = 0.75, kLostAgreement = 0.5;
 
 // After a longer gap the person may have moved too far for the prediction. A limb or the whole body
-// is then fitted to the wrong place, nearly as well as usual; and so it is by one start in forty.
+// is then fitted to the wrong place, nearly as well as usual; and so it is by some starts.
 constexpr int64_t kLongGap_ns = 150000000, kDoubt_ns = 1000000000;
 constexpr double kLonger = 1.5;  // times the last gap: cameras may be slow
 
@@ -47,8 +47,7 @@ constexpr double kLonger = 1.5;  // times the last gap: cameras may be slow
 const char* const kImagesAwaited =
     "images of cameras whose background is not known have been asked for";
 
-const char* const kDoubtful =
-    "a person was found again, but no pose fits as well as before the gap yet";
+const char* const kDoubtful = "a person was found again, but no pose fits as well as before yet";
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
@@ -169,14 +168,8 @@ void ContourTracker::doubt(int64_t stamp_ns) {
   next_check_ns_ = next_reconsideration_ns_ = 0;
 }
 
-bool ContourTracker::isDoubted(int64_t stamp_ns, const ContourFit& fit) {
-  if (stamp_ns >= doubted_until_ns_) {
-    if (isBelieved()) usual_quality_.add(qualityOf(fit));
-    return false;
-  }
-  if (usual_quality_.includes(qualityOf(fit))) return false;
-  hypotheses_.searchSoon();
-  return true;
+bool ContourTracker::isDoubted(int64_t stamp_ns, const ContourFit& fit) const {
+  return stamp_ns < doubted_until_ns_ && !usual_quality_.includes(qualityOf(fit));
 }
 
 bool ContourTracker::isBelieved() const {
@@ -281,10 +274,12 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
     return pose;
   }
   if (isDoubted(now.stamp_ns, fit)) {
+    hypotheses_.searchSoon();
     BodyPose pose;
     pose.reason = kDoubtful;
     return pose;
   }
+  if (now.stamp_ns >= doubted_until_ns_ && isBelieved()) usual_quality_.add(qualityOf(fit));
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
 }
 

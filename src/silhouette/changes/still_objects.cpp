@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "silhouette/bits/bit_morphology.h"
+#include "silhouette/changes/image_change.h"
 #include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
@@ -13,8 +14,6 @@ namespace {
 constexpr int kStep = 10;
 static_assert(kImageCycle % kStep == 0);
 constexpr size_t kChecks = 2;
-/// Squared difference of two images, over all channels, that noise hardly reaches, in variances.
-constexpr double kNoiseVariances = 42;
 /// A component is still if fewer of its pixels have changed, and moves if more have.
 constexpr double kStillFraction = 0.01, kMovingFraction = 0.05;
 constexpr int kStillPixels = 3;
@@ -28,17 +27,6 @@ constexpr int kBlur = 3;
 constexpr double kUncovered = 0.15;
 /// Fraction of a component that must have been still before.
 constexpr double kSamePlace = 0.9;
-
-/// \param per_gain_a,per_gain_b the colours are multiplied by these
-float squaredDistance(const uint8_t* a, float per_gain_a, const uint8_t* b, float per_gain_b,
-                      int channels) {
-  float sum = 0;
-  for (int c = 0; c < channels; ++c) {
-    const float off = a[c] * per_gain_a - b[c] * per_gain_b;
-    sum += off * off;
-  }
-  return sum;
-}
 
 /// Copies the rows of the components, and those that blur reaches.
 void copyRows(const std::vector<std::vector<MaskRun>>& components, const cv::Mat& image,
@@ -59,14 +47,10 @@ bool touches(const std::vector<MaskRun>& component, const BitMask& mask) {
   return false;
 }
 
-/// Removes a component from the mask. Returns its pixels, with those to which blur spreads it.
-BitMask takeOut(const std::vector<MaskRun>& component, BitMask* mask) {
-  BitMask place({mask->cols(), mask->rows()});
-  fillRuns(component, &place);
-  for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
-  place = dilated(place, kBlur);
-  for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
-  return place;
+BitMask pixelsOf(const std::vector<MaskRun>& component, const cv::Size& size) {
+  BitMask pixels(size);
+  fillRuns(component, &pixels);
+  return pixels;
 }
 
 }  // namespace
@@ -114,7 +98,9 @@ void StillObjects::compare(const std::vector<Component>& components, const cv::M
   if (!candidates.empty() && moving.count() > 0) {
     const BitMask near = dilated(moving, kNear);
     for (const Component* component : candidates)
-      if (!touches(*component, near)) absorb(takeOut(*component, mask), image, gain, background);
+      if (!touches(*component, near))
+        absorb(takeOut(pixelsOf(*component, background->size()), kBlur, mask), image, gain,
+               background);
   }
   still_.push_back(std::move(still));
   if (still_.size() >= kChecks) still_.pop_front();
@@ -152,6 +138,7 @@ bool StillObjects::wasStill(const Component& component) const {
 void StillObjects::absorb(const BitMask& place, const cv::Mat& image, double gain,
                           Background* background) {
   const int channels = image.channels();
+  const StillImages images{image, gain, previous_, previous_gain_};
   Object object;
   for (int y = 0; y < image.rows; ++y) {
     const size_t before = object.size();
@@ -166,10 +153,7 @@ void StillObjects::absorb(const BitMask& place, const cv::Mat& image, double gai
         for (int c = 0; c < channels; ++c) {
           uint16_t& mean = background->mean(0, y, c)[x];
           pixel.before[c] = mean;
-          const double seen = (image.ptr(y)[x * channels + c] / gain +
-                               previous_.ptr(y)[x * channels + c] / previous_gain_) /
-                              2;
-          mean = uint16_t(std::min(255.0, seen) * Background::kMeanScale + 0.5);
+          mean = images.mean(x, y, c);
         }
         object.push_back(pixel);
       });

@@ -1,9 +1,11 @@
 #include "silhouette/changes/uncovered_places.h"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "silhouette/bits/bit_morphology.h"
+#include "silhouette/bits/mask_runs.h"
+#include "silhouette/changes/image_change.h"
 #include "silhouette/image_cycle.h"
 
 namespace markerless_mocap {
@@ -12,8 +14,6 @@ namespace {
 /// One image in this many is looked at.
 constexpr int kStep = 5;
 static_assert(kImageCycle % kStep == 0);
-/// Squared difference of two images, over all channels, that noise hardly reaches, in variances.
-constexpr double kNoiseVariances = 42;
 /// Pixels this near what moves are not still: blur.
 constexpr int kBlur = 3;
 /// Colours beside an outline are taken this far from it, px.
@@ -94,14 +94,17 @@ bool isAnySuspect(const cv::Mat& image, const Background& background, const BitM
   return false;
 }
 
-bool differs(const uint8_t* now, float per_gain, const uint8_t* then, float per_gain_then,
-             int channels, float limit) {
-  float sum = 0;
-  for (int c = 0; c < channels; ++c) {
-    const float off = now[c] * per_gain - then[c] * per_gain_then;
-    sum += off * off;
+void absorb(const BitMask& place, const StillImages& images, Background* background) {
+  for (int y = 0; y < images.now.rows; ++y) {
+    bool any = false;
+    for (int i = 0; i < place.rowWords(); ++i)
+      forEachBit(place.row(y)[i], 64 * i, [&](int x) {
+        any = true;
+        for (int c = 0; c < background->channels(); ++c)
+          background->mean(0, y, c)[x] = images.mean(x, y, c);
+      });
+    if (any) background->updateQuantised(0, y);
   }
-  return sum > limit;
 }
 
 }  // namespace
@@ -117,15 +120,12 @@ size_t UncoveredPlaces::update(const cv::Mat& image, double gain, Background* ba
   if (!previous_.empty()) {
     const BitMask still = stillPart(image, gain, *background, *mask);
     BitMask place({mask->cols(), mask->rows()});
-    for (const Component& part : findBlobs(std::numeric_limits<int>::max(), still))
+    for (const std::vector<MaskRun>& part : findBlobs(std::numeric_limits<int>::max(), still))
       if (outlineOf(part, image, *background, *mask).isGhost()) fillRuns(part, &place);
     uncovered = place.count();
-    if (uncovered > 0) {
-      for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
-      place = dilated(place, kBlur);
-      for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
-      absorb(place, image, gain, background);
-    }
+    if (uncovered > 0)
+      absorb(takeOut(std::move(place), kBlur, mask), {image, gain, previous_, previous_gain_},
+             background);
   }
   image.copyTo(previous_);
   previous_gain_ = gain;
@@ -143,8 +143,8 @@ BitMask UncoveredPlaces::stillPart(const cv::Mat& image, double gain, const Back
     const uint8_t* then = previous_.ptr(y);
     for (int i = 0; i < mask.rowWords(); ++i)
       forEachBit(mask.row(y)[i], 64 * i, [&](int x) {
-        if (differs(now + x * channels, per_gain, then + x * channels, per_gain_then, channels,
-                    limit))
+        if (squaredDistance(now + x * channels, per_gain, then + x * channels, per_gain_then,
+                            channels) > limit)
           moving.set(x, y);
       });
   }
@@ -155,26 +155,6 @@ BitMask UncoveredPlaces::stillPart(const cv::Mat& image, double gain, const Back
     for (size_t i = 0; i < still.words().size(); ++i)
       still.words()[i] &= ~background.unknown().words()[i];
   return still;
-}
-
-void UncoveredPlaces::absorb(const BitMask& place, const cv::Mat& image, double gain,
-                             Background* background) const {
-  const int channels = image.channels();
-  for (int y = 0; y < image.rows; ++y) {
-    bool any = false;
-    for (int i = 0; i < place.rowWords(); ++i)
-      forEachBit(place.row(y)[i], 64 * i, [&](int x) {
-        any = true;
-        for (int c = 0; c < channels; ++c) {
-          const double seen = (image.ptr(y)[x * channels + c] / gain +
-                               previous_.ptr(y)[x * channels + c] / previous_gain_) /
-                              2;
-          background->mean(0, y, c)[x] =
-              uint16_t(std::min(255.0, seen) * Background::kMeanScale + 0.5);
-        }
-      });
-    if (any) background->updateQuantised(0, y);
-  }
 }
 
 }  // namespace markerless_mocap

@@ -2,11 +2,9 @@
 
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
-#include <vector>
 
 #include "silhouette/background/background.h"
 #include "silhouette/bits/bit_mask.h"
-#include "silhouette/bits/mask_runs.h"
 
 namespace markerless_mocap {
 
@@ -24,13 +22,9 @@ class UncoveredPlaces {
   void clear() { previous_.release(); }
 
  private:
-  using Component = std::vector<MaskRun>;
-
   /// Pixels of the foreground in which nothing has moved since the last check.
   BitMask stillPart(const cv::Mat& image, double gain, const Background& background,
                     const BitMask& mask) const;
-  void absorb(const BitMask& place, const cv::Mat& image, double gain,
-              Background* background) const;
 
   int images_ = 0;
   cv::Mat previous_;  ///< image of the last check; empty: nothing was suspect
