@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "contour/drawn_body.h"
+#include "contour/track/exchanged_sides.h"
 
 namespace markerless_mocap {
 namespace {
@@ -74,6 +75,25 @@ TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
   const ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body);
   EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered);
   EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, LegsThatHavePassedEachOtherInALongStepAreNotExchanged) {
+  constexpr Eigen::Index kLeftAnkle = 11, kRightAnkle = 14;
+  constexpr int64_t kStep_ns = 333333333;
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kStep_ns, see(at(0)), body);
+  const ContourPose passed = withLegsSwapped(body, at(0));
+  const ContourObservation seen = see(passed);
+  const auto off = [&](const ContourPose& pose, Eigen::Index ankle) {
+    return (body.points(pose) - body.points(passed)).col(ankle).norm();
+  };
+  const ContourFit alone = tracker.fitter().fit(
+      seen, body, at(0), ContourPrediction{at(0), 1e-9 * kStep_ns}, tracker.fitter().schedule());
+  ASSERT_GT(off(alone.pose, kLeftAnkle), 0.2)
+      << "the fit alone must fail for this test to tell anything";
+  const ContourFit fit = tracker.update(2 * kStep_ns, seen, body).fit;
+  EXPECT_LT(off(fit.pose, kLeftAnkle), 0.05);
+  EXPECT_LT(off(fit.pose, kRightAnkle), 0.05);
 }
 
 TEST_F(ContourTrackerTest, DoubtsMasksThatNoPoseExplains) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "contour/drawn_body.h"
+#include "contour/track/exchanged_sides.h"
 
 namespace markerless_mocap {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contour/track/exchanged_sides.h"
 #include "numerics/low_priority.h"
 
 namespace markerless_mocap {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contour/fit/pose_priors.h"
+#include "contour/track/exchanged_sides.h"
 #include "contour/track/limb_search.h"
 #include "contour/track/search_times.h"
 
@@ -52,6 +53,11 @@ constexpr double kSearchDeviationFactor = 5.0;  // factor on the standard deviat
 // if it is better by kUntwistGain.
 constexpr double kMaxTwist = 0.3, kUntwistGain = 0.001;
 constexpr int64_t kUntwistInterval_ns = 60000000;
+
+// After a step of so long a time a leg may be nearer to the other one's place than to its own;
+// exchanged legs then fit better by more than this.
+constexpr double kLongStep = 0.15;  // seconds
+constexpr double kExchangeGain = 0.01;
 
 constexpr RobustSchedule kRetry{10, 0.12, 0.03};
 
@@ -201,6 +207,9 @@ bool ContourHypothesisTracker::retry(const ContourObservation& seen, const Conto
                                      const ContourPrediction& prediction, ContourFit& fit) const {
   const ContourPrediction loose{prediction.pose, kSearchDeviationFactor * prediction.seconds};
   bool better = tryPoses(seen, body, {last_->pose}, loose, kMinGain, fit);
+  if (prediction.seconds > kLongStep)
+    better |=
+        tryPoses(seen, body, {withLegsSwapped(body, fit.pose)}, std::nullopt, kExchangeGain, fit);
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
     if (better && !any(suspicious(fit))) break;
     if (suspicious(fit)[i])

@@ -82,12 +82,4 @@ class ContourMultiHypothesisTracker {
 /// True if a hand or a foot is far from its position in the other pose.
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other);
 
-/// The pose with front and back exchanged, for a body that fills the same space: the right limb
-/// takes the position of the left one. Knees and ankles are straightened, because they bend in one
-/// direction only.
-ContourPose mirrored(const ContourBody& body, const ContourPose& pose);
-
-/// The pose with the two legs exchanged.
-ContourPose withLegsSwapped(const ContourBody& body, const ContourPose& pose);
-
 }  // namespace markerless_mocap

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contour/track/exchanged_sides.h"
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
