@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+#include "nodes/common/keep_memory.h"
+
 namespace {
 
 constexpr double kSettled = 2.0;  // s after the first tf of a round
@@ -76,7 +78,11 @@ class Times {
     bool settled = false;
   };
 
-  void beginRound() { first_tf_ = ros::WallTime(); }
+  void beginRound() {
+    const std::lock_guard lock(mutex_);
+    if (begun_.isZero()) begun_ = ros::WallTime::now();
+    first_tf_ = ros::WallTime();
+  }
   void sent(const ros::Time& stamp) {
     const std::lock_guard lock(mutex_);
     FrameSet& frame_set = frame_sets_[stamp];
@@ -88,6 +94,7 @@ class Times {
     FrameSet* frame_set = find(message->transforms.front().header.stamp);
     if (frame_set && frame_set->tf.isZero()) frame_set->tf = ros::WallTime::now();
     if (frame_set && first_tf_.isZero()) first_tf_ = ros::WallTime::now();
+    if (frame_set && first_of_all_.isZero()) first_of_all_ = ros::WallTime::now();
   }
   void pose(const markerless_mocap::BodyPoseConstPtr& message) {
     const std::lock_guard lock(mutex_);
@@ -108,6 +115,8 @@ class Times {
     }
     std::printf("%zu frame sets, %zu without a pose message, %zu settled without tf\n", total,
                 without_pose, without_tf);
+    if (!first_of_all_.isZero())
+      std::printf("first tf %.2f s after the first image\n", (first_of_all_ - begun_).toSec());
     printLine("last image to tf, settled", settled, period);
     printLine("last image to pose, all", all, period);
     std::fflush(stdout);
@@ -130,7 +139,8 @@ class Times {
 
   mutable std::mutex mutex_;
   std::map<ros::Time, FrameSet> frame_sets_;
-  ros::WallTime first_tf_;
+  ros::WallTime begun_, first_of_all_;
+  ros::WallTime first_tf_;  ///< of this round
 };
 
 void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle& handle,
@@ -169,6 +179,7 @@ void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle&
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "live_latency", ros::init_options::AnonymousName);
+  markerless_mocap::keepFreedMemory();  // a player that is late delays what it measures
   Arguments arguments;
   CLI::App app("Measures the time from the last image of a frame set to its tf.", "live_latency");
   app.add_option("bag", arguments.bag, "bag with */image_raw, */camera_info and /tf_static")

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/keep_memory.h"
 #include "nodes/common/master_watch.h"
 
 namespace markerless_mocap {
@@ -48,6 +49,7 @@ void waitAsRefused(const ros::Publisher& diagnostics) {
 }  // namespace
 
 int runStages(const std::vector<HostedStage>& stages, const std::vector<std::string>& arguments) {
+  keepFreedMemory();
   std::vector<std::string> rest = arguments;
   rest.erase(std::remove(rest.begin(), rest.end(), "--retry"), rest.end());
   const bool retries = rest.size() < arguments.size();
