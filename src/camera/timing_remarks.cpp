@@ -6,9 +6,17 @@
 namespace markerless_mocap {
 namespace {
 
-std::string milliseconds(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f ms", 1e3 * std::abs(seconds));
+constexpr double kLong = 10.0, kDay = 86400.0;  // s
+
+std::string span(double seconds) {
+  const double size = std::abs(seconds);
+  char text[64];
+  if (size < kLong)
+    std::snprintf(text, sizeof text, "%.1f ms", 1e3 * size);
+  else if (size < kDay)
+    std::snprintf(text, sizeof text, "%.1f s", size);
+  else
+    std::snprintf(text, sizeof text, "%.1f days", size / kDay);
   return text;
 }
 
@@ -23,14 +31,14 @@ std::string lagRemark(const std::string& camera, const StreamTiming& timing,
   const bool followed = options.max_drift > 0.0;
   const double allowed = followed ? options.max_drift : options.tolerance;
   if (!(std::abs(timing.lag) > allowed / 2.0)) return "";
-  return camera + "'s stamps are " + milliseconds(timing.lag) + ' ' + direction(timing.lag) +
+  return camera + "'s stamps are " + span(timing.lag) + ' ' + direction(timing.lag) +
          " than the others', " + (followed ? "drift is followed up to " : "allowed are ") +
-         milliseconds(allowed);
+         span(allowed);
 }
 
 std::string missRemark(const std::string& camera, const StreamTiming& timing) {
   if (!timing.nearest) return camera + " is left out, nothing comes from it";
-  return camera + " is left out, its nearest stamp is " + milliseconds(*timing.nearest) + ' ' +
+  return camera + " is left out, its nearest stamp is " + span(*timing.nearest) + ' ' +
          direction(*timing.nearest);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "ros/png_head.h"
 
 namespace markerless_mocap {
 
@@ -35,9 +36,26 @@ const std::string& usableEncoding(const sensor_msgs::Image& message) {
   return encodings::isMono(message.encoding) ? encodings::MONO8 : encodings::BGR8;
 }
 
+/// Throws if the data are not those of the size and encoding. cv_bridge multiplies in 32 bits, so
+/// it takes images of 2^32 bytes more than there are.
+void checkLayout(const sensor_msgs::Image& message) {
+  const uint64_t pixel = uint64_t(encodings::bitDepth(message.encoding) / 8 *
+                                  encodings::numChannels(message.encoding));
+  const uint64_t pixels = uint64_t(message.width) * message.height;
+  if (pixels == 0) throw std::invalid_argument("it has no pixels");
+  const bool agrees = pixels <= kMaxPixels && message.width * pixel <= message.step &&
+                      uint64_t(message.step) * message.height == message.data.size();
+  if (!agrees)
+    throw std::invalid_argument(
+        std::to_string(message.width) + " x " + std::to_string(message.height) + " pixels \"" +
+        message.encoding + "\" in rows of " + std::to_string(message.step) +
+        " bytes do not fit its " + std::to_string(message.data.size()) + " bytes");
+}
+
 /// \param encoding of the result; empty: that of the message
 cv::Mat sharedPixels(const sensor_msgs::Image& message, const std::string& encoding) {
   try {
+    checkLayout(message);
     return cv_bridge::toCvShare(message, nullptr, encoding)->image;
   } catch (const std::exception& error) {  // from cv_bridge or OpenCV
     throw std::invalid_argument("image of frame \"" + message.header.frame_id +
@@ -69,7 +87,9 @@ cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const Reduct
   try {
     if (isJpeg(message.data)) {
       image = decodedJpeg(message.data, rule, whole);
-    } else if (!message.data.empty()) {
+    } else if (isPng(message.data)) {
+      const std::string refusal = refusalOf(pngHead(message.data), message.data.size());
+      if (!refusal.empty()) throw std::invalid_argument(refusal);
       image = cv::imdecode(message.data, cv::IMREAD_ANYCOLOR);
       *whole = image.size();
     }
@@ -78,7 +98,7 @@ cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const Reduct
   }
   if (image.empty())
     throw std::invalid_argument(subject + " with format \"" + message.format +
-                                "\" cannot be decoded");
+                                "\" cannot be decoded, allowed are whole JPEG and PNG files");
   return image;
 }
 

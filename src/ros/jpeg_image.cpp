@@ -5,32 +5,35 @@
 // After <cstdio>, which it needs.
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "ros/png_head.h"
+
 namespace markerless_mocap {
 namespace {
 
-constexpr size_t kMaxPixels = size_t(1) << 28;
+/// A block of 8 x 8 pixels takes at least a bit.
+constexpr uint64_t kMaxPixelsPerByte = 512;
 
-/// What libjpeg finds wrong. Warnings are about data that it replaces by a guess.
+/// What libjpeg finds wrong. Warnings are about data that it replaces by a guess: nothing is
+/// decoded after one, as a short file may promise very many pixels.
 struct Faults {
   jpeg_error_mgr manager;  // first, as libjpeg hands on its address
   std::jmp_buf leave;
   char text[JMSG_LENGTH_MAX] = "";
 };
 
-void noteMessage(j_common_ptr common, int level) {
-  if (level >= 0) return;
-  auto* faults = reinterpret_cast<Faults*>(common->err);
-  if (faults->manager.num_warnings++ == 0) faults->manager.format_message(common, faults->text);
-}
-
 void leaveDecoder(j_common_ptr common) {
   auto* faults = reinterpret_cast<Faults*>(common->err);
   faults->manager.format_message(common, faults->text);
   std::longjmp(faults->leave, 1);
+}
+
+void noteMessage(j_common_ptr common, int level) {
+  if (level < 0) leaveDecoder(common);
 }
 
 void ignoreText(j_common_ptr) {}
@@ -76,7 +79,6 @@ class Decoder {
   /// CMYK, or with EXIF data, which may turn the image: left to OpenCV.
   bool isUnusual() const { return jpeg_.num_components > 3 || jpeg_.marker_list != nullptr; }
   cv::Size size() const { return {int(jpeg_.image_width), int(jpeg_.image_height)}; }
-  long warnings() const { return faults_.manager.num_warnings; }
   std::string fault() const { return faults_.text; }
 
  private:
@@ -104,9 +106,12 @@ cv::Mat decodedJpeg(const std::vector<uint8_t>& bytes, const ReductionRule& rule
   Decoder decoder;
   if (!decoder.readHead(bytes)) refuse(decoder.fault());
   const cv::Size size = decoder.size();
-  if (size_t(size.width) * size_t(size.height) > kMaxPixels)
+  const uint64_t pixels = uint64_t(size.width) * uint64_t(size.height);
+  if (pixels > kMaxPixels || pixels / kMaxPixelsPerByte > bytes.size())
     refuse("its head says " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-           " pixels");
+           " pixels, allowed are " +
+           std::to_string(std::min(kMaxPixels, kMaxPixelsPerByte * bytes.size())) + " in " +
+           std::to_string(bytes.size()) + " bytes");
   if (decoder.isUnusual()) {
     const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
     *whole = image.size();
@@ -117,7 +122,7 @@ cv::Mat decodedJpeg(const std::vector<uint8_t>& bytes, const ReductionRule& rule
   decoder.reduce(reduction);
   cv::Mat image((size.height + reduction - 1) / reduction, (size.width + reduction - 1) / reduction,
                 CV_MAKETYPE(CV_8U, decoder.channels()));
-  if (!decoder.readPixels(&image) || decoder.warnings() > 0) refuse(decoder.fault());
+  if (!decoder.readPixels(&image)) refuse(decoder.fault());
   return image;
 }
 

@@ -6,19 +6,17 @@
 
 #include <boost/make_shared.hpp>
 #include <csetjmp>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "ros/png_head.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr size_t kUsualBytes = 8192;
-constexpr uint64_t kMaxRatio = 1100;  // that deflate reaches is 1032
-constexpr size_t kHeadBytes = 26;     // signature and the head's length, name, size, depth, colours
 
 void append(png_structp png, png_bytep bytes, png_size_t count) {
   auto* out = static_cast<std::vector<uint8_t>*>(png_get_io_ptr(png));
@@ -47,24 +45,13 @@ bool writePng(const cv::Mat& mask, int depth, png_structp png, png_infop info,
   return true;
 }
 
-uint32_t bigEndian(const uint8_t* bytes) {
-  return uint32_t(bytes[0]) << 24 | uint32_t(bytes[1]) << 16 | uint32_t(bytes[2]) << 8 | bytes[3];
-}
-
 /// Why the bytes are not those of a mask; empty if they may be.
-std::string refusalOf(const std::vector<uint8_t>& bytes) {
-  constexpr char kStart[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
-  if (bytes.size() < kHeadBytes || std::memcmp(bytes.data(), kStart, sizeof kStart - 1) != 0)
-    return "it is not a PNG";
-  const uint32_t width = bigEndian(&bytes[16]), height = bigEndian(&bytes[20]);
-  const uint32_t depth = bytes[24], colors = bytes[25];
-  if (depth > 8 || colors != PNG_COLOR_TYPE_GRAY)
+std::string faultOfHead(const std::vector<uint8_t>& bytes) {
+  if (!isPng(bytes)) return "it is not a PNG";
+  const PngHead head = pngHead(bytes);
+  if (head.depth > 8 || head.colors != PNG_COLOR_TYPE_GRAY)
     return "it is not grey of at most 8 bits per pixel";
-  if (width == 0 || height == 0 || uint64_t(width) * height > INT32_MAX ||
-      (uint64_t(width) * depth / 8 + 1) * height > kMaxRatio * bytes.size())
-    return "its head says " + std::to_string(width) + " x " + std::to_string(height) +
-           " pixels, its " + std::to_string(bytes.size()) + " bytes cannot hold them";
-  return "";
+  return refusalOf(head, bytes.size());
 }
 
 /// Sets all of a mono8 image but its header. Returns what is wrong with the PNG; empty: nothing.
@@ -102,7 +89,7 @@ sensor_msgs::CompressedImage compressedMask(const cv::Mat& mask, const std_msgs:
 
 sensor_msgs::ImagePtr maskFromCompressed(const sensor_msgs::CompressedImage& message) {
   auto mask = boost::make_shared<sensor_msgs::Image>();
-  std::string refusal = refusalOf(message.data);
+  std::string refusal = faultOfHead(message.data);
   if (refusal.empty()) refusal = faultWhileReading(message.data, mask.get());
   if (!refusal.empty())
     throw std::invalid_argument("compressed mask of frame \"" + message.header.frame_id +

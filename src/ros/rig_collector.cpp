@@ -117,7 +117,15 @@ std::string RigCollector::refusalOf(size_t camera, const sensor_msgs::CameraInfo
   return "";
 }
 
-bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string>* remarks) {
+std::string RigCollector::unplaced(size_t camera, const std::string& frame,
+                                   const tf2::BufferCore& tf) const {
+  if (frame.empty()) return "camera_info of " + cameras_[camera] + " has an empty frame_id";
+  if (tf.canTransform(world_frame_, frame, ros::Time(0))) return "";
+  return "tf does not connect " + frame + " of " + cameras_[camera] + " to " + world_frame_;
+}
+
+bool RigCollector::settleInfo(size_t camera, const tf2::BufferCore& tf, double now,
+                              std::vector<std::string>* remarks) {
   std::optional<Candidate>& candidate = candidates_[camera];
   const std::string subject = "camera_info of " + cameras_[camera];
   Wandering& wandering = wanderings_[camera];
@@ -135,11 +143,18 @@ bool RigCollector::settleInfo(size_t camera, double now, std::vector<std::string
     return false;
   }
   wandering = {};
-  const std::string why = refusalOf(camera, candidate->info);
+  std::string why = refusalOf(camera, candidate->info);
   candidate->refused = !why.empty();
+  const std::string& frame = candidate->info.header.frame_id;
+  if (why.empty()) why = frame.empty() ? "its frame_id is empty" : unplaced(camera, frame, tf);
   remarks->push_back(subject + " has changed, " +
                      (why.empty() ? "the new one is used" : "but the new one is not used: " + why));
-  if (candidate->refused) return false;
+  if (!why.empty()) {
+    // Not refused: its frame may still be connected. The camera goes on where it was, unless its
+    // lens is another one.
+    if (!candidate->refused && candidate->misleads) doubts_[camera] = why;
+    return false;
+  }
   infos_[camera] = candidate->info;
   candidate.reset();
   placed_[camera].reset();
@@ -211,7 +226,7 @@ RigChange RigCollector::settle(const tf2::BufferCore& tf, double now,
   for (size_t i = 0; i < cameras_.size(); ++i) {
     if (!infos_[i]) continue;
     doubts_[i].clear();
-    changed = settleInfo(i, now, remarks) || changed;
+    changed = settleInfo(i, tf, now, remarks) || changed;
     changed = settlePose(i, tf, now, remarks) || changed;
     if (!doubts_[i].empty()) remarks->push_back(doubts_[i]);
   }
@@ -225,12 +240,9 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
   for (size_t i = 0; i < cameras_.size(); ++i)
     if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
   if (!without_info.empty()) return "no camera_info has been received from " + without_info;
-  for (size_t i = 0; i < cameras_.size(); ++i) {
-    const std::string& frame = infos_[i]->header.frame_id;
-    if (frame.empty()) return "camera_info of " + cameras_[i] + " has an empty frame_id";
-    if (!tf.canTransform(world_frame_, frame, ros::Time(0)))
-      return "tf does not connect " + frame + " of " + cameras_[i] + " to " + world_frame_;
-  }
+  for (size_t i = 0; i < cameras_.size(); ++i)
+    if (const std::string why = unplaced(i, infos_[i]->header.frame_id, tf); !why.empty())
+      return why;
   return "";
 }
 

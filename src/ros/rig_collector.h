@@ -53,7 +53,8 @@ class RigCollector {
   /// in place of one that fits.
   void noteImageSize(size_t camera, int width, int height);
   /// Takes over camera_info and poses that differ from those of the rig and have stayed the same
-  /// for half a second. A camera_info that no camera has, or that changes all the time, is not.
+  /// for half a second. A camera_info that no camera has, that changes all the time, or whose frame
+  /// tf does not connect to the world, is not.
   /// After half a second without a call the present ones are taken over at once, as at the start:
   /// nobody has watched whether they stayed. To be called whenever the rig is used.
   /// \param now s, by a clock that is never set
@@ -80,7 +81,8 @@ class RigCollector {
     geometry_msgs::Transform used, seen;
     double seen_since = 0.0, used_until = 0.0;  ///< s
   };
-  bool settleInfo(size_t camera, double now, std::vector<std::string>* remarks);
+  bool settleInfo(size_t camera, const tf2::BufferCore& tf, double now,
+                  std::vector<std::string>* remarks);
   bool settlePose(size_t camera, const tf2::BufferCore& tf, double now,
                   std::vector<std::string>* remarks);
   /// Sees a candidate for the first time.
@@ -89,6 +91,8 @@ class RigCollector {
   bool misleads(size_t camera, const Placed& placed) const;
   /// Why the camera_info cannot be taken over; empty if it can.
   std::string refusalOf(size_t camera, const sensor_msgs::CameraInfo& info) const;
+  /// Why the place of the frame that a camera_info names is not known; empty if it is.
+  std::string unplaced(size_t camera, const std::string& frame, const tf2::BufferCore& tf) const;
 
   std::vector<std::string> cameras_;
   std::string world_frame_;

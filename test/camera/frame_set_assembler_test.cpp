@@ -305,6 +305,10 @@ TEST(TimingRemarks, SayWhichCameraAndHowMuch) {
             "cam2's stamps are 60.0 ms earlier than the others', drift is followed up to 100.0 ms");
   EXPECT_EQ(missRemark("cam3", {0.0, 1, 0.041}),
             "cam3 is left out, its nearest stamp is 41.0 ms later");
+  EXPECT_EQ(missRemark("cam3", {0.0, 1, -70.25}),
+            "cam3 is left out, its nearest stamp is 70.2 s earlier");
+  EXPECT_EQ(missRemark("cam3", {0.0, 1, 2.5 * 86400}),
+            "cam3 is left out, its nearest stamp is 2.5 days later");
   EXPECT_EQ(missRemark("cam3", {0.0, 1, {}}), "cam3 is left out, nothing comes from it");
 }
 

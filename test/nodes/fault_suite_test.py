@@ -62,6 +62,18 @@ class FaultSuite(FaultCase):
         self.expect('stamps of cam0', least=0, level=2, silence=5.0)
         self.assertLess(self.recovery, 1.5)
 
+    def test_stamps_stand_still(self):
+        """They go on by a nanosecond each."""
+        first, sent = rospy.Time.now(), dict.fromkeys(CAMERAS, 0)
+
+        def stamp_of(camera, stamp):
+            sent[camera] += 1
+            return first + rospy.Duration(0, sent[camera])
+        self.cameras.stamp_of = stamp_of
+        self.run_fault()
+        self.expect('images of cam0 have the same stamp', least=0, silence=5.0)
+        self.assertLess(self.recovery, 1.5)
+
     def test_camera_gone(self):
         self.cameras.sends = lambda camera: camera != 'cam3'
         self.run_fault(4.0)
@@ -218,6 +230,11 @@ class FaultSuite(FaultCase):
         self.cameras.info_of = info_of
         self.run_fault()
         self.expect('but the new one is not used')
+
+    def test_frame_of_one_is_empty(self):
+        self.cameras.frame_of = lambda camera, frame: '' if camera == 'cam2' else frame
+        self.run_fault()
+        self.expect('cam2 has changed, but the new one is not used: its frame_id is empty')
 
     def test_y_camera_moves_by_tf(self):
         self.cameras.place('cam6', 0.3)

@@ -93,7 +93,7 @@ class Recording:
 
 class Cameras:
     """What a fault changes are the functions `stamp_of`, `content_of`, `data_of`, `info_of`,
-    `sends`, each by camera. While `stands` the person keeps still."""
+    `frame_of`, `sends`, each by camera. While `stands` the person keeps still."""
 
     def __init__(self, recording):
         self.recording, self.frame, self.tick_count = recording, 0, 0
@@ -114,6 +114,7 @@ class Cameras:
         self.content_of = lambda camera, frame: frame
         self.data_of = lambda camera, data: data
         self.info_of = lambda camera, info: info
+        self.frame_of = lambda camera, frame: frame
         self.sends = lambda camera: True
         self.stands = False
 
@@ -147,9 +148,10 @@ class Cameras:
             info = copy.copy(self.info_of(camera, self.recording.infos[camera]))
             info.header = copy.copy(self.recording.infos[camera].header)
             info.header.stamp = stamp
+            info.header.frame_id = self.frame_of(camera, info.header.frame_id)
             self.infos[camera].publish(info)
             image = CompressedImage(format='jpeg')
-            image.header.stamp, image.header.frame_id = stamp, camera + '_optical'
+            image.header.stamp, image.header.frame_id = stamp, info.header.frame_id
             image.data = self.data_of(camera, self.recording.images[frame][camera])
             self.images[camera].publish(image)
             self.content[stamp.to_nsec()] = self.index(self.frame)

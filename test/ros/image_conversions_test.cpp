@@ -94,6 +94,41 @@ TEST(ImageConversions, TruncatedDataIsRefused) {
   EXPECT_THROW(matFromMessage(message), std::invalid_argument);
 }
 
+TEST(ImageConversions, SizesThatWrapIn32BitsAreRefused) {
+  sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  const auto refuses = [&](uint32_t width, uint32_t height, uint32_t step, size_t bytes) {
+    message.width = width, message.height = height, message.step = step;
+    message.data.assign(bytes, 7);
+    return errorTextOf([&] { matFromMessage(message); });
+  };
+  EXPECT_EQ(
+      refuses(21845, 65537, 65536, 65536),
+      "image of frame \"cam3_optical\" cannot be read: 21845 x 65537 pixels \"bgr8\" in rows of "
+      "65536 bytes do not fit its 65536 bytes");
+  EXPECT_NE(refuses(1431655767, 2, 10, 20), "") << "three times this is 2^32 + 5";
+  EXPECT_NE(refuses(20000, 20000, 60000, 20), "");
+  EXPECT_NE(refuses(3, 2, 8, 16), "");
+  EXPECT_NE(refuses(0, 0, 0, 0).find("it has no pixels"), std::string::npos);
+  message.encoding = "mono8";
+  EXPECT_NE(errorTextOf([&] { maskFromMessage(message); }).find("it has no pixels"),
+            std::string::npos);
+  message.width = message.height = message.step = 1u << 16;
+  message.data.clear();
+  EXPECT_NE(errorTextOf([&] { maskFromMessage(message); }).find("do not fit its 0 bytes"),
+            std::string::npos);
+  EXPECT_FALSE(hasUnknownBackground(message));
+}
+
+TEST(ImageConversions, APngThatPromisesTooMuchIsRefused) {
+  sensor_msgs::CompressedImage message;
+  message.header = header();
+  cv::imencode(".png", colorPixels(), message.data);
+  message.data[18] = message.data[22] = 0x3e;
+  const std::string sentence = errorTextOf([&] { matFromMessage(message); });
+  EXPECT_NE(sentence.find("cam3_optical"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("its head says 15875 x 15874 pixels"), std::string::npos) << sentence;
+}
+
 TEST(ImageConversions, CompressedImageIsDecoded) {
   sensor_msgs::CompressedImage message;
   message.format = "png";

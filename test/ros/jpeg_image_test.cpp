@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -70,6 +72,17 @@ TEST(JpegImage, OneWithoutItsEndIsRefused) {
               std::string::npos)
         << size;
   }
+}
+
+TEST(JpegImage, AHeadThatPromisesTooMuchIsRefused) {
+  std::vector<uint8_t> bytes = jpegOf(noise(CV_8UC3));
+  const uint8_t size[] = {0, 97, 0, 131};
+  const auto at = std::search(bytes.begin(), bytes.end(), std::begin(size), std::end(size));
+  ASSERT_NE(at, bytes.end());
+  at[0] = at[2] = 0x3f;
+  const std::string sentence = errorTextOf([&] { decodedJpeg(bytes); });
+  EXPECT_NE(sentence.find("its head says 16259 x 16225 pixels, allowed are"), std::string::npos)
+      << sentence;
 }
 
 TEST(JpegImage, MostOfThoseWithWrongBytesAreRefused) {

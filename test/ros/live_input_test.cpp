@@ -40,6 +40,17 @@ TEST(StampOrder, ZeroAndRepeatedStampsAreTold) {
   EXPECT_EQ(order.judge(5 * kMs, 3).verdict, Verdict::kDuplicate);
 }
 
+TEST(StampOrder, StampsThatHardlyGoOnAreRepeated) {
+  StampOrder order;
+  EXPECT_EQ(order.judge(1000 * kMs, 0).verdict, Verdict::kInOrder);
+  for (int i = 1; i <= 20; ++i) {
+    EXPECT_EQ(order.judge(1000 * kMs + i, i * kPeriod).verdict, Verdict::kDuplicate);
+    EXPECT_EQ(order.duplicates(), i);
+  }
+  EXPECT_EQ(order.judge(1000 * kMs + 21 * kPeriod, 21 * kPeriod).verdict, Verdict::kInOrder);
+  EXPECT_EQ(order.duplicates(), 0);
+}
+
 TEST(StampOrder, OneStampAheadCostsOneImage) {
   for (const int64_t ahead : {1000 * kMs, 3'600'000 * kMs}) {
     Camera camera;

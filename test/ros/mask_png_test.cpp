@@ -102,6 +102,8 @@ TEST(MaskPng, AHeadThatPromisesTooMuchIsRefusedBeforeMemoryIsTaken) {
   bytes[20] = 0x00, bytes[21] = 0x00, bytes[22] = 0xff, bytes[23] = 0xff;  // height
   EXPECT_NE(refusalOf(bytes).find("its head says 65535 x 65535 pixels"), std::string::npos);
   bytes[16] = bytes[20] = 0xff;
+  EXPECT_NE(refusalOf(bytes).find("pixels, allowed are 268435456"), std::string::npos);
+  bytes[16] = bytes[20] = 0, bytes[18] = bytes[22] = 0x3f;
   EXPECT_NE(refusalOf(bytes).find("cannot hold them"), std::string::npos);
 }
 

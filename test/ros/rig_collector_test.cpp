@@ -186,6 +186,30 @@ TEST_F(ChangingRig, ACalibrationOfNoCameraOrOfOtherImagesIsRefused) {
   EXPECT_EQ(collector_.rig(tf_).size(), 1u);
 }
 
+TEST_F(ChangingRig, AFrameThatNobodyPlacesCostsNothing) {
+  const auto refused = [](const std::string& why) {
+    return "camera_info of a has changed, but the new one is not used: " + why;
+  };
+  info_.header.frame_id = "";
+  EXPECT_FALSE(send(info_));
+  ASSERT_FALSE(remarks_.empty());
+  EXPECT_EQ(remarks_.back(), refused("its frame_id is empty"));
+  info_.header.frame_id = "elsewhere";
+  EXPECT_FALSE(send(info_));
+  EXPECT_EQ(remarks_.back(), refused("tf does not connect elsewhere of a to world"));
+  EXPECT_EQ(collector_.doubtOf(0), "");
+  EXPECT_EQ(collector_.missing(tf_), "");
+  EXPECT_EQ(collector_.rig(tf_).size(), 1u);
+  // The lens may be another one, too; then its images are not used.
+  info_.K[0] *= 1.05;
+  EXPECT_FALSE(send(info_));
+  EXPECT_EQ(collector_.doubtOf(0), "tf does not connect elsewhere of a to world");
+  place(tf_, "elsewhere");
+  EXPECT_TRUE(send(info_));
+  EXPECT_EQ(collector_.doubtOf(0), "");
+  EXPECT_EQ(collector_.rig(tf_)[0].calibration().K(0, 0), info_.K[0]);
+}
+
 TEST_F(ChangingRig, ACameraThatHasMovedIsTakenOverWhenItRests) {
   const std::string left_out = "a has moved by tf, it is left out until it rests";
   for (int i = 1; i <= 10; ++i) {

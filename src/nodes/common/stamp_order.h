@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 
 namespace markerless_mocap {
@@ -12,7 +13,7 @@ class StampOrder {
   enum class Verdict {
     kInOrder,
     kZero,       ///< the stamp was never set
-    kDuplicate,  ///< as the last one
+    kDuplicate,  ///< as the last one, or so near that no camera can have sent both
     kDoubtful,   ///< behind the last one, or too far ahead for the time that has passed
     kStepped,    ///< in order, but the clock was set before it
   };
@@ -25,14 +26,18 @@ class StampOrder {
 
   /// \param arrival_ns by a clock that is never set
   Judgement judge(int64_t stamp_ns, int64_t arrival_ns);
+  /// How many duplicates have come since the last stamp that was none.
+  int duplicates() const { return duplicates_; }
 
  private:
+  Judgement judged(int64_t stamp_ns, int64_t arrival_ns);
   bool continues(int64_t from_ns, int64_t stamp_ns, int64_t passed_ns) const;
   Judgement accept(int64_t stamp_ns, int64_t arrival_ns, Judgement judgement);
 
   struct Arrival {
     int64_t stamp_ns, arrival_ns;
   };
+  static constexpr int64_t kNearest = 100'000;   // ns
   static constexpr double kFirstPeriod = 125e6;  // ns, until the period is known
   static constexpr double kMissedImages = 4.0;   // so many may lack between two stamps
   static constexpr double kFastest = 3.0;        // a bag may be played this much faster
@@ -41,6 +46,7 @@ class StampOrder {
   std::optional<Arrival> last_;
   std::optional<Arrival> doubtful_;  ///< the last one that was left out
   double period_ns_ = 0.0;           ///< between images in order; 0: not known yet
+  int duplicates_ = 0;               ///< in a row
 };
 
 inline bool StampOrder::continues(int64_t from_ns, int64_t stamp_ns, int64_t passed_ns) const {
@@ -57,9 +63,15 @@ inline StampOrder::Judgement StampOrder::accept(int64_t stamp_ns, int64_t arriva
 }
 
 inline StampOrder::Judgement StampOrder::judge(int64_t stamp_ns, int64_t arrival_ns) {
+  const Judgement judgement = judged(stamp_ns, arrival_ns);
+  duplicates_ = judgement.verdict == Verdict::kDuplicate ? duplicates_ + 1 : 0;
+  return judgement;
+}
+
+inline StampOrder::Judgement StampOrder::judged(int64_t stamp_ns, int64_t arrival_ns) {
   if (stamp_ns == 0) return {Verdict::kZero};
   if (!last_) return accept(stamp_ns, arrival_ns, {});
-  if (stamp_ns == last_->stamp_ns) return {Verdict::kDuplicate};
+  if (std::abs(stamp_ns - last_->stamp_ns) < kNearest) return {Verdict::kDuplicate};
   if (continues(last_->stamp_ns, stamp_ns, arrival_ns - last_->arrival_ns)) {
     const double difference = double(stamp_ns - last_->stamp_ns);
     period_ns_ += (period_ns_ > 0.0 ? kShare : 1.0) * (difference - period_ns_);

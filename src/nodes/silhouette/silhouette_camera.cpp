@@ -18,6 +18,8 @@ namespace {
 
 /// Fraction of an image that has changed when somebody is there.
 constexpr double kSomebody = 0.005;
+constexpr uint64_t kLookInterval = 16;  // images between two looks at their publishers
+constexpr int kDuplicatesTold = 5;      // images in a row
 constexpr uint32_t kQueue = 16;  // images that wait while all cameras compute their backgrounds
 
 int64_t steadyNanoseconds() {
@@ -55,15 +57,29 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
   publisher_ = handle.advertise<sensor_msgs::Image>(camera_ + "/silhouette", kPublisherQueue);
   compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(
       camera_ + "/silhouette/compressed", kPublisherQueue);
-  inputs_.listenToImages(camera_, node_options.image_transport, kQueue, StageInputs::kRequired,
-                         [this](const CameraImage& image) { receive(image); });
+  const std::lock_guard<std::mutex> lock(mutex_);  // images may come at once
+  images_ = inputs_.subscribeToImages(camera_, node_options.image_transport, kQueue,
+                                      StageInputs::kRequired,
+                                      [this](const CameraImage& image) { receive(image); });
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  countPublishers();
   if (!isUsable(image)) return;
   followSettings(image.header().stamp);
   process(image);
+}
+
+// Their images take turns, so that few masks are right, and nothing else tells why. One that has
+// ended may be known for a moment.
+void SilhouetteCamera::countPublishers() {
+  if (received_++ % kLookInterval != 0) return;
+  const uint32_t publishers = images_.getNumPublishers();
+  if (publishers > 1 && was_doubled_)
+    status_.remark(images_.getTopic() + " has " + std::to_string(publishers) +
+                   " publishers, allowed is one");
+  was_doubled_ = publishers > 1;
 }
 
 void SilhouetteCamera::followSettings(const ros::Time& stamp) {
@@ -85,7 +101,7 @@ bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
   const StampOrder::Judgement found = order_.judge(nanosecondsOf(stamp), steadyNanoseconds());
   if (found.verdict == Verdict::kZero)
     status_.error("the stamps of " + camera_ + "'s images are zero, its driver has to set them");
-  if (found.verdict == Verdict::kDuplicate) status_.count("duplicate");
+  if (found.verdict == Verdict::kDuplicate) reportDuplicate();
   if (found.verdict == Verdict::kDoubtful) status_.count("stamps out of order, or too far ahead");
   if (found.verdict == Verdict::kStepped) {
     status_.count("steps of the clock");
@@ -94,6 +110,14 @@ bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
                    ", its background is kept");
   }
   return found.isUsable();
+}
+
+void SilhouetteCamera::reportDuplicate() {
+  status_.count("duplicate");
+  if (order_.duplicates() < kDuplicatesTold) return;
+  status_.problem("the last " + std::to_string(order_.duplicates()) + " images of " + camera_ +
+                  " have the same stamp, its driver has to set the time of each image" +
+                  (ros::Time::isSimTime() ? ", and /clock has to go on" : ""));
 }
 
 bool SilhouetteCamera::isFrozen(const CameraImage& image) {
