@@ -6,6 +6,7 @@ import os
 import pathlib
 import random
 import signal
+import subprocess
 import time
 
 import cv2
@@ -73,6 +74,19 @@ class FaultSuite(FaultCase):
         self.run_fault()
         self.expect('images of cam0 have the same stamp', least=0, silence=5.0)
         self.assertLess(self.recovery, 1.5)
+
+    def test_two_publishers_of_one(self):
+        """The other one sends images without stamp and pixels."""
+        other = subprocess.Popen(['rostopic', 'pub', '-r', str(RATE), '/cam4/image_raw/compressed',
+                                  'sensor_msgs/CompressedImage', '{format: jpeg}'],
+                                 stdout=subprocess.DEVNULL)
+        try:
+            time.sleep(2.0)  # it takes a while to start
+            self.run_fault()
+        finally:
+            other.terminate()
+            other.wait()
+        self.expect('/cam4/image_raw/compressed has 2 publishers')
 
     def test_camera_gone(self):
         self.cameras.sends = lambda camera: camera != 'cam3'
