@@ -41,7 +41,7 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight) {
       return amount > std::max(kLeastOffset, kLeastOffsetPeriods * track.period) &&
              amount > kDeviations * tried.deviation;
     case ExplanationKind::kDrift:
-      return amount * length > track.period;
+      return amount * length > track.period && amount > kDeviations * tried.deviation;
     case ExplanationKind::kTurned:
       return amount > kLeastTurn && amount > kDeviations * tried.deviation;
     default:
