@@ -86,5 +86,14 @@ TEST(CheckRig, TellsTheOffsetInMilliseconds) {
   FAIL() << "no time_offset";
 }
 
+TEST(CheckRig, FindsAnOffsetWhereThePersonSoonStandsStill) {
+  SeenRig rig = goodWalk();
+  for (SeenCamera& camera : rig.cameras)
+    for (size_t i = size_t(3.5 * kTestRate); i < camera.images.size(); ++i)
+      camera.images[i].outline = camera.images[size_t(3.5 * kTestRate)].outline;
+  shiftStamps(&rig.cameras[1], [](double) { return -0.09; });
+  EXPECT_NE(listOf(checkRig(rig)).find("time_offset(cam1)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace markerless_mocap

@@ -12,6 +12,9 @@ constexpr double kLeastTurn = 0.6 * M_PI / 180;
 constexpr double kLeastOffset = 0.010;  // s
 constexpr double kLeastOffsetPeriods = 0.4;
 constexpr double kDeviations = 4;
+// Of clocks less are asked: in good recordings they gain at most half of what they must.
+constexpr double kDeviationsOfClock = 3, kDeviationsOfName = 2;
+constexpr double kClearlyMore = 1.25;
 
 /// Gain of the mean loss that a change must give; more where it has more freedom.
 double leastGain(ExplanationKind kind) {
@@ -31,7 +34,8 @@ double leastGain(ExplanationKind kind) {
   }
 }
 
-bool isLargeEnough(const Explanation& tried, const RigSight& sight) {
+/// \param deviations that a clock's error must have
+bool isLargeEnough(const Explanation& tried, const RigSight& sight, double deviations) {
   const size_t camera = tried.cameras.front();
   const PersonTrack& track = sight.tracks[tried.model[camera].source];
   const double length = track.seconds.back() - track.seconds.front();
@@ -39,9 +43,9 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight) {
   switch (tried.kind) {
     case ExplanationKind::kTimeOffset:
       return amount > std::max(kLeastOffset, kLeastOffsetPeriods * track.period) &&
-             amount > kDeviations * tried.deviation;
+             amount > deviations * tried.deviation;
     case ExplanationKind::kDrift:
-      return amount * length > track.period;
+      return amount * length > track.period && amount > deviations * tried.deviation;
     case ExplanationKind::kTurned:
       return amount > kLeastTurn && amount > kDeviations * tried.deviation;
     default:
@@ -89,17 +93,29 @@ double raysOfChanged(const Explanation& tried, const std::vector<CameraState>& s
   return rays;
 }
 
+/// A drift in place of an offset of the same camera, if it explains clearly more: that the clock is
+/// wrong is then known, and only its name is in question.
+bool isRatherDrift(const Explanation& drift, const Explanation& offset, const RigSight& sight) {
+  return drift.kind == ExplanationKind::kDrift && drift.cameras == offset.cameras &&
+         drift.gain > kClearlyMore * offset.gain && isLargeEnough(drift, sight, kDeviationsOfName);
+}
+
 std::optional<Explanation> strongest(const RigSight& sight, const RigModel& model,
                                      const std::vector<CameraState>& states) {
-  std::optional<Explanation> best;
+  const std::vector<Explanation> all = candidatesOf(sight, model, states);
+  const Explanation* best = nullptr;
   double most = 0;
-  for (Explanation& tried : candidatesOf(sight, model, states)) {
+  for (const Explanation& tried : all) {
     const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, states);
-    if (excess <= most || !isLargeEnough(tried, sight)) continue;
+    if (excess <= most || !isLargeEnough(tried, sight, kDeviationsOfClock)) continue;
     most = excess;
-    best = std::move(tried);
+    best = &tried;
   }
-  return best;
+  if (!best) return std::nullopt;
+  if (best->kind == ExplanationKind::kTimeOffset)
+    for (const Explanation& tried : all)
+      if (isRatherDrift(tried, *best, sight)) return tried;
+  return *best;
 }
 
 void toPixelsOfCamera(Explanation* found) {
