@@ -113,7 +113,7 @@ cv::Mat decodedJpeg(const std::vector<uint8_t>& bytes, const ReductionRule& rule
            std::to_string(std::min(kMaxPixels, kMaxPixelsPerByte * bytes.size())) + " in " +
            std::to_string(bytes.size()) + " bytes");
   if (decoder.isUnusual()) {
-    const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
+    cv::Mat image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
     *whole = image.size();
     return image;
   }

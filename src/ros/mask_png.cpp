@@ -66,7 +66,7 @@ std::string faultWhileReading(const std::vector<uint8_t>& bytes, sensor_msgs::Im
   mask->height = png.height;
   mask->data.resize(size_t(png.width) * png.height);
   const bool whole = png_image_finish_read(&png, nullptr, mask->data.data(), 0, nullptr) != 0;
-  const std::string fault = whole ? "" : png.message;
+  std::string fault = whole ? "" : png.message;
   png_image_free(&png);
   return fault;
 }

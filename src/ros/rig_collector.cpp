@@ -241,8 +241,7 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
     if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
   if (!without_info.empty()) return "no camera_info has been received from " + without_info;
   for (size_t i = 0; i < cameras_.size(); ++i)
-    if (const std::string why = unplaced(i, infos_[i]->header.frame_id, tf); !why.empty())
-      return why;
+    if (std::string why = unplaced(i, infos_[i]->header.frame_id, tf); !why.empty()) return why;
   return "";
 }
 

@@ -24,7 +24,6 @@ double leastGain(ExplanationKind kind) {
     case ExplanationKind::kDrift:
       return 0.06;
     case ExplanationKind::kTurned:
-      return 0.15;
     case ExplanationKind::kFocalLength:
       return 0.15;
     case ExplanationKind::kDistortion:

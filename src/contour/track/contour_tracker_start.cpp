@@ -110,8 +110,8 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   Search search{observer_.observe(now.regions), {}};
   search.poses = proposals(now, search.found.seen);
   still_contours_.weigh(search.found.seen);
-  const ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
-                                                    search.poses, active);
+  ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
+                                              search.poses, active);
   if (best.switched) take(search.found);
   return best;
 }

@@ -117,9 +117,11 @@ StillObjects::Motion StillObjects::motionOf(const Component& component, const cv
     const int first = std::max(0, run.first - 1), last = std::min(image.cols - 1, run.last + 1);
     const uint8_t* now = image.ptr(run.y);
     const uint8_t* then = previous_.ptr(run.y);
-    for (int x = first; x <= last; ++x)
-      motion.changed += squaredDistance(now + x * channels, per_gain, then + x * channels,
-                                        per_gain_then, channels) > limit;
+    for (int x = first; x <= last; ++x) {
+      const ptrdiff_t at = ptrdiff_t(x) * channels;
+      motion.changed +=
+          squaredDistance(now + at, per_gain, then + at, per_gain_then, channels) > limit;
+    }
   }
   return motion;
 }

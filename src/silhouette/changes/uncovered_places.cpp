@@ -143,8 +143,8 @@ BitMask UncoveredPlaces::stillPart(const cv::Mat& image, double gain, const Back
     const uint8_t* then = previous_.ptr(y);
     for (int i = 0; i < mask.rowWords(); ++i)
       forEachBit(mask.row(y)[i], 64 * i, [&](int x) {
-        if (squaredDistance(now + x * channels, per_gain, then + x * channels, per_gain_then,
-                            channels) > limit)
+        const ptrdiff_t at = ptrdiff_t(x) * channels;
+        if (squaredDistance(now + at, per_gain, then + at, per_gain_then, channels) > limit)
           moving.set(x, y);
       });
   }
