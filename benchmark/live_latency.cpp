@@ -5,10 +5,11 @@
 ///     live_latency capture.bag --rate 30 --seconds 120
 ///
 /// The bag begins with the empty room, for more images than are learned from, or with the person,
-/// for a start without that. `first tf` counts from its first image. The bag is played forwards and backwards again and again, so
-/// there is a start in each round. `settled` is the time from two seconds after the first tf of a
-/// round until its end; `all` has starts and losses, too, and counts poses of any status. The
-/// period of the frame sets is the reference: each time is also given as a fraction of it.
+/// for a start without that. `first tf` counts from its first image. The bag is played forwards and
+/// backwards again and again, so there is a start in each round. `settled` is the time from two
+/// seconds after the first tf of a round until its end; `all` has starts and losses, too, and
+/// counts poses of any status. The period of the frame sets is the reference: each time is also
+/// given as a fraction of it.
 
 #include <markerless_mocap/BodyPose.h>
 #include <ros/ros.h>
