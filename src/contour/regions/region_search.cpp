@@ -59,6 +59,12 @@ cv::Mat attached(const cv::Mat& mask, const cv::Mat& candidates) {
   return found;
 }
 
+void sortByScore(std::vector<RegionFit>& fits) {
+  std::stable_sort(fits.begin(), fits.end(), [](const RegionFit& one, const RegionFit& other) {
+    return one.score() > other.score();
+  });
+}
+
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
                    const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
                    const std::vector<double>& errors_m) {
@@ -115,17 +121,19 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
     RegionFit one = followed(observer, tracker, frame, body, pose, kFirstRounds);
-    if (!isFitted(one) || one.fit.overlap < kMinOverlap || one.found.agreement < kMinAgreement)
-      continue;
-    if (one.score() > rival - kLargestLimbGain)
-      if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
-        one = std::move(*better);
-    rival = std::max(rival, one.score());
-    out.push_back(std::move(one));
+    if (isFitted(one) && one.fit.overlap >= kMinOverlap && one.found.agreement >= kMinAgreement)
+      out.push_back(std::move(one));
   }
-  std::stable_sort(out.begin(), out.end(), [](const RegionFit& one, const RegionFit& other) {
-    return one.score() > other.score();
-  });
+  sortByScore(out);
+  // The best one first, as a high score spares the others the search for their limbs.
+  for (RegionFit& one : out) {
+    rival = std::max(rival, one.score());
+    if (one.score() <= rival - kLargestLimbGain) break;
+    if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
+      one = std::move(*better);
+    rival = std::max(rival, one.score());
+  }
+  sortByScore(out);
   return out;
 }
 

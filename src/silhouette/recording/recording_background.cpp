@@ -1,10 +1,9 @@
 #include "silhouette/recording/recording_background.h"
 
-#include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "silhouette/recording/inward_flood.h"
+#include "silhouette/recording/row_statistics.h"
 #include "silhouette/recording/swept_region.h"
 
 namespace markerless_mocap {
@@ -72,58 +71,6 @@ SceneColors learnSceneColors(const SceneSamples& samples) {
   return scene;
 }
 
-namespace {
-
-constexpr float kReach = 20;    ///< of a sample from the background's colour, grey levels
-constexpr int kFewSamples = 3;  ///< with fewer, the deviation is not measured
-constexpr float kUsualSigma = 4;
-
-uint16_t fixed(float grey) {
-  return uint16_t(std::lround(std::clamp(grey, 0.0f, 255.0f) * Background::kMeanScale));
-}
-
-/// Mean and deviation of those samples of a pixel that show the background.
-class PixelStatistics {
- public:
-  PixelStatistics(const SceneSamples& samples, int channels)
-      : samples_(samples), channels_(channels) {}
-
-  /// \param expected rough colour
-  void measure(int x, int y, const float* expected) {
-    float sums[3] = {}, squares = 0;
-    count_ = 0;
-    for (int i = 0; i < samples_.count(); ++i) {
-      if (samples_.images[i].empty()) continue;
-      const uint8_t* pixel = samples_.images[i].ptr(y) + x * channels_;
-      float difference[3], distance = 0;
-      for (int c = 0; c < channels_; ++c) {
-        difference[c] = pixel[c] / samples_.gains[i] - expected[c];
-        distance += difference[c] * difference[c];
-      }
-      if (distance > kReach * kReach) continue;
-      ++count_;
-      squares += distance;
-      for (int c = 0; c < channels_; ++c) sums[c] += difference[c];
-    }
-    float shift = 0;
-    for (int c = 0; c < channels_; ++c) {
-      const float offset = sums[c] / std::max(1, count_);
-      mean[c] = expected[c] + offset;
-      shift += offset * offset;
-    }
-    const float rest = std::max(0.0f, squares - count_ * shift);
-    sigma = count_ < kFewSamples ? kUsualSigma : std::sqrt(rest / (channels_ * (count_ - 1)));
-  }
-
-  float mean[3] = {}, sigma = 0;
-
- private:
-  const SceneSamples& samples_;
-  int channels_, count_ = 0;
-};
-
-}  // namespace
-
 Background learnFromRecording(const SceneSamples& samples) {
   const SceneColors scene = learnSceneColors(samples);
   const cv::Size size = samples.image_size;
@@ -133,14 +80,12 @@ Background learnFromRecording(const SceneSamples& samples) {
   cv::resize(scene.known, known, size, 0, 0, cv::INTER_NEAREST);
   Background background(size, channels, 1);
   BitMask unknown(size);
-  PixelStatistics pixel(samples, channels);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
+  RowStatistics statistics(samples);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x)
       if (!known.at<uint8_t>(y, x)) unknown.set(x, y);
-      pixel.measure(x, y, color.at<cv::Vec3f>(y, x).val);
-      for (int c = 0; c < channels; ++c) background.mean(0, y, c)[x] = fixed(pixel.mean[c]);
-      background.sigma(0, y)[x] = fixed(pixel.sigma);
-    }
+    statistics.measure(y, color.ptr<cv::Vec3f>(y), background);
+  }
   if (unknown.count() > 0) background.setUnknown(std::move(unknown));
   return background;
 }

@@ -22,8 +22,10 @@ cv::Mat oftenDifferent(const SceneSamples& samples,
     for (int x = 0; x < different.cols; ++x) {
       const cv::Vec3f& mode = candidates[size_t(y) * different.cols + x].colors[0].color;
       int count = 0;
-      for (const cv::Mat& color : samples.colors)
-        count += cv::norm(cv::Vec3f(color.at<cv::Vec3b>(y, x)) - mode) > kDeviation;
+      for (const cv::Mat& color : samples.colors) {
+        const cv::Vec3f off = cv::Vec3f(color.at<cv::Vec3b>(y, x)) - mode;
+        count += off.dot(off) > kDeviation * kDeviation;
+      }
       different.at<uint8_t>(y, x) = count >= kMinSamples ? 255 : 0;
     }
   return different;
