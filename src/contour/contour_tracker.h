@@ -94,7 +94,10 @@ class ContourTracker : public BodyTracker {
   bool isAccepted(const ContourObservation& seen, const ContourFit& fit) const;
   /// True if the pose has been accepted and the silhouettes of this frame set do not contradict it.
   bool isBelieved() const;
-  std::vector<ContourPose> proposals(const Frame& now, const ContourObservation& seen);
+  /// Those of the initializer and of the pose tree.
+  std::vector<ContourPose> proposals(const Frame& now);
+  /// The same, and default postures if none fits well.
+  std::vector<ContourPose> completeProposals(const Frame& now, const ContourObservation& seen);
   /// Takes other places of limbs if they agree better with colours and silhouettes.
   void searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active);
   void reconsider(const Frame& now, const ContourObservation& seen,

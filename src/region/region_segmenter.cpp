@@ -80,23 +80,17 @@ void addKnown(const cv::Mat& known, cv::Mat& log_odds) {
   }
 }
 
-/// Number of the part that is nearest to each sample of the box.
-cv::Mat nearestParts(const BodyDrawing& drawing) {
-  cv::Mat nearest(drawing.box.size(), CV_8UC1, cv::Scalar(0));
-  cv::Mat distance(drawing.box.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::max()));
+/// Number of the part that is nearest to a sample. \param at in drawing.box
+size_t nearestPart(const BodyDrawing& drawing, const cv::Point& at) {
+  size_t nearest = 0;
+  float least = std::numeric_limits<float>::max();
   for (size_t i = 0; i < drawing.parts.size(); ++i) {
     const PartDistance& part = drawing.parts[i];
-    for (int y = 0; y < part.box.height; ++y) {
-      const int row = y + part.box.y - drawing.box.y, shift = part.box.x - drawing.box.x;
-      const float* own = part.distance.ptr<float>(y);
-      float* least = distance.ptr<float>(row) + shift;
-      uchar* number = nearest.ptr<uchar>(row) + shift;
-      for (int x = 0; x < part.box.width; ++x)
-        if (own[x] < least[x]) {
-          least[x] = own[x];
-          number[x] = uchar(i);
-        }
-    }
+    const cv::Point own = at + drawing.box.tl() - part.box.tl();
+    if (!cv::Rect({}, part.box.size()).contains(own) || part.distance.at<float>(own) >= least)
+      continue;
+    least = part.distance.at<float>(own);
+    nearest = i;
   }
   return nearest;
 }
@@ -107,16 +101,18 @@ void compare(const BodyDrawing& drawing, const cv::Mat& known, const cv::Mat& ma
   found.silhouette = cv::countNonZero(known == kPersonPixel);
   found.known.assign(drawing.parts.size(), 0);
   found.agreeing = found.known;
-  const cv::Mat near = known(drawing.box), nearest = nearestParts(drawing);
-  for (int y = 0; y < mask.rows; ++y)
+  const cv::Mat near = known(drawing.box);
+  for (int y = 0; y < mask.rows; ++y) {
+    const uchar *person = mask.ptr<uchar>(y), *silhouette = near.ptr<uchar>(y),
+                *drawn = drawing.part.ptr<uchar>(y);
     for (int x = 0; x < mask.cols; ++x) {
-      if (!mask.at<uchar>(y, x) || near.at<uchar>(y, x) == kUnknownPixel) continue;
-      const size_t part = drawing.part.at<uchar>(y, x) != BodyDrawing::kNoPart
-                              ? drawing.part.at<uchar>(y, x)
-                              : nearest.at<uchar>(y, x);
+      if (!person[x] || silhouette[x] == kUnknownPixel) continue;
+      const size_t part =
+          drawn[x] != BodyDrawing::kNoPart ? drawn[x] : nearestPart(drawing, {x, y});
       ++found.known[part];
-      if (near.at<uchar>(y, x) == kPersonPixel) ++found.agreeing[part];
+      if (silhouette[x] == kPersonPixel) ++found.agreeing[part];
     }
+  }
 }
 
 /// Adds what background subtraction sees as person if it is attached to the mask: limbs that the
@@ -126,6 +122,7 @@ void addAttached(const cv::Mat& known, cv::Mat& mask) {
   cv::Mat labels;
   const int count = cv::connectedComponents(person, labels, 8, CV_32S);
   std::vector<uchar> attached(size_t(count), 0);
+  if (count == 1) return;
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x)
       if (mask.at<uchar>(y, x)) attached[size_t(labels.at<int>(y, x))] = 255;

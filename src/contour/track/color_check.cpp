@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contour/track/default_postures.h"
 #include "contour/track/exchanged_sides.h"
 #include "numerics/low_priority.h"
 
@@ -34,10 +35,21 @@ std::optional<RegionFit> answered(const ColorQuestion& question) {
   return std::move(fits.front());
 }
 
-void ColorCheck::ask(ColorQuestion question) {
+ColorQuestion completed(ColorQuestion question) {
+  const ContourObservation seen =
+      question.observer.observeLargest(question.frame, question.hull).seen;
+  completeProposals(question.tracker, seen, question.body, question.hull, question.proposals);
+  return question;
+}
+
+void ColorCheck::ask(ColorQuestion question, Urgency urgency) {
   forgotten_ = false;
-  answer_ = std::async(std::launch::async, [question = std::move(question)] {
-    return unobtrusively([&] { return Answer{question.pose, answered(question)}; });
+  answer_ = std::async(std::launch::async, [question = std::move(question), urgency]() mutable {
+    const auto find = [&] {
+      const ContourPose asked = question.pose;
+      return Answer{asked, answered(completed(std::move(question)))};
+    };
+    return urgency == kAwaited ? find() : unobtrusively(find);
   });
 }
 

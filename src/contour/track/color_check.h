@@ -22,16 +22,21 @@ struct ColorQuestion {
   std::vector<ContourPose> proposals;
 };
 
+/// Adds default postures to proposals of which none fits well.
+ColorQuestion completed(ColorQuestion question);
+
 /// What a question's colours show: the tracked pose, or one that is clearly better; empty if
 /// neither can be fitted.
 std::optional<RegionFit> answered(const ColorQuestion& question);
 
-/// Answers one question after another in a thread of low priority.
+/// Completes and answers one question after another in another thread.
 class ColorCheck {
  public:
   bool isBusy() const { return answer_.valid(); }
+  /// kBeside: at low priority. kAwaited: nothing is reported before the answer.
+  enum Urgency { kBeside, kAwaited };
   /// Must not be called while it is busy.
-  void ask(ColorQuestion question);
+  void ask(ColorQuestion question, Urgency urgency);
   struct Answer {
     ContourPose asked;
     std::optional<RegionFit> found;

@@ -216,7 +216,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     reported_ = false;
     return active;
   }
-  if (!now.behind) active = takeCheck(now, active);
+  active = takeCheck(now, active);
   if (needsCheck(now)) active = check(now, active);
   accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
   if (now.behind) return active;

@@ -9,9 +9,6 @@
 namespace markerless_mocap {
 namespace {
 
-// Default postures are tried if the proposals have a lower quality.
-constexpr double kPoorQuality = 0.86;
-
 // A search costs as much as following the person over many frames. After one the next waits for
 // this fraction of the time since the first, up to the last value.
 constexpr double kRest = 0.2;
@@ -27,8 +24,7 @@ constexpr int kColorConfirmations = 2;  // in a row are enough
 
 }  // namespace
 
-std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
-                                                   const ContourObservation& seen) {
+std::vector<ContourPose> ContourTracker::proposals(const Frame& now) {
   std::vector<ContourPose> poses;
   const FrameProducts& made = now.products.ofThisFrame();
   const BodyPose pose = initializer_->update(now.stamp_ns, made.parts, made.hull);
@@ -36,8 +32,14 @@ std::vector<ContourPose> ContourTracker::proposals(const Frame& now,
   if (pose.status != PoseStatus::kLost)
     poses.push_back(converter_->poseOf(pose.T_world_body, pose.angles));
   if (const auto of_tree = poseFromPoseTree(made.tree)) poses.push_back(*of_tree);
-  if (qualityOf(hypotheses_.bestFit(seen, *contour_body_, poses)) < kPoorQuality)
-    for (const ContourPose& posture : defaultPostures(made.hull)) poses.push_back(posture);
+  return poses;
+}
+
+std::vector<ContourPose> ContourTracker::completeProposals(const Frame& now,
+                                                           const ContourObservation& seen) {
+  std::vector<ContourPose> poses = proposals(now);
+  markerless_mocap::completeProposals(hypotheses_, seen, *contour_body_,
+                                      now.products.ofThisFrame().hull, poses);
   return poses;
 }
 
@@ -87,7 +89,7 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   somebody_there_ = somebody_there;
   Search search{observer_.observeLargest(now.regions, hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
-  search.poses = proposals(now, search.found.seen);
+  search.poses = completeProposals(now, search.found.seen);
   if (by_color)
     findByColor(now, search);
   else
@@ -98,9 +100,12 @@ ActiveTrack ContourTracker::start(const Frame& now) {
 }
 
 bool ContourTracker::needsCheck(const Frame& now) const {
-  if (now.behind || now.stamp_ns < next_check_ns_ || color_check_.isBusy()) return false;
-  return !accepted_ || (now.regions.needsColors() && color_checks_ < kColorChecks &&
-                        color_confirmations_ < kColorConfirmations);
+  // Colours are asked in another thread, and asked first until a pose has been reported.
+  const bool by_color = now.regions.needsColors();
+  if ((now.behind && !by_color) || now.stamp_ns < next_check_ns_ || color_check_.isBusy())
+    return false;
+  return !accepted_ ||
+         (by_color && color_checks_ < kColorChecks && color_confirmations_ < kColorConfirmations);
 }
 
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
@@ -108,7 +113,7 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   if (now.regions.needsColors()) return checkByColor(now, active);
   next_check_ns_ = now.stamp_ns + restAfterSearch(now.stamp_ns, kCheckInterval_ns);
   Search search{observer_.observe(now.regions), {}};
-  search.poses = proposals(now, search.found.seen);
+  search.poses = completeProposals(now, search.found.seen);
   still_contours_.weigh(search.found.seen);
   ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, *contour_body_,
                                               search.poses, active);
@@ -120,19 +125,20 @@ ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& ac
   next_check_ns_ =
       now.stamp_ns + (kColorCheckInterval_ns << std::min(++color_checks_, kColorChecks));
   ColorQuestion question = this->question(now, active.track.fit.pose);
-  if (!resources_.in_background) return settle(now, active, answered(question));
+  if (!resources_.in_background) return settle(now, active, answered(completed(question)));
   question.frame = question.frame.clone();  // the messages end with this frame
-  color_check_.ask(std::move(question));
+  color_check_.ask(std::move(question), reported_ ? ColorCheck::kBeside : ColorCheck::kAwaited);
   return active;
 }
 
 ColorQuestion ContourTracker::question(const Frame& now, const ContourPose& pose) {
-  RegionObserver observer = observer_.withoutColors();
-  const VisualHull& hull = now.products.ofThisFrame().hull;
-  std::vector<ContourPose> proposed =
-      proposals(now, observer.observeLargest(now.regions, hull).seen);
-  return {std::move(observer), hypotheses_, now.regions,        hull,
-          *contour_body_,      pose,        std::move(proposed)};
+  return {observer_.withoutColors(),
+          hypotheses_,
+          now.regions,
+          now.products.ofThisFrame().hull,
+          *contour_body_,
+          pose,
+          proposals(now)};
 }
 
 // What was right some frames ago proposes a pose of this frame; colours decide between both.

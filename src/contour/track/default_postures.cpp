@@ -21,6 +21,8 @@ struct Posture {
 };
 constexpr double kQuarter = M_PI / 2.0;
 
+constexpr double kPoorQuality = 0.86;
+
 const Posture kStanding[] = {{0.0, 0.0, 0.0}, {1.2, 1.2, 0.0}, {0.5, 1.9, 2.0}};
 const Posture kCrouching[] = {kStanding[2]};
 // Hands on the thighs.
@@ -95,6 +97,13 @@ std::vector<ContourPose> defaultPostures(const VisualHull& hull) {
   if (place.height < 1.2) add(kCrawling, place.axis, 4);
   if (place.height < 1.0) add(kLying, place.axis, 2);
   return poses;
+}
+
+void completeProposals(const ContourMultiHypothesisTracker& tracker, const ContourObservation& seen,
+                       const ContourBody& body, const VisualHull& hull,
+                       std::vector<ContourPose>& poses) {
+  if (qualityOf(tracker.bestFit(seen, body, poses)) >= kPoorQuality) return;
+  for (const ContourPose& posture : defaultPostures(hull)) poses.push_back(posture);
 }
 
 }  // namespace markerless_mocap

@@ -1,24 +1,20 @@
 #include "region/cut/band_cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
+#include <vector>
 
 namespace markerless_mocap {
 namespace {
 
-constexpr float kSmoothness = 7.f;  // cost of a border between two samples of the same colour
+constexpr float kSmoothness = 7.f;       // cost of a border between two samples of the same colour
+constexpr float kDiagonal = .70710678f;  // of it, by the distance of the neighbours
 
-struct Neighbour {
-  int x, y;
-  float weight;  // by its distance
-};
-constexpr Neighbour kNeighbours[] = {
-    {1, 0, 1.f}, {0, 1, 1.f}, {1, 1, .70710678f}, {-1, 1, .70710678f}};
-
-float squaredDifference(const cv::Vec3b& a, const cv::Vec3b& b) {
-  const float d0 = float(a[0]) - b[0], d1 = float(a[1]) - b[1], d2 = float(a[2]) - b[2];
+int squaredDifference(const cv::Vec3b& a, const cv::Vec3b& b) {
+  const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
   return d0 * d0 + d1 * d1 + d2 * d2;
 }
 
@@ -26,73 +22,117 @@ float squaredDifference(const cv::Vec3b& a, const cv::Vec3b& b) {
 float meanSquaredDifference(const cv::Mat& image, const cv::Mat& band) {
   double sum = 0;
   int count = 0;
-  for (int y = 0; y < image.rows; ++y)
+  for (int y = 0; y < image.rows; ++y) {
+    const cv::Vec3b* color = image.ptr<cv::Vec3b>(y);
+    const uchar* undecided = band.ptr<uchar>(y);
     for (int x = 0; x + 1 < image.cols; ++x)
-      if (band.at<uchar>(y, x)) {
-        sum += squaredDifference(image.at<cv::Vec3b>(y, x), image.at<cv::Vec3b>(y, x + 1));
+      if (undecided[x]) {
+        sum += squaredDifference(color[x], color[x + 1]);
         ++count;
       }
+  }
   return count ? float(sum / count) : 0.f;
 }
 
-using Graph = cv::detail::GCGraph<float>;
+/// A table of exp(-x).
+class Decay {
+ public:
+  Decay() {
+    for (size_t i = 0; i < values_.size(); ++i) values_[i] = std::exp(-(float(i) + .5f) / kSteps);
+  }
+  /// \param x at least 0
+  float operator()(float x) const { return x < kRange ? values_[size_t(x * kSteps)] : 0.f; }
 
-/// Numbers the samples of the band; -1 outside.
-cv::Mat numbered(const cv::Mat& band, int& count) {
-  cv::Mat number(band.size(), CV_32SC1);
-  count = 0;
-  for (int y = 0; y < band.rows; ++y)
-    for (int x = 0; x < band.cols; ++x) number.at<int>(y, x) = band.at<uchar>(y, x) ? count++ : -1;
-  return number;
-}
+ private:
+  static constexpr int kRange = 16, kSteps = 64;
+  std::array<float, kRange * kSteps> values_;
+};
 
-/// Links two neighbours; one of them may be decided already.
-void link(Graph& graph, const cv::Mat& log_odds, const cv::Mat& number, const cv::Point& from,
-          const cv::Point& to, float weight) {
-  const int a = number.at<int>(from), b = number.at<int>(to);
-  if (a >= 0 && b >= 0) graph.addEdges(a, b, weight, weight);
-  if ((a >= 0) == (b >= 0)) return;
-  const bool person = log_odds.at<float>(a >= 0 ? to : from) > 0;
-  graph.addTermWeights(std::max(a, b), person ? weight : 0.f, person ? 0.f : weight);
-}
+/// Costs of the samples of the band, and of borders between neighbours, as a graph.
+class BandGraph {
+ public:
+  BandGraph(const cv::Mat& image, const cv::Mat& log_odds, const cv::Mat& band)
+      : image_(image), log_odds_(log_odds), number_(band.size(), CV_32SC1) {
+    number(band);
+    graph_.create(unsigned(of_person_.size()), unsigned(8 * of_person_.size()));
+    for (size_t i = 0; i < of_person_.size(); ++i) graph_.addVtx();
+    falloff_ = 0.5f / std::max(meanSquaredDifference(image, band), 1.f);
+    for (int y = 0; y < image.rows; ++y) linkRow(y);
+    for (size_t i = 0; i < of_person_.size(); ++i)
+      graph_.addTermWeights(int(i), of_person_[i], of_others_[i]);
+  }
 
-void linkAll(Graph& graph, const cv::Mat& image, const cv::Mat& log_odds, const cv::Mat& band,
-             const cv::Mat& number) {
-  const float beta = 0.5f / std::max(meanSquaredDifference(image, band), 1.f);
-  const cv::Rect inside(0, 0, image.cols, image.rows);
-  for (int y = 0; y < image.rows; ++y)
-    for (int x = 0; x < image.cols; ++x)
-      for (const Neighbour& neighbour : kNeighbours) {
-        const cv::Point from(x, y), to(x + neighbour.x, y + neighbour.y);
-        if (!inside.contains(to) || (number.at<int>(from) < 0 && number.at<int>(to) < 0)) continue;
-        const float difference =
-            squaredDifference(image.at<cv::Vec3b>(from), image.at<cv::Vec3b>(to));
-        link(graph, log_odds, number, from, to,
-             kSmoothness * neighbour.weight * std::exp(-beta * difference));
+  /// Decides the samples of the band; the others are left as they are.
+  void cut(cv::Mat& mask) {
+    graph_.maxFlow();
+    for (int y = 0; y < mask.rows; ++y) {
+      const int* numbers = number_.ptr<int>(y);
+      uchar* decided = mask.ptr<uchar>(y);
+      for (int x = 0; x < mask.cols; ++x)
+        if (numbers[x] >= 0) decided[x] = graph_.inSourceSegment(numbers[x]) ? 255 : 0;
+    }
+  }
+
+ private:
+  /// Numbers the samples of the band; -1 outside.
+  void number(const cv::Mat& band) {
+    for (int y = 0; y < band.rows; ++y) {
+      const uchar* undecided = band.ptr<uchar>(y);
+      const float* odds = log_odds_.ptr<float>(y);
+      int* numbers = number_.ptr<int>(y);
+      for (int x = 0; x < band.cols; ++x) {
+        numbers[x] = undecided[x] ? int(of_person_.size()) : -1;
+        if (!undecided[x]) continue;
+        of_person_.push_back(std::max(odds[x], 0.f));
+        of_others_.push_back(std::max(-odds[x], 0.f));
       }
-}
+    }
+  }
+
+  /// Links the samples of a row with their neighbours to the right and in the next row.
+  void linkRow(int y) {
+    const Row here = row(y), below = y + 1 < image_.rows ? row(y + 1) : Row{};
+    for (int x = 0; x < image_.cols; ++x) {
+      if (x + 1 < image_.cols) link(here, x, here, x + 1, kSmoothness);
+      if (!below.numbers) continue;
+      link(here, x, below, x, kSmoothness);
+      if (x + 1 < image_.cols) link(here, x, below, x + 1, kSmoothness * kDiagonal);
+      if (x > 0) link(here, x, below, x - 1, kSmoothness * kDiagonal);
+    }
+  }
+
+  struct Row {
+    const int* numbers = nullptr;
+    const cv::Vec3b* colors = nullptr;
+    const float* log_odds = nullptr;
+  };
+  Row row(int y) const {
+    return {number_.ptr<int>(y), image_.ptr<cv::Vec3b>(y), log_odds_.ptr<float>(y)};
+  }
+
+  /// Links two neighbours; one of them may be decided already.
+  void link(const Row& from, int x, const Row& to, int other, float smoothness) {
+    static const Decay decay;
+    const int a = from.numbers[x], b = to.numbers[other];
+    if (a < 0 && b < 0) return;
+    const float weight =
+        smoothness * decay(falloff_ * float(squaredDifference(from.colors[x], to.colors[other])));
+    if (a >= 0 && b >= 0) return graph_.addEdges(a, b, weight, weight);
+    const bool person = (a >= 0 ? to.log_odds[other] : from.log_odds[x]) > 0;
+    (person ? of_person_ : of_others_)[size_t(std::max(a, b))] += weight;
+  }
+
+  cv::Mat image_, log_odds_, number_;
+  std::vector<float> of_person_, of_others_;  ///< weights of the terms
+  float falloff_;                             ///< of a border's cost with the squared difference
+  cv::detail::GCGraph<float> graph_;
+};
 
 }  // namespace
 
 cv::Mat bandCut(const cv::Mat& image, const cv::Mat& log_odds, const cv::Mat& band) {
-  int count = 0;
-  const cv::Mat number = numbered(band, count);
   cv::Mat mask = log_odds > 0;
-  if (count == 0) return mask;
-  Graph graph(unsigned(count), unsigned(4 * count));
-  for (int i = 0; i < count; ++i) graph.addVtx();
-  for (int y = 0; y < band.rows; ++y)
-    for (int x = 0; x < band.cols; ++x)
-      if (number.at<int>(y, x) >= 0) {
-        const float odds = log_odds.at<float>(y, x);
-        graph.addTermWeights(number.at<int>(y, x), std::max(odds, 0.f), std::max(-odds, 0.f));
-      }
-  linkAll(graph, image, log_odds, band, number);
-  graph.maxFlow();
-  for (int y = 0; y < band.rows; ++y)
-    for (int x = 0; x < band.cols; ++x)
-      if (number.at<int>(y, x) >= 0)
-        mask.at<uchar>(y, x) = graph.inSourceSegment(number.at<int>(y, x)) ? 255 : 0;
+  if (cv::countNonZero(band) > 0) BandGraph(image, log_odds, band).cut(mask);
   return mask;
 }
 

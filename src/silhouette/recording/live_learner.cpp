@@ -43,11 +43,15 @@ Background LiveLearner::learn() {
 void LiveLearner::learnBeside() {
   next_ *= 2;
   if (learning_.valid()) return;
-  learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_] {
+  const bool is_awaited = !std::exchange(has_learned_, true);
+  learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_, is_awaited] {
+    const auto learn = [&] {
+      return learnFromRecording(sampler.samples(options.compensate_flicker));
+    };
+    if (is_awaited) return learn();
     static std::mutex one_camera_after_another;
     const std::lock_guard lock(one_camera_after_another);
-    return unobtrusively(
-        [&] { return learnFromRecording(sampler.samples(options.compensate_flicker)); });
+    return unobtrusively(learn);
   });
 }
 

@@ -25,8 +25,8 @@ class LiveLearner {
   /// Whether it need not be learned again.
   bool isDone() const { return next_ > last_ && !learning_.valid(); }
   Background learn();
-  /// The same in a thread of low priority, as it takes as long as some images; nothing happens if
-  /// that still runs.
+  /// The same in another thread, as it takes as long as some images; nothing happens if that still
+  /// runs. The first time nothing can be done without it; later its priority is low.
   void learnBeside();
   /// What learnBeside() has found; empty if it has found nothing new yet.
   std::optional<Background> learned();
@@ -38,6 +38,7 @@ class LiveLearner {
   SilhouetteOptions options_;
   SceneSampler sampler_;
   int next_, last_;  ///< numbers of images
+  bool has_learned_ = false;
   std::future<Background> learning_;
 };
 
