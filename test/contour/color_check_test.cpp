@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "contour/track/default_postures.h"
 #include "contour/unknown_room.h"
 
 namespace markerless_mocap {
@@ -54,12 +55,12 @@ TEST_F(ColorCheckTest, AnotherIsFoundIfTheTrackedOneIsWrong) {
 }
 
 TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {
-  const auto expected = answered(ask(wrong, {pose}));
+  const auto expected = answered(completed(ask(wrong, {pose})));
   ASSERT_TRUE(expected);
   ColorCheck check;
   EXPECT_FALSE(check.isBusy());
   EXPECT_FALSE(check.answer());
-  check.ask(ask(wrong, {pose}));
+  check.ask(ask(wrong, {pose}), ColorCheck::kBeside);
   std::optional<ColorCheck::Answer> answer;
   while (!(answer = check.answer())) rest();
   EXPECT_FALSE(check.isBusy());
@@ -69,15 +70,20 @@ TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {
   EXPECT_EQ(answer->found->score(), expected->score());
 }
 
+TEST_F(ColorCheckTest, DefaultPosturesAreAddedToPoorProposalsOnly) {
+  EXPECT_EQ(completed(ask(pose, {pose})).proposals.size(), 1u);
+  EXPECT_EQ(completed(ask(pose, {})).proposals.size(), defaultPostures(hull).size());
+}
+
 TEST_F(ColorCheckTest, AnAnswerThatIsForgottenIsNotGiven) {
   ColorCheck check;
-  check.ask(ask(pose, {}));
+  check.ask(ask(pose, {pose}), ColorCheck::kAwaited);
   check.forget();
   while (check.isBusy()) {
     EXPECT_FALSE(check.answer());
     rest();
   }
-  check.ask(ask(pose, {}));
+  check.ask(ask(pose, {pose}), ColorCheck::kAwaited);
   while (check.isBusy()) {
     if (check.answer()) return;
     rest();

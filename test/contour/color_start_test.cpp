@@ -29,7 +29,7 @@ class ColorStartTest : public testing::Test, protected UnknownRoom {
     for (int64_t frame = 0; frame < frames; ++frame) {
       std::vector<cv::Mat> now;
       for (const cv::Mat& image : images) now.push_back(image + cv::Scalar::all(frame % 2 * 15));
-      found = tracker.update({1 + frame * 33333333, masks, now, products});
+      found = tracker.update({1 + frame * 33333333, masks, now, products, behind});
     }
     return found;
   }
@@ -44,6 +44,7 @@ class ColorStartTest : public testing::Test, protected UnknownRoom {
 
   PersonResources resources = PersonResources::standard();
   int proposals = 0;
+  bool behind = false;
 };
 
 TEST_F(ColorStartTest, AGoodStartIsConfirmedTwiceAndStays) {
@@ -52,6 +53,14 @@ TEST_F(ColorStartTest, AGoodStartIsConfirmedTwiceAndStays) {
   EXPECT_EQ(found.status, PoseStatus::kTracked) << found.reason;
   EXPECT_EQ(proposals, 1 + 2);
   EXPECT_LT(ankleError(found, right), 0.08);
+}
+
+// A slow computer is always behind.
+TEST_F(ColorStartTest, AGoodStartIsConfirmedAlsoWhileNewerFrameSetsWait) {
+  behind = true;
+  ContourTracker right = tracker();
+  EXPECT_EQ(poseAfter(60, right).status, PoseStatus::kTracked);
+  EXPECT_EQ(proposals, 1 + 2);
 }
 
 // Colours would follow the body on; as soon as the background is known they are contradicted.
