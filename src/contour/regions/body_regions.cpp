@@ -142,6 +142,16 @@ RegionFrame::RegionFrame(const std::vector<cv::Mat>& images, const std::vector<c
   });
 }
 
+RegionFrame RegionFrame::coarser() const {
+  RegionFrame out = *this;
+  tbb::parallel_for(size_t(0), views.size(), [&](size_t i) {
+    if (views[i].colors.empty()) return;
+    out.views[i] = {2 * views[i].step, sampled(views[i].colors, 2, cv::INTER_AREA),
+                    sampled(views[i].known, 2, cv::INTER_NEAREST)};
+  });
+  return out;
+}
+
 RegionFrame RegionFrame::clone() const {
   RegionFrame out = *this;
   for (cv::Mat& mask : out.masks) mask = mask.clone();

@@ -27,6 +27,8 @@ struct RegionFrame {
   RegionFrame() = default;
   /// \param images by camera; missing ones may be empty or left out at the end
   RegionFrame(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks);
+  /// The same with half as many samples along each axis where there are colours.
+  RegionFrame coarser() const;
   /// A copy that shares no pixels.
   RegionFrame clone() const;
   /// True if colours decide in a view.

@@ -1,5 +1,7 @@
 #include "contour/regions/region_search.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -9,8 +11,10 @@
 namespace markerless_mocap {
 namespace {
 
-// Expected errors of the body's outline in the rounds of a search, metres.
+// Expected errors of the body's outline in the rounds of a search, metres. In rounds of a larger
+// error than kFineError, a quarter of the samples is enough.
 const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
+constexpr double kFineError = 0.05;
 
 // Image width divided by the width of what counts as a speck or a gap.
 constexpr int kWidthPerDisk = 120;
@@ -49,13 +53,18 @@ cv::Mat attached(const cv::Mat& mask, const cv::Mat& candidates) {
   cv::morphologyEx(candidates, found, cv::MORPH_OPEN, disk);
   cv::dilate(found | person, all, disk);
   const int count = cv::connectedComponents(all, labels, 8, CV_32S);
-  std::vector<bool> keep(size_t(count), false);
-  for (int y = 0; y < labels.rows; ++y)
+  std::vector<uchar> kept(size_t(count), 0);
+  for (int y = 0; y < labels.rows; ++y) {
+    const uchar* is_person = person.ptr<uchar>(y);
+    const int* label = labels.ptr<int>(y);
     for (int x = 0; x < labels.cols; ++x)
-      if (person.at<uchar>(y, x) == kPersonPixel) keep[size_t(labels.at<int>(y, x))] = true;
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (!keep[size_t(labels.at<int>(y, x))]) found.at<uchar>(y, x) = 0;
+      if (is_person[x] == kPersonPixel) kept[size_t(label[x])] = 255;
+  }
+  for (int y = 0; y < labels.rows; ++y) {
+    uchar* pixel = found.ptr<uchar>(y);
+    const int* label = labels.ptr<int>(y);
+    for (int x = 0; x < labels.cols; ++x) pixel[x] &= kept[size_t(label[x])];
+  }
   return found;
 }
 
@@ -65,13 +74,20 @@ void sortByScore(std::vector<RegionFit>& fits) {
   });
 }
 
+struct SearchedFrame {
+  explicit SearchedFrame(const RegionFrame& frame) : fine(frame), coarse(frame.coarser()) {}
+  const RegionFrame& fine;
+  RegionFrame coarse;
+};
+
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                   const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
+                   const SearchedFrame& frame, const ContourBody& body, const ContourPose& pose,
                    const std::vector<double>& errors_m) {
   RegionFit out;
   ContourPose at = pose;
   for (const double error_m : errors_m) {
-    out.found = observer.observeNear(frame, body, at, error_m);
+    out.found =
+        observer.observeNear(error_m > kFineError ? frame.coarse : frame.fine, body, at, error_m);
     out.fit = tracker.bestFit(out.found.seen, body, {at});
     if (!isFitted(out)) break;
     at = out.fit.pose;
@@ -79,22 +95,16 @@ RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisT
   return out;
 }
 
-}  // namespace
-
-double RegionFit::score() const {
-  return qualityOf(fit) + found.overlap;
-}
-
-std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
-                                            const ContourMultiHypothesisTracker& tracker,
-                                            const RegionFrame& frame, const VisualHull& hull,
-                                            const ContourBody& body, const RegionFit& first) {
-  std::vector<cv::Mat> wide = observer.candidates(frame, hull, body, first.fit.pose);
+std::optional<RegionFit> withOtherLimbs(const RegionObserver& observer,
+                                        const ContourMultiHypothesisTracker& tracker,
+                                        const SearchedFrame& frame, const VisualHull& hull,
+                                        const ContourBody& body, const RegionFit& first) {
+  std::vector<cv::Mat> wide = observer.candidates(frame.fine, hull, body, first.fit.pose);
   std::vector<cv::Mat> all(wide.size());
-  for (size_t i = 0; i < wide.size(); ++i) {
+  tbb::parallel_for(size_t(0), wide.size(), [&](size_t i) {
     wide[i] = attached(first.found.masks[i], wide[i]);
     if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
-  }
+  });
   const ContourObservation seen = observer.observe(all);
   RegionFit best = first;
   bool better = false;
@@ -113,14 +123,28 @@ std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
   return best;
 }
 
+}  // namespace
+
+double RegionFit::score() const {
+  return qualityOf(fit) + found.overlap;
+}
+
+std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
+                                            const ContourMultiHypothesisTracker& tracker,
+                                            const RegionFrame& frame, const VisualHull& hull,
+                                            const ContourBody& body, const RegionFit& first) {
+  return withOtherLimbs(observer, tracker, SearchedFrame(frame), hull, body, first);
+}
+
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
                                      const ContourBody& body, const std::vector<ContourPose>& poses,
                                      double rival) {
+  const SearchedFrame searched(frame);
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
-    RegionFit one = followed(observer, tracker, frame, body, pose, kFirstRounds);
+    RegionFit one = followed(observer, tracker, searched, body, pose, kFirstRounds);
     if (isFitted(one) && one.fit.overlap >= kMinOverlap && one.found.agreement >= kMinAgreement)
       out.push_back(std::move(one));
   }
@@ -129,7 +153,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   for (RegionFit& one : out) {
     rival = std::max(rival, one.score());
     if (one.score() <= rival - kLargestLimbGain) break;
-    if (auto better = searchLimbsByColor(observer, tracker, frame, hull, body, one))
+    if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, one))
       one = std::move(*better);
     rival = std::max(rival, one.score());
   }

@@ -125,7 +125,8 @@ ActiveTrack ContourTracker::checkByColor(const Frame& now, const ActiveTrack& ac
   next_check_ns_ =
       now.stamp_ns + (kColorCheckInterval_ns << std::min(++color_checks_, kColorChecks));
   ColorQuestion question = this->question(now, active.track.fit.pose);
-  if (!resources_.in_background) return settle(now, active, answered(completed(question)));
+  if (!resources_.in_background)
+    return settle(now, active, answered(completed(std::move(question))));
   question.frame = question.frame.clone();  // the messages end with this frame
   color_check_.ask(std::move(question), reported_ ? ColorCheck::kBeside : ColorCheck::kAwaited);
   return active;
