@@ -58,10 +58,11 @@ class ContourTracker : public BodyTracker {
   bool useEstimatedShape();
   /// Quality of the best fit of the mean body. \param stature metres
   double qualityAt(double stature, const ContourObservation& seen,
-                   const std::vector<ContourPose>& poses) const;
+                   const std::vector<ContourPose>& poses, const RobustSchedule& schedule) const;
   /// Takes the stature that fits best, as long as the person has not been measured. Colours are not
   /// asked: they were found around a body of some stature.
-  void initializeStature(const Frame& now, const std::vector<ContourPose>& poses);
+  void initializeStature(const Frame& now, const std::vector<ContourPose>& poses,
+                         const RobustSchedule& schedule = RobustSchedule::wide());
   ActiveTrack start(const Frame& now);
   /// When to check a start from this frame, and when to start again if it fails.
   void scheduleStart(const Frame& now);

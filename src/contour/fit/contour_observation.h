@@ -58,10 +58,14 @@ class ContourObserver {
   ///   without person or without background is not used, see ContourView::status. The result does
   ///   not depend on the number of threads.
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
+  /// The same with a third of the rays, for a search.
+  ContourObservation observeRoughly(const std::vector<cv::Mat>& masks) const;
   /// Throws as observe().
   void check(const std::vector<cv::Mat>& masks) const;
 
  private:
+  ContourObservation observe(const std::vector<cv::Mat>& masks, int rays) const;
+
   CameraRig rig_;
   int rays_;
   std::vector<RayTable> pixel_rays_;  ///< by camera

@@ -143,6 +143,15 @@ void ContourObserver::check(const std::vector<cv::Mat>& masks) const {
 }
 
 ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) const {
+  return observe(masks, rays_);
+}
+
+ContourObservation ContourObserver::observeRoughly(const std::vector<cv::Mat>& masks) const {
+  return observe(masks, rays_ / 3);
+}
+
+ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks,
+                                            int rays_wanted) const {
   check(masks);
   ContourObservation seen;
   seen.views.resize(rig_.size());
@@ -152,7 +161,7 @@ ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) c
   std::vector<size_t> ends;  // per camera: end of its cracks in the list of all
   for (size_t i = 0; i < cracks.size(); ++i)
     ends.push_back((i ? ends.back() : 0) + cracks[i].size());
-  const size_t total = ends.back(), count = std::min(size_t(rays_), total);
+  const size_t total = ends.back(), count = std::min(size_t(rays_wanted), total);
   std::vector<ContourRay> rays(count);
   tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 64), [&](const auto& some) {
     for (size_t i = some.begin(); i < some.end(); ++i) {

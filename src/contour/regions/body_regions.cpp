@@ -144,6 +144,7 @@ RegionFrame::RegionFrame(const std::vector<cv::Mat>& images, const std::vector<c
 
 RegionFrame RegionFrame::coarser() const {
   RegionFrame out = *this;
+  out.is_coarse = true;
   tbb::parallel_for(size_t(0), views.size(), [&](size_t i) {
     if (views[i].colors.empty()) return;
     out.views[i] = {2 * views[i].step, sampled(views[i].colors, 2, cv::INTER_AREA),

@@ -23,6 +23,7 @@ struct RegionView {
 struct RegionFrame {
   std::vector<cv::Mat> masks;     ///< by camera, CV_8UC1 0 | 128 unknown | 255, or empty
   std::vector<RegionView> views;  ///< by camera
+  bool is_coarse = false;
 
   RegionFrame() = default;
   /// \param images by camera; missing ones may be empty or left out at the end

@@ -26,8 +26,9 @@ RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
 RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const ContourBody& body,
                                               const ContourPose& pose, double error_m) const {
   const RegionMasks found = regions_.segment(frame, body, pose, error_m);
-  return {observer_->observe(found.masks), found.masks, found.agreement, found.overlap,
-          found.limb_agreement};
+  return {
+      frame.is_coarse ? observer_->observeRoughly(found.masks) : observer_->observe(found.masks),
+      found.masks, found.agreement, found.overlap, found.limb_agreement};
 }
 
 std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const VisualHull& hull,

@@ -27,7 +27,8 @@ class RegionObserver {
   RegionObservation observe(const RegionFrame& frame) const;
   /// What the largest silhouettes show that the person can have, see BodyRegions::largest().
   RegionObservation observeLargest(const RegionFrame& frame, const VisualHull& hull) const;
-  /// As observe(), but colours around `pose` decide in views with an unknown background.
+  /// As observe(), but colours around `pose` decide in views with an unknown background. A coarse
+  /// frame gives fewer rays.
   /// \param error_m expected error of the outline of the body in `pose`, metres
   RegionObservation observeNear(const RegionFrame& frame, const ContourBody& body,
                                 const ContourPose& pose, double error_m) const;

@@ -11,10 +11,17 @@
 namespace markerless_mocap {
 namespace {
 
-// Expected errors of the body's outline in the rounds of a search, metres. In rounds of a larger
-// error than kFineError, a quarter of the samples is enough.
-const std::vector<double> kFirstRounds = {0.08, 0.06, 0.04}, kRoundsAfterLimbs = {0.06, 0.04};
-constexpr double kFineError = 0.05;
+/// Colours are looked for around the body, then the body is fitted to them.
+struct Round {
+  double error_m;  ///< expected, of the body's outline
+  bool is_coarse;  ///< a quarter of the samples and a third of the rays are enough
+  RobustSchedule fit;
+};
+const std::vector<Round> kFirstRounds = {{0.08, true, RobustSchedule::wide()},
+                                         {0.06, true, {12, 0.2, 0.04}},
+                                         {0.04, false, {12, 0.15, 0.03}}};
+const std::vector<Round> kRoundsAfterLimbs = {{0.06, true, {12, 0.2, 0.04}},
+                                              {0.04, false, {12, 0.15, 0.03}}};
 
 // Image width divided by the width of what counts as a speck or a gap.
 constexpr int kWidthPerDisk = 120;
@@ -82,13 +89,13 @@ struct SearchedFrame {
 
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
                    const SearchedFrame& frame, const ContourBody& body, const ContourPose& pose,
-                   const std::vector<double>& errors_m) {
+                   const std::vector<Round>& rounds) {
   RegionFit out;
   ContourPose at = pose;
-  for (const double error_m : errors_m) {
+  for (const Round& round : rounds) {
     out.found =
-        observer.observeNear(error_m > kFineError ? frame.coarse : frame.fine, body, at, error_m);
-    out.fit = tracker.bestFit(out.found.seen, body, {at});
+        observer.observeNear(round.is_coarse ? frame.coarse : frame.fine, body, at, round.error_m);
+    out.fit = tracker.bestFit(out.found.seen, body, {at}, round.fit);
     if (!isFitted(out)) break;
     at = out.fit.pose;
   }

@@ -204,12 +204,14 @@ bool ContourHypothesisTracker::tryPoses(const ContourObservation& seen, const Co
 }
 
 bool ContourHypothesisTracker::retry(const ContourObservation& seen, const ContourBody& body,
-                                     const ContourPrediction& prediction, ContourFit& fit) const {
+                                     const ContourPrediction& prediction, Effort effort,
+                                     ContourFit& fit) const {
   const ContourPrediction loose{prediction.pose, kSearchDeviationFactor * prediction.seconds};
   bool better = tryPoses(seen, body, {last_->pose}, loose, kMinGain, fit);
   if (prediction.seconds > kLongStep)
     better |=
         tryPoses(seen, body, {withLegsSwapped(body, fit.pose)}, std::nullopt, kExchangeGain, fit);
+  if (effort == Effort::kFollow) return better;
   for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
     if (better && !any(suspicious(fit))) break;
     if (suspicious(fit)[i])
@@ -256,7 +258,7 @@ std::optional<ContourPrediction> ContourHypothesisTracker::predict(int64_t stamp
 
 ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
                                                        const ContourObservation& seen,
-                                                       const ContourBody& body) {
+                                                       const ContourBody& body, Effort effort) {
   const std::optional<ContourPrediction> predicted = predict(stamp_ns);
   if (!predicted) {
     last_.reset();
@@ -267,13 +269,15 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
   ContourTrackingStatus status = ContourTrackingStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
     const bool search = stamp_ns >= next_search_ns_;
-    const bool better = search && retry(seen, body, prediction, fit);
-    if (search && !better) next_search_ns_ = nextInstant(stamp_ns, kSearchInterval_ns);
+    const bool better = search && retry(seen, body, prediction, effort, fit);
+    if (search && !better && effort == Effort::kSearch)
+      next_search_ns_ = nextInstant(stamp_ns, kSearchInterval_ns);
     status = any(suspicious(fit)) ? ContourTrackingStatus::kLimbLost
              : better             ? ContourTrackingStatus::kLimbRecovered
                                   : ContourTrackingStatus::kTracked;
   }
-  if (fit.status == ContourFitStatus::kFitted && stamp_ns >= next_least_certain_ns_) {
+  if (effort == Effort::kSearch && fit.status == ContourFitStatus::kFitted &&
+      stamp_ns >= next_least_certain_ns_) {
     next_least_certain_ns_ = nextInstant(stamp_ns, kLeastCertainInterval_ns);
     if (searchLeastCertainLimb(seen, body, prediction, fit))
       status = ContourTrackingStatus::kLimbRecovered;

@@ -20,6 +20,12 @@ struct ContourTrackingResult {
   ContourFit fit;  ///< valid unless lost
 };
 
+/// A search for limbs takes as long as following the person over many frames.
+enum class Effort {
+  kFollow,  ///< limbs that are lost stay so
+  kSearch,
+};
+
 /// Tracks one hypothesis of the pose: predicts and fits. If the fit becomes worse than usual or a
 /// limb leaves the masks, it also tries the last pose and other positions of limbs. At intervals it
 /// also searches the least certain limb and, if the trunk is twisted, fits without the twist. It
@@ -45,7 +51,7 @@ class ContourHypothesisTracker {
   /// Tracks to the next frame. The track is lost if the stamp is not later than the last one, or
   /// more than half a second later. The shape of the body may change between frames.
   ContourTrackingResult update(int64_t stamp_ns, const ContourObservation& seen,
-                               const ContourBody& body);
+                               const ContourBody& body, Effort effort = Effort::kSearch);
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const;
   void lose() { last_.reset(); }
@@ -80,7 +86,7 @@ class ContourHypothesisTracker {
                 const std::optional<ContourPrediction>& prediction, double gain,
                 ContourFit& fit) const;
   bool retry(const ContourObservation& seen, const ContourBody& body,
-             const ContourPrediction& prediction, ContourFit& fit) const;
+             const ContourPrediction& prediction, Effort effort, ContourFit& fit) const;
   bool searchLeastCertainLimb(const ContourObservation& seen, const ContourBody& body,
                               const ContourPrediction& prediction, ContourFit& fit) const;
   bool untwist(const ContourObservation& seen, const ContourBody& body,

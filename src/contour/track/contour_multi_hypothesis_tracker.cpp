@@ -61,20 +61,22 @@ std::vector<ContourFit> ContourMultiHypothesisTracker::fitsFrom(
 }
 
 std::vector<ContourFit> ContourMultiHypothesisTracker::bestFits(
-    const ContourObservation& seen, const ContourBody& body, std::vector<ContourPose> poses) const {
+    const ContourObservation& seen, const ContourBody& body, std::vector<ContourPose> poses,
+    const RobustSchedule& schedule) const {
   if (poses.size() > kMaxFinalFits) {
     const std::vector<ContourFit> first = fitsFrom(seen, body, poses, kCoarseFit);
     poses.clear();
     for (size_t i = 0; i < std::min(kMaxFinalFits, first.size()); ++i)
       poses.push_back(first[i].pose);
   }
-  return fitsFrom(seen, body, poses, RobustSchedule::wide());
+  return fitsFrom(seen, body, poses, schedule);
 }
 
 ContourFit ContourMultiHypothesisTracker::bestFit(const ContourObservation& seen,
                                                   const ContourBody& body,
-                                                  std::vector<ContourPose> poses) const {
-  const std::vector<ContourFit> fits = bestFits(seen, body, std::move(poses));
+                                                  std::vector<ContourPose> poses,
+                                                  const RobustSchedule& schedule) const {
+  const std::vector<ContourFit> fits = bestFits(seen, body, std::move(poses), schedule);
   return fits.empty() ? ContourFit{} : fits.front();
 }
 
@@ -103,10 +105,10 @@ ActiveTrack ContourMultiHypothesisTracker::startFrom(int64_t stamp_ns, const Con
 }
 
 ActiveTrack ContourMultiHypothesisTracker::update(int64_t stamp_ns, const ContourObservation& seen,
-                                                  const ContourBody& body) {
-  ActiveTrack active{active_.update(stamp_ns, seen, body), false};
+                                                  const ContourBody& body, Effort effort) {
+  ActiveTrack active{active_.update(stamp_ns, seen, body, effort), false};
   if (!alternative_) return active;
-  const ContourTrackingResult other = alternative_->update(stamp_ns, seen, body);
+  const ContourTrackingResult other = alternative_->update(stamp_ns, seen, body, effort);
   const bool both = !isLost(active.track) && !isLost(other);
   if (both) alternative_gain_ += qualityOf(other.fit) - qualityOf(active.track.fit);
   active.switched = !isLost(other) && (isLost(active.track) || alternative_gain_ > kDecisionGain);

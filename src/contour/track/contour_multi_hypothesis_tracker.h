@@ -26,7 +26,8 @@ class ContourMultiHypothesisTracker {
   /// Starts at the best of several poses, with the mirrored pose as alternative.
   ActiveTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                     const std::vector<ContourPose>& poses);
-  ActiveTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body);
+  ActiveTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
+                     Effort effort = Effort::kSearch);
   /// Starts a second time, on a frame after its update(). If the result is the same body, it
   /// confirms the active hypothesis. If the result is clearly better, it replaces it. \param active
   /// result of update()
@@ -60,10 +61,12 @@ class ContourMultiHypothesisTracker {
   void searchSoon() { active_.searchSoon(); }
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.
   std::vector<ContourFit> bestFits(const ContourObservation& seen, const ContourBody& body,
-                                   std::vector<ContourPose> poses) const;
+                                   std::vector<ContourPose> poses,
+                                   const RobustSchedule& schedule = RobustSchedule::wide()) const;
   /// The first of bestFits().
   ContourFit bestFit(const ContourObservation& seen, const ContourBody& body,
-                     std::vector<ContourPose> poses) const;
+                     std::vector<ContourPose> poses,
+                     const RobustSchedule& schedule = RobustSchedule::wide()) const;
 
  private:
   /// The successful fits, best first.

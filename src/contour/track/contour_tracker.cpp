@@ -208,7 +208,8 @@ void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
 }
 
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
-  ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_);
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_,
+                                          now.behind ? Effort::kFollow : Effort::kSearch);
   if (active.track.status == ContourTrackingStatus::kLost) {
     doubt(now.stamp_ns);
     active = start(now);

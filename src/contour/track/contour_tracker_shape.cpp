@@ -15,19 +15,21 @@ constexpr double kStatureStep = 0.15, kSmallest = 0.9, kLargest = 2.35;
 }  // namespace
 
 double ContourTracker::qualityAt(double stature, const ContourObservation& seen,
-                                 const std::vector<ContourPose>& poses) const {
+                                 const std::vector<ContourPose>& poses,
+                                 const RobustSchedule& schedule) const {
   const ContourBody body(resources_.shape_statistics.meanShape(stature));
-  return qualityOf(hypotheses_.bestFit(seen, body, poses));
+  return qualityOf(hypotheses_.bestFit(seen, body, poses, schedule));
 }
 
 // The shape estimate converges only from nearby, so it starts with the stature of best quality. A
 // child, or a calibration whose metre is wrong, is beyond the usual ones.
-void ContourTracker::initializeStature(const Frame& now, const std::vector<ContourPose>& poses) {
+void ContourTracker::initializeStature(const Frame& now, const std::vector<ContourPose>& poses,
+                                       const RobustSchedule& schedule) {
   if (!shape_estimator_ || poses.empty()) return;
   const ContourObservation seen = observer_.observe(now.regions).seen;
   double best_stature = person_.stature, best_quality = 0.0;
   const auto isBetter = [&](double stature) {
-    const double quality = qualityAt(stature, seen, poses);
+    const double quality = qualityAt(stature, seen, poses, schedule);
     if (quality <= best_quality) return false;
     best_quality = quality;
     best_stature = stature;

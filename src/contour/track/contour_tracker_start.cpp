@@ -22,6 +22,8 @@ constexpr int64_t kColorCheckInterval_ns = 100000000;
 constexpr int kColorChecks = 4;         // at most
 constexpr int kColorConfirmations = 2;  // in a row are enough
 
+constexpr RobustSchedule kFitted{10, 0.12, 0.03};  // for poses that have been fitted already
+
 }  // namespace
 
 std::vector<ContourPose> ContourTracker::proposals(const Frame& now) {
@@ -60,7 +62,7 @@ void ContourTracker::findByColor(const Frame& now, Search& search) {
   if (fits.empty()) return;
   search.poses.clear();
   for (const RegionFit& one : fits) search.poses.push_back(one.fit.pose);
-  initializeStature(now, search.poses);
+  initializeStature(now, search.poses, kFitted);
   search = {std::move(fits.front().found), {fits.front().fit.pose}};
 }
 

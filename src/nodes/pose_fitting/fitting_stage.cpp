@@ -26,8 +26,10 @@ namespace {
 constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 
 constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
-// Of the frame sets behind a search, those are kept that lead from its pose to the newest ones.
+// Of the frame sets that wait, those are kept that lead from the last pose to the newest ones: few
+// of those behind a search, more where fitting is slower than the cameras.
 constexpr double kLargestLeap = 0.25;            // s, a tracker follows a person over it
+constexpr double kSmallLeap = 0.1;               // s, a tracker hardly notices it
 constexpr size_t kNewest = 3;                    // of which none is left out
 constexpr int64_t kLargestStep = 2'000'000'000;  // ns
 constexpr int64_t kLargestPeriod = 500'000'000;  // ns
@@ -102,10 +104,11 @@ void FittingStage::enqueue(FittingMessages input) {
     input.images.clear();
   answerLate(input.header);
   queue_.push(std::move(input));
-  if (searches_)
-    queue_.thinOut(kNewest, [](const FittingMessages& one, const FittingMessages& other) {
-      return (other.header.stamp - one.header.stamp).toSec() < kLargestLeap;
-    });
+  if (!needsOf(options_.method).starts_by_search) return;
+  const double leap = searches_ ? kLargestLeap : kSmallLeap;
+  queue_.thinOut(kNewest, [leap](const FittingMessages& one, const FittingMessages& other) {
+    return (other.header.stamp - one.header.stamp).toSec() < leap;
+  });
 }
 
 // Following takes less than a period, a search as long as many. While frame sets wait behind one,

@@ -37,7 +37,7 @@ LiveProducts::LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool alway
                                const std::lock_guard<std::mutex> lock(mutex_);
                                grids_.add(grid);
                              });
-  if (always_) subscribe();
+  if (always_) ask(kAll);
 }
 
 LiveProducts::~LiveProducts() {
@@ -51,12 +51,12 @@ void LiveProducts::close() {
 }
 
 template <class MessageT>
-void LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
+ros::Subscriber LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     recent->expect(steadyNow());
   }
-  subscribers_.push_back(inputs_->subscribe<MessageT>(
+  return inputs_->subscribe<MessageT>(
       topic, kQueue, always_ ? StageInputs::kRequired : StageInputs::kOptional,
       [this, recent](const boost::shared_ptr<const MessageT>& message) {
         {
@@ -66,32 +66,42 @@ void LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
         }
         if constexpr (std::is_same_v<MessageT, sensor_msgs::PointCloud2>)
           if (recent == &hulls_ && always_) hull_came_(message->header);
-      }));
+      });
 }
 
-void LiveProducts::subscribe() {
-  listen("hull/points", &hulls_);
-  listen("segmentation/parts", &parts_);
-  listen("segmentation/points", &labels_);
-  if (!always_) listen("pose_tree", &trees_);
+void LiveProducts::subscribeToHulls() {
+  hull_subscriber_ = listen("hull/points", &hulls_);
 }
 
-void LiveProducts::ask() {
+void LiveProducts::subscribeToOthers() {
+  other_subscribers_.push_back(listen("segmentation/parts", &parts_));
+  other_subscribers_.push_back(listen("segmentation/points", &labels_));
+  if (!always_) other_subscribers_.push_back(listen("pose_tree", &trees_));
+}
+
+void LiveProducts::ask(Asked what) {
   const std::lock_guard<std::mutex> subscribing(subscribing_);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    asked_ = steadyNow();
+    asked_for_hulls_ = steadyNow();
+    if (what == kAll) asked_for_others_ = asked_for_hulls_;
   }
-  if (subscribers_.empty()) subscribe();
+  if (!hull_subscriber_) subscribeToHulls();
+  if (what == kAll && other_subscribers_.empty()) subscribeToOthers();
 }
 
+// A callback that runs is waited for, and it needs mutex_.
 void LiveProducts::rest() {
   const std::lock_guard<std::mutex> subscribing(subscribing_);
+  if (always_) return;
+  double hulls, others;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (always_ || steadyNow() < asked_ + kKeptSubscribed) return;
+    hulls = steadyNow() - asked_for_hulls_;
+    others = steadyNow() - asked_for_others_;
   }
-  subscribers_.clear();
+  if (hulls > kKeptSubscribed) hull_subscriber_.shutdown();
+  if (others > kKeptSubscribed) other_subscribers_.clear();
 }
 
 LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
@@ -145,7 +155,7 @@ LiveProducts::Source LiveProducts::at(const ros::Time& stamp) {
 
 const FrameProducts& LiveProducts::Source::ofThisFrame() {
   if (of_this_frame_) return *of_this_frame_;
-  all_.ask();
+  all_.ask(kAll);
   const Messages messages = all_.wait(stamp_ns_);
   lack_ = messages.lack;
   of_this_frame_ = converted(messages);
@@ -155,7 +165,7 @@ const FrameProducts& LiveProducts::Source::ofThisFrame() {
 const VisualHull& LiveProducts::Source::newestHull() {
   if (of_this_frame_) return of_this_frame_->hull;
   if (newest_hull_) return *newest_hull_;
-  all_.ask();
+  all_.ask(kHulls);
   newest_hull_ = std::make_unique<VisualHull>(all_.newestHull(stamp_ns_));
   return *newest_hull_;
 }

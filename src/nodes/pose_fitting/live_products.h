@@ -66,10 +66,12 @@ class LiveProducts {
     std::string lack;
   };
 
-  void ask();
-  void subscribe();
+  enum Asked { kHulls, kAll };
+  void ask(Asked what);
+  void subscribeToHulls();
+  void subscribeToOthers();
   template <class MessageT>
-  void listen(const char* topic, RecentMessages<MessageT>* recent);
+  ros::Subscriber listen(const char* topic, RecentMessages<MessageT>* recent);
   /// Waits for the messages of this time.
   Messages wait(int64_t stamp_ns);
   /// Empty if there is none.
@@ -81,12 +83,14 @@ class LiveProducts {
   bool always_;
   std::function<void(const std_msgs::Header&)> hull_came_;
   std::function<void()> search_begins_;
-  std::mutex subscribing_;  ///< for subscribers_
-  std::vector<ros::Subscriber> subscribers_;
+  std::mutex subscribing_;  ///< for the subscribers
+  ros::Subscriber hull_subscriber_;
+  std::vector<ros::Subscriber> other_subscribers_;
   std::mutex mutex_;  ///< for all below
   std::condition_variable changed_;
   bool closed_ = false;
-  double asked_ = 0.0;  ///< s of the steady clock, when a tracker asked last
+  /// s of the steady clock, when a tracker asked last for hulls, and for the others
+  double asked_for_hulls_ = 0.0, asked_for_others_ = 0.0;
   HullGrids grids_;
   RecentMessages<sensor_msgs::PointCloud2> hulls_, labels_;
   RecentMessages<BodyPartsMsg> parts_;
