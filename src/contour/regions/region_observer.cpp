@@ -20,7 +20,11 @@ RegionObservation RegionObserver::observe(const RegionFrame& frame) const {
 
 RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
                                                  const VisualHull& hull) const {
-  return observe({{}, regions_.largest(frame, hull)});
+  RegionObservation out;
+  out.masks = regions_.largest(frame, hull);
+  out.seen = frame.needsColors() ? observeRoughly(out.masks) : observe(out.masks);
+  out.limb_agreement.fill(1.0);
+  return out;
 }
 
 RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const ContourBody& body,
@@ -39,6 +43,10 @@ std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const 
 
 ContourObservation RegionObserver::observe(const std::vector<cv::Mat>& masks) const {
   return observer_->observe(masks);
+}
+
+ContourObservation RegionObserver::observeRoughly(const std::vector<cv::Mat>& masks) const {
+  return observer_->observeRoughly(masks);
 }
 
 void RegionObserver::learn(const RegionFrame& frame, const ContourBody& body,

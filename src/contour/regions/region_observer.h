@@ -25,7 +25,8 @@ class RegionObserver {
 
   /// What the masks show; unknown samples are no evidence.
   RegionObservation observe(const RegionFrame& frame) const;
-  /// What the largest silhouettes show that the person can have, see BodyRegions::largest().
+  /// What the largest silhouettes show that the person can have, see BodyRegions::largest(). If
+  /// colours are needed, fewer rays are enough: it selects proposals.
   RegionObservation observeLargest(const RegionFrame& frame, const VisualHull& hull) const;
   /// As observe(), but colours around `pose` decide in views with an unknown background. A coarse
   /// frame gives fewer rays.
@@ -36,6 +37,8 @@ class RegionObserver {
   std::vector<cv::Mat> candidates(const RegionFrame& frame, const VisualHull& hull,
                                   const ContourBody& body, const ContourPose& pose) const;
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
+  /// With fewer rays.
+  ContourObservation observeRoughly(const std::vector<cv::Mat>& masks) const;
   /// Throws std::invalid_argument if the masks do not fit the rig.
   void check(const std::vector<cv::Mat>& masks) const { observer_->check(masks); }
   /// Learns the colours of the person and the surroundings. \param pose one that is believed

@@ -81,6 +81,17 @@ void sortByScore(std::vector<RegionFit>& fits) {
   });
 }
 
+/// Drops all but the best of those that have come to the same pose. \param fits best first
+void dropSame(const ContourBody& body, std::vector<RegionFit>& fits) {
+  std::vector<RegionFit> others;
+  for (RegionFit& one : fits)
+    if (std::all_of(others.begin(), others.end(), [&](const RegionFit& other) {
+          return limbsDiffer(body, one.fit.pose, other.fit.pose);
+        }))
+      others.push_back(std::move(one));
+  fits = std::move(others);
+}
+
 struct SearchedFrame {
   explicit SearchedFrame(const RegionFrame& frame) : fine(frame), coarse(frame.coarser()) {}
   const RegionFrame& fine;
@@ -112,7 +123,7 @@ std::optional<RegionFit> withOtherLimbs(const RegionObserver& observer,
     wide[i] = attached(first.found.masks[i], wide[i]);
     if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
   });
-  const ContourObservation seen = observer.observe(all);
+  const ContourObservation seen = observer.observeRoughly(all);
   RegionFit best = first;
   bool better = false;
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb) {
@@ -156,6 +167,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
       out.push_back(std::move(one));
   }
   sortByScore(out);
+  dropSame(body, out);
   // The best one first, as a high score spares the others the search for their limbs.
   for (RegionFit& one : out) {
     rival = std::max(rival, one.score());

@@ -22,7 +22,7 @@ struct RegionFit {
 /// which the silhouettes propose.
 /// \param poses may be wrong by tenths of a radian and decimetres
 /// \param rival a score that is known; limbs are not searched where they would hardly reach it
-/// \return one result per pose, best first; poses that cannot be fitted are left out
+/// \return different poses, best first; those that cannot be fitted are left out
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,

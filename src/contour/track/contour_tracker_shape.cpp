@@ -26,7 +26,9 @@ double ContourTracker::qualityAt(double stature, const ContourObservation& seen,
 void ContourTracker::initializeStature(const Frame& now, const std::vector<ContourPose>& poses,
                                        const RobustSchedule& schedule) {
   if (!shape_estimator_ || poses.empty()) return;
-  const ContourObservation seen = observer_.observe(now.regions).seen;
+  const ContourObservation seen = now.regions.needsColors()
+                                      ? observer_.observeRoughly(now.regions.masks)
+                                      : observer_.observe(now.regions.masks);
   double best_stature = person_.stature, best_quality = 0.0;
   const auto isBetter = [&](double stature) {
     const double quality = qualityAt(stature, seen, poses, schedule);
