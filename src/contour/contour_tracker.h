@@ -77,8 +77,14 @@ class ContourTracker : public BodyTracker {
   RegionObservation observe(const Frame& now) const;
   /// Where the background is not known: the most promising poses, fitted to colours; best first.
   std::vector<RegionFit> fitsByColor(const Frame& now, const Search& search) const;
-  /// Replaces the poses by the most promising one that colours show, if there is one.
-  void findByColor(const Frame& now, Search& search);
+  /// Replaces the poses by the most promising one that colours show. Returns false if there is
+  /// none.
+  bool findByColor(const Frame& now, Search& search);
+  /// Starts from what findByColor() has found, with the mirrored pose as alternative.
+  ActiveTrack startFound(const Frame& now, const Search& search);
+  /// True if nothing but the last pose may take time: newer frame sets wait, or a check that
+  /// decides if anything is reported.
+  bool onlyFollows(const Frame& now) const;
   /// True if the pose of a start is to be compared with that of another start now.
   bool needsCheck(const Frame& now) const;
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.

@@ -54,6 +54,15 @@ TEST_F(ColorCheckTest, AnotherIsFoundIfTheTrackedOneIsWrong) {
   EXPECT_LT(error(found->fit.pose), 0.03);
 }
 
+TEST_F(ColorCheckTest, OfTwoPosesColoursPreferTheRightOne) {
+  const ColorQuestion question = ask(pose, {});
+  const auto chosen = [&](const ContourPose& tracked, const ContourPose& rival) {
+    return preferred(question.observer, question.tracker, question.frame, body, tracked, rival).fit;
+  };
+  EXPECT_LT(error(chosen(wrong, disturbed(pose, 0.04, 0.02, 1)).pose), 0.03);
+  EXPECT_LT(error(chosen(disturbed(pose, 0.04, 0.02, 1), wrong).pose), 0.03);
+}
+
 TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {
   const auto expected = answered(completed(ask(wrong, {pose})));
   ASSERT_TRUE(expected);

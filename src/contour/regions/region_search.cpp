@@ -31,6 +31,7 @@ constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
 // Nine of ten searches for limbs raise the score by less.
 constexpr double kLargestLimbGain = 0.15;
+constexpr size_t kMaxLimbSearches = 2;
 
 bool isFitted(const RegionFit& one) {
   return one.fit.status == ContourFitStatus::kFitted;
@@ -147,6 +148,11 @@ double RegionFit::score() const {
   return qualityOf(fit) + found.overlap;
 }
 
+RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+                     const RegionFrame& frame, const ContourBody& body, const ContourPose& pose) {
+  return followed(observer, tracker, SearchedFrame(frame), body, pose, kRoundsAfterLimbs);
+}
+
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
                                             const ContourMultiHypothesisTracker& tracker,
                                             const RegionFrame& frame, const VisualHull& hull,
@@ -169,12 +175,12 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   sortByScore(out);
   dropSame(body, out);
   // The best one first, as a high score spares the others the search for their limbs.
-  for (RegionFit& one : out) {
-    rival = std::max(rival, one.score());
-    if (one.score() <= rival - kLargestLimbGain) break;
-    if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, one))
-      one = std::move(*better);
-    rival = std::max(rival, one.score());
+  for (size_t i = 0; i < std::min(kMaxLimbSearches, out.size()); ++i) {
+    rival = std::max(rival, out[i].score());
+    if (out[i].score() <= rival - kLargestLimbGain) break;
+    if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, out[i]))
+      out[i] = std::move(*better);
+    rival = std::max(rival, out[i].score());
   }
   sortByScore(out);
   return out;

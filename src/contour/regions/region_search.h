@@ -35,6 +35,10 @@ std::vector<RegionFit> searchProposalsByColor(
     const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
     const ContourObservation& seen, const std::vector<ContourPose>& proposals, double rival = 0.0);
 
+/// A pose moved to where the colours of the frame set fit; its limbs are not searched.
+RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+                     const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
+
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
 /// \return empty if they are not better
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,

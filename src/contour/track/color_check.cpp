@@ -35,6 +35,17 @@ std::optional<RegionFit> answered(const ColorQuestion& question) {
   return std::move(fits.front());
 }
 
+RegionFit preferred(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+                    const RegionFrame& frame, const ContourBody& body, const ContourPose& tracked,
+                    const ContourPose& rival) {
+  RegionFit own = fitByColor(observer, tracker, frame, body, tracked);
+  RegionFit other = fitByColor(observer, tracker, frame, body, rival);
+  if (other.fit.status != ContourFitStatus::kFitted) return own;
+  const bool better =
+      own.fit.status != ContourFitStatus::kFitted || other.score() > own.score() + kMinGain;
+  return better ? other : own;
+}
+
 ColorQuestion completed(ColorQuestion question) {
   const ContourObservation seen =
       question.observer.observeLargest(question.frame, question.hull).seen;

@@ -29,6 +29,12 @@ ColorQuestion completed(ColorQuestion question);
 /// neither can be fitted.
 std::optional<RegionFit> answered(const ColorQuestion& question);
 
+/// Which of two poses the colours of a frame set show, fitted to them: the tracked one, or a rival
+/// that is clearly better. Takes as long as following the person over some frames.
+RegionFit preferred(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+                    const RegionFrame& frame, const ContourBody& body, const ContourPose& tracked,
+                    const ContourPose& rival);
+
 /// Completes and answers one question after another in another thread.
 class ColorCheck {
  public:

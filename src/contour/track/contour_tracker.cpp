@@ -209,7 +209,7 @@ void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
 
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, *contour_body_,
-                                          now.behind ? Effort::kFollow : Effort::kSearch);
+                                          onlyFollows(now) ? Effort::kFollow : Effort::kSearch);
   if (active.track.status == ContourTrackingStatus::kLost) {
     doubt(now.stamp_ns);
     active = start(now);
@@ -220,7 +220,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   active = takeCheck(now, active);
   if (needsCheck(now)) active = check(now, active);
   accepted_ = accepted_ || isAccepted(found.seen, active.track.fit);
-  if (now.behind) return active;
+  if (onlyFollows(now)) return active;
   searchLimbs(now, found, active);
   reconsider(now, found.seen, active.track);
   return active;

@@ -4,6 +4,7 @@
 
 #include "contour/contour_tracker.h"
 #include "contour/track/default_postures.h"
+#include "contour/track/exchanged_sides.h"
 #include "contour/track/pose_from_pose_tree.h"
 
 namespace markerless_mocap {
@@ -53,17 +54,29 @@ std::vector<RegionFit> ContourTracker::fitsByColor(const Frame& now, const Searc
 
 // Colours find the pose of a body whose stature is about right, and a pose tells the stature better
 // than proposals do. So the stature comes first only if no pose of the usual body is found.
-void ContourTracker::findByColor(const Frame& now, Search& search) {
+bool ContourTracker::findByColor(const Frame& now, Search& search) {
   std::vector<RegionFit> fits = fitsByColor(now, search);
   if (fits.empty() && shape_estimator_) {
     initializeStature(now, search.poses);
     fits = fitsByColor(now, search);
   }
-  if (fits.empty()) return;
+  if (fits.empty()) return false;
   search.poses.clear();
   for (const RegionFit& one : fits) search.poses.push_back(one.fit.pose);
   initializeStature(now, search.poses, kFitted);
   search = {std::move(fits.front().found), {fits.front().fit.pose}};
+  return true;
+}
+
+// Its limbs have been searched already.
+ActiveTrack ContourTracker::startFound(const Frame& now, const Search& search) {
+  const ContourObservation& seen = search.found.seen;
+  const ContourFit fit = hypotheses_.bestFit(seen, *contour_body_, search.poses, kFitted);
+  if (fit.status != ContourFitStatus::kFitted) return {};
+  const ActiveTrack active = hypotheses_.startFrom(now.stamp_ns, fit);
+  hypotheses_.proposeAlternative(now.stamp_ns, seen, *contour_body_,
+                                 {mirrored(*contour_body_, fit.pose)});
+  return active;
 }
 
 void ContourTracker::scheduleStart(const Frame& now) {
@@ -92,13 +105,16 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   Search search{observer_.observeLargest(now.regions, hull), {}};
   if (search.found.seen.usableViews() < 2) return {};
   search.poses = completeProposals(now, search.found.seen);
-  if (by_color)
-    findByColor(now, search);
-  else
-    initializeStature(now, search.poses);
+  const bool found = by_color && findByColor(now, search);
+  if (!by_color) initializeStature(now, search.poses);
   still_contours_.weigh(search.found.seen);
   take(search.found);
+  if (found) return startFound(now, search);
   return hypotheses_.start(now.stamp_ns, search.found.seen, *contour_body_, search.poses);
+}
+
+bool ContourTracker::onlyFollows(const Frame& now) const {
+  return now.behind || (color_check_.isBusy() && !reported_);
 }
 
 bool ContourTracker::needsCheck(const Frame& now) const {
@@ -152,14 +168,9 @@ ActiveTrack ContourTracker::takeCheck(const Frame& now, const ActiveTrack& activ
   if (!limbsDiffer(*contour_body_, answer->found->fit.pose, answer->asked))
     return settle(now, active, RegionFit{{}, active.track.fit});
   const ContourPose rival = broughtForward(answer->found->fit.pose, answer->asked, pose);
-  return settle(now, active,
-                answered({observer_.withoutColors(),
-                          hypotheses_,
-                          now.regions,
-                          now.products.newestHull(),
-                          *contour_body_,
-                          pose,
-                          {rival}}));
+  return settle(
+      now, active,
+      preferred(observer_.withoutColors(), hypotheses_, now.regions, *contour_body_, pose, rival));
 }
 
 ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,
