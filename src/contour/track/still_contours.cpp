@@ -87,8 +87,13 @@ void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) cons
 void StillContours::watch(int64_t stamp_ns, const std::vector<cv::Mat>& images,
                           const std::vector<cv::Mat>& masks) {
   tbb::parallel_for(size_t(0), views_.size(), [&](size_t i) {
-    const cv::Mat image = i < images.size() && !images[i].empty() ? images[i] : masks[i];
-    if (!image.empty()) add(stamp_ns, image, views_[i]);
+    const bool has_image = i < images.size() && !images[i].empty();
+    const cv::Mat image = has_image ? images[i] : masks[i];
+    if (image.empty()) return;
+    // An image and a mask differ everywhere, which is no movement.
+    if (views_[i].shows_images != has_image) views_[i] = {};
+    views_[i].shows_images = has_image;
+    add(stamp_ns, image, views_[i]);
   });
 }
 

@@ -38,9 +38,10 @@ class StillContours {
  private:
   /// Brightness of one camera over time, sampled.
   struct View {
-    int step = 1;            ///< pixels between samples
-    cv::Mat mean, variance;  ///< CV_32FC1
-    cv::Mat still;           ///< CV_8UC1, 255 where nothing moves
+    int step = 1;               ///< pixels between samples
+    cv::Mat mean, variance;     ///< CV_32FC1
+    cv::Mat still;              ///< CV_8UC1, 255 where nothing moves
+    bool shows_images = false;  ///< not masks
     int frames = 0;
     int64_t first_ns = 0, last_ns = 0;
   };
