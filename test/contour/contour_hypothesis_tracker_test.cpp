@@ -77,6 +77,19 @@ TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
   EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
 }
 
+TEST_F(ContourTrackerTest, AnArmThatIsNotSearchedForIsSaidToBeLostUntilItIs) {
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kFrame_ns, see(at(0)), body);
+  const ContourPose jumped = withArmElsewhere(at(0));
+  const ContourObservation seen = see(jumped);
+  ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body, Effort::kFollow);
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbLost);
+  track = tracker.update(3 * kFrame_ns, seen, body, Effort::kSearch);
+  EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered)
+      << "at once, nothing was tried yet";
+  EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
 TEST_F(ContourTrackerTest, LegsThatHavePassedEachOtherInALongStepAreNotExchanged) {
   constexpr Eigen::Index kLeftAnkle = 11, kRightAnkle = 14;
   constexpr int64_t kStep_ns = 333333333;

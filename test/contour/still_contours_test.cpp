@@ -57,6 +57,24 @@ TEST_F(StillContoursTest, WhereNothingMovesThereIsNoLife) {
   EXPECT_FALSE(contours.showLife(seen));
 }
 
+// A camera's images are read while its background is unknown, and its masks afterwards.
+TEST_F(StillContoursTest, LifeIsSeenWhenMasksFollowImages) {
+  const auto at = [&](int i) {
+    pose = stride();
+    pose.position.y() += 0.03 * std::sin(0.4 * i);
+    masks = drawnMasks(rig, body, pose);
+    std::vector<cv::Mat> images;
+    for (const cv::Mat& mask : masks) images.push_back(90 + mask / 4);
+    return images;
+  };
+  for (int i = 0; i < kFrames; ++i) contours.watch((i + 1) * kFrame_ns, at(i), masks);
+  for (int i = kFrames; i < kFrames + 5; ++i) {
+    at(i);
+    contours.watch((i + 1) * kFrame_ns, {}, masks);
+  }
+  EXPECT_TRUE(contours.showLife(observer.observe(masks)));
+}
+
 TEST_F(StillContoursTest, ABodyThatRestsKeepsItsWeightIfItExplainsTheContours) {
   for (int i = 0; i < kFrames; ++i) {
     pose = stride();

@@ -31,7 +31,6 @@ constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
 // Nine of ten searches for limbs raise the score by less.
 constexpr double kLargestLimbGain = 0.15;
-constexpr size_t kMaxLimbSearches = 2;
 
 bool isFitted(const RegionFit& one) {
   return one.fit.status == ContourFitStatus::kFitted;
@@ -164,7 +163,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
                                      const ContourBody& body, const std::vector<ContourPose>& poses,
-                                     double rival) {
+                                     double rival, size_t limb_searches) {
   const SearchedFrame searched(frame);
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
@@ -175,7 +174,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   sortByScore(out);
   dropSame(body, out);
   // The best one first, as a high score spares the others the search for their limbs.
-  for (size_t i = 0; i < std::min(kMaxLimbSearches, out.size()); ++i) {
+  for (size_t i = 0; i < std::min(limb_searches, out.size()); ++i) {
     rival = std::max(rival, out[i].score());
     if (out[i].score() <= rival - kLargestLimbGain) break;
     if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, out[i]))
@@ -186,13 +185,16 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   return out;
 }
 
-std::vector<RegionFit> searchProposalsByColor(
-    const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-    const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
-    const ContourObservation& seen, const std::vector<ContourPose>& proposals, double rival) {
+std::vector<RegionFit> searchProposalsByColor(const RegionObserver& observer,
+                                              const ContourMultiHypothesisTracker& tracker,
+                                              const RegionFrame& frame, const VisualHull& hull,
+                                              const ContourBody& body,
+                                              const ContourObservation& seen,
+                                              const std::vector<ContourPose>& proposals,
+                                              double rival, size_t limb_searches) {
   std::vector<ContourPose> starts;
   for (const ContourFit& fit : tracker.bestFits(seen, body, proposals)) starts.push_back(fit.pose);
-  return searchByColor(observer, tracker, frame, hull, body, starts, rival);
+  return searchByColor(observer, tracker, frame, hull, body, starts, rival, limb_searches);
 }
 
 }  // namespace markerless_mocap
