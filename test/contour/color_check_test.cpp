@@ -80,6 +80,7 @@ TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {
 }
 
 TEST_F(ColorCheckTest, DefaultPosturesAreAddedToPoorProposalsOnly) {
+  masks = person;
   EXPECT_EQ(completed(ask(pose, {pose})).proposals.size(), 1u);
   EXPECT_EQ(completed(ask(pose, {})).proposals.size(), defaultPostures(hull).size());
 }
