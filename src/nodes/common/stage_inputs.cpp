@@ -78,6 +78,15 @@ std::optional<size_t> StageInputs::watch(const std::string& topic, Need need) {
   return std::nullopt;
 }
 
+bool StageInputs::isUsable(const std::string& topic, const std::string& sender,
+                           SenderWatch* senders) {
+  const double now = ros::SteadyTime::now().toSec();
+  if (senders->accept(sender, now)) return true;
+  status_->remark(sender + " sends on " + topic + ", too; allowed is one sender, the messages of " +
+                  senders->sender() + " are used");
+  return false;
+}
+
 void StageInputs::reportSilence() {
   if (silent_.empty()) {
     silence_timer_.stop();

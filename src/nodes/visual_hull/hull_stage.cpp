@@ -49,6 +49,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
                      const HullOptions& options, const HullNodeOptions& node_options)
     : node_options_(node_options),
       tf_listener_(tf_),
+      tf_faults_(handle),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
       images_(node_options.cameras.size(), kMaxImages),
@@ -138,6 +139,7 @@ void HullStage::followRig() {
   else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
     carver_.changeRig(rig_.rig(tf_));
   for (const std::string& remark : remarks) status_.remark(remark);
+  tf_faults_.tell(rig_, tf_, &status_);
 }
 
 std::string HullStage::doubtOf(size_t camera) const {
