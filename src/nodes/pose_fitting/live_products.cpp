@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "nodes/common/master_answers.h"
 #include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
@@ -79,7 +80,7 @@ void LiveProducts::ask() {
     const std::lock_guard<std::mutex> lock(mutex_);
     asked_ = steadyNow();
   }
-  if (subscribers_.empty()) subscribe();
+  if (subscribers_.empty() && masterAnswers()) subscribe();
 }
 
 void LiveProducts::rest() {

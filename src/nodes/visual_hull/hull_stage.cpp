@@ -12,6 +12,7 @@
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/mask_sets.h"
+#include "nodes/common/master_answers.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
@@ -98,7 +99,7 @@ void HullStage::followDemand() {
   if (!node_options_.readsImages()) return;
   const double now = ros::WallTime::now().toSec();
   if (isWanted()) wanted_until_ = now + kImagesKept;
-  if (now < wanted_until_ && image_subscribers_.empty())
+  if (now < wanted_until_ && image_subscribers_.empty() && masterAnswers())
     for (size_t i = 0; i < node_options_.cameras.size(); ++i)
       image_subscribers_.push_back(inputs_.subscribeToImages(
           node_options_.cameras[i], node_options_.image_transport, kQueue, StageInputs::kOptional,
