@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <string>
 
 #include "markerless_mocap/segmentation/body_segmenter.h"
 #include "markerless_mocap/segmentation/part_tracker.h"
@@ -13,7 +14,6 @@
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "nodes/common/stage_inputs.h"
-#include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/segmentation_conversions.h"
 
@@ -37,7 +37,7 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     inputs_.emplace(handle, status_.get());
     inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { grids_.add(grid); });
+                               [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
@@ -54,14 +54,18 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
            0;
   }
 
+  void receiveGrid(const VoxelGridConstPtr& grid) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const std::string fault = grids_.add(grid); !fault.empty()) status_->remark(fault);
+  }
+
   void receive(const sensor_msgs::PointCloud2& cloud) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!isWanted()) return status_->ok("it rests, nobody asks for parts");
     VisualHull hull;
     BodyParts parts;
     try {
-      const VoxelGridConstPtr& grid = grids_.of(cloud.header.stamp);
-      hull = hullFromMessage(cloud, *grid);
+      hull = grids_.hullOf(cloud);
       parts = segmenter_->segment(hull, int64_t(cloud.header.stamp.toNSec()), &memory_);
     } catch (const std::exception& error) {
       parts = BodyParts();

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <string>
 
 #include "markerless_mocap/skeleton/pose_tree_builder.h"
 #include "nodes/common/guarded_start.h"
@@ -12,7 +13,6 @@
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
 #include "nodes/common/stage_inputs.h"
-#include "ros/hull_conversions.h"
 #include "ros/parameters.h"
 #include "ros/pose_tree_conversions.h"
 #include "ros/pose_tree_markers.h"
@@ -37,7 +37,7 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     inputs_.emplace(handle, status_.get());
     inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { grids_.add(grid); });
+                               [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });
@@ -54,14 +54,18 @@ class PoseTreeNodelet : public nodelet::Nodelet {
            0;
   }
 
+  void receiveGrid(const VoxelGridConstPtr& grid) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const std::string fault = grids_.add(grid); !fault.empty()) status_->remark(fault);
+  }
+
   void receive(const sensor_msgs::PointCloud2& cloud) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!isWanted()) return status_->ok("it rests, nobody asks for trees");
     forgetOnTimeJump(cloud.header.stamp);
     PoseTree tree;
     try {
-      const VoxelGridConstPtr& grid = grids_.of(cloud.header.stamp);
-      tree = builder_->build(hullFromMessage(cloud, *grid));
+      tree = builder_->build(grids_.hullOf(cloud));
     } catch (const std::exception& error) {
       tree = PoseTree();
       tree.reason = error.what();

@@ -11,8 +11,8 @@
 namespace markerless_mocap {
 
 /// A value of the parameter server as YAML. Throws std::invalid_argument on dates and binary data,
-/// which no option has.
-YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value);
+/// which no option has. \param name of the value, for that sentence
+YAML::Node yamlFromXmlRpc(const XmlRpc::XmlRpcValue& value, const std::string& name = "parameter");
 
 /// All parameters in the namespace of a node handle as one YAML map; empty if there are none.
 YAML::Node parametersOf(const ros::NodeHandle& handle);

@@ -1,49 +1,21 @@
 #include "ros/rig_collector.h"
 
+#include <tf2/exceptions.h>
+
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "camera/camera_difference.h"
 #include "markerless_mocap/camera/rig_file.h"
+#include "ros/calibration_change.h"
 #include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
 namespace {
 
-bool sameCalibration(const sensor_msgs::CameraInfo& a, const sensor_msgs::CameraInfo& b) {
-  return a.header.frame_id == b.header.frame_id && a.width == b.width && a.height == b.height &&
-         a.distortion_model == b.distortion_model && a.K == b.K && a.D == b.D;
-}
-
 constexpr double kSettled = 0.5;   // s that a change must stay
 constexpr double kMoving = 3.0;    // s until a camera that shakes is told
 constexpr int kMaxWanderings = 8;  // changes
-constexpr double kMoved = 1e-3;    // m
-constexpr double kTurned = 5e-4;   // rad; a tenth of a pixel in most cameras
-
-double distance(const geometry_msgs::Transform& a, const geometry_msgs::Transform& b) {
-  const auto &p = a.translation, &q = b.translation;
-  return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
-}
-
-double angle(const geometry_msgs::Transform& a, const geometry_msgs::Transform& b) {
-  const auto &p = a.rotation, &q = b.rotation;
-  const Eigen::Quaterniond from(p.w, p.x, p.y, p.z), to(q.w, q.x, q.y, q.z);
-  return from.angularDistance(to);
-}
-
-bool isMoved(const geometry_msgs::Transform& from, const geometry_msgs::Transform& to) {
-  return distance(from, to) > kMoved || angle(from, to) > kTurned;
-}
-
-std::string distanceText(const geometry_msgs::Transform& from, const geometry_msgs::Transform& to) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f m and %.1f degrees", distance(from, to),
-                angle(from, to) * 180.0 / M_PI);
-  return text;
-}
 
 }  // namespace
 
@@ -89,7 +61,7 @@ bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
   if (sameCalibration(*known, info)) {
     candidate.reset();
   } else if (!candidate || !sameCalibration(candidate->info, info)) {
-    candidate = Candidate{info, std::nullopt, false, false};
+    candidate = Candidate{info, std::nullopt, "", false};
     ++wanderings_[camera].changes;
   }
   return false;
@@ -117,6 +89,15 @@ std::string RigCollector::refusalOf(size_t camera, const sensor_msgs::CameraInfo
   return "";
 }
 
+std::string RigCollector::frameRefusal(size_t camera, const std::string& frame,
+                                       const tf2::BufferCore& tf) const {
+  if (frame.empty()) return "its frame_id is empty";
+  for (size_t i = 0; i < cameras_.size(); ++i)
+    if (i != camera && infos_[i] && infos_[i]->header.frame_id == frame)
+      return "its frame_id " + frame + " is that of " + cameras_[i] + ", allowed is one of its own";
+  return unplaced(camera, frame, tf);
+}
+
 std::string RigCollector::unplaced(size_t camera, const std::string& frame,
                                    const tf2::BufferCore& tf) const {
   if (frame.empty()) return "camera_info of " + cameras_[camera] + " has an empty frame_id";
@@ -135,24 +116,31 @@ bool RigCollector::settleInfo(size_t camera, const tf2::BufferCore& tf, double n
     remarks->push_back(subject + " changes all the time; what came first is used");
   }
   if (!candidate && now - wandering.last > kSettled) wandering = {};
-  if (!candidate || candidate->refused) return false;
+  if (!candidate) return false;
+  if (!candidate->refusal.empty()) {
+    remarks->push_back(candidate->refusal);
+    return false;
+  }
   if (!candidate->since) judge(camera, now, &*candidate);
-  if (now - *candidate->since < rest_) {
+  const bool known_is_usable = refusalOf(camera, *infos_[camera]).empty();
+  if (known_is_usable && now - *candidate->since < rest_) {
     if (candidate->misleads && !wandering.told)
       doubts_[camera] = subject + " has changed, it is left out until the new one stays";
     return false;
   }
   wandering = {};
-  std::string why = refusalOf(camera, candidate->info);
-  candidate->refused = !why.empty();
-  const std::string& frame = candidate->info.header.frame_id;
-  if (why.empty()) why = frame.empty() ? "its frame_id is empty" : unplaced(camera, frame, tf);
-  remarks->push_back(subject + " has changed, " +
-                     (why.empty() ? "the new one is used" : "but the new one is not used: " + why));
+  const std::string impossible = refusalOf(camera, candidate->info);
+  const std::string why =
+      impossible.empty() ? frameRefusal(camera, candidate->info.header.frame_id, tf) : impossible;
+  const std::string said =
+      subject + " has changed, " +
+      (why.empty() ? "the new one is used" : "but the new one is not used: " + why);
+  remarks->push_back(said);
+  if (!impossible.empty()) candidate->refusal = said;
   if (!why.empty()) {
-    // Not refused: its frame may still be connected. The camera goes on where it was, unless its
+    // The frame may still become its own, or connected. The camera goes on where it was, unless its
     // lens is another one.
-    if (!candidate->refused && candidate->misleads) doubts_[camera] = why;
+    if (impossible.empty() && candidate->misleads) doubts_[camera] = why;
     return false;
   }
   infos_[camera] = candidate->info;
@@ -187,13 +175,30 @@ bool RigCollector::misleads(size_t camera, const Placed& placed) const {
   }
 }
 
+std::string RigCollector::findPose(size_t camera, const tf2::BufferCore& tf,
+                                   geometry_msgs::Transform* pose) const {
+  const sensor_msgs::CameraInfo& info = *infos_[camera];
+  try {
+    const std::string why = unplaced(camera, info.header.frame_id, tf);
+    if (!why.empty()) return why;
+    *pose = tf.lookupTransform(world_frame_, info.header.frame_id, ros::Time(0)).transform;
+    const std::optional<Placed>& placed = placed_[camera];
+    if (!placed || isMoved(placed->seen, *pose))
+      Camera(calibrationFromMessage(cameras_[camera], info, *pose));
+  } catch (const std::exception& error) {  // of tf, or no camera can be there
+    return error.what();
+  }
+  return "";
+}
+
 bool RigCollector::settlePose(size_t camera, const tf2::BufferCore& tf, double now,
                               std::vector<std::string>* remarks) {
-  const std::string& frame = infos_[camera]->header.frame_id;
-  if (!tf.canTransform(world_frame_, frame, ros::Time(0))) return false;
-  const geometry_msgs::Transform pose =
-      tf.lookupTransform(world_frame_, frame, ros::Time(0)).transform;
   std::optional<Placed>& placed = placed_[camera];
+  geometry_msgs::Transform pose;
+  if (const std::string why = findPose(camera, tf, &pose); !why.empty()) {
+    if (placed) remarks->push_back(why + "; " + cameras_[camera] + " is used where it was before");
+    return false;
+  }
   if (!placed) placed = Placed{pose, pose, now, now};
   if (isMoved(placed->seen, pose)) {
     placed->seen = pose;
@@ -240,9 +245,24 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
   for (size_t i = 0; i < cameras_.size(); ++i)
     if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
   if (!without_info.empty()) return "no camera_info has been received from " + without_info;
-  for (size_t i = 0; i < cameras_.size(); ++i)
+  for (size_t i = 0; i < cameras_.size(); ++i) {
+    if (placed_[i]) continue;
     if (std::string why = unplaced(i, infos_[i]->header.frame_id, tf); !why.empty()) return why;
+  }
   return "";
+}
+
+bool RigCollector::dependsOn(const std::string& frame, const tf2::BufferCore& tf) const {
+  constexpr int kDeepest = 64;  // frames; more are a loop
+  for (const std::optional<sensor_msgs::CameraInfo>& info : infos_) {
+    std::string at = info ? info->header.frame_id : "";
+    for (int i = 0; i < kDeepest && !at.empty(); ++i) {
+      if (at == frame) return true;
+      std::string parent;
+      at = tf._getParent(at, ros::Time(0), parent) ? parent : "";
+    }
+  }
+  return false;
 }
 
 CameraRig RigCollector::rig(const tf2::BufferCore& tf) const {

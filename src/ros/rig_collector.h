@@ -42,9 +42,12 @@ class RigCollector {
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }
 
-  /// Message about what is missing: cameras without camera_info, or a frame that tf does not
-  /// connect to the world. Empty if nothing is missing.
+  /// Message about what is missing: cameras without camera_info, or a frame that tf has never
+  /// connected to the world. Empty if nothing is missing.
   std::string missing(const tf2::BufferCore& tf) const;
+
+  /// Whether tf places a camera by way of this frame.
+  bool dependsOn(const std::string& frame, const tf2::BufferCore& tf) const;
 
   /// Throws std::invalid_argument with the message of missing(), or as calibrationFromMessage().
   CameraRig rig(const tf2::BufferCore& tf) const;
@@ -68,8 +71,8 @@ class RigCollector {
   struct Candidate {
     sensor_msgs::CameraInfo info;
     std::optional<double> since;  ///< s; none: settle() has not seen it yet
-    bool refused = false;
-    bool misleads = false;  ///< the lens that is used is not that of the images
+    std::string refusal;          ///< why it is no camera's; empty: it may be
+    bool misleads = false;        ///< the lens that is used is not that of the images
   };
   /// Changes of camera_info in a row that did not stay.
   struct Wandering {
@@ -91,6 +94,13 @@ class RigCollector {
   bool misleads(size_t camera, const Placed& placed) const;
   /// Why the camera_info cannot be taken over; empty if it can.
   std::string refusalOf(size_t camera, const sensor_msgs::CameraInfo& info) const;
+  /// Why a camera cannot change to this frame; empty if it can.
+  std::string frameRefusal(size_t camera, const std::string& frame,
+                           const tf2::BufferCore& tf) const;
+  /// Where tf places a camera. Returns why it does not, or why no camera can be there; empty if
+  /// one can.
+  std::string findPose(size_t camera, const tf2::BufferCore& tf,
+                       geometry_msgs::Transform* pose) const;
   /// Why the place of the frame that a camera_info names is not known; empty if it is.
   std::string unplaced(size_t camera, const std::string& frame, const tf2::BufferCore& tf) const;
 

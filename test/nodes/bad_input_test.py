@@ -324,7 +324,7 @@ class NothingToFit(FittingNode):
     grid = VoxelGrid(pitch=float('nan'))
 
     def test_grid_that_is_none(self):
-        self.expect('hull cloud is in the frame "world"')
+        self.expect('hull/grid has sent what cannot be used: voxel grid is unusable')
 
 
 class FittingSkeletons(FittingNode):

@@ -195,6 +195,16 @@ class RoscoreStartsAgain(unittest.TestCase):
         subscribed = (answer_of(self.master.getSystemState) or [[], []])[1]
         return [nodes for name, nodes in subscribed if name == topic]
 
+    def hear_diagnostics(self, uri):
+        """Messages to a file; the connection outlives roscore."""
+        heard = tempfile.NamedTemporaryFile('w+')
+        listener = subprocess.Popen(['rostopic', 'echo', '/diagnostics/status'], stdout=heard.fileno(),
+                                    env=dict(os.environ, ROS_MASTER_URI=uri, PYTHONUNBUFFERED='1'))
+        self.addCleanup(heard.close)
+        self.addCleanup(listener.wait)
+        self.addCleanup(listener.terminate)
+        return lambda text: open(heard.name).read().count(text)
+
     def test_a_node_registers_again(self):
         with socket.socket() as free:
             free.bind(('localhost', 0))
@@ -207,14 +217,26 @@ class RoscoreStartsAgain(unittest.TestCase):
         process = node('visual_hull', uri)
         try:
             self.assertTrue(wait_for(lambda: self.publishers('/hull/points')))
-            time.sleep(1.0)
+            said = self.hear_diagnostics(uri)
+            heard = lambda: said('name: "visual_hull: visual hull"')
+            self.assertTrue(wait_for(heard))
+            service = '/visual_hull/set_running'
+            address = answer_of(self.master.lookupService, service)
+            self.assertTrue(address)
             first.terminate()
             first.wait()
+            self.assertTrue(wait_for(lambda: said('roscore cannot be reached')))
+            # It works on, although it looks for its silent topics every five seconds.
+            for _ in range(4):
+                before = heard()
+                self.assertTrue(wait_for(lambda: heard() > before + 2, 10))
             second = self.start_master()
             try:
                 for topic in ('/hull/points', '/hull/cameras_used'):
                     self.assertTrue(wait_for(lambda: self.publishers(topic)), topic)
                 self.assertTrue(wait_for(lambda: self.subscribers('/a/silhouette')))
+                self.assertEqual(address, answer_of(self.master.lookupService, service))
+                self.assertTrue(wait_for(lambda: said('roscore was started again')))
                 self.assertEqual(['a', 'b'], answer_of(self.master.getParam,
                                                        '/visual_hull/cameras'))
             finally:

@@ -126,6 +126,14 @@ class Cameras:
         moved.transform.translation.x += shift
         self.broadcaster.sendTransform([moved])
 
+    def hang(self, child, parent):
+        """A camera or another frame onto a frame."""
+        hung = TransformStamped()
+        hung.header.frame_id = parent
+        hung.child_frame_id = child + '_optical' if child in CAMERAS else child
+        hung.transform.rotation.w = 1.0
+        self.broadcaster.sendTransform([hung])
+
     def index(self, frame):
         if frame < EMPTY:
             return frame

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "error_text_of.h"
-#include "nodes/common/hull_grids.h"
 #include "nodes/silhouette/timed_settings.h"
 #include "ros/package_files.h"
 #include "ros/settings_conversions.h"
@@ -45,24 +44,6 @@ TEST(TimedSettings, BeforeTheFirstImageAndAfterAStepBackTheLastOnesHold) {
   EXPECT_EQ(*settings.at(0, 100 * kPeriod), 2);
   settings.change(3);
   EXPECT_EQ(*settings.at(0, kPeriod), 3);  // the bag begins again
-}
-
-VoxelGridConstPtr gridOf(double stamp, double pitch) {
-  VoxelGrid grid;
-  grid.header.stamp = ros::Time(stamp);
-  grid.pitch = pitch;
-  return boost::make_shared<const VoxelGrid>(grid);
-}
-
-TEST(HullGrids, AHullHasTheGridOfItsTime) {
-  HullGrids grids;
-  EXPECT_THROW(grids.of(ros::Time(1)), std::invalid_argument);
-  grids.add(gridOf(1, 0.03));
-  grids.add(gridOf(5, 0.05));
-  EXPECT_EQ(grids.of(ros::Time(4))->pitch, 0.03);
-  EXPECT_EQ(grids.of(ros::Time(5))->pitch, 0.05);
-  EXPECT_EQ(grids.of(ros::Time(9))->pitch, 0.05);
-  EXPECT_EQ(grids.of(ros::Time(0.5))->pitch, 0.05);
 }
 
 TEST(SettingsMessages, DescribeTypeRangeAndWords) {

@@ -71,6 +71,14 @@ XmlRpc::XmlRpcValue sampleParameters() {
   return value;
 }
 
+TEST(Parameters, BinaryDataAreNamed) {
+  XmlRpc::XmlRpcValue value = sampleParameters();
+  char bytes[] = "abc";
+  value["corner"][1] = XmlRpc::XmlRpcValue(bytes, 3);
+  EXPECT_EQ(errorTextOf([&] { yamlFromXmlRpc(value, "/stage"); }),
+            "/stage/corner is a date or binary data, allowed are texts, numbers, lists and maps");
+}
+
 TEST(Parameters, FillSeveralStructsFromOneNamespace) {
   Stage stage;
   Node node;

@@ -1,6 +1,7 @@
 #include "nodes/common/master_watch.h"
 
 #include <XmlRpcClient.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
@@ -12,10 +13,14 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr double kInterval = 2.0;  // s
+constexpr double kInterval = 1.0;  // s
 // s after the publishers, because the master tells a subscriber of those that it knows, and the
 // subscriber drops all others.
 constexpr double kSubscribersLater = 2.0 * kInterval;
+constexpr double kTold = 10.0;  // s after roscore came back
+constexpr const char* kRegisteredAgain =
+    "roscore was started again; the topics, services and parameters of this node are registered "
+    "again";
 
 XmlRpcValue valuesOf(const std::vector<std::string>& texts) {
   XmlRpcValue values;
@@ -78,10 +83,29 @@ void registerSubscribers() {
   }
 }
 
+/// The services that this node has registered, with their addresses.
+std::map<std::string, std::string> registeredServices() {
+  std::map<std::string, std::string> services;
+  const std::string& node = ros::this_node::getName();
+  XmlRpcValue state;
+  if (!askMaster("getSystemState", {node}, &state)) return services;
+  if (state.getType() != XmlRpcValue::TypeArray || state.size() < 3) return services;
+  for (int i = 0; i < state[2].size(); ++i) {
+    XmlRpcValue providers = state[2][i][1], address;
+    const std::string name = state[2][i][0];
+    for (int k = 0; k < providers.size(); ++k)
+      if (std::string(providers[k]) == node && askMaster("lookupService", {node, name}, &address))
+        services[name] = std::string(address);
+  }
+  return services;
+}
+
 }  // namespace
 
-MasterWatch::MasterWatch(const std::vector<std::string>& namespaces) : namespaces_(namespaces) {
+MasterWatch::MasterWatch(const std::vector<std::string>& namespaces)
+    : namespaces_(namespaces), services_(registeredServices()) {
   keepParameters();
+  diagnostics_ = ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -97,8 +121,24 @@ bool MasterWatch::sleep(double seconds) const {
 }
 
 void MasterWatch::run() {
-  while (sleep(kInterval))
-    if (!isKnownToMaster() && ros::master::check() && !isKnownToMaster()) registerAgain();
+  while (sleep(kInterval)) {
+    if (ros::WallTime::now() < told_until_) tell(kRegisteredAgain);
+    if (isKnownToMaster()) continue;
+    if (!ros::master::check())
+      tell("roscore cannot be reached; this node goes on with those that it knows");
+    else if (!isKnownToMaster())
+      registerAgain();
+  }
+}
+
+void MasterWatch::tell(const std::string& message) const {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  array.status.emplace_back();
+  array.status[0].level = diagnostic_msgs::DiagnosticStatus::WARN;
+  array.status[0].name = ros::this_node::getName().substr(1) + ": roscore";
+  array.status[0].message = message;
+  diagnostics_.publish(array);
 }
 
 void MasterWatch::keepParameters() {
@@ -110,11 +150,16 @@ void MasterWatch::keepParameters() {
 }
 
 void MasterWatch::registerAgain() {
-  ROS_ERROR_STREAM(ros::this_node::getName()
-                   << ": roscore was started again; the topics and parameters of this node are "
-                      "registered again, its services only when the node is started again");
+  ROS_ERROR_STREAM(ros::this_node::getName() << ": " << kRegisteredAgain);
+  told_until_ = ros::WallTime::now() + ros::WallDuration(kTold);
   for (auto& [name, values] : parameters_) ros::param::set(name, values);
   registerPublishers();
+  XmlRpcValue ignored;
+  for (const auto& [name, address] : services_)
+    askMaster(
+        "registerService",
+        {ros::this_node::getName(), name, address, ros::XMLRPCManager::instance()->getServerURI()},
+        &ignored);
   if (sleep(kSubscribersLater)) registerSubscribers();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <XmlRpcValue.h>
+#include <ros/publisher.h>
+#include <ros/time.h>
 
 #include <atomic>
 #include <map>
@@ -11,8 +13,9 @@
 namespace markerless_mocap {
 
 /// Notices that roscore was started again, which then knows neither this node nor its parameters,
-/// and registers the node's topics and sets its parameters again. Its services are not registered:
-/// that is told. Connections between nodes outlive roscore.
+/// and registers the node's topics and services and sets its parameters again. Both this and a
+/// roscore that cannot be reached are told on /diagnostics. Connections between nodes outlive
+/// roscore.
 class MasterWatch {
  public:
   /// \param namespaces whose parameters are kept, such as "/visual_hull"
@@ -26,9 +29,13 @@ class MasterWatch {
   bool sleep(double seconds) const;
   void keepParameters();
   void registerAgain();
+  void tell(const std::string& message) const;
 
   std::vector<std::string> namespaces_;
   std::map<std::string, XmlRpc::XmlRpcValue> parameters_;  ///< by namespace
+  std::map<std::string, std::string> services_;            ///< address by name
+  ros::Publisher diagnostics_;
+  ros::WallTime told_until_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "nodes/common/master_answers.h"
 #include "ros/mask_png.h"
 
 namespace markerless_mocap {
@@ -13,14 +14,15 @@ constexpr double kSilence = 5.0;  // seconds
 
 /// Message for a topic without messages: its name and all topics of its type.
 std::string silentTopic(const std::string& topic, const std::string& type) {
+  const std::string sentence = "no messages on " + topic + " (" + type + "); topics of that type ";
+  if (!masterAnswers()) return sentence + "are not known, as roscore is away";
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
   std::string others;
   for (const ros::master::TopicInfo& info : topics)
     if (info.datatype == type && info.name != topic)
       others += (others.empty() ? "" : ", ") + info.name;
-  return "no messages on " + topic + " (" + type + "); topics of that type are " +
-         (others.empty() ? "none" : others);
+  return sentence + "are " + (others.empty() ? "none" : others);
 }
 
 }  // namespace
@@ -76,6 +78,15 @@ std::optional<size_t> StageInputs::watch(const std::string& topic, Need need) {
   if (need == kHelpful) return status_->watch(topic, Loss::kCostsSome);
   if (need == kCamera) return status_->watch(topic, Loss::kCostsCamera);
   return std::nullopt;
+}
+
+bool StageInputs::isUsable(const std::string& topic, const std::string& sender,
+                           SenderWatch* senders) {
+  const double now = ros::SteadyTime::now().toSec();
+  if (senders->accept(sender, now)) return true;
+  status_->remark(sender + " sends on " + topic + ", too; allowed is one sender, the messages of " +
+                  senders->sender() + " are used");
+  return false;
 }
 
 void StageInputs::reportSilence() {

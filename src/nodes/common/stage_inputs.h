@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,15 @@
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/camera_image.h"
 #include "nodes/common/low_latency_transport.h"
+#include "nodes/common/sender_watch.h"
 #include "nodes/common/stage_status.h"
 
 namespace markerless_mocap {
 
 /// The subscriptions of a stage; their callbacks run one at a time. For each topic that is not
 /// optional, a warning is given every five seconds until its first message, and the stage's status
-/// tells when it falls silent. Declare this last in its owner, so that it is destroyed first.
+/// tells when it falls silent. Where several nodes send on a topic, one of them counts. Declare
+/// this last in its owner, so that it is destroyed first.
 class StageInputs {
  public:
   enum Need {
@@ -58,15 +61,19 @@ class StageInputs {
     const std::string name = handle_.resolveName(topic);
     if (need != kOptional) require(name, ros::message_traits::DataType<MessageT>::value());
     const std::optional<size_t> watched = watch(name, need);
-    return handle_.subscribe<MessageT>(
+    using Event = ros::MessageEvent<const MessageT>;
+    ros::SubscribeOptions options;
+    options.template initByFullCallbackType<const Event&>(
         name, queue,
-        gate_.guarded(
-            [this, name, watched, callback](const boost::shared_ptr<const MessageT>& message) {
-              silent_.erase(name);
-              if (watched) status_->arrived(*watched);
-              callback(message);
-            }),
-        {}, lowLatencyTransport());
+        gate_.guarded([this, name, watched, callback,
+                       senders = std::make_shared<SenderWatch>()](const Event& event) {
+          if (!isUsable(name, event.getPublisherName(), senders.get())) return;
+          silent_.erase(name);
+          if (watched) status_->arrived(*watched);
+          callback(event.getConstMessage());
+        }));
+    options.transport_hints = lowLatencyTransport();
+    return handle_.subscribe(options);
   }
 
  private:
@@ -74,6 +81,8 @@ class StageInputs {
   /// The number of the topic in the status; none if it may be silent.
   std::optional<size_t> watch(const std::string& topic, Need need);
   void reportSilence();
+  /// Tells if another node's messages are used.
+  bool isUsable(const std::string& topic, const std::string& sender, SenderWatch* senders);
 
   ros::NodeHandle handle_;
   StageStatus* status_;

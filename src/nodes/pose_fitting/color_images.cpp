@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "nodes/common/master_answers.h"
 #include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
@@ -34,7 +35,7 @@ ColorImages::ColorImages(std::vector<std::string> cameras, std::string transport
 void ColorImages::noteMask(size_t camera, int64_t stamp_ns, bool unknown) {
   if (unknown) demand_.noteUnknown(camera, stamp_ns);
   const bool needed = demand_.isNeeded(camera, stamp_ns);
-  if (needed && !subscribers_[camera]) {
+  if (needed && !subscribers_[camera] && masterAnswers()) {
     asked_ns_[camera] = stamp_ns;
     subscribe(camera);
   }

@@ -36,6 +36,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       status_(status),
       sink_(std::move(sink)),
       tf_listener_(tf_),
+      tf_faults_(handle),
       collector_(options.cameras, options.world_frame, options.rig_file),
       assembler_(
           std::max(options.cameras.size(), size_t(1)),
@@ -45,7 +46,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       states_(options.cameras.size()),
       inputs_(handle, status),
       products_(
-          &inputs_, std::llround(options.stamp_tolerance * 1e9), !needs.masks,
+          &inputs_, status, std::llround(options.stamp_tolerance * 1e9), !needs.masks,
           [this](const std_msgs::Header& header) { receiveHull(header); },
           std::move(search_begins)) {
   if (!needs_.masks) {
@@ -118,6 +119,7 @@ void FittingInputs::followRig() {
   if (collector_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
     rig_.reset();
   for (const std::string& remark : remarks) status_->remark(remark);
+  tf_faults_.tell(collector_, tf_, status_);
 }
 
 void FittingInputs::dispatchReady() {

@@ -18,6 +18,7 @@
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/common/tf_faults.h"
 #include "nodes/pose_fitting/color_images.h"
 #include "nodes/pose_fitting/live_products.h"
 #include "ros/node_options.h"
@@ -91,6 +92,7 @@ class FittingInputs {
   std::function<void(FittingMessages)> sink_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
+  TfFaults tf_faults_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;

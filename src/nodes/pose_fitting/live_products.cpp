@@ -1,14 +1,10 @@
 #include "nodes/pose_fitting/live_products.h"
 
 #include <chrono>
-#include <exception>
-#include <stdexcept>
 #include <utility>
 
+#include "nodes/common/master_answers.h"
 #include "ros/camera_conversions.h"
-#include "ros/hull_conversions.h"
-#include "ros/pose_tree_conversions.h"
-#include "ros/segmentation_conversions.h"
 
 namespace markerless_mocap {
 namespace {
@@ -24,10 +20,11 @@ double steadyNow() {
 
 }  // namespace
 
-LiveProducts::LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool always,
-                           std::function<void(const std_msgs::Header&)> hull_came,
+LiveProducts::LiveProducts(StageInputs* inputs, StageStatus* status, int64_t tolerance_ns,
+                           bool always, std::function<void(const std_msgs::Header&)> hull_came,
                            std::function<void()> search_begins)
     : inputs_(inputs),
+      status_(status),
       tolerance_ns_(tolerance_ns),
       always_(always),
       hull_came_(std::move(hull_came)),
@@ -35,9 +32,12 @@ LiveProducts::LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool alway
   inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOnce,
                              [this](const VoxelGridConstPtr& grid) {
                                const std::lock_guard<std::mutex> lock(mutex_);
-                               grids_.add(grid);
+                               const std::string fault = grids_.add(grid);
+                               if (!fault.empty()) tell({fault});
                              });
-  if (always_) ask(kAll);
+  if (!always_) return;
+  subscribeToHulls();
+  subscribeToOthers();
 }
 
 LiveProducts::~LiveProducts() {
@@ -86,8 +86,10 @@ void LiveProducts::ask(Asked what) {
     asked_for_hulls_ = steadyNow();
     if (what == kAll) asked_for_others_ = asked_for_hulls_;
   }
+  const bool others = what == kAll && other_subscribers_.empty();
+  if ((hull_subscriber_ && !others) || !masterAnswers()) return;
   if (!hull_subscriber_) subscribeToHulls();
-  if (what == kAll && other_subscribers_.empty()) subscribeToOthers();
+  if (others) subscribeToOthers();
 }
 
 // A callback that runs is waited for, and it needs mutex_.
@@ -122,31 +124,25 @@ LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
   else if (!found.tree && !always_)
     found.lack = "; pose_tree has sent nothing for this frame set";
   if (!found.hull) found.lack = "; visual_hull has sent nothing for this frame set";
-  if (found.hull) found.grid = grids_.of(found.hull->header.stamp);
+  found.grids = grids_;
   return found;
 }
 
 VisualHull LiveProducts::newestHull(int64_t stamp_ns) {
-  sensor_msgs::PointCloud2ConstPtr hull;
-  VoxelGridConstPtr grid;
+  ProductMessages messages;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    hull = hulls_.newest(stamp_ns, kMaxAge_ns);
-    if (hull && !grids_.empty()) grid = grids_.of(hull->header.stamp);
+    messages.hull = hulls_.newest(stamp_ns, kMaxAge_ns);
+    messages.grids = grids_;
   }
-  return hull && grid ? hullFromMessage(*hull, *grid) : VisualHull();
+  std::vector<std::string> faults;
+  VisualHull hull = convertedProducts(messages, &faults).hull;
+  tell(faults);
+  return hull;
 }
 
-std::unique_ptr<FrameProducts> LiveProducts::converted(const Messages& messages) {
-  auto products = std::make_unique<FrameProducts>();
-  if (messages.hull && messages.grid)
-    products->hull = hullFromMessage(*messages.hull, *messages.grid);
-  if (messages.parts && messages.labels) {
-    products->parts = partsFromMessage(*messages.parts);
-    products->parts.labels = labelsFromMessage(*messages.labels);
-  }
-  if (messages.tree) products->tree = poseTreeFromMessage(*messages.tree);
-  return products;
+void LiveProducts::tell(const std::vector<std::string>& faults) {
+  for (const std::string& fault : faults) status_->remark(fault);
 }
 
 LiveProducts::Source LiveProducts::at(const ros::Time& stamp) {
@@ -158,7 +154,10 @@ const FrameProducts& LiveProducts::Source::ofThisFrame() {
   all_.ask(kAll);
   const Messages messages = all_.wait(stamp_ns_);
   lack_ = messages.lack;
-  of_this_frame_ = converted(messages);
+  std::vector<std::string> faults;
+  of_this_frame_ = std::make_unique<FrameProducts>(convertedProducts(messages, &faults));
+  all_.tell(faults);
+  if (lack_.empty() && !faults.empty()) lack_ = "; " + faults.front();
   return *of_this_frame_;
 }
 

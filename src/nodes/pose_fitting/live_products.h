@@ -13,8 +13,8 @@
 
 #include "markerless_mocap/ros/messages.h"
 #include "markerless_mocap/tracking/product_source.h"
-#include "nodes/common/hull_grids.h"
 #include "nodes/common/stage_inputs.h"
+#include "nodes/pose_fitting/converted_products.h"
 #include "nodes/pose_fitting/recent_messages.h"
 
 namespace markerless_mocap {
@@ -24,8 +24,8 @@ namespace markerless_mocap {
 /// and trees, so their stages rest meanwhile. Thread-safe.
 class LiveProducts {
  public:
-  /// The products for one frame set. Conversions are done when they are asked for; they throw
-  /// std::invalid_argument on messages that cannot be used.
+  /// The products for one frame set. They are converted when they are asked for; messages that
+  /// cannot be used are told.
   class Source : public ProductSource {
    public:
     Source(LiveProducts* products, int64_t stamp_ns) : all_(*products), stamp_ns_(stamp_ns) {}
@@ -43,10 +43,11 @@ class LiveProducts {
     std::string lack_;
   };
 
+  /// \param status of the stage; must outlive this object
   /// \param always subscribe to hulls and parts at once and for good; `hull_came` is then called
   ///   for each hull. Such a method needs no trees
   /// \param search_begins called when a tracker asks for the products of a start
-  LiveProducts(StageInputs* inputs, int64_t tolerance_ns, bool always,
+  LiveProducts(StageInputs* inputs, StageStatus* status, int64_t tolerance_ns, bool always,
                std::function<void(const std_msgs::Header&)> hull_came,
                std::function<void()> search_begins);
   ~LiveProducts();
@@ -58,11 +59,7 @@ class LiveProducts {
   void rest();
 
  private:
-  struct Messages {
-    sensor_msgs::PointCloud2ConstPtr hull, labels;
-    BodyPartsMsg::ConstPtr parts;
-    PoseTreeMsg::ConstPtr tree;
-    VoxelGridConstPtr grid;
+  struct Messages : ProductMessages {
     std::string lack;
   };
 
@@ -76,9 +73,10 @@ class LiveProducts {
   Messages wait(int64_t stamp_ns);
   /// Empty if there is none.
   VisualHull newestHull(int64_t stamp_ns);
-  static std::unique_ptr<FrameProducts> converted(const Messages& messages);
+  void tell(const std::vector<std::string>& faults);
 
   StageInputs* inputs_;
+  StageStatus* status_;
   int64_t tolerance_ns_;
   bool always_;
   std::function<void(const std_msgs::Header&)> hull_came_;

@@ -18,9 +18,8 @@ namespace {
 
 /// Fraction of an image that has changed when somebody is there.
 constexpr double kSomebody = 0.005;
-constexpr uint64_t kLookInterval = 16;  // images between two looks at their publishers
-constexpr int kDuplicatesTold = 5;      // images in a row
-constexpr uint32_t kQueue = 16;  // images that wait while all cameras compute their backgrounds
+constexpr int kDuplicatesTold = 5;  // images in a row
+constexpr uint32_t kQueue = 16;     // images that wait while all cameras compute their backgrounds
 
 int64_t steadyNanoseconds() {
   using namespace std::chrono;
@@ -58,28 +57,15 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
   compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(
       camera_ + "/silhouette/compressed", kPublisherQueue);
   const std::lock_guard<std::mutex> lock(mutex_);  // images may come at once
-  images_ = inputs_.subscribeToImages(camera_, node_options.image_transport, kQueue,
-                                      StageInputs::kRequired,
-                                      [this](const CameraImage& image) { receive(image); });
+  inputs_.listenToImages(camera_, node_options.image_transport, kQueue, StageInputs::kRequired,
+                         [this](const CameraImage& image) { receive(image); });
 }
 
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  countPublishers();
   if (!isUsable(image)) return;
   followSettings(image.header().stamp);
   process(image);
-}
-
-// Their images take turns, so that few masks are right, and nothing else tells why. One that has
-// ended may be known for a moment.
-void SilhouetteCamera::countPublishers() {
-  if (received_++ % kLookInterval != 0) return;
-  const uint32_t publishers = images_.getNumPublishers();
-  if (publishers > 1 && was_doubled_)
-    status_.remark(images_.getTopic() + " has " + std::to_string(publishers) +
-                   " publishers, allowed is one");
-  was_doubled_ = publishers > 1;
 }
 
 void SilhouetteCamera::followSettings(const ros::Time& stamp) {

@@ -32,8 +32,6 @@ class SilhouetteCamera {
 
  private:
   void receive(const CameraImage& image);
-  /// Tells if several publishers send images of this camera.
-  void countPublishers();
   /// Whether the image is in the order of time and not one of a frozen camera.
   bool isUsable(const CameraImage& image);
   bool isInOrder(const ros::Time& stamp);
@@ -65,9 +63,6 @@ class SilhouetteCamera {
   bool has_seen_somebody_ = false;  ///< since the background was learned
   ros::Publisher publisher_, compressed_publisher_;
   StageInputs inputs_;
-  ros::Subscriber images_;
-  uint64_t received_ = 0;
-  bool was_doubled_ = false;  ///< whether there were several publishers at the last look
 };
 
 }  // namespace markerless_mocap

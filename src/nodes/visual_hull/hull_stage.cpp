@@ -12,6 +12,7 @@
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/mask_sets.h"
+#include "nodes/common/master_answers.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
 #include "ros/hull_conversions.h"
@@ -49,6 +50,7 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
                      const HullOptions& options, const HullNodeOptions& node_options)
     : node_options_(node_options),
       tf_listener_(tf_),
+      tf_faults_(handle),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
       images_(node_options.cameras.size(), kMaxImages),
@@ -97,7 +99,7 @@ void HullStage::followDemand() {
   if (!node_options_.readsImages()) return;
   const double now = ros::WallTime::now().toSec();
   if (isWanted()) wanted_until_ = now + kImagesKept;
-  if (now < wanted_until_ && image_subscribers_.empty())
+  if (now < wanted_until_ && image_subscribers_.empty() && masterAnswers())
     for (size_t i = 0; i < node_options_.cameras.size(); ++i)
       image_subscribers_.push_back(inputs_.subscribeToImages(
           node_options_.cameras[i], node_options_.image_transport, kQueue, StageInputs::kOptional,
@@ -138,6 +140,7 @@ void HullStage::followRig() {
   else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
     carver_.changeRig(rig_.rig(tf_));
   for (const std::string& remark : remarks) status_.remark(remark);
+  tf_faults_.tell(rig_, tf_, &status_);
 }
 
 std::string HullStage::doubtOf(size_t camera) const {

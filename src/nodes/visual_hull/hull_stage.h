@@ -16,6 +16,7 @@
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stage_services.h"
 #include "nodes/common/stamp_cache.h"
+#include "nodes/common/tf_faults.h"
 #include "nodes/visual_hull/camera_display.h"
 #include "nodes/visual_hull/live_carver.h"
 #include "nodes/visual_hull/volume_handles.h"
@@ -80,6 +81,7 @@ class HullStage {
   HullNodeOptions node_options_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
+  TfFaults tf_faults_;
   RigCollector rig_;
   Assembler assembler_;
   StampCache<CameraImage> images_;
