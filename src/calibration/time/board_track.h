@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "calibration/start/board_pose.h"
+#include "calibration/views.h"
+
+namespace markerless_mocap {
+
+/// Points that move with the board, in the frame of a camera, metres: its centre, one off its
+/// printed side, and one beside the centre unless the board looks the same turned.
+using BoardPlace = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+/// The way of the board before one camera.
+struct BoardTrack {
+  std::vector<double> times;  ///< s, clock of the camera, ascending
+  std::vector<BoardPlace> places;
+  double interval = 0.0;  ///< s, median between views
+
+  /// None where the board was not seen before and after.
+  std::optional<BoardPlace> at(double time) const;
+};
+
+/// \param poses of the board in each view
+BoardTrack boardTrackOf(const Board& board, size_t camera, const std::vector<BoardView>& views,
+                        const std::vector<BoardPose>& poses);
+
+/// How much the motion of the board says for one shift between two clocks.
+struct ShiftEvidence {
+  /// Natural logarithm of how many times the ways meet better than a board that does not move
+  /// would, summed over the times seen by both (in steps of kEvidenceStep); 0: too few.
+  double evidence = 0.0;
+  double median = 0.0;  ///< m, distance of the ways after the rigid motion that joins them
+};
+constexpr double kEvidenceStep = 0.5;  ///< s
+
+/// \param shift s, added to the clock of b
+ShiftEvidence evidenceOf(const BoardTrack& a, const BoardTrack& b, double shift);
+
+}  // namespace markerless_mocap
