@@ -8,7 +8,7 @@ namespace markerless_mocap {
 /// Offsets between films that were started by hand, s: what is searched for unless told otherwise.
 constexpr double kLargestFilmOffset = 60.0;
 /// How many times as much must speak for an offset as for any other one, to be certain.
-constexpr double kCertainOffset = 1.5;
+constexpr double kCertainOffset = 1.7;
 
 /// What is known beforehand of when films began.
 enum class FilmStart { kUnknown, kTogether, kApart };

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "checks/check_rig.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -122,6 +124,57 @@ TEST(FilmStarts, FilmsOfAPersonThatBeganUpToAMinuteApart) {
   const FilmClocks clocks = personClocks(filmsOf(Walker(1), starts, 90));
   expectStarts(clocks, starts);
   EXPECT_LT(clocks.for_none, 0.6);
+}
+
+/// A recording in which all stamps begin at one time, whatever the images show.
+SeenRig recordingOf(const std::vector<FilmedPerson>& films) {
+  SeenRig rig;
+  uint64_t fingerprint = 0;
+  for (const FilmedPerson& film : films) {
+    SeenCamera camera;
+    camera.name = film.calibration.name;
+    camera.T_world_camera = film.calibration.T_world_camera;
+    SeenInfo info;
+    info.width = film.calibration.width;
+    info.height = film.calibration.height;
+    info.K = film.calibration.K;
+    info.frame = camera.name + "_optical";
+    camera.infos = {info};
+    for (size_t k = 0; k < film.seconds.size(); ++k) {
+      SeenImage image;
+      image.stamp_ns = image.received_ns = 1000'000'000'000 + std::llround(1e9 * film.seconds[k]);
+      image.width = info.width;
+      image.height = info.height;
+      image.fingerprint = ++fingerprint;
+      image.outline = film.outlines[k];
+      camera.images.push_back(image);
+    }
+    rig.cameras.push_back(camera);
+  }
+  return rig;
+}
+
+std::vector<std::string> offsetsIn(const Findings& findings) {
+  std::vector<std::string> offsets;
+  for (const Finding& finding : findings)
+    if (finding.what == "time_offset") {
+      const size_t at = finding.evidence.find("the person moves");
+      offsets.push_back(finding.camera + ": " +
+                        finding.evidence.substr(at, finding.evidence.find(" (") - at));
+    }
+  std::sort(offsets.begin(), offsets.end());
+  return offsets;
+}
+
+TEST(FilmStarts, StampsThatAreManySecondsApartAreFindings) {
+  const auto found =
+      offsetsIn(checkRig(recordingOf(filmsOf(Walker(6), {0, 23.4, 0, -14.2, 0}, 60))));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].substr(0, 31), "cam1: the person moves in it 23");
+  EXPECT_NE(found[0].find("s before in the other cameras"), std::string::npos) << found[0];
+  EXPECT_EQ(found[1].substr(0, 31), "cam3: the person moves in it 14");
+  EXPECT_NE(found[1].find("s later than in the other cameras"), std::string::npos) << found[1];
+  EXPECT_TRUE(offsetsIn(checkRig(recordingOf(filmsOf(Walker(6), {0, 0, 0, 0}, 30)))).empty());
 }
 
 TEST(FilmStarts, ThreeCamerasSuffice) {

@@ -46,7 +46,7 @@ CommonPlaces commonPlaces(const BoardTrack& a, const BoardTrack& b, double shift
     const Eigen::Index first = common.points * Eigen::Index(common.views++);
     common.a.middleCols(first, common.points) = a.places[i];
     common.b.middleCols(first, common.points) = *place;
-    steps.insert(std::lround(a.times[i] / kEvidenceStep));
+    steps.insert(std::lround(a.times[i] / kFitStep));
   }
   common.steps = int(steps.size());
   return common;
@@ -131,19 +131,14 @@ BoardTrack boardTrackOf(const Board& board, size_t camera, const std::vector<Boa
   return track;
 }
 
-ShiftEvidence evidenceOf(const BoardTrack& a, const BoardTrack& b, double shift) {
+ShiftFit fitOf(const BoardTrack& a, const BoardTrack& b, double shift) {
   CommonPlaces common = commonPlaces(a, b, shift);
   if (common.views < kLeastViews || common.steps < kLeastSteps) return {};
   const Eigen::Index columns = common.points * Eigen::Index(common.views);
   common.a.conservativeResize(3, columns);
   common.b.conservativeResize(3, columns);
-  ShiftEvidence found;
-  found.median = medianAfterMotion(common);
-  // Two steps are what a rigid motion can always meet.
-  found.evidence = (common.steps - 2) *
-                   std::log((medianWithoutMotion(common) + kFloor) / (found.median + kFloor));
-  found.evidence = std::max(found.evidence, 0.0);
-  return found;
+  return {common.steps,
+          std::log((medianWithoutMotion(common) + kFloor) / (medianAfterMotion(common) + kFloor))};
 }
 
 }  // namespace markerless_mocap

@@ -27,16 +27,15 @@ struct BoardTrack {
 BoardTrack boardTrackOf(const Board& board, size_t camera, const std::vector<BoardView>& views,
                         const std::vector<BoardPose>& poses);
 
-/// How much the motion of the board says for one shift between two clocks.
-struct ShiftEvidence {
-  /// Natural logarithm of how many times the ways meet better than a board that does not move
-  /// would, summed over the times seen by both (in steps of kEvidenceStep); 0: too few.
-  double evidence = 0.0;
-  double median = 0.0;  ///< m, distance of the ways after the rigid motion that joins them
+/// How well the motion of the board fits one shift between two clocks.
+struct ShiftFit {
+  int steps = 0;      ///< of kFitStep in which both cameras see the board; 0: too few
+  double gain = 0.0;  ///< natural logarithm of how many times nearer the ways come by one rigid
+                      ///< motion than those of a board that does not move would
 };
-constexpr double kEvidenceStep = 0.5;  ///< s
+constexpr double kFitStep = 0.5;  ///< s
 
 /// \param shift s, added to the clock of b
-ShiftEvidence evidenceOf(const BoardTrack& a, const BoardTrack& b, double shift);
+ShiftFit fitOf(const BoardTrack& a, const BoardTrack& b, double shift);
 
 }  // namespace markerless_mocap

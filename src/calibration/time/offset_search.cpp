@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/check/median.h"
 #include "calibration/start/spanning_tree.h"
 #include "calibration/time/board_track.h"
 
@@ -15,7 +16,13 @@ namespace {
 /// What speaks for each shift between two cameras: shift = (index - middle) * step.
 struct PairCurve {
   size_t a = 0, b = 0;  ///< the shift is added to the clock of b
+  double usual = 0.0;   ///< gain of most shifts: a rigid motion always fits somewhat
   std::vector<double> evidence;
+
+  double evidenceOf(const ShiftFit& fit) const {
+    constexpr int kAlwaysFit = 3;  // steps: so short a way is about an arc
+    return std::max(0, fit.steps - kAlwaysFit) * std::max(0.0, fit.gain - usual);
+  }
 };
 
 class OffsetSearch {
@@ -54,9 +61,14 @@ class OffsetSearch {
   double shiftAt(int index) const { return (index - middle_) * step_; }
 
   void fill(PairCurve* curve) const {
-    for (int i = 0; i <= 2 * middle_; ++i)
-      curve->evidence.push_back(
-          evidenceOf(tracks_[curve->a], tracks_[curve->b], shiftAt(i)).evidence);
+    std::vector<ShiftFit> fits;
+    std::vector<double> gains;
+    for (int i = 0; i <= 2 * middle_; ++i) {
+      fits.push_back(fitOf(tracks_[curve->a], tracks_[curve->b], shiftAt(i)));
+      if (fits.back().steps > 0) gains.push_back(fits.back().gain);
+    }
+    if (!gains.empty()) curve->usual = medianOf(gains);
+    for (const ShiftFit& fit : fits) curve->evidence.push_back(curve->evidenceOf(fit));
   }
 
   static int bestOf(const std::vector<double>& values) {
@@ -85,7 +97,7 @@ class OffsetSearch {
     double best = coarse, most = 0.0;
     for (int i = -kParts; i <= kParts; ++i) {
       const double shift = coarse + i * step_ / kParts;
-      const double found = evidenceOf(tracks_[curve.a], tracks_[curve.b], shift).evidence;
+      const double found = curve.evidenceOf(fitOf(tracks_[curve.a], tracks_[curve.b], shift));
       if (found <= most) continue;
       most = found;
       best = shift;

@@ -250,10 +250,12 @@ class PersonClocks {
     constexpr int kRounds = 3;
     RigSight sight;
     sight.tracks = tracks_;
+    constexpr int kMostMoments = 900;
     const SightGrid& root = grids_[root_];
-    const int every = everyOfRoot();
-    for (int i = 0; i < root.size(); i += every)
-      if (root.has(0, i) || root.has(1, i)) sight.moments.push_back(root.first + i * kStep);
+    const double length = root.size() * kStep;
+    const int moments = std::min(kMostMoments, int(length / tracks_[model_[root_].source].period));
+    for (int i = 0; i < moments; ++i)
+      sight.moments.push_back(root.first + (i + 0.5) * length / moments);
     if (sight.moments.empty()) return;
     RigModel model;
     std::vector<size_t> cameras;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "calibration/board_hints.h"
@@ -149,6 +150,16 @@ void checkSideInputs(const CalibrateRigArguments& a) {
         "give --points (docs/calibration.md), or --lens-only for the lenses alone");
 }
 
+/// Whether the person walks in the films of the board.
+bool isWalkOfBoard(const CalibrateRigArguments& a) {
+  if (a.live) return false;
+  std::set<std::string> boards;
+  for (const FilmSource& film : findFilms(a.inputs, a.video)) boards.insert(film.path);
+  const std::vector<FilmSource> films = findFilms(a.walk, a.video);
+  return std::all_of(films.begin(), films.end(),
+                     [&](const FilmSource& film) { return boards.count(film.path) > 0; });
+}
+
 CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
@@ -160,7 +171,7 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   if (!a.floor.empty()) input.floor = floorView(a, boards);
   if (!a.walk.empty())
     input.walk = [&a, cameras = boards.cameras](const std::vector<double>& offsets) {
-      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets);
+      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets, isWalkOfBoard(a));
     };
   if (a.lens != "auto") input.lens = lensModelNamed(a.lens);
   input.largest_offset = a.largest_offset;

@@ -113,7 +113,7 @@ std::vector<SilhouetteSet> joined(const std::vector<CameraWalk>& walks) {
 
 std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
                                            const std::vector<CameraToCalibrate>& cameras,
-                                           const std::vector<double>& offsets) {
+                                           const std::vector<double>& offsets, bool of_board) {
   std::vector<CameraWalk> walks(cameras.size());
   int found = 0;
   for (size_t i = 0; i < cameras.size(); ++i)
@@ -128,7 +128,8 @@ std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
   const BagsInThreads bags;
   tbb::parallel_for(size_t(0), walks.size(), [&](size_t i) {
     if (!walks[i].film) return;
-    const double offset = walks[i].film->topic.empty() ? 0.0 : offsets[i];
+    const bool known = of_board || !walks[i].film->topic.empty();
+    const double offset = known ? offsets[i] : 0.0;
     walks[i].silhouettes = silhouettesIn(*walks[i].film, cameras[i], offset);
   });
   return joined(walks);
