@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <map>
+#include <utility>
 
 #include "checks/motion/clock_search.h"
 #include "checks/motion/sight_grid.h"
@@ -122,7 +122,7 @@ class PersonClocks {
     Curve curve;
     for (int shift = lowest(b); shift <= highest(b); ++shift) {
       GridLoss loss;
-      for (const GridPoint& point : pointsOf(grids_[root_], grids_[b], shift, everyOfRoot())) {
+      for (const GridPoint& point : pointsOf(grids_[root_], grids_[b], shift, 0, everyOfRoot())) {
         loss.sum += lossOf(std::isfinite(point.missed) ? std::sqrt(point.missed) : 1e6);
         ++loss.count;
       }
@@ -153,7 +153,8 @@ class PersonClocks {
   Trial searchTriple(size_t b, size_t c) const {
     std::vector<Curve> rows;  // of shifts of b
     for (int of_b = lowest(b); of_b <= highest(b); ++of_b) {
-      const std::vector<GridPoint> points = pointsOf(grids_[root_], grids_[b], of_b, everyOfRoot());
+      const std::vector<GridPoint> points =
+          pointsOf(grids_[root_], grids_[b], of_b, 0, everyOfRoot());
       rows.emplace_back();
       for (int of_c = lowest(c); of_c <= highest(c); ++of_c)
         rows.back().add(lossOf(grids_[c], points, of_c));
@@ -182,18 +183,24 @@ class PersonClocks {
     return rival;
   }
 
-  /// Points by all pairs of known cameras without one, by the root's clock.
+  /// Points by the known cameras without one, by the root's clock: of all pairs that see a mark, by
+  /// the one whose rays meet best, so that each time counts once however many see it.
   std::vector<GridPoint> pointsWithout(size_t left_out, const std::vector<int>& shifts) const {
-    std::vector<GridPoint> all;
+    const int every = everyOfRoot();
+    std::map<std::pair<int, int>, GridPoint> best;
     for (size_t a = 0; a < grids_.size(); ++a)
       for (size_t b = a + 1; b < grids_.size(); ++b) {
         if (!known_[a] || !known_[b] || a == left_out || b == left_out) continue;
+        const int first = (every - shifts[a] % every) % every;
         for (GridPoint point :
-             pointsOf(grids_[a], grids_[b], shifts[b] - shifts[a], everyOfRoot())) {
+             pointsOf(grids_[a], grids_[b], shifts[b] - shifts[a], first, every)) {
           point.index += shifts[a];
-          all.push_back(point);
+          const auto [known, added] = best.try_emplace({point.mark, point.index}, point);
+          if (!added && point.missed < known->second.missed) known->second = point;
         }
       }
+    std::vector<GridPoint> all;
+    for (const auto& entry : best) all.push_back(entry.second);
     return all;
   }
 

@@ -57,10 +57,11 @@ SightGrid sightGridOf(const PersonTrack& track, const CameraModel& model, double
   return grid;
 }
 
-std::vector<GridPoint> pointsOf(const SightGrid& a, const SightGrid& b, int shift, int every) {
+std::vector<GridPoint> pointsOf(const SightGrid& a, const SightGrid& b, int shift, int first,
+                                int every) {
   std::vector<GridPoint> points;
   for (int mark = 0; mark < kBodyMarks; ++mark)
-    for (int i = 0; i < a.size(); i += every) {
+    for (int i = first; i < a.size(); i += every) {
       if (!a.has(mark, i) || !b.has(mark, i - shift)) continue;
       GridPoint point;
       point.index = i;

@@ -34,8 +34,9 @@ struct GridPoint {
 
 /// Where two cameras see the marks if the clock of b is `shift` steps ahead of that of a. Places
 /// that are behind a camera are missed by far; where the rays are nearly parallel there are none.
-/// \param every so many steps
-std::vector<GridPoint> pointsOf(const SightGrid& a, const SightGrid& b, int shift, int every);
+/// \param first index of a, and every so many steps from there
+std::vector<GridPoint> pointsOf(const SightGrid& a, const SightGrid& b, int shift, int first,
+                                int every);
 
 /// How well points are met, summed.
 struct GridLoss {
