@@ -36,7 +36,7 @@ class OffsetSearch {
     step_ = std::clamp(interval / 4, 0.02, std::max(0.05, interval / 8));
     middle_ = int(std::ceil(std::min(largest, length) / step_));
     for (size_t a = 0; a < tracks_.size(); ++a)
-      for (size_t b = a + 1; b < tracks_.size(); ++b) curves_.push_back({a, b, {}});
+      for (size_t b = a + 1; b < tracks_.size(); ++b) curves_.push_back({a, b, 0.0, {}});
     tbb::parallel_for(size_t(0), curves_.size(), [&](size_t i) { fill(&curves_[i]); });
   }
 

@@ -184,7 +184,7 @@ class PersonClocks {
   }
 
   /// Points by the known cameras without one, by the root's clock: of all pairs that see a mark, by
-  /// the one whose rays meet best, so that each time counts once however many see it.
+  /// the one whose rays cross most steeply; each time counts once, however many see it.
   std::vector<GridPoint> pointsWithout(size_t left_out, const std::vector<int>& shifts) const {
     const int every = everyOfRoot();
     std::map<std::pair<int, int>, GridPoint> best;
@@ -196,7 +196,7 @@ class PersonClocks {
              pointsOf(grids_[a], grids_[b], shifts[b] - shifts[a], first, every)) {
           point.index += shifts[a];
           const auto [known, added] = best.try_emplace({point.mark, point.index}, point);
-          if (!added && point.missed < known->second.missed) known->second = point;
+          if (!added && point.sine2 > known->second.sine2) known->second = point;
         }
       }
     std::vector<GridPoint> all;

@@ -26,6 +26,7 @@ bool meet(const SightGrid& a, const SightGrid& b, const Eigen::Vector3d& along_a
   const Eigen::Vector3d apart = b.origin - a.origin;
   const double cosine = along_a.dot(along_b), sine2 = 1 - cosine * cosine;
   if (sine2 < kParallel) return false;
+  point->sine2 = sine2;
   const double da = along_a.dot(apart), db = along_b.dot(apart);
   const double s = (da - cosine * db) / sine2, t = (cosine * da - db) / sine2;
   point->place = 0.5 * (a.origin + s * along_a + b.origin + t * along_b);

@@ -30,6 +30,7 @@ struct GridPoint {
   int index = 0, mark = 0;
   Eigen::Vector3d place;
   double missed = 0;
+  double sine2 = 0;  ///< square of the sine of the angle between the rays
 };
 
 /// Where two cameras see the marks if the clock of b is `shift` steps ahead of that of a. Places
