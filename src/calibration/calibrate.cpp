@@ -105,14 +105,15 @@ class Calibrator {
   }
 
   void startOffsets() {
-    std::vector<double> offsets(state_.cameras.size(), 0.0);
-    if (input_.estimate_offsets)
-      offsets = searchOffsets(board_, state_.cameras.size(), views_, poses_, input_.largest_offset);
+    if (!input_.estimate_offsets) return;
+    clocks_ = input_.clocks ? *input_.clocks
+                            : searchOffsets(board_, state_.cameras.size(), views_, poses_,
+                                            input_.largest_offset);
     std::string lacking;
-    for (size_t i = 0; i < offsets.size(); ++i) {
-      if (!std::isfinite(offsets[i]))
+    for (size_t i = 0; i < state_.cameras.size(); ++i) {
+      state_.cameras[i].time_offset = clocks_->offsets[i];
+      if (!std::isfinite(clocks_->offsets[i]))
         lacking += (lacking.empty() ? "" : ", ") + input_.cameras[i].name;
-      state_.cameras[i].time_offset = offsets[i];
     }
     if (!lacking.empty())
       throw std::invalid_argument(
@@ -264,6 +265,7 @@ class Calibrator {
     for (const LooseCamera& loose : loose_)
       result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
     result.outliers = outliers_;
+    result.clocks = clocks_;
     result.clocks_corrected = offsets_free_ && !input_.estimate_offsets;
     if (offsets_free_ && input_.clocks_last) keepOffsets(&result);
     if (input_.locate && input_.walk && !input_.floor && state_.points.empty())
@@ -285,6 +287,7 @@ class Calibrator {
   std::set<size_t> held_;
   std::vector<LooseCamera> loose_;
   std::vector<CameraUncertainty> sigmas_;
+  std::optional<FilmClocks> clocks_;
   int outliers_ = 0;
   bool offsets_free_ = false;
 };

@@ -9,6 +9,7 @@
 #include "calibration/lens.h"
 #include "calibration/views.h"
 #include "calibration/walk_floor.h"
+#include "camera/film_clocks.h"
 #include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
@@ -32,7 +33,9 @@ struct CalibrationInput {
   std::function<std::vector<SilhouetteSet>(const std::vector<double>&)> walk;
   std::optional<LensModel> lens;  ///< empty: chosen for each camera by cross-validation
   bool estimate_offsets = false;  ///< the cameras' clocks do not agree
-  double largest_offset = 5.0;    ///< s, that is searched for
+  double largest_offset = kLargestFilmOffset;  ///< s, that is searched for
+  /// With estimate_offsets: from where they are estimated, as searchClocks(); empty: searched.
+  std::optional<FilmClocks> clocks;
   /// The views are films, so that the board's motion tells whether the cameras' clocks agree; if
   /// they clearly do not, their offsets are estimated and told.
   bool check_clocks = false;
@@ -104,13 +107,18 @@ struct RigCalibration {
   int instants = 0;  ///< of which the board's pose was estimated
   int outliers = 0;  ///< corners that were left out
   bool floor_known = false;
-  std::optional<WalkFloor> walk;  ///< the floor, if a person's walk gave it
-  bool clocks_corrected = false;  ///< offsets were estimated though nobody asked for it
-  double points_rms = 0.0;        ///< pixels; 0 without points
-  bool turned_guessed = false;    ///< the board looks the same turned and nothing tells how it lay
+  std::optional<WalkFloor> walk;     ///< the floor, if a person's walk gave it
+  bool clocks_corrected = false;     ///< offsets were estimated though nobody asked for it
+  std::optional<FilmClocks> clocks;  ///< how they were found, with estimate_offsets
+  double points_rms = 0.0;           ///< pixels; 0 without points
+  bool turned_guessed = false;  ///< the board looks the same turned and nothing tells how it lay
   std::vector<std::string> verdict;  ///< sentences for people; the first is the summary
   bool good = true;                  ///< nothing in the verdict speaks against use
 };
+
+/// When the films began, by the motion of the board. Lenses that are not given are estimated
+/// roughly, by the views of each camera alone.
+FilmClocks searchClocks(const CalibrationInput& input);
 
 /// Calibrates all cameras of a rig. Throws std::invalid_argument with a sentence that says what is
 /// missing: a camera with too few views, cameras that were never seen together.

@@ -131,20 +131,25 @@ TEST_F(CalibrateRig, SilhouettesOfAWalkAreJoinedByTime) {
   }
   const std::vector<FilmSource> films = findFilms({path("walk")}, "");
   std::vector<CameraToCalibrate> cameras = {{"left", 160, 120, {}}, {"right", 160, 120, {}}};
-  const auto sets = walkSilhouettes(films, cameras, {0, 0});
+  const auto sets = walkSilhouettes(films, cameras, {0, 0}, false);
   ASSERT_EQ(sets.size(), 20u);  // those of the right
   for (size_t k = 0; k < sets.size(); ++k) {
     EXPECT_NEAR(cv::boundingRect(sets[k][0] == 255).x, 20 + int(k), 2) << k;
     EXPECT_NEAR(cv::boundingRect(sets[k][1] == 255).x, 20 + 3 * int(k), 2) << k;
   }
+  // Films of the board that began at other times: 3 pictures.
+  const auto moved = walkSilhouettes(films, cameras, {0, -3}, true);
+  ASSERT_EQ(moved.size(), 20u);
+  EXPECT_NEAR(cv::boundingRect(moved[5][0] == 255).x, 20 + 2, 2);
+  EXPECT_TRUE(moved[0][0].empty());
   cameras[1].width = 161;
   EXPECT_EQ(errorTextOf<std::exception>([&] {
-              walkSilhouettes(films, cameras, {0, 0});
+              walkSilhouettes(films, cameras, {0, 0}, false);
             }),
             "the walk's images of right are 160 x 120 pixels, those of the board 161 x 120");
   cameras[1].name = "top";
   EXPECT_EQ(errorTextOf<std::exception>([&] {
-              walkSilhouettes(films, cameras, {0, 0});
+              walkSilhouettes(films, cameras, {0, 0}, false);
             }),
             "the walk needs films of two cameras or more, it has those of 1: films are named "
             "after their cameras");

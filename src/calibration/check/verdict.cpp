@@ -123,6 +123,27 @@ class Verdict {
                                : "That was corrected here; correct it in recordings, too."));
   }
 
+  /// Films that were started by hand: when each began, and whether that is certain.
+  void judgeFilms() {
+    if (!result_.clocks) return;
+    const CalibratedCamera* first = nullptr;
+    for (const CalibratedCamera& camera : result_.cameras)
+      if (!first || camera.time_offset < first->time_offset) first = &camera;
+    for (size_t i = 0; i < result_.cameras.size(); ++i) {
+      const CalibratedCamera& camera = result_.cameras[i];
+      if (&camera != first)
+        result_.verdict.push_back(
+            text("The film of %s began %.3f s after that of %s.", camera.calibration.name.c_str(),
+                 camera.time_offset - first->time_offset, first->calibration.name.c_str()));
+      if (const double certainty = result_.clocks->certainty[i]; certainty < kCertainOffset)
+        doubt(
+            text("When the film of %s began is not certain: what speaks for it is %.1f times "
+                 "what speaks for another time, %.1f is wanted. Give a table of times, or film "
+                 "again: move the board in no rhythm, where two cameras see it.",
+                 camera.calibration.name.c_str(), certainty, kCertainOffset));
+    }
+  }
+
   void judgeWalk(const WalkFloor& walk) {
     constexpr double kTilted = 1.0 * M_PI / 180, kShortest = 0.9, kTallest = 2.2;
     result_.verdict.push_back(
@@ -144,6 +165,7 @@ class Verdict {
 
   void judgeRig() {
     judgeClocks();
+    judgeFilms();
     if (!input_.locate) return;
     if (!result_.floor_known)
       result_.verdict.push_back(

@@ -1,142 +1,156 @@
 #include "calibration/time/offset_search.h"
 
-#include <Eigen/Geometry>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "calibration/check/median.h"
 #include "calibration/start/spanning_tree.h"
-#include "calibration/time/instants.h"
+#include "calibration/time/board_track.h"
 
 namespace markerless_mocap {
 namespace {
 
-/// The way of the board's centre in the frame of a camera.
-struct CentreTrack {
-  std::vector<double> times;
-  std::vector<Eigen::Vector3d> places;
-  double interval = 0.0;
+/// What speaks for each shift between two cameras: shift = (index - middle) * step.
+struct PairCurve {
+  size_t a = 0, b = 0;  ///< the shift is added to the clock of b
+  double usual = 0.0;   ///< gain of most shifts: a rigid motion always fits somewhat
+  std::vector<double> evidence;
 
-  /// Empty where the board was not seen before and after.
-  std::optional<Eigen::Vector3d> at(double time) const {
-    const auto next = std::lower_bound(times.begin(), times.end(), time);
-    if (next == times.begin() || next == times.end()) return std::nullopt;
-    const size_t i = next - times.begin();
-    const double gap = times[i] - times[i - 1], part = (time - times[i - 1]) / gap;
-    if (gap > 2.5 * interval) return std::nullopt;
-    return (1 - part) * places[i - 1] + part * places[i];
+  double evidenceOf(const ShiftFit& fit) const {
+    constexpr int kAlwaysFit = 3;  // steps: so short a way is about an arc
+    return std::max(0, fit.steps - kAlwaysFit) * std::max(0.0, fit.gain - usual);
   }
 };
 
-CentreTrack trackOf(const Board& board, size_t camera, const std::vector<BoardView>& views,
-                    const std::vector<BoardPose>& poses) {
-  std::vector<size_t> film;
-  for (size_t i = 0; i < views.size(); ++i)
-    if (views[i].camera == camera && !views[i].alone && std::isfinite(poses[i].rms))
-      film.push_back(i);
-  std::sort(film.begin(), film.end(),
-            [&](size_t a, size_t b) { return views[a].time < views[b].time; });
-  CentreTrack track;
-  track.interval = viewInterval(views, camera);
-  const Eigen::Vector3d centre(board.centre().x(), board.centre().y(), 0);
-  for (const size_t i : film) {
-    track.times.push_back(views[i].time);
-    track.places.push_back(poses[i].camera_board * centre);
-  }
-  return track;
-}
-
-using Places = Eigen::Matrix<double, 3, Eigen::Dynamic>;
-
-/// How well a shift fits: distances between both tracks that are left after a rigid motion.
-struct ShiftFit {
-  double median = std::numeric_limits<double>::infinity();  ///< m
-  int pairs = 0;
-};
-
-double medianDistance(const Places& a, const Places& b, std::vector<int>* nearer_half) {
-  const Eigen::Matrix4d T = Eigen::umeyama(Places(b(Eigen::all, *nearer_half)),
-                                           Places(a(Eigen::all, *nearer_half)), false);
-  const Places moved = (T.topLeftCorner<3, 3>() * b).colwise() + T.topRightCorner<3, 1>();
-  const Eigen::RowVectorXd left = (a - moved).colwise().norm();
-  std::vector<int> order(left.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = int(i);
-  std::sort(order.begin(), order.end(), [&](int i, int k) { return left[i] < left[k]; });
-  nearer_half->assign(order.begin(), order.begin() + std::max<size_t>(order.size() * 3 / 4, 4));
-  return left[order[order.size() / 2]];
-}
-
-/// \param shift s, added to the clock of b
-ShiftFit fitOf(const CentreTrack& a, const CentreTrack& b, double shift) {
-  constexpr int kLeast = 8;
-  Places in_a(3, a.times.size()), in_b(3, a.times.size());
-  int pairs = 0;
-  for (size_t i = 0; i < a.times.size(); ++i)
-    if (const auto place = b.at(a.times[i] - shift)) {
-      in_a.col(pairs) = a.places[i];
-      in_b.col(pairs++) = *place;
+class OffsetSearch {
+ public:
+  OffsetSearch(std::vector<BoardTrack> tracks, double largest) : tracks_(std::move(tracks)) {
+    double interval = 0.0, length = 0.0;
+    for (const BoardTrack& track : tracks_) {
+      interval = std::max(interval, track.interval);
+      if (!track.times.empty()) length = std::max(length, track.times.back() - track.times.front());
     }
-  if (pairs < kLeast) return {};
-  in_a.conservativeResize(3, pairs);
-  in_b.conservativeResize(3, pairs);
-  std::vector<int> taken(pairs);
-  for (int i = 0; i < pairs; ++i) taken[i] = i;
-  ShiftFit fit;
-  for (int round = 0; round < 3; ++round) fit.median = medianDistance(in_a, in_b, &taken);
-  fit.pairs = pairs;
-  return fit;
-}
-
-struct BestShift {
-  double shift = NAN;
-  ShiftFit fit;
-};
-
-/// Shifts with few pairs fit by chance, so only those with at least half of the most count.
-BestShift bestShift(const CentreTrack& a, const CentreTrack& b, double around, double reach,
-                    double step) {
-  std::vector<BestShift> tried;
-  int most = 0;
-  for (double shift = around - reach; shift <= around + reach; shift += step) {
-    tried.push_back({shift, fitOf(a, b, shift)});
-    most = std::max(most, tried.back().fit.pairs);
+    step_ = std::clamp(interval / 4, 0.02, std::max(0.05, interval / 8));
+    middle_ = int(std::ceil(std::min(largest, length) / step_));
+    for (size_t a = 0; a < tracks_.size(); ++a)
+      for (size_t b = a + 1; b < tracks_.size(); ++b) curves_.push_back({a, b, 0.0, {}});
+    tbb::parallel_for(size_t(0), curves_.size(), [&](size_t i) { fill(&curves_[i]); });
   }
-  BestShift best;
-  for (const BestShift& one : tried)
-    if (2 * one.fit.pairs >= most && one.fit.median < best.fit.median) best = one;
-  return best;
-}
+
+  FilmClocks run() {
+    FilmClocks clocks;
+    clocks.offsets.assign(tracks_.size(), NAN);
+    clocks.certainty.assign(tracks_.size(), 0.0);
+    const std::vector<Link> links = linksOf();
+    const size_t root = strongestNode(links, std::vector<size_t>(tracks_.size(), 0), 0);
+    const std::vector<TreeStep> tree = spanningTree(tracks_.size(), links, root);
+    clocks.offsets[root] = 0.0;
+    clocks.certainty[root] = std::numeric_limits<double>::infinity();
+    for (const TreeStep& step : tree)
+      clocks.offsets[step.child] = clocks.offsets[step.parent] + shiftOf(step);
+    for (const TreeStep& step : tree) judge(tree, step, &clocks);
+    clocks.for_none =
+        sumOf(std::vector<double>(tracks_.size(), 0.0)) / std::max(sumOf(clocks.offsets), 1e-9);
+    return clocks;
+  }
+
+ private:
+  double shiftAt(int index) const { return (index - middle_) * step_; }
+
+  void fill(PairCurve* curve) const {
+    std::vector<ShiftFit> fits;
+    std::vector<double> gains;
+    for (int i = 0; i <= 2 * middle_; ++i) {
+      fits.push_back(fitOf(tracks_[curve->a], tracks_[curve->b], shiftAt(i)));
+      if (fits.back().steps > 0) gains.push_back(fits.back().gain);
+    }
+    if (!gains.empty()) curve->usual = medianOf(gains);
+    for (const ShiftFit& fit : fits) curve->evidence.push_back(curve->evidenceOf(fit));
+  }
+
+  static int bestOf(const std::vector<double>& values) {
+    return int(std::max_element(values.begin(), values.end()) - values.begin());
+  }
+
+  std::vector<Link> linksOf() const {
+    std::vector<Link> links;
+    for (const PairCurve& curve : curves_)
+      if (const double most = curve.evidence[bestOf(curve.evidence)]; most > 0)
+        links.push_back({curve.a, curve.b, most});
+    return links;
+  }
+
+  const PairCurve& curveOf(size_t a, size_t b) const {
+    return *std::find_if(curves_.begin(), curves_.end(), [&](const PairCurve& curve) {
+      return curve.a == std::min(a, b) && curve.b == std::max(a, b);
+    });
+  }
+
+  /// Of the child's clock against that of its parent, to a part of a step.
+  double shiftOf(const TreeStep& step) const {
+    constexpr int kParts = 8;
+    const PairCurve& curve = curveOf(step.parent, step.child);
+    const double coarse = shiftAt(bestOf(curve.evidence));
+    double best = coarse, most = 0.0;
+    for (int i = -kParts; i <= kParts; ++i) {
+      const double shift = coarse + i * step_ / kParts;
+      const double found = curve.evidenceOf(fitOf(tracks_[curve.a], tracks_[curve.b], shift));
+      if (found <= most) continue;
+      most = found;
+      best = shift;
+    }
+    return curve.b == step.child ? best : -best;
+  }
+
+  /// 0 beyond what was searched.
+  double evidenceAt(const PairCurve& curve, double shift) const {
+    const int i = middle_ + int(std::lround(shift / step_));
+    return i < 0 || i > 2 * middle_ ? 0.0 : curve.evidence[size_t(i)];
+  }
+
+  double sumOf(const std::vector<double>& offsets) const {
+    double sum = 0;
+    for (const PairCurve& curve : curves_)
+      if (const double shift = offsets[curve.b] - offsets[curve.a]; std::isfinite(shift))
+        sum += evidenceAt(curve, shift);
+    return sum;
+  }
+
+  /// The child and all that hangs on it are moved against the rest: nothing else may fit as well.
+  void judge(const std::vector<TreeStep>& tree, const TreeStep& step, FilmClocks* clocks) const {
+    std::vector<bool> moved(tracks_.size(), false);
+    moved[step.child] = true;
+    for (const TreeStep& later : tree)
+      if (moved[later.parent]) moved[later.child] = true;
+    std::vector<double> sums(size_t(2 * middle_ + 1), 0.0);
+    for (const PairCurve& curve : curves_) {
+      if (moved[curve.a] == moved[curve.b]) continue;
+      const double now = clocks->offsets[curve.b] - clocks->offsets[curve.a];
+      if (!std::isfinite(now)) continue;
+      for (int i = 0; i <= 2 * middle_; ++i)
+        sums[size_t(i)] += evidenceAt(curve, now + (moved[curve.b] ? 1 : -1) * shiftAt(i));
+    }
+    const double own = clocks->certainty[step.parent];
+    clocks->certainty[step.child] = std::min(own, peakRatio(sums, size_t(middle_)));
+  }
+
+  std::vector<BoardTrack> tracks_;
+  double step_ = 0.0;  ///< s
+  int middle_ = 0;
+  std::vector<PairCurve> curves_;
+};
 
 }  // namespace
 
-std::vector<double> searchOffsets(const Board& board, size_t cameras,
-                                  const std::vector<BoardView>& views,
-                                  const std::vector<BoardPose>& poses, double largest) {
-  std::vector<CentreTrack> tracks;
+FilmClocks searchOffsets(const Board& board, size_t cameras, const std::vector<BoardView>& views,
+                         const std::vector<BoardPose>& poses, double largest) {
+  std::vector<BoardTrack> tracks;
   for (size_t camera = 0; camera < cameras; ++camera)
-    tracks.push_back(trackOf(board, camera, views, poses));
-  std::vector<Link> links;
-  std::vector<double> shifts;
-  for (size_t a = 0; a < cameras; ++a)
-    for (size_t b = a + 1; b < cameras; ++b) {
-      const double step = std::max(tracks[a].interval, tracks[b].interval) / 4;
-      if (!(step > 0)) continue;
-      BestShift best = bestShift(tracks[a], tracks[b], 0.0, largest, step);
-      if (!std::isfinite(best.shift)) continue;
-      best = bestShift(tracks[a], tracks[b], best.shift, step, step / 8);
-      links.push_back({a, b, best.fit.pairs / (best.fit.median + 1e-3)});
-      shifts.push_back(best.shift);
-    }
-  const std::vector<size_t> groups(cameras, 0);
-  const size_t root = strongestNode(links, groups, 0);
-  std::vector<double> offsets(cameras, NAN);
-  offsets[root] = 0.0;
-  for (const TreeStep& step : spanningTree(cameras, links, root)) {
-    const bool forward = links[step.link].a == step.parent;
-    offsets[step.child] = offsets[step.parent] + (forward ? 1 : -1) * shifts[step.link];
-  }
-  return offsets;
+    tracks.push_back(boardTrackOf(board, camera, views, poses));
+  return OffsetSearch(std::move(tracks), largest).run();
 }
 
 }  // namespace markerless_mocap

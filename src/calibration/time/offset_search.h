@@ -4,16 +4,15 @@
 
 #include "calibration/start/board_pose.h"
 #include "calibration/views.h"
+#include "camera/film_clocks.h"
 
 namespace markerless_mocap {
 
-/// Time offsets, s, to be added to the clock of each camera, to a fraction of a frame: those with
-/// which the board's centre moves alike in the frames of two cameras, up to a rigid motion. The
-/// camera with most views in common with others has 0. NaN for a camera that shares too few.
+/// Searches the offsets with which the board moves alike before all cameras, up to the rigid motion
+/// from one camera to another: to a fraction of the time between views.
 /// \param poses of the board in each view
-/// \param largest offset that is searched for, s
-std::vector<double> searchOffsets(const Board& board, size_t cameras,
-                                  const std::vector<BoardView>& views,
-                                  const std::vector<BoardPose>& poses, double largest);
+/// \param largest offset between two cameras that is searched for, s
+FilmClocks searchOffsets(const Board& board, size_t cameras, const std::vector<BoardView>& views,
+                         const std::vector<BoardPose>& poses, double largest);
 
 }  // namespace markerless_mocap

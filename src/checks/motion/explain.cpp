@@ -52,21 +52,6 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight, double devia
   }
 }
 
-std::vector<CameraState> statesOf(const RigSight& sight, const RigModel& model) {
-  std::vector<Rays> rays;
-  for (const CameraModel& camera : model) rays.push_back(raysOf(sight, camera));
-  std::vector<CameraState> states;
-  for (size_t k = 0; k < model.size(); ++k) {
-    CameraState state;
-    state.camera = k;
-    state.rays = rays[k];
-    state.points = pointsOf(rays, {k});
-    state.loss = lossOf(state.rays, state.points);
-    states.push_back(std::move(state));
-  }
-  return states;
-}
-
 std::vector<Explanation> candidatesOf(const RigSight& sight, const RigModel& model,
                                       const std::vector<CameraState>& states) {
   std::vector<Explanation> all;
@@ -125,10 +110,26 @@ void toPixelsOfCamera(Explanation* found) {
 
 }  // namespace
 
+std::vector<CameraState> statesOf(const RigSight& sight, const RigModel& model) {
+  std::vector<Rays> rays;
+  for (const CameraModel& camera : model) rays.push_back(raysOf(sight, camera));
+  std::vector<CameraState> states;
+  for (size_t k = 0; k < model.size(); ++k) {
+    CameraState state;
+    state.camera = k;
+    state.rays = rays[k];
+    state.points = pointsOf(rays, {k});
+    state.loss = lossOf(state.rays, state.points);
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
 std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final,
                                  std::vector<CameraLoss>* left) {
-  std::vector<Explanation> found;
   *final = given;
+  std::vector<Explanation> found = undoWideOffsets(sight, final);
+  for (Explanation& wide : found) toPixelsOfCamera(&wide);
   for (size_t round = 0; round < 2 * given.size(); ++round) {
     const std::vector<CameraState> states = statesOf(sight, *final);
     std::optional<Explanation> best = strongest(sight, *final, states);

@@ -43,6 +43,14 @@ struct CameraState {
   CameraLoss loss;
 };
 
+/// All cameras of a model, each with points by all others.
+std::vector<CameraState> statesOf(const RigSight& sight, const RigModel& model);
+
+/// Clocks that are seconds apart, as of films that were started by hand: all at once, as points
+/// need cameras that agree. \param model is changed; none if the motion of the person does not show
+/// them with certainty
+std::vector<Explanation> undoWideOffsets(const RigSight& sight, RigModel* model);
+
 /// Candidates for one camera or the whole rig; appended to `out` if they explain anything.
 void tryPoses(const RigSight& sight, const RigModel& model, const CameraState& state,
               std::vector<Explanation>* out);

@@ -81,11 +81,16 @@ std::string remedyOf(const Explanation& e) {
          "were not rectified, nor distortion for images that were";
 }
 
+std::string durationOf(double seconds) {
+  return seconds < 2 ? sentence("%.0f ms", 1e3 * seconds) : sentence("%.2f s", seconds);
+}
+
 std::string amountOf(const Explanation& e) {
   switch (e.kind) {
     case ExplanationKind::kTimeOffset:
-      return sentence("the person moves in it %.0f ms %s in the other cameras",
-                      1e3 * std::abs(e.amount), e.amount < 0 ? "later than" : "before");
+      return sentence("the person moves in it %s %s in the other cameras",
+                      durationOf(std::abs(e.amount)).c_str(),
+                      e.amount < 0 ? "later than" : "before");
     case ExplanationKind::kDrift:
       return sentence("its stamps run %.1f ms per second %s than those of the other cameras",
                       1e3 * std::abs(e.amount), e.amount < 0 ? "faster" : "slower");

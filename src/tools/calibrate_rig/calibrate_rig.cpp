@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "calibration/board_hints.h"
@@ -17,19 +18,44 @@
 namespace markerless_mocap {
 namespace {
 
+FrameTimes timesOf(const CalibrateRigArguments& a, const std::vector<FilmSource>& films) {
+  return a.times.empty() ? FrameTimes{} : readFrameTimes(a.times, films);
+}
+
+void addPicturesOfLenses(const CalibrateRigArguments& a, const BoardDetector& detector,
+                         FoundBoards* boards) {
+  if (a.lens_pictures.empty()) return;
+  addLensPictures(findBoards(detector, findFilms(a.lens_pictures, ""), a.most_images, {}, {}),
+                  boards);
+}
+
 FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::ostream* notes,
                       bool terminal) {
   const BoardDetector detector(board);
   const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
-  const FrameTimes times = a.times.empty() ? FrameTimes{} : readFrameTimes(a.times, films);
   Progress progress("boards", notes, terminal);
-  const auto show = [&](double part) { progress.update(part); };
-  FoundBoards boards = findBoards(detector, films, a.most_images, times, show);
-  if (!a.lens_pictures.empty())
-    addLensPictures(findBoards(detector, findFilms(a.lens_pictures, ""), a.most_images, {}, {}),
-                    &boards);
+  FoundBoards boards = findBoards(detector, films, a.most_images, timesOf(a, films),
+                                  [&](double part) { progress.update(part); });
+  addPicturesOfLenses(a, detector, &boards);
   progress.finish();
   return boards;
+}
+
+/// Images of equal times in place of evenly spread ones, which show the lenses from then on.
+void searchTogether(const CalibrateRigArguments& a, const Board& board, const FoundBoards& found,
+                    CalibrationInput* input, std::ostream* notes, bool terminal) {
+  std::vector<double> offsets(found.cameras.size(), 0.0);
+  if (input->clocks) offsets = input->clocks->offsets;
+  if (!std::all_of(offsets.begin(), offsets.end(), [](double o) { return std::isfinite(o); }))
+    return;  // which the calibration says
+  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
+  Progress progress("boards at equal times", notes, terminal);
+  FoundBoards together =
+      findBoardsIn(BoardDetector(board), films, imagesTogether(found, offsets, a.most_images),
+                   timesOf(a, films), [&](double p) { progress.update(p); });
+  progress.finish();
+  for (BoardView& view : input->views) view.alone = true;
+  input->views.insert(input->views.end(), together.views.begin(), together.views.end());
 }
 
 /// The board is in no film: what is there in its place?
@@ -102,6 +128,13 @@ bool haveStamps(const CalibrateRigArguments& a) {
                      [](const FilmSource& film) { return !film.topic.empty(); });
 }
 
+/// Clocks that tell times are believed, and checked later; single pictures have none.
+FilmStart startOf(const CalibrateRigArguments& a) {
+  if (a.lens_only || a.separate) return FilmStart::kTogether;
+  const bool known = !areFilms(a) || haveStamps(a);
+  return a.start == FilmStart::kUnknown && known ? FilmStart::kTogether : a.start;
+}
+
 void checkOneWorld(const CalibrateRigArguments& a) {
   if (int(!a.floor.empty()) + int(!a.points.empty()) + int(!a.walk.empty()) > 1)
     throw std::invalid_argument(
@@ -117,6 +150,16 @@ void checkSideInputs(const CalibrateRigArguments& a) {
         "give --points (docs/calibration.md), or --lens-only for the lenses alone");
 }
 
+/// Whether the person walks in the films of the board.
+bool isWalkOfBoard(const CalibrateRigArguments& a) {
+  if (a.live) return false;
+  std::set<std::string> boards;
+  for (const FilmSource& film : findFilms(a.inputs, a.video)) boards.insert(film.path);
+  const std::vector<FilmSource> films = findFilms(a.walk, a.video);
+  return std::all_of(films.begin(), films.end(),
+                     [&](const FilmSource& film) { return boards.count(film.path) > 0; });
+}
+
 CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
@@ -128,10 +171,9 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
   if (!a.floor.empty()) input.floor = floorView(a, boards);
   if (!a.walk.empty())
     input.walk = [&a, cameras = boards.cameras](const std::vector<double>& offsets) {
-      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets);
+      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets, isWalkOfBoard(a));
     };
   if (a.lens != "auto") input.lens = lensModelNamed(a.lens);
-  input.estimate_offsets = a.unsynchronised;
   input.largest_offset = a.largest_offset;
   input.locate = !a.lens_only;
   input.check_clocks = areFilms(a);
@@ -179,10 +221,14 @@ RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* 
                                             : searchAll(arguments, board, notes, terminal);
   if (notes) sayWhatWasFound(boards, *notes);
   if (boards.views.empty() && !arguments.live) refuseFilms(arguments, board);
-  const CalibrationInput input = inputOf(arguments, boards);
+  CalibrationInput input = inputOf(arguments, boards);
+  const std::string remark = findStarts(startOf(arguments), &input);
+  if (areSparse(boards) && (input.clocks || (areFilms(arguments) && !haveOneRate(boards))))
+    searchTogether(arguments, board, boards, &input, notes, terminal);
   Progress progress("adjustment", notes, terminal);
-  const RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });
+  RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });
   progress.finish();
+  if (!remark.empty()) result.verdict.insert(result.verdict.begin() + 1, remark);
   if (arguments.lens_only)
     writeLenses(arguments.output, result);
   else

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibration/calibrate.h"
+#include "tools/calibrate_rig/film_starts.h"
 
 namespace markerless_mocap {
 
@@ -19,9 +20,9 @@ struct CalibrateRigArguments {
   std::vector<std::string> lens_pictures;  ///< films for the lenses only
   BoardOptions board;
   std::string times;  ///< table of times, or empty
-  bool unsynchronised = false;
-  double largest_offset = 5.0;  ///< s
-  std::string lenses;           ///< rig file whose intrinsics are kept, or empty
+  FilmStart start = FilmStart::kUnknown;
+  double largest_offset = kLargestFilmOffset;  ///< s
+  std::string lenses;                          ///< rig file whose intrinsics are kept, or empty
   std::string lens = "auto";
   std::string points;             ///< file of known points, or empty
   std::string floor;              ///< CAMERA or CAMERA:SECONDS, or empty

@@ -40,9 +40,18 @@ void describe(CLI::App& app, CalibrateRigArguments* a) {
       "--times", a->times,
       "table of the time of every image: columns cam_id and frame_time, s; timestamps.csv beside "
       "the films is used unasked");
-  app.add_flag("--unsynchronised", a->unsynchronised,
-               "the films began at different times: estimate the offset of each camera");
-  app.add_option("--largest-offset", a->largest_offset, "that is searched for, s")
+  app.add_flag_callback(
+      "--unsynchronised", [a] { a->start = FilmStart::kApart; },
+      "the films began at different times: estimate the offset of each camera, even if it is not "
+      "certain. Without it, videos that have no times are searched for it, and believed to have "
+      "begun together if that is not certain");
+  app.add_flag_callback(
+         "--synchronised", [a] { a->start = FilmStart::kTogether; },
+         "the films began together: nothing is searched")
+      ->excludes("--unsynchronised");
+  app.add_option("--largest-offset", a->largest_offset,
+                 "between the beginnings of two films, that is searched for, s")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
 }
 
@@ -85,7 +94,7 @@ void useFilesBesideFilms(CalibrateRigArguments* arguments, BoardArguments* board
       *notes << "no board is described (--board), nor lies board.yaml beside the films: looked for "
                 "is the one that make_board prints if it is not told otherwise\n";
   }
-  if (arguments->times.empty() && !arguments->unsynchronised)
+  if (arguments->times.empty() && arguments->start != FilmStart::kApart)
     arguments->times = find("the times are those of ", {"timestamps.csv"});
 }
 

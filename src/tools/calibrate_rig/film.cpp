@@ -15,32 +15,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Video : public Film {
+/// With the times of the container: phones do not keep their rate.
+class Video : public ImageFilm {
  public:
   explicit Video(const std::string& path) : video_(path) {
     if (!video_.isOpened()) throw std::runtime_error("cannot read the video " + path);
     rate_ = video_.get(cv::CAP_PROP_FPS);
     if (!(rate_ > 0)) throw std::runtime_error("the video " + path + " tells no frame rate");
   }
-  FilmFrame next() override {
-    FilmFrame frame;
-    frame.time = frames_++ / rate_;
-    video_.read(frame.image);
+  TimedImage next() override {
+    TimedImage frame;
+    if (const auto time = skip()) {
+      frame.time = *time;
+      video_.retrieve(frame.image);
+    }
     return frame;
   }
-  bool skip() override {
-    ++frames_;
-    return video_.grab();
+  std::optional<double> skip() override {
+    if (!video_.grab()) return std::nullopt;
+    double time = 1e-3 * video_.get(cv::CAP_PROP_POS_MSEC);
+    if (!last_) start_ = time;
+    time -= start_;
+    // The last frames of a decoder that looks ahead come without a time.
+    if (last_ && !(time > *last_)) time = *last_ + 1.0 / rate_;
+    last_ = time;
+    return time;
   }
   int count() const override { return std::max(0, int(video_.get(cv::CAP_PROP_FRAME_COUNT))); }
 
  private:
   cv::VideoCapture video_;
-  double rate_ = 0.0;
-  int frames_ = 0;
+  double rate_ = 0.0, start_ = 0.0;
+  std::optional<double> last_;
 };
 
-class Pictures : public Film {
+class Pictures : public ImageFilm {
  public:
   explicit Pictures(const std::string& folder) {
     for (const auto& entry : fs::directory_iterator(folder))
@@ -50,14 +59,17 @@ class Pictures : public Film {
                                 [](const std::string& f) { return !cv::haveImageReader(f); }),
                  files_.end());
   }
-  FilmFrame next() override {
+  TimedImage next() override {
     if (next_ >= files_.size()) return {};
-    FilmFrame frame{cv::imread(files_[next_], cv::IMREAD_COLOR), double(next_)};
+    TimedImage frame{cv::imread(files_[next_], cv::IMREAD_COLOR), double(next_)};
     if (frame.image.empty()) throw std::runtime_error("cannot read the picture " + files_[next_]);
     ++next_;
     return frame;
   }
-  bool skip() override { return next_++ < files_.size(); }
+  std::optional<double> skip() override {
+    if (next_ >= files_.size()) return std::nullopt;
+    return double(next_++);
+  }
   int count() const override { return int(files_.size()); }
 
  private:
@@ -65,17 +77,17 @@ class Pictures : public Film {
   size_t next_ = 0;
 };
 
-class BagTopic : public Film {
+class BagTopic : public ImageFilm {
  public:
   BagTopic(const std::string& path, const std::string& topic) {
     openForReading(path, bag_);
     view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topic));
     message_ = view_->begin();
   }
-  FilmFrame next() override {
+  TimedImage next() override {
     if (message_ == view_->end()) return {};
     const rosbag::MessageInstance& entry = *message_;
-    FilmFrame frame;
+    TimedImage frame;
     if (const auto raw = entry.instantiate<sensor_msgs::Image>()) {
       frame = {matFromMessage(*raw), 1e-9 * double(nanosecondsOf(raw->header.stamp))};
     } else if (const auto jpeg = entry.instantiate<sensor_msgs::CompressedImage>()) {
@@ -84,10 +96,16 @@ class BagTopic : public Film {
     ++message_;
     return frame;
   }
-  bool skip() override {
-    if (message_ == view_->end()) return false;
+  std::optional<double> skip() override {
+    if (message_ == view_->end()) return std::nullopt;
+    const rosbag::MessageInstance& entry = *message_;
+    double time = 0.0;
+    if (const auto raw = entry.instantiate<sensor_msgs::Image>())
+      time = 1e-9 * double(nanosecondsOf(raw->header.stamp));
+    else if (const auto jpeg = entry.instantiate<sensor_msgs::CompressedImage>())
+      time = 1e-9 * double(nanosecondsOf(jpeg->header.stamp));
     ++message_;
-    return true;
+    return time;
   }
   int count() const override { return int(view_->size()); }
 
@@ -99,7 +117,7 @@ class BagTopic : public Film {
 
 }  // namespace
 
-std::unique_ptr<Film> openFilm(const FilmSource& source) {
+std::unique_ptr<ImageFilm> openFilm(const FilmSource& source) {
   if (!source.topic.empty()) return std::make_unique<BagTopic>(source.path, source.topic);
   if (fs::is_directory(source.path)) return std::make_unique<Pictures>(source.path);
   return std::make_unique<Video>(source.path);

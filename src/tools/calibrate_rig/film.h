@@ -2,25 +2,26 @@
 
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace markerless_mocap {
 
 /// One image of a camera.
-struct FilmFrame {
+struct TimedImage {
   cv::Mat image;      ///< CV_8UC1 or CV_8UC3; empty after the last one
   double time = 0.0;  ///< s, clock of the camera
 };
 
 /// The images of one camera in the order of time: a video, a folder of pictures, a topic of a bag.
-class Film {
+class ImageFilm {
  public:
-  virtual ~Film() = default;
+  virtual ~ImageFilm() = default;
   /// The next image; empty after the last one. Throws std::runtime_error on a damaged file.
-  virtual FilmFrame next() = 0;
-  /// Passes over one image; false after the last one.
-  virtual bool skip() = 0;
+  virtual TimedImage next() = 0;
+  /// Passes over one image and gives its time, s; nothing after the last one.
+  virtual std::optional<double> skip() = 0;
   /// Number of images, as far as the file tells; 0 if unknown.
   virtual int count() const = 0;
 };
@@ -43,6 +44,6 @@ std::string fileBesideFilms(const std::vector<std::string>& inputs,
                             const std::vector<std::string>& names);
 
 /// Opens a film. Pictures have the times 0, 1, 2 ... Throws std::runtime_error.
-std::unique_ptr<Film> openFilm(const FilmSource& source);
+std::unique_ptr<ImageFilm> openFilm(const FilmSource& source);
 
 }  // namespace markerless_mocap

@@ -36,7 +36,27 @@ struct FilmBoards {
   CameraToCalibrate camera;
   std::vector<BoardView> views;
   int images = 0;
+  std::vector<double> times;
 };
+
+/// Which images of a film are searched.
+struct Wanted {
+  size_t every = 1;                              ///< without numbers
+  const std::vector<size_t>* numbers = nullptr;  ///< ascending
+  bool thorough = false;
+
+  bool has(size_t number) const {
+    return numbers ? std::binary_search(numbers->begin(), numbers->end(), number)
+                   : number % every == 0;
+  }
+};
+
+Wanted evenly(const FilmSource& source, int most_images) {
+  constexpr int kFew = 30;  // images that are worth a longer search
+  const int count = openFilm(source)->count();
+  return {size_t(std::max(1, (count + most_images - 1) / most_images)), nullptr,
+          count > 0 && std::min(count, most_images) <= kFew};
+}
 
 void checkSize(const cv::Mat& image, CameraToCalibrate* camera) {
   if (camera->width == 0) {
@@ -50,10 +70,9 @@ void checkSize(const cv::Mat& image, CameraToCalibrate* camera) {
                              " x " + std::to_string(image.rows));
 }
 
-double timeOf(const FilmFrame& frame, size_t number, const FrameTimes& times,
-              const std::string& camera) {
+double timeOf(double own_time, size_t number, const FrameTimes& times, const std::string& camera) {
   const auto own = times.find(camera);
-  if (own == times.end()) return frame.time;
+  if (own == times.end()) return own_time;
   if (number >= own->second.size())
     throw std::runtime_error("the film of " + camera +
                              " has more images than the table has times, " +
@@ -61,47 +80,46 @@ double timeOf(const FilmFrame& frame, size_t number, const FrameTimes& times,
   return own->second[number];
 }
 
-FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, int most_images,
+FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, const Wanted& wanted,
                       const FrameTimes& times, const std::function<void(double)>& progress) {
-  const std::unique_ptr<Film> film = openFilm(source);
-  constexpr int kFew = 30;  // images that are worth a longer search
-  const bool thorough = film->count() > 0 && std::min(film->count(), most_images) <= kFew;
-  const int every = std::max(1, (film->count() + most_images - 1) / most_images);
+  const std::unique_ptr<ImageFilm> film = openFilm(source);
   FilmBoards found;
   found.camera.name = source.camera;
   for (size_t number = 0;; ++number) {
-    if (number % size_t(every) != 0) {
-      if (!film->skip()) break;
+    if (!wanted.has(number)) {
+      const auto passed = film->skip();
+      if (!passed) break;
+      found.times.push_back(timeOf(*passed, number, times, source.camera));
       continue;
     }
-    const FilmFrame frame = film->next();
+    const TimedImage frame = film->next();
     if (frame.image.empty()) break;
+    found.times.push_back(timeOf(frame.time, number, times, source.camera));
     checkSize(frame.image, &found.camera);
     ++found.images;
-    if (auto corners = detector.detect(frame.image, thorough))
-      found.views.push_back({0, timeOf(frame, number, times, source.camera), false, *corners});
+    if (auto corners = detector.detect(frame.image, wanted.thorough))
+      found.views.push_back({0, found.times.back(), false, *corners});
     progress(double(number + 1) / std::max(1, film->count()));
   }
-  if (found.images == 0) throw std::runtime_error("there are no images in " + source.path);
+  if (found.times.empty()) throw std::runtime_error("there are no images in " + source.path);
   return found;
 }
 
-}  // namespace
-
-FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSource>& films,
-                       int most_images, const FrameTimes& times,
-                       const std::function<void(double)>& progress) {
+FoundBoards searchFilms(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                        const std::vector<Wanted>& wanted, const FrameTimes& times,
+                        const std::function<void(double)>& progress) {
   std::vector<FilmBoards> found(films.size());
   SharedProgress shared(films.size(), progress);
   const BagsInThreads bags;
   tbb::parallel_for(size_t(0), films.size(), [&](size_t i) {
-    found[i] = searchFilm(detector, films[i], most_images, times,
+    found[i] = searchFilm(detector, films[i], wanted[i], times,
                           [&](double part) { shared.update(i, part); });
   });
   FoundBoards all;
   for (size_t i = 0; i < films.size(); ++i) {
     all.cameras.push_back(found[i].camera);
     all.images.push_back(found[i].images);
+    all.times.push_back(std::move(found[i].times));
     for (BoardView& view : found[i].views) {
       view.camera = i;
       all.views.push_back(std::move(view));
@@ -110,8 +128,26 @@ FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSour
   return all;
 }
 
+}  // namespace
+
+FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                       int most_images, const FrameTimes& times,
+                       const std::function<void(double)>& progress) {
+  std::vector<Wanted> wanted;
+  for (const FilmSource& film : films) wanted.push_back(evenly(film, most_images));
+  return searchFilms(detector, films, wanted, times, progress);
+}
+
+FoundBoards findBoardsIn(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                         const std::vector<std::vector<size_t>>& numbers, const FrameTimes& times,
+                         const std::function<void(double)>& progress) {
+  std::vector<Wanted> wanted(films.size());
+  for (size_t i = 0; i < films.size(); ++i) wanted[i].numbers = &numbers[i];
+  return searchFilms(detector, films, wanted, times, progress);
+}
+
 std::vector<cv::Mat> imagesOf(const FilmSource& source, int images) {
-  const std::unique_ptr<Film> film = openFilm(source);
+  const std::unique_ptr<ImageFilm> film = openFilm(source);
   const int every = std::max(1, film->count() / std::max(1, images));
   std::vector<cv::Mat> found;
   for (int number = 0; int(found.size()) < images; ++number) {

@@ -15,7 +15,8 @@ namespace markerless_mocap {
 struct FoundBoards {
   std::vector<CameraToCalibrate> cameras;
   std::vector<BoardView> views;
-  std::vector<int> images;  ///< that were searched, by camera
+  std::vector<int> images;                 ///< that were searched, by camera
+  std::vector<std::vector<double>> times;  ///< of all images of each camera, s
 };
 
 /// Times of the images of each camera, by its name, s; as read by readFrameTimes().
@@ -30,6 +31,11 @@ using FrameTimes = std::map<std::string, std::vector<double>>;
 FoundBoards findBoards(const BoardDetector& detector, const std::vector<FilmSource>& films,
                        int most_images, const FrameTimes& times,
                        const std::function<void(double)>& progress);
+
+/// The same in given images. \param numbers of images, by film, ascending
+FoundBoards findBoardsIn(const BoardDetector& detector, const std::vector<FilmSource>& films,
+                         const std::vector<std::vector<size_t>>& numbers, const FrameTimes& times,
+                         const std::function<void(double)>& progress);
 
 /// Some images of a film, evenly spread.
 std::vector<cv::Mat> imagesOf(const FilmSource& film, int images);

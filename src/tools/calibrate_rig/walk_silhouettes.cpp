@@ -29,16 +29,16 @@ struct CameraWalk {
 };
 
 SharedBackground backgroundOf(const FilmSource& source, const SilhouetteOptions& options) {
-  const std::unique_ptr<Film> film = openFilm(source);
+  const std::unique_ptr<ImageFilm> film = openFilm(source);
   std::vector<RecordingLearner> learners;
   learners.emplace_back(options, film->count());
   for (bool more = true; more;) {
     if (!learners[0].wantsNext()) {
-      more = film->skip();
+      more = film->skip().has_value();
       if (more) learners[0].add({});
       continue;
     }
-    const FilmFrame frame = film->next();
+    const TimedImage frame = film->next();
     more = !frame.image.empty();
     if (more) learners[0].add(frame.image);
   }
@@ -59,10 +59,10 @@ std::vector<TimedSilhouette> silhouettesIn(const FilmSource& source,
   options.background = "recording";  // films that are short have no images to spare
   SilhouetteExtractor extractor(options);
   extractor.useBackground(backgroundOf(source, options));
-  const std::unique_ptr<Film> film = openFilm(source);
+  const std::unique_ptr<ImageFilm> film = openFilm(source);
   const int every = 1 + film->count() / kMostImages;
   std::vector<TimedSilhouette> silhouettes;
-  for (FilmFrame frame = film->next(); !frame.image.empty(); frame = film->next()) {
+  for (TimedImage frame = film->next(); !frame.image.empty(); frame = film->next()) {
     checkSize(frame.image, camera);
     const SilhouetteResult result = extractor.update(frame.image);
     silhouettes.push_back({frame.time + offset, {}});
@@ -113,7 +113,7 @@ std::vector<SilhouetteSet> joined(const std::vector<CameraWalk>& walks) {
 
 std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
                                            const std::vector<CameraToCalibrate>& cameras,
-                                           const std::vector<double>& offsets) {
+                                           const std::vector<double>& offsets, bool of_board) {
   std::vector<CameraWalk> walks(cameras.size());
   int found = 0;
   for (size_t i = 0; i < cameras.size(); ++i)
@@ -128,7 +128,8 @@ std::vector<SilhouetteSet> walkSilhouettes(const std::vector<FilmSource>& films,
   const BagsInThreads bags;
   tbb::parallel_for(size_t(0), walks.size(), [&](size_t i) {
     if (!walks[i].film) return;
-    const double offset = walks[i].film->topic.empty() ? 0.0 : offsets[i];
+    const bool known = of_board || !walks[i].film->topic.empty();
+    const double offset = known ? offsets[i] : 0.0;
     walks[i].silhouettes = silhouettesIn(*walks[i].film, cameras[i], offset);
   });
   return joined(walks);

@@ -55,6 +55,7 @@ struct Film::Source {
       video.open(path.string());
   }
   double time() const { return 1e-3 * video.get(cv::CAP_PROP_POS_MSEC); }
+  bool skip(size_t index) { return images.empty() ? video.grab() : index < images.size(); }
   cv::Mat read(size_t index) {
     cv::Mat image;
     if (images.empty())
@@ -93,6 +94,7 @@ int Film::turned() const {
 }
 
 void Film::doNotTurn() {
+  turns_ = false;
   source_->video.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
   if (turned() % 180 != 0) size_ = {size_.height, size_.width};
 }
@@ -100,6 +102,22 @@ void Film::doNotTurn() {
 void Film::addMasks(const std::string& path) {
   if (Source(path).read(0).empty()) throw std::runtime_error("there are no masks in " + path);
   masks_ = std::make_unique<Source>(path);
+  masks_path_ = path;
+}
+
+Film Film::again() const {
+  Film film(path_, fps_);
+  if (!turns_) film.doNotTurn();
+  if (masks_) film.addMasks(masks_path_);
+  return film;
+}
+
+bool Film::skip() {
+  if (!source_->skip(next_)) return false;
+  if (!times_) ownTime();
+  if (masks_) masks_->skip(next_);
+  ++next_;
+  return true;
 }
 
 // The median interval: a film that dropped frames is no slower.

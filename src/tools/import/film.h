@@ -41,6 +41,10 @@ class Film {
   /// Number of frames that had no time so far.
   int framesWithoutTime() const { return without_time_; }
 
+  /// The same film from its beginning, turned and with masks as this one, with its own times.
+  Film again() const;
+  /// Passes over one frame; false after the last one.
+  bool skip();
   /// The next frame; empty after the last one. Throws std::runtime_error if an image cannot be
   /// read.
   std::optional<FilmFrame> next();
@@ -48,7 +52,8 @@ class Film {
  private:
   struct Source;
   double ownTime();  ///< of the frame that was read last
-  std::string path_;
+  std::string path_, masks_path_;
+  bool turns_ = true;
   double fps_ = 0.0;
   double start_ = 0.0;  ///< time of the first frame in the container; editors leave some there
   cv::Size size_;

@@ -15,6 +15,7 @@
 #include "tools/import/film_join.h"
 #include "tools/import/film_times.h"
 #include "tools/import/import_recording.h"
+#include "tools/import/person_starts.h"
 
 namespace markerless_mocap {
 namespace {
@@ -113,6 +114,13 @@ Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult*
   return cast;
 }
 
+/// Offsets of a rig file are believed unless the films are said to have begun apart.
+bool areStartsKnown(const FilmsInput& input, const Cast& cast) {
+  if (!input.timestamps.empty() || input.start == FilmStart::kTogether) return true;
+  return input.start == FilmStart::kUnknown &&
+         std::any_of(cast.offsets.begin(), cast.offsets.end(), [](double o) { return o != 0.0; });
+}
+
 std::string noteOf(const std::string& camera, const JoinStatistics& counts) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(1) << camera << ": " << counts.used << " frames used, "
@@ -137,6 +145,13 @@ ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, 
   options.validate();
   ImportResult result;
   Cast cast = castOf(input, options, &result);
+  if (!areStartsKnown(input, cast)) {
+    Progress search("beginning of the films", notes, terminal);
+    const auto found = findPersonStarts(cast.films, cast.cameras, input, &cast.offsets,
+                                        [&](double part) { search.update(part); });
+    search.finish();
+    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+  }
   result.cameras = cast.cameras;
   FilmJoin films(std::move(cast.films), cast.offsets, options.fps);
   result.fps = films.fps();

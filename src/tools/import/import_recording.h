@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/film_clocks.h"
 #include "markerless_mocap/camera/camera.h"
 #include "markerless_mocap/formats/world_transform.h"
 
@@ -53,6 +54,10 @@ struct FilmsInput {
   std::string timestamps;                ///< see readFrameTimes(); or empty: the containers' times
   bool guess_unit = true;                ///< as guessWorld(), in place of ImportOptions::world
   bool guess_up = true;
+  /// Films without timestamps: unless they began together, or the rig file has time offsets, when
+  /// they began is searched by the motion of the person.
+  FilmStart start = FilmStart::kUnknown;
+  double largest_offset = kLargestFilmOffset;  ///< s, between two films, that is searched for
 };
 
 /// Summary of an import.

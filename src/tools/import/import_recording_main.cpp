@@ -99,6 +99,21 @@ CLI::App* describeFilms(CLI::App& app, Arguments* arguments) {
   command->add_option("--timestamps", input.timestamps,
                       "CSV file with the columns cam_id and frame_time (s), in place of the films' "
                       "own times");
+  command->add_flag_callback(
+      "--unsynchronised", [&input] { input.start = FilmStart::kApart; },
+      "the films began at different times: take the offsets that fit the motion of the person "
+      "best, even if they are not certain. Without it, films without times are searched for them, "
+      "and believed to have begun together if they are not certain");
+  command
+      ->add_flag_callback(
+          "--synchronised", [&input] { input.start = FilmStart::kTogether; },
+          "the films began together: nothing is searched")
+      ->excludes("--unsynchronised");
+  command
+      ->add_option("--largest-offset", input.largest_offset,
+                   "between the beginnings of two films, that is searched for, s")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
   describeCommon(command, arguments);
   return command;
 }
