@@ -86,7 +86,7 @@ TEST_F(ImportStarts, FilmsOfAPersonAreJoinedByTheirMotion) {
                     &later) != 2)
       continue;
     ++found;
-    EXPECT_NEAR(later, starts[size_t(camera[3] - '0')], 0.04) << note;
+    EXPECT_NEAR(later, starts[size_t(camera[3] - '0')], 1 / kRate) << note << ", to a frame";
   }
   EXPECT_EQ(found, 3);
   EXPECT_NEAR(result.frame_sets, (kFilmed - 11.5) * kRate, 4);
