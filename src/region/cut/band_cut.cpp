@@ -1,7 +1,6 @@
 #include "region/cut/band_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
@@ -33,20 +32,6 @@ float meanSquaredDifference(const cv::Mat& image, const cv::Mat& band) {
   }
   return count ? float(sum / count) : 0.f;
 }
-
-/// A table of exp(-x).
-class Decay {
- public:
-  Decay() {
-    for (size_t i = 0; i < values_.size(); ++i) values_[i] = std::exp(-(float(i) + .5f) / kSteps);
-  }
-  /// \param x at least 0
-  float operator()(float x) const { return x < kRange ? values_[size_t(x * kSteps)] : 0.f; }
-
- private:
-  static constexpr int kRange = 16, kSteps = 64;
-  std::array<float, kRange * kSteps> values_;
-};
 
 /// Costs of the samples of the band, and of borders between neighbours, as a graph.
 class BandGraph {
@@ -112,11 +97,10 @@ class BandGraph {
 
   /// Links two neighbours; one of them may be decided already.
   void link(const Row& from, int x, const Row& to, int other, float smoothness) {
-    static const Decay decay;
     const int a = from.numbers[x], b = to.numbers[other];
     if (a < 0 && b < 0) return;
-    const float weight =
-        smoothness * decay(falloff_ * float(squaredDifference(from.colors[x], to.colors[other])));
+    const float difference = float(squaredDifference(from.colors[x], to.colors[other]));
+    const float weight = smoothness * std::exp(-falloff_ * difference);
     if (a >= 0 && b >= 0) return graph_.addEdges(a, b, weight, weight);
     const bool person = (a >= 0 ? to.log_odds[other] : from.log_odds[x]) > 0;
     (person ? of_person_ : of_others_)[size_t(std::max(a, b))] += weight;
