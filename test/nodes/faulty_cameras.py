@@ -105,7 +105,8 @@ class Cameras:
         self.infos = {c: rospy.Publisher(c + '/camera_info', CameraInfo, queue_size=5)
                       for c in CAMERAS}
         self.broadcaster = tf2_ros.StaticTransformBroadcaster()
-        self.broadcaster.sendTransform(recording.static)
+        self.static = {}
+        self.publish_static(recording.static)
         self.running = True
         self.thread = threading.Thread(target=self.run, daemon=True)
 
@@ -124,7 +125,7 @@ class Cameras:
             if transform.child_frame_id.startswith(camera + '_'):
                 moved = copy.deepcopy(transform)
         moved.transform.translation.x += shift
-        self.broadcaster.sendTransform([moved])
+        self.publish_static([moved])
 
     def hang(self, child, parent):
         """A camera or another frame onto a frame."""
@@ -132,7 +133,12 @@ class Cameras:
         hung.header.frame_id = parent
         hung.child_frame_id = child + '_optical' if child in CAMERAS else child
         hung.transform.rotation.w = 1.0
-        self.broadcaster.sendTransform([hung])
+        self.publish_static([hung])
+
+    def publish_static(self, transforms):
+        """All of them each time: a node that starts later gets the last message only."""
+        self.static.update((transform.child_frame_id, transform) for transform in transforms)
+        self.broadcaster.sendTransform(list(self.static.values()))
 
     def index(self, frame):
         if frame < EMPTY:
