@@ -21,7 +21,7 @@ class RowStatistics {
  private:
   const SceneSamples& samples_;
   int width_, channels_;
-  std::vector<float> expected_, sums_;  ///< one plane for each channel
+  std::vector<float> expected_, sums_;            ///< one plane for each channel
   std::vector<float> squares_, counts_, shifts_;  ///< of each pixel
 };
 
