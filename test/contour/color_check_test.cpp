@@ -57,10 +57,20 @@ TEST_F(ColorCheckTest, AnotherIsFoundIfTheTrackedOneIsWrong) {
 TEST_F(ColorCheckTest, OfTwoPosesColoursPreferTheRightOne) {
   const ColorQuestion question = ask(pose, {});
   const auto chosen = [&](const ContourPose& tracked, const ContourPose& rival) {
-    return preferred(question.observer, question.tracker, question.frame, body, tracked, rival).fit;
+    return preferred(question.observer, question.tracker, question.frame, body, tracked, rival)
+        .value()
+        .fit;
   };
   EXPECT_LT(error(chosen(wrong, disturbed(pose, 0.04, 0.02, 1)).pose), 0.03);
   EXPECT_LT(error(chosen(disturbed(pose, 0.04, 0.02, 1), wrong).pose), 0.03);
+}
+
+TEST_F(ColorCheckTest, NothingIsPreferredWhereNobodyIsSeen) {
+  for (cv::Mat& mask : masks) mask.setTo(0);
+  for (cv::Mat& image : images) image.release();
+  const ColorQuestion question = ask(pose, {});
+  EXPECT_FALSE(preferred(question.observer, question.tracker, question.frame, body, pose, wrong)
+                   .has_value());
 }
 
 TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {

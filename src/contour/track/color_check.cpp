@@ -37,15 +37,16 @@ std::optional<RegionFit> answered(const ColorQuestion& question) {
   return std::move(fits.front());
 }
 
-RegionFit preferred(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                    const RegionFrame& frame, const ContourBody& body, const ContourPose& tracked,
-                    const ContourPose& rival) {
-  RegionFit own = fitByColor(observer, tracker, frame, body, tracked);
-  RegionFit other = fitByColor(observer, tracker, frame, body, rival);
-  if (other.fit.status != ContourFitStatus::kFitted) return own;
-  const bool better =
-      own.fit.status != ContourFitStatus::kFitted || other.score() > own.score() + kMinGain;
-  return better ? other : own;
+std::optional<RegionFit> preferred(const RegionObserver& observer,
+                                   const ContourMultiHypothesisTracker& tracker,
+                                   const RegionFrame& frame, const ContourBody& body,
+                                   const ContourPose& tracked, const ContourPose& rival) {
+  const RegionFit own = fitByColor(observer, tracker, frame, body, tracked);
+  const RegionFit other = fitByColor(observer, tracker, frame, body, rival);
+  const bool is_fitted = own.fit.status == ContourFitStatus::kFitted;
+  const bool rival_is_fitted = other.fit.status == ContourFitStatus::kFitted;
+  if (rival_is_fitted && (!is_fitted || other.score() > own.score() + kMinGain)) return other;
+  return is_fitted ? std::optional(own) : std::nullopt;
 }
 
 ColorQuestion completed(ColorQuestion question) {

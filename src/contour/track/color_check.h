@@ -30,10 +30,12 @@ ColorQuestion completed(ColorQuestion question);
 std::optional<RegionFit> answered(const ColorQuestion& question);
 
 /// Which of two poses the colours of a frame set show, fitted to them: the tracked one, or a rival
-/// that is clearly better. Takes as long as following the person over some frames.
-RegionFit preferred(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                    const RegionFrame& frame, const ContourBody& body, const ContourPose& tracked,
-                    const ContourPose& rival);
+/// that is clearly better. Empty if neither can be fitted. Takes as long as following the person
+/// over some frames.
+std::optional<RegionFit> preferred(const RegionObserver& observer,
+                                   const ContourMultiHypothesisTracker& tracker,
+                                   const RegionFrame& frame, const ContourBody& body,
+                                   const ContourPose& tracked, const ContourPose& rival);
 
 /// Completes and answers one question after another in another thread.
 class ColorCheck {
