@@ -35,10 +35,12 @@ bool askMaster(const std::string& method, const std::vector<std::string>& argume
   return ros::master::execute(method, valuesOf(arguments), response, *answer, false);
 }
 
+/// Asked by a service that every node has. The name of the node is no proof: a topic that was
+/// subscribed since is enough for the master to know it.
 bool isKnownToMaster() {
   XmlRpcValue address;
   const std::string& node = ros::this_node::getName();
-  return askMaster("lookupNode", {node, node}, &address);
+  return askMaster("lookupService", {node, node + "/get_loggers"}, &address);
 }
 
 /// Calls this node's own interface for other nodes; [code, message, answer], empty if it failed.
