@@ -37,7 +37,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       sink_(std::move(sink)),
       tf_listener_(tf_),
       tf_faults_(handle),
-      collector_(options.cameras, options.world_frame, options.rig_file),
+      collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       assembler_(
           std::max(options.cameras.size(), size_t(1)),
           maskSetOptions(options.stamp_tolerance, options.deadline, collector_.timeOffsets())),
@@ -109,6 +109,7 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
 
 void FittingInputs::receiveHull(const std_msgs::Header& header) {
   FittingMessages input;
+  input.arrival_ns = ros::SteadyTime::now().toNSec();
   input.header = header;
   input.rig = rig_;
   sink_(std::move(input));
@@ -131,6 +132,7 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
   if (isStray(frame_set)) return status_->count("lone masks between frame sets");
   followRig();
   FittingMessages input;
+  input.arrival_ns = ros::SteadyTime::now().toNSec();
   input.header.stamp = rosTime(frame_set.stamp_ns);
   input.header.frame_id = options_.world_frame;
   for (size_t i = 0; i < options_.cameras.size(); ++i) addView(i, frame_set, &input);

@@ -29,7 +29,8 @@ namespace markerless_mocap {
 /// Messages of the cameras for one time. Missing messages are null.
 struct FittingMessages {
   std_msgs::Header header;
-  std::string error;  ///< why no pose can be fitted; empty if it can
+  int64_t arrival_ns = 0;  ///< when it was complete, by a clock that is never set
+  std::string error;       ///< why no pose can be fitted; empty if it can
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
