@@ -1,6 +1,7 @@
 #include "silhouette/recording/swept_region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -10,6 +11,11 @@ constexpr float kDeviation = 16;  ///< grey levels
 constexpr int kMinSamples = 2;
 constexpr int kClose = 9, kDilate = 7, kOpen = 3;
 constexpr int kMinArea = 60;
+
+// How far a person may reach around what moves of them, by its longer side: a lifted arm is a
+// quarter of them, and the legs are below.
+constexpr float kAbove = 0.5f, kBeside = 1.f, kBelow = 2.5f;
+constexpr float kStays = 0.8f;  ///< fraction of the samples with motion
 
 cv::Mat ellipse(int side) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
@@ -65,6 +71,32 @@ std::vector<std::vector<cv::Point>> regions(const cv::Mat& mask) {
   return regions;
 }
 
+/// The rectangles that a person has at most of whom some parts move.
+cv::Mat aroundWhatMoves(const cv::Mat& moving) {
+  cv::Mat around = cv::Mat::zeros(moving.size(), CV_8UC1);
+  for (const std::vector<cv::Point>& region : regions(moving)) {
+    const cv::Rect box = cv::boundingRect(region);
+    const float side = float(std::max(box.width, box.height));
+    const cv::Point first(box.x - int(kBeside * side), box.y - int(kAbove * side)),
+        last(box.br().x + int(kBeside * side), box.br().y + int(kBelow * side));
+    around(cv::Rect(first, last) & cv::Rect({}, moving.size())).setTo(1);
+  }
+  return around;
+}
+
+/// Where a person may stand who stays, and moves the arms alone: parts that never move have the
+/// colour of the background as far as differences tell.
+cv::Mat aroundWhoStays(const SceneSamples& samples) {
+  cv::Mat count = cv::Mat::zeros(samples.size, CV_8UC1);
+  int with_motion = 0;
+  for (const cv::Mat& moving : samples.moving) {
+    const cv::Mat around = aroundWhatMoves(moving);
+    count += around;
+    with_motion += cv::countNonZero(around) > 0;
+  }
+  return (count >= std::max(double(kMinSamples), std::ceil(double(kStays) * with_motion)));
+}
+
 }  // namespace
 
 cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidates>& candidates) {
@@ -77,6 +109,7 @@ cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidat
     cv::convexHull(region, hull);
     cv::fillConvexPoly(swept, hull, cv::Scalar(255));
   }
+  swept |= aroundWhoStays(samples);
   cv::dilate(swept, swept, ellipse(kDilate));
   return swept;
 }
