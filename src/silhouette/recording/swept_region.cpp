@@ -12,9 +12,11 @@ constexpr int kMinSamples = 2;
 constexpr int kClose = 9, kDilate = 7, kOpen = 3;
 constexpr int kMinArea = 60;
 
-// How far a person may reach around what moves of them, by its longer side: a lifted arm is a
-// quarter of them, and the legs are below.
-constexpr float kAbove = 0.5f, kBeside = 1.f, kBelow = 2.5f;
+// How far a person may reach around what moves of them: a lifted arm is a quarter of their height,
+// and the legs are below.
+constexpr float kBesideSides = 1.5f, kBelowSides = 2.5f;  ///< of its shorter, and its longer side
+// At the border of the image, this fraction of its size is left to continue from.
+constexpr int kBorderFraction = 16;
 constexpr float kStays = 0.8f;  ///< fraction of the samples with motion
 
 cv::Mat ellipse(int side) {
@@ -74,12 +76,14 @@ std::vector<std::vector<cv::Point>> regions(const cv::Mat& mask) {
 /// The rectangles that a person has at most of whom some parts move.
 cv::Mat aroundWhatMoves(const cv::Mat& moving) {
   cv::Mat around = cv::Mat::zeros(moving.size(), CV_8UC1);
+  const int border = std::max(moving.cols, moving.rows) / kBorderFraction;
+  const cv::Rect inside(border, border, moving.cols - 2 * border, moving.rows - 2 * border);
   for (const std::vector<cv::Point>& region : regions(moving)) {
     const cv::Rect box = cv::boundingRect(region);
-    const float side = float(std::max(box.width, box.height));
-    const cv::Point first(box.x - int(kBeside * side), box.y - int(kAbove * side)),
-        last(box.br().x + int(kBeside * side), box.br().y + int(kBelow * side));
-    around(cv::Rect(first, last) & cv::Rect({}, moving.size())).setTo(1);
+    const int beside = int(kBesideSides * float(std::min(box.width, box.height))),
+              below = int(kBelowSides * float(std::max(box.width, box.height)));
+    const cv::Point first(box.x - beside, box.y), last(box.br().x + beside, box.br().y + below);
+    around(cv::Rect(first, last) & inside).setTo(1);
   }
   return around;
 }
@@ -99,18 +103,19 @@ cv::Mat aroundWhoStays(const SceneSamples& samples) {
 
 }  // namespace
 
-cv::Mat sweptRegion(const SceneSamples& samples, const std::vector<PixelCandidates>& candidates) {
+SweptRegion sweptRegion(const SceneSamples& samples,
+                        const std::vector<PixelCandidates>& candidates) {
   cv::Mat different = oftenDifferent(samples, candidates);
   cv::morphologyEx(different, different, cv::MORPH_OPEN, ellipse(kOpen));
   cv::morphologyEx(different, different, cv::MORPH_CLOSE, ellipse(kClose));
-  cv::Mat swept = different.clone();
+  SweptRegion swept{different.clone(), {}};
   for (const std::vector<cv::Point>& region : regions(different)) {
     std::vector<cv::Point> hull;
     cv::convexHull(region, hull);
-    cv::fillConvexPoly(swept, hull, cv::Scalar(255));
+    cv::fillConvexPoly(swept.seen, hull, cv::Scalar(255));
   }
-  swept |= aroundWhoStays(samples);
-  cv::dilate(swept, swept, ellipse(kDilate));
+  cv::dilate(swept.seen, swept.seen, ellipse(kDilate));
+  swept.all = swept.seen | aroundWhoStays(samples);
   return swept;
 }
 
