@@ -12,9 +12,11 @@ constexpr int kMinSamples = 2;
 constexpr int kClose = 9, kDilate = 7, kOpen = 3;
 constexpr int kMinArea = 60;
 
-// How far a person may reach around what moves of them: a lifted arm is a quarter of their height,
-// and the legs are below.
-constexpr float kBesideSides = 1.5f, kBelowSides = 2.5f;  ///< of its shorter, and its longer side
+// How far a person may reach beside and below a part that moves, by its shorter and its longer
+// side: a lifted arm is a quarter of their height, and the legs are below.
+constexpr float kBesideSides = 1.5f, kBelowSides = 2.5f;
+// With it they are not wider and taller than these fractions of the image's height.
+constexpr float kWidest = 0.3f, kTallest = 0.75f;
 // At the border of the image, this fraction of its size is left to continue from.
 constexpr int kBorderFraction = 16;
 constexpr float kStays = 0.8f;  ///< fraction of the samples with motion
@@ -59,29 +61,36 @@ bool joinTwo(std::vector<std::vector<cv::Point>>* regions) {
   return false;
 }
 
-/// The large regions of a mask. The two sides of a person who sways are one region: between them,
-/// the person is always there.
-std::vector<std::vector<cv::Point>> regions(const cv::Mat& mask) {
+std::vector<std::vector<cv::Point>> largeRegions(const cv::Mat& mask) {
   std::vector<std::vector<cv::Point>> regions;
   cv::findContours(mask, regions, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   const auto is_small = [](const std::vector<cv::Point>& region) {
     return cv::contourArea(region) < kMinArea;
   };
   regions.erase(std::remove_if(regions.begin(), regions.end(), is_small), regions.end());
+  return regions;
+}
+
+/// The two sides of a person who sways are one region: between them, the person is always there.
+std::vector<std::vector<cv::Point>> joinedRegions(const cv::Mat& mask) {
+  std::vector<std::vector<cv::Point>> regions = largeRegions(mask);
   while (joinTwo(&regions)) {
   }
   return regions;
 }
 
-/// The rectangles that a person has at most of whom some parts move.
-cv::Mat aroundWhatMoves(const cv::Mat& moving) {
+/// The rectangles that a person has at most of whom a part moves.
+cv::Mat aroundPartsThatMove(const cv::Mat& moving) {
   cv::Mat around = cv::Mat::zeros(moving.size(), CV_8UC1);
   const int border = std::max(moving.cols, moving.rows) / kBorderFraction;
   const cv::Rect inside(border, border, moving.cols - 2 * border, moving.rows - 2 * border);
-  for (const std::vector<cv::Point>& region : regions(moving)) {
+  for (const std::vector<cv::Point>& region : largeRegions(moving)) {
     const cv::Rect box = cv::boundingRect(region);
-    const int beside = int(kBesideSides * float(std::min(box.width, box.height))),
-              below = int(kBelowSides * float(std::max(box.width, box.height)));
+    const float rows = float(moving.rows), width = float(box.width), height = float(box.height);
+    const int beside = int(
+                  std::clamp(kWidest * rows - width, 0.f, kBesideSides * std::min(width, height))),
+              below = int(
+                  std::clamp(kTallest * rows - height, 0.f, kBelowSides * std::max(width, height)));
     const cv::Point first(box.x - beside, box.y), last(box.br().x + beside, box.br().y + below);
     around(cv::Rect(first, last) & inside).setTo(1);
   }
@@ -94,7 +103,7 @@ cv::Mat aroundWhoStays(const SceneSamples& samples) {
   cv::Mat count = cv::Mat::zeros(samples.size, CV_8UC1);
   int with_motion = 0;
   for (const cv::Mat& moving : samples.moving) {
-    const cv::Mat around = aroundWhatMoves(moving);
+    const cv::Mat around = aroundPartsThatMove(moving);
     count += around;
     with_motion += cv::countNonZero(around) > 0;
   }
@@ -109,7 +118,7 @@ SweptRegion sweptRegion(const SceneSamples& samples,
   cv::morphologyEx(different, different, cv::MORPH_OPEN, ellipse(kOpen));
   cv::morphologyEx(different, different, cv::MORPH_CLOSE, ellipse(kClose));
   SweptRegion swept{different.clone(), {}};
-  for (const std::vector<cv::Point>& region : regions(different)) {
+  for (const std::vector<cv::Point>& region : joinedRegions(different)) {
     std::vector<cv::Point> hull;
     cv::convexHull(region, hull);
     cv::fillConvexPoly(swept.seen, hull, cv::Scalar(255));
