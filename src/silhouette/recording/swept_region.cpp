@@ -13,13 +13,13 @@ constexpr int kClose = 9, kDilate = 7, kOpen = 3;
 constexpr int kMinArea = 60;
 
 // How far a person may reach beside and below a part that moves, by its shorter and its longer
-// side: a lifted arm is a quarter of their height, and the legs are below.
-constexpr float kBesideSides = 1.5f, kBelowSides = 2.5f;
+// side: a forearm that waves is a fifth of their height, and the legs are below.
+constexpr float kBesideSides = 2.5f, kBelowSides = 4.f;
 // With it they are not wider and taller than these fractions of the image's height.
 constexpr float kWidest = 0.3f, kTallest = 0.75f;
 // At the border of the image, this fraction of its size is left to continue from.
 constexpr int kBorderFraction = 16;
-constexpr float kStays = 0.8f;  ///< fraction of the samples with motion
+constexpr float kStays = 0.6f;  ///< fraction of the samples with motion
 
 cv::Mat ellipse(int side) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
