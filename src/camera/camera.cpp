@@ -3,10 +3,12 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "camera/lens_distortion.h"
+#include "camera/number_text.h"
 
 namespace markerless_mocap {
 namespace {
@@ -50,6 +52,34 @@ Eigen::Vector2d distortedPlane(const Eigen::Matrix3d& K, const Eigen::Vector2d& 
   return {(pixel.x() - K(0, 2) - K(0, 1) * y) / K(0, 0), y};
 }
 
+/// No lens shows what K makes of the image: nearly nothing, or what lies beside the camera. A
+/// principal point outside of an image that was cut out of a larger one is allowed.
+void validateView(const CameraCalibration& c) {
+  constexpr double kNarrowest = 0.005;  // rad, the longer side of the image
+  constexpr double kWidest = 80.0;      // degrees from the axis, without distortion
+  constexpr double kFisheyeWidest = 240.0;
+  constexpr double kDegrees = 180.0 / M_PI;
+  const double view = std::max(c.width / c.K(0, 0), c.height / c.K(1, 1));
+  if (view < kNarrowest)
+    throwError(c.name, "the focal lengths in K, " + numbersText(std::array{c.K(0, 0), c.K(1, 1)}) +
+                           " pixels, are more than 200 times the size of the image");
+  const double right = c.width - 1.0, bottom = c.height - 1.0;
+  double angle = 0.0;
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(0, 0), {right, 0}, {0, bottom}, {right, bottom}}) {
+    const double radius = distortedPlane(c.K, corner).norm();
+    angle = std::max(angle, c.lens == LensType::kFisheye ? radius : std::atan(radius));
+  }
+  const double widest = c.lens == LensType::kFisheye ? kFisheyeWidest : kWidest;
+  if (angle * kDegrees > widest)
+    throwError(c.name,
+               "by K, with the focal lengths " + numbersText(std::array{c.K(0, 0), c.K(1, 1)}) +
+                   " and the principal point " + numbersText(std::array{c.K(0, 2), c.K(1, 2)}) +
+                   ", a corner of the image is " + std::to_string(std::lround(angle * kDegrees)) +
+                   " degrees off the axis of the lens, allowed are " +
+                   std::to_string(std::lround(widest)));
+}
+
 /// A model that folds the image or blows it up is not of a lens. Those of wide lenses may fold in
 /// the corners, where they were not measured.
 void validateDistortion(const CameraCalibration& c) {
@@ -85,6 +115,7 @@ void validatePose(const CameraCalibration& c) {
 
 void CameraCalibration::validate() const {
   validateIntrinsics(*this);
+  validateView(*this);
   validateDistortion(*this);
   validatePose(*this);
   if (!std::isfinite(time_offset)) throwError(name, "the time offset is not finite");

@@ -183,6 +183,37 @@ TEST(Camera, SizesAndPlacesOfNoCameraAreRefused) {
             "camera 'left': the position is farther than 10 km from the origin of the world");
 }
 
+TEST(Camera, ViewsOfNoLensAreRefused) {
+  const auto refusalOf = [](int row, int column, double value, LensType lens) {
+    CameraCalibration c = makeCalibration();
+    c.lens = lens;
+    c.K(row, column) = value;
+    return errorTextOf([&] { c.validate(); });
+  };
+  const auto poly = LensType::kPolynomial, fisheye = LensType::kFisheye;
+  const std::string far = refusalOf(0, 2, 1e6, poly);
+  EXPECT_NE(far.find("camera 'left': by K, with the focal lengths "), std::string::npos) << far;
+  EXPECT_NE(far.find(" and the principal point 1e+06, "), std::string::npos) << far;
+  EXPECT_NE(
+      far.find(", a corner of the image is 90 degrees off the axis of the lens, allowed are 80"),
+      std::string::npos)
+      << far;
+  EXPECT_NE(refusalOf(1, 2, -1e4, poly), "");
+  EXPECT_NE(refusalOf(0, 0, 1.0, poly), "");
+  EXPECT_NE(refusalOf(0, 1, 1e5, poly), "");
+  EXPECT_NE(refusalOf(0, 2, 1e4, fisheye).find("allowed are 240"), std::string::npos);
+  // Cut out of the corner of a larger image.
+  EXPECT_EQ(refusalOf(0, 2, 2.0 * 640, poly), "");
+  EXPECT_EQ(refusalOf(0, 2, 2.0 * 640, fisheye), "");
+  CameraCalibration tele = makeCalibration();
+  tele.K(0, 0) = tele.K(1, 1) = 1e5;
+  EXPECT_EQ(errorTextOf([&] { tele.validate(); }), "");
+  tele.K(0, 0) = tele.K(1, 1) = 1e6;
+  EXPECT_EQ(errorTextOf([&] { tele.validate(); }),
+            "camera 'left': the focal lengths in K, 1e+06, 1e+06 pixels, are more than 200 times "
+            "the size of the image");
+}
+
 TEST(Camera, PoseTakesCameraToWorld) {
   CameraCalibration calibration = makeCalibration();
   calibration.T_world_camera = makePose();
