@@ -100,15 +100,17 @@ void compare(const BodyDrawing& drawing, const cv::Mat& known, const cv::Mat& ma
              RegionMask& found) {
   found.silhouette = cv::countNonZero(known == kPersonPixel);
   found.known.assign(drawing.parts.size(), 0);
-  found.agreeing = found.known;
+  found.colored = found.agreeing = found.known;
   const cv::Mat near = known(drawing.box);
   for (int y = 0; y < mask.rows; ++y) {
     const uchar *person = mask.ptr<uchar>(y), *silhouette = near.ptr<uchar>(y),
                 *drawn = drawing.part.ptr<uchar>(y);
     for (int x = 0; x < mask.cols; ++x) {
-      if (!person[x] || silhouette[x] == kUnknownPixel) continue;
+      if (!person[x]) continue;
       const size_t part =
           drawn[x] != BodyDrawing::kNoPart ? drawn[x] : nearestPart(drawing, {x, y});
+      ++found.colored[part];
+      if (silhouette[x] == kUnknownPixel) continue;
       ++found.known[part];
       if (silhouette[x] == kPersonPixel) ++found.agreeing[part];
     }

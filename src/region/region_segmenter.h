@@ -26,9 +26,9 @@ struct RegionMask {
   /// CV_8UC1, 0 | 255: what colours show as person, and what background subtraction does where it
   /// is attached to that: limbs may be elsewhere than predicted.
   cv::Mat mask;
-  /// By part of the body: samples that colours show as person and whose background was known, and
-  /// those of them that background subtraction sees as person, too.
-  std::vector<int> known, agreeing;
+  /// By part of the body: samples that colours show as person, those of them whose background was
+  /// known, and those of these that background subtraction sees as person, too.
+  std::vector<int> colored, known, agreeing;
   int silhouette = 0;  ///< samples that background subtraction sees as person, in the whole view
 };
 

@@ -34,6 +34,24 @@ TEST_F(RegionSearchTest, ColoursShowThePersonNearThePredictedBody) {
   EXPECT_EQ(found.agreement, 1.0) << "nothing is known";
 }
 
+TEST_F(RegionSearchTest, ALimbIsContradictedByWhatIsKnownOfAllOfItNotByItsBorder) {
+  for (size_t i = 0; i < masks.size(); ++i) {
+    cv::Mat inner;
+    cv::erode(person[i], inner, cv::Mat::ones(3, 3, CV_8UC1));
+    masks[i].setTo(0, inner == 0);
+  }
+  const RegionObservation border = observer.observeNear({images, masks}, body, pose, 0.04);
+  for (size_t i = 0; i < masks.size(); ++i) {
+    const cv::Rect all = cv::boundingRect(person[i]);
+    masks[i].rowRange(all.y + all.height / 2, masks[i].rows).setTo(0);
+  }
+  const RegionObservation no_legs = observer.observeNear({images, masks}, body, pose, 0.04);
+  for (const ContourLimb::Id leg : {ContourLimb::kLeftLeg, ContourLimb::kRightLeg}) {
+    EXPECT_GT(border.limb_agreement[leg], 0.6);
+    EXPECT_LT(no_legs.limb_agreement[leg], 0.3);
+  }
+}
+
 TEST_F(RegionSearchTest, AViewIsTakenAsItIsWhereTheBackgroundIsKnownNearTheBody) {
   masks = person;
   const cv::Rect all = cv::boundingRect(person[0]);

@@ -56,6 +56,8 @@ TEST(RegionSegmenter, CountsWhereSilhouettesAgreeByPart) {
     return double(found.agreeing[part]) / found.known[part];
   };
   EXPECT_GT(agreement(RegionScene::kTrunk), 0.97);
+  EXPECT_LT(found.known[RegionScene::kTrunk], 0.9 * found.colored[RegionScene::kTrunk]);
+  EXPECT_EQ(found.known[RegionScene::kArm], found.colored[RegionScene::kArm]);
   EXPECT_LT(agreement(RegionScene::kArm), 0.75);
   EXPECT_GT(agreement(RegionScene::kArm), 0.2);
   EXPECT_EQ(found.silhouette, cv::countNonZero(known == 255));

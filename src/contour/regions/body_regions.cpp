@@ -106,27 +106,26 @@ ContourLimb::Id limbOfPart(size_t part) {
   return ContourLimb::kTrunk;
 }
 
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : 1.0;
+double ratio(double part, double whole, double of_nothing) {
+  return whole > 0 ? part / whole : of_nothing;
 }
 
 void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
-  std::array<double, ContourLimb::kCount> known{}, agreeing{};
-  double silhouette = 0, all_known = 0, all_agreeing = 0;
+  std::array<double, ContourLimb::kCount> colored{}, contradicted{};
+  double silhouette = 0, known = 0, agreeing = 0;
   for (const RegionMask& view : found) {
     silhouette += view.silhouette;
     for (size_t part = 0; part < view.known.size(); ++part) {
-      known[limbOfPart(part)] += view.known[part];
-      agreeing[limbOfPart(part)] += view.agreeing[part];
+      colored[limbOfPart(part)] += view.colored[part];
+      contradicted[limbOfPart(part)] += view.known[part] - view.agreeing[part];
+      known += view.known[part];
+      agreeing += view.agreeing[part];
     }
   }
-  for (size_t limb = 0; limb < known.size(); ++limb) {
-    out.limb_agreement[limb] = ratio(agreeing[limb], known[limb]);
-    all_known += known[limb];
-    all_agreeing += agreeing[limb];
-  }
-  out.agreement = ratio(all_agreeing, all_known);
-  out.overlap = ratio(all_agreeing, all_known + silhouette - all_agreeing);
+  for (size_t limb = 0; limb < colored.size(); ++limb)
+    out.limb_agreement[limb] = 1 - ratio(contradicted[limb], colored[limb], 0);
+  out.agreement = ratio(agreeing, known, 1);
+  out.overlap = ratio(agreeing, known + silhouette - agreeing, 1);
 }
 
 }  // namespace

@@ -36,13 +36,15 @@ struct RegionFrame {
   bool needsColors() const;
 };
 
-/// Masks of all cameras, and how well background subtraction agrees with them. Only views where
-/// colours decided count, and of them only samples with a known background.
+/// Masks of all cameras, and how well background subtraction agrees with them, in views where
+/// colours decided.
 struct RegionMasks {
   std::vector<cv::Mat> masks;  ///< by camera, CV_8UC1, of the size of the image
-  /// Fraction of the person found by colours that background subtraction sees as person, too, and
-  /// the same of each limb; 1 if no view needed colours or nothing is known there.
+  /// Fraction of the person found by colours that background subtraction sees as person, too; 1 if
+  /// no view needed colours or nothing is known there.
   double agreement = 1.0;
+  /// Fraction of each limb found by colours that background subtraction does not see as background.
+  /// Of a limb in front of an unknown background, the few known samples at its border mean nothing.
   std::array<double, ContourLimb::kCount> limb_agreement;
   /// Intersection over union of the person found by colours and the silhouettes; 1 if no view
   /// needed colours.

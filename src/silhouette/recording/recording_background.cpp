@@ -33,6 +33,24 @@ void acceptSureColors(const std::vector<PixelCandidates>& candidates, const Pers
     }
 }
 
+/// Accepts what is apart from all that was seen to be covered, such as a picture on the wall.
+void acceptApart(const std::vector<PixelCandidates>& candidates, const cv::Mat& covered,
+                 SceneColors* scene) {
+  cv::Mat labels;
+  const int n = cv::connectedComponents(scene->known == 0, labels, 8, CV_32S);
+  std::vector<char> is_apart(size_t(n), 1);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (covered.at<uint8_t>(y, x)) is_apart[size_t(labels.at<int>(y, x))] = 0;
+  is_apart[0] = 0;
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      if (!is_apart[size_t(labels.at<int>(y, x))]) continue;
+      scene->known.at<uint8_t>(y, x) = 255;
+      scene->color.at<cv::Vec3f>(y, x) = candidates[size_t(y) * labels.cols + x].colors[0].color;
+    }
+}
+
 /// Fills one speck with the mean of the known colours around it.
 void fillSpeck(const cv::Mat& labels, int label, const cv::Rect& box, SceneColors* scene) {
   const cv::Rect around = cv::Rect(box.x - 2, box.y - 2, box.width + 4, box.height + 4) &
@@ -57,16 +75,17 @@ void fillSpecks(SceneColors* scene) {
 
 SceneColors learnSceneColors(const SceneSamples& samples) {
   const std::vector<PixelCandidates> candidates = findCandidates(samples);
-  const cv::Mat swept = sweptRegion(samples, candidates);
-  const SceneColors seeds = surelySeen(candidates, swept);
+  const SweptRegion swept = sweptRegion(samples, candidates);
+  const SceneColors seeds = surelySeen(candidates, swept.all);
   PersonColors person;
   SceneColors scene;
   for (int round = 0; round < 2; ++round) {
     scene = {seeds.color.clone(), seeds.known.clone()};
     floodInward(candidates, person, &scene);
-    person = PersonColors(samples, scene, swept);
+    person = PersonColors(samples, scene, swept.all);
   }
   acceptSureColors(candidates, person, &scene);
+  acceptApart(candidates, swept.seen, &scene);
   fillSpecks(&scene);
   return scene;
 }
