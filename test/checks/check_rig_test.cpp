@@ -25,6 +25,16 @@ TEST(CheckRig, SaysNothingOfAGoodRecording) {
   EXPECT_TRUE(notChecked(goodWalk()).empty());
 }
 
+TEST(CheckRig, NamesNoCauseWhereSilhouettesAreSpoiled) {
+  for (const unsigned seed : {8, 20, 48, 52}) {
+    SeenRig rig = goodWalk();
+    for (unsigned i = 0; i < 4; ++i) spoilOutlines(&rig.cameras[i], seed + i);
+    const Findings findings = checkRig(rig);
+    ASSERT_EQ(findings.size(), 1u) << listOf(findings);
+    EXPECT_EQ(findings[0].what, "silhouettes_disagree");
+  }
+}
+
 class FaultTest : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(FaultTest, IsFoundAndNamed) {

@@ -122,8 +122,8 @@ bool checkAgreement(const std::vector<CameraLoss>& left, Findings* findings) {
                 "single mistake explains it",
                 quantile(residuals, 0.5)),
        "look at the silhouettes first (mocap_offline --report): the empty room, furniture and "
-       "other "
-       "people spoil them; if they are good, calibrate again"});
+       "other people spoil them. Whether the calibration holds, mocap_offline --self-calibrate "
+       "tells also then, in degrees for each camera"});
   return false;
 }
 

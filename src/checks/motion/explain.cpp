@@ -15,6 +15,9 @@ constexpr double kDeviations = 4;
 // Of clocks less are asked: in good recordings they gain at most half of what they must.
 constexpr double kDeviationsOfClock = 3, kDeviationsOfName = 2;
 constexpr double kClearlyMore = 1.25;
+// What a change of one camera must take away of the camera's own loss and median residual: where
+// silhouettes are spoiled, some clock or lens always fits a little better by chance.
+constexpr double kLeastShare = 0.12, kLeastFall = 0.1;
 
 /// Gain of the mean loss that a change must give; more where it has more freedom.
 double leastGain(ExplanationKind kind) {
@@ -50,6 +53,13 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight, double devia
     default:
       return true;
   }
+}
+
+bool isClearlyBetter(const Explanation& tried, const std::vector<CameraState>& states) {
+  if (tried.cameras.size() > 1) return true;  // their least gain is a large share of any loss
+  const CameraLoss& loss = states[tried.cameras.front()].loss;
+  return tried.gain > kLeastShare * loss.loss * loss.rays &&
+         tried.after < (1 - kLeastFall) * tried.before;
 }
 
 std::vector<Explanation> candidatesOf(const RigSight& sight, const RigModel& model,
@@ -91,7 +101,9 @@ std::optional<Explanation> strongest(const RigSight& sight, const RigModel& mode
   double most = 0;
   for (const Explanation& tried : all) {
     const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, states);
-    if (excess <= most || !isLargeEnough(tried, sight, kDeviationsOfClock)) continue;
+    if (excess <= most || !isLargeEnough(tried, sight, kDeviationsOfClock) ||
+        !isClearlyBetter(tried, states))
+      continue;
     most = excess;
     best = &tried;
   }
