@@ -10,6 +10,7 @@ namespace {
 constexpr int kFewRays = 40;
 constexpr double kLoose = 0.45;  // mean loss of a camera that may be turned, and others with it
 constexpr double kLeastTurn = 0.6 * M_PI / 180;
+constexpr double kMostTurnOfAll = 20 * M_PI / 180;  // beyond it a rig is not loose, but wrong
 constexpr double kFarOff =
     40;  // px of kModelWidth: more than what is not the person moves its marks
 constexpr double kLeastOffset = 0.010;  // s
@@ -59,6 +60,7 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight, const Round&
     case ExplanationKind::kDrift:
       return amount * length > track.period && amount > deviations * tried.deviation;
     case ExplanationKind::kTurned:
+      if (!tried.amounts.empty() && amount > kMostTurnOfAll) return false;
       return amount > kLeastTurn && amount > kDeviations * tried.deviation &&
              (!round.on_one_spot || tried.before > kFarOff);
     case ExplanationKind::kFocalLength:
