@@ -25,6 +25,26 @@ TEST(CheckRig, SaysNothingOfAGoodRecording) {
   EXPECT_TRUE(notChecked(goodWalk()).empty());
 }
 
+TEST(CheckRig, NamesNoCauseWhereSilhouettesAreSpoiled) {
+  for (const unsigned seed : {8, 20, 48, 52}) {
+    SeenRig rig = goodWalk();
+    for (unsigned i = 0; i < 4; ++i) spoilOutlines(&rig.cameras[i], seed + i);
+    const Findings findings = checkRig(rig);
+    ASSERT_EQ(findings.size(), 1u) << listOf(findings);
+    EXPECT_EQ(findings[0].what, "silhouettes_disagree");
+  }
+}
+
+TEST(CheckRig, AnEvenFloorIsNoCover) {
+  SeenRig rig = goodWalk();
+  changePictures(&rig.cameras[0], [](const cv::Mat& m) {
+    cv::Mat boards(m.size(), CV_8UC1);
+    for (int x = 0; x < m.cols; ++x) boards.col(x) = 125 + (x / 18 * 7 % 5 - 2) * 6;
+    return boards;
+  });
+  EXPECT_EQ(listOf(checkRig(rig)), "");
+}
+
 class FaultTest : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(FaultTest, IsFoundAndNamed) {
@@ -84,6 +104,22 @@ TEST(CheckRig, TellsTheOffsetInMilliseconds) {
     return;
   }
   FAIL() << "no time_offset";
+}
+
+TEST(CheckRig, ToldOfOneSpotATurnIsNotClaimed) {
+  constexpr double kChair = 5;  // px
+  SeenRig rig = goodWalk();
+  for (SeenCamera& camera : rig.cameras)
+    for (SeenImage& image : camera.images)
+      image.outline = camera.images[size_t(6.5 * kTestRate)].outline;
+  for (SeenImage& image : rig.cameras[2].images) {
+    image.outline->centre.x() += kChair;
+    for (Eigen::Vector2d& corner : image.outline->hull) corner.x() += kChair;
+  }
+  const Findings findings = checkRig(rig);
+  ASSERT_EQ(findings.size(), 1u) << listOf(findings);
+  EXPECT_EQ(findings[0].what, "person_stays");
+  EXPECT_EQ(findings[0].severity, Severity::kNote);
 }
 
 TEST(CheckRig, FindsAnOffsetWhereThePersonSoonStandsStill) {

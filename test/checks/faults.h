@@ -63,6 +63,21 @@ inline void mirrorOutlines(SeenCamera* camera, bool upside_down) {
   }
 }
 
+/// What furniture and other people do to silhouettes: each camera's wanders by itself.
+inline void spoilOutlines(SeenCamera* camera, unsigned seed) {
+  constexpr double kReach = 60, kStart = 20, kStep = 2;  // px
+  std::mt19937 random(seed);
+  std::normal_distribution<> step(0, kStep);
+  std::uniform_real_distribution<> start(-kStart, kStart);
+  Eigen::Vector2d by(start(random), start(random));
+  for (SeenImage& image : camera->images) {
+    by += Eigen::Vector2d(step(random), step(random));
+    by = by.cwiseMax(-kReach).cwiseMin(kReach);
+    for (Eigen::Vector2d& corner : image.outline->hull) corner += by;
+    image.outline->centre += by;
+  }
+}
+
 inline Eigen::Matrix3d turnedBy(double degrees, const Eigen::Vector3d& axis) {
   return Eigen::AngleAxisd(degrees * M_PI / 180, axis).toRotationMatrix();
 }

@@ -17,7 +17,7 @@ class HandWritten : public FormatTest {
                    const Eigen::Vector2d& pixel) const {
     const WorldTransform metres{set.metres_per_unit.value_or(1.0), "z"};
     CameraCalibration calibration = metres.apply(set.cameras.at(camera));
-    if (calibration.width == 0) calibration.width = calibration.height = 1;
+    if (calibration.width == 0) calibration.width = 640, calibration.height = 480;
     const auto seen = Camera(calibration).project(point);
     ASSERT_TRUE(seen);
     EXPECT_LT((*seen - pixel).norm(), 1e-4) << seen->transpose();

@@ -34,7 +34,8 @@ class OffsetSearch {
       if (!track.times.empty()) length = std::max(length, track.times.back() - track.times.front());
     }
     step_ = std::clamp(interval / 4, 0.02, std::max(0.05, interval / 8));
-    middle_ = int(std::ceil(std::min(largest, length) / step_));
+    reach_ = int(std::ceil(std::min(largest, length) / step_));
+    middle_ = int(std::ceil(std::min(2 * largest, length) / step_));
     for (size_t a = 0; a < tracks_.size(); ++a)
       for (size_t b = a + 1; b < tracks_.size(); ++b) curves_.push_back({a, b, 0.0, {}});
     tbb::parallel_for(size_t(0), curves_.size(), [&](size_t i) { fill(&curves_[i]); });
@@ -71,8 +72,9 @@ class OffsetSearch {
     for (const ShiftFit& fit : fits) curve->evidence.push_back(curve->evidenceOf(fit));
   }
 
-  static int bestOf(const std::vector<double>& values) {
-    return int(std::max_element(values.begin(), values.end()) - values.begin());
+  int bestOf(const std::vector<double>& values) const {
+    const auto from = values.begin() + middle_ - reach_, to = values.begin() + middle_ + reach_ + 1;
+    return int(std::max_element(from, to) - values.begin());
   }
 
   std::vector<Link> linksOf() const {
@@ -125,21 +127,22 @@ class OffsetSearch {
     moved[step.child] = true;
     for (const TreeStep& later : tree)
       if (moved[later.parent]) moved[later.child] = true;
-    std::vector<double> sums(size_t(2 * middle_ + 1), 0.0);
+    std::vector<double> sums(size_t(2 * reach_ + 1), 0.0);
     for (const PairCurve& curve : curves_) {
       if (moved[curve.a] == moved[curve.b]) continue;
       const double now = clocks->offsets[curve.b] - clocks->offsets[curve.a];
       if (!std::isfinite(now)) continue;
-      for (int i = 0; i <= 2 * middle_; ++i)
-        sums[size_t(i)] += evidenceAt(curve, now + (moved[curve.b] ? 1 : -1) * shiftAt(i));
+      for (int i = -reach_; i <= reach_; ++i)
+        sums[size_t(i + reach_)] += evidenceAt(curve, now + (moved[curve.b] ? i : -i) * step_);
     }
     const double own = clocks->certainty[step.parent];
-    clocks->certainty[step.child] = std::min(own, peakRatio(sums, size_t(middle_)));
+    clocks->certainty[step.child] = std::min(own, peakRatio(sums, size_t(reach_)));
   }
 
   std::vector<BoardTrack> tracks_;
   double step_ = 0.0;  ///< s
-  int middle_ = 0;
+  int reach_ = 0;      ///< steps between two films that are joined
+  int middle_ = 0;     ///< steps between two films that a third one joins
   std::vector<PairCurve> curves_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "checks/motion/explanation.h"
 #include "checks/motion/explanation_text.h"
+#include "checks/motion/walked.h"
 #include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
 
@@ -109,11 +110,11 @@ void checkVolume(const SeenRig& rig, const RigSight& sight, const RigModel& mode
 }
 
 /// Whether the silhouettes agree in most cameras, after all that explains why they might not.
-bool checkAgreement(const std::vector<CameraLoss>& left, Findings* findings) {
+bool checkAgreement(const std::vector<CameraState>& left, Findings* findings) {
   std::vector<double> losses, residuals;
-  for (const CameraLoss& camera : left) {
-    losses.push_back(camera.loss);
-    residuals.push_back(camera.residual);
+  for (const CameraState& camera : left) {
+    losses.push_back(camera.loss.loss);
+    residuals.push_back(camera.loss.residual);
   }
   if (quantile(losses, 0.5) < kDisagree) return true;
   findings->push_back(
@@ -122,9 +123,27 @@ bool checkAgreement(const std::vector<CameraLoss>& left, Findings* findings) {
                 "single mistake explains it",
                 quantile(residuals, 0.5)),
        "look at the silhouettes first (mocap_offline --report): the empty room, furniture and "
-       "other "
-       "people spoil them; if they are good, calibrate again"});
+       "other people spoil them. Whether the calibration holds, mocap_offline --self-calibrate "
+       "tells also then, in degrees for each camera"});
   return false;
+}
+
+/// What cannot be judged where nobody walks.
+void noteOneSpot(const std::vector<CameraState>& left, const std::vector<std::string>& names,
+                 Findings* findings) {
+  const double walked = walkedIn(left);
+  if (walked >= kOneSpot) return;
+  std::string seen;
+  for (const CameraState& state : left)
+    seen += sentence("%s%s %.0f", seen.empty() ? "" : ", ", names[state.camera].c_str(),
+                     state.loss.residual);
+  findings->push_back(
+      {"person_stays", "", Severity::kNote,
+       sentence("the person stays within %.2f m; px (of 640) between the person and where the "
+                "other cameras see him: %s; small turns and lenses cannot be told there from what "
+                "else the silhouettes hold",
+                walked, seen.c_str()),
+       "let one person walk through the room"});
 }
 
 }  // namespace
@@ -149,9 +168,10 @@ void checkMotion(const SeenRig& rig, Findings* findings) {
   std::vector<std::string> names;
   for (const size_t i : cameras) names.push_back(rig.cameras[i].name);
   RigModel model;
-  std::vector<CameraLoss> left;
+  std::vector<CameraState> left;
   const std::vector<Explanation> all = explain(sight, modelOf(rig, cameras), &model, &left);
   for (const Explanation& found : all) findings->push_back(findingOf(found, names));
+  noteOneSpot(left, names, findings);
   if (checkAgreement(left, findings)) checkVolume(rig, sight, model, findings);
 }
 

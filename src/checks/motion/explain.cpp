@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "checks/motion/explanation.h"
+#include "checks/motion/walked.h"
 
 namespace markerless_mocap {
 namespace {
@@ -9,12 +10,18 @@ namespace {
 constexpr int kFewRays = 40;
 constexpr double kLoose = 0.45;  // mean loss of a camera that may be turned, and others with it
 constexpr double kLeastTurn = 0.6 * M_PI / 180;
+constexpr double kMostTurnOfAll = 20 * M_PI / 180;  // beyond it a rig is not loose, but wrong
+constexpr double kFarOff =
+    40;  // px of kModelWidth: more than what is not the person moves its marks
 constexpr double kLeastOffset = 0.010;  // s
 constexpr double kLeastOffsetPeriods = 0.4;
 constexpr double kDeviations = 4;
 // Of clocks less are asked: in good recordings they gain at most half of what they must.
 constexpr double kDeviationsOfClock = 3, kDeviationsOfName = 2;
 constexpr double kClearlyMore = 1.25;
+// What a change of one camera must take away of the camera's own loss and median residual: where
+// silhouettes are spoiled, some clock or lens always fits a little better by chance.
+constexpr double kLeastShare = 0.12, kLeastFall = 0.2;
 
 /// Gain of the mean loss that a change must give; more where it has more freedom.
 double leastGain(ExplanationKind kind) {
@@ -33,8 +40,15 @@ double leastGain(ExplanationKind kind) {
   }
 }
 
+/// What the candidates of a round are judged by.
+struct Round {
+  std::vector<CameraState> states;
+  bool on_one_spot = false;
+};
+
 /// \param deviations that a clock's error must have
-bool isLargeEnough(const Explanation& tried, const RigSight& sight, double deviations) {
+bool isLargeEnough(const Explanation& tried, const RigSight& sight, const Round& round,
+                   double deviations) {
   const size_t camera = tried.cameras.front();
   const PersonTrack& track = sight.tracks[tried.model[camera].source];
   const double length = track.seconds.back() - track.seconds.front();
@@ -46,10 +60,22 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight, double devia
     case ExplanationKind::kDrift:
       return amount * length > track.period && amount > deviations * tried.deviation;
     case ExplanationKind::kTurned:
-      return amount > kLeastTurn && amount > kDeviations * tried.deviation;
+      if (!tried.amounts.empty() && amount > kMostTurnOfAll) return false;
+      return amount > kLeastTurn && amount > kDeviations * tried.deviation &&
+             (!round.on_one_spot || tried.before > kFarOff);
+    case ExplanationKind::kFocalLength:
+    case ExplanationKind::kDistortion:
+      return !round.on_one_spot;
     default:
       return true;
   }
+}
+
+bool isClearlyBetter(const Explanation& tried, const std::vector<CameraState>& states) {
+  if (tried.cameras.size() > 1) return true;  // their least gain is a large share of any loss
+  const CameraLoss& loss = states[tried.cameras.front()].loss;
+  return tried.gain > kLeastShare * loss.loss * loss.rays &&
+         tried.after < (1 - kLeastFall) * tried.before;
 }
 
 std::vector<Explanation> candidatesOf(const RigSight& sight, const RigModel& model,
@@ -79,26 +105,30 @@ double raysOfChanged(const Explanation& tried, const std::vector<CameraState>& s
 
 /// A drift in place of an offset of the same camera, if it explains clearly more: that the clock is
 /// wrong is then known, and only its name is in question.
-bool isRatherDrift(const Explanation& drift, const Explanation& offset, const RigSight& sight) {
+bool isRatherDrift(const Explanation& drift, const Explanation& offset, const RigSight& sight,
+                   const Round& round) {
   return drift.kind == ExplanationKind::kDrift && drift.cameras == offset.cameras &&
-         drift.gain > kClearlyMore * offset.gain && isLargeEnough(drift, sight, kDeviationsOfName);
+         drift.gain > kClearlyMore * offset.gain &&
+         isLargeEnough(drift, sight, round, kDeviationsOfName);
 }
 
 std::optional<Explanation> strongest(const RigSight& sight, const RigModel& model,
-                                     const std::vector<CameraState>& states) {
-  const std::vector<Explanation> all = candidatesOf(sight, model, states);
+                                     const Round& round) {
+  const std::vector<Explanation> all = candidatesOf(sight, model, round.states);
   const Explanation* best = nullptr;
   double most = 0;
   for (const Explanation& tried : all) {
-    const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, states);
-    if (excess <= most || !isLargeEnough(tried, sight, kDeviationsOfClock)) continue;
+    const double excess = tried.gain - leastGain(tried.kind) * raysOfChanged(tried, round.states);
+    if (excess <= most || !isLargeEnough(tried, sight, round, kDeviationsOfClock) ||
+        !isClearlyBetter(tried, round.states))
+      continue;
     most = excess;
     best = &tried;
   }
   if (!best) return std::nullopt;
   if (best->kind == ExplanationKind::kTimeOffset)
     for (const Explanation& tried : all)
-      if (isRatherDrift(tried, *best, sight)) return tried;
+      if (isRatherDrift(tried, *best, sight, round)) return tried;
   return *best;
 }
 
@@ -126,21 +156,21 @@ std::vector<CameraState> statesOf(const RigSight& sight, const RigModel& model) 
 }
 
 std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final,
-                                 std::vector<CameraLoss>* left) {
+                                 std::vector<CameraState>* left) {
   *final = given;
   std::vector<Explanation> found = undoWideOffsets(sight, final);
   for (Explanation& wide : found) toPixelsOfCamera(&wide);
-  for (size_t round = 0; round < 2 * given.size(); ++round) {
-    const std::vector<CameraState> states = statesOf(sight, *final);
-    std::optional<Explanation> best = strongest(sight, *final, states);
+  for (size_t i = 0; i < 2 * given.size(); ++i) {
+    Round round{statesOf(sight, *final)};
+    round.on_one_spot = walkedIn(round.states) < kOneSpot;
+    std::optional<Explanation> best = strongest(sight, *final, round);
     if (!best) break;
     *final = best->model;
     toPixelsOfCamera(&*best);
     found.push_back(std::move(*best));
     if (!found.back().amounts.empty()) break;  // what is left is too uncertain to tell more
   }
-  left->clear();
-  for (const CameraState& state : statesOf(sight, *final)) left->push_back(state.loss);
+  *left = statesOf(sight, *final);
   return found;
 }
 

@@ -72,8 +72,8 @@ void tryWholeRig(const RigSight& sight, const RigModel& model,
 Eigen::Isometry3d undone(ExplanationKind kind, const Eigen::Isometry3d& T_world_camera);
 
 /// All explanations that silhouettes demand, the strongest first. \param final the rig with all of
-/// them applied \param left what is left: per camera, its loss and residual against the others
+/// them applied \param left what is left then
 std::vector<Explanation> explain(const RigSight& sight, const RigModel& given, RigModel* final,
-                                 std::vector<CameraLoss>* left);
+                                 std::vector<CameraState>* left);
 
 }  // namespace markerless_mocap

@@ -14,6 +14,8 @@ constexpr int kWhite = 250;          // grey level of saturated pixels
 constexpr double kMostWhite = 0.12;  // of the pixels
 /// Standard deviation of a covered camera's picture without noise, grey levels; of the mean.
 constexpr double kFlat = 1.5, kFlatShare = 0.08, kLight = 200;
+/// Contrast of edges, grey levels: noise of 10 gives 0.8, boards of a floor seen from above give 3.
+constexpr double kNoEdges = 1.5;
 constexpr double kBlurred = 0.32, kAgainstOthers = 0.55, kVeryBlurred = 0.22;
 constexpr double kShare = 0.15;  // of the pictures
 
@@ -23,11 +25,21 @@ double deviationOf(const cv::Mat& picture) {
   return deviation[0];
 }
 
+/// Contrast of what is a few pixels wide: less than a shade, more than noise.
+double edgesOf(const cv::Mat& grey) {
+  cv::Mat image, fine, coarse;
+  grey.convertTo(image, CV_32F);
+  cv::GaussianBlur(image, fine, {}, 3.0);
+  cv::GaussianBlur(image, coarse, {}, 8.0);
+  return deviationOf(fine - coarse);
+}
+
 bool isFlat(const cv::Mat& grey) {
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {}, 4.0);
   const double level = cv::mean(smooth)[0];  // white ones are overexposed
-  return level < kLight && deviationOf(smooth) < std::max(kFlat, kFlatShare * level);
+  return level < kLight && deviationOf(smooth) < std::max(kFlat, kFlatShare * level) &&
+         edgesOf(grey) < kNoEdges;
 }
 
 /// The median over time, which has no people and little noise.
