@@ -23,10 +23,10 @@
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
 #include "nodes/pose_fitting/overlays.h"
-#include "nodes/pose_fitting/rig_trust.h"
 #include "nodes/pose_fitting/steady_time.h"
 #include "nodes/pose_fitting/tracker_successor.h"
 #include "ros/node_options.h"
+#include "tracking/rig_trust.h"
 
 namespace markerless_mocap {
 

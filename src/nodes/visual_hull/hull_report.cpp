@@ -4,6 +4,7 @@
 #include "camera/timing_remarks.h"
 #include "nodes/common/mask_sets.h"
 #include "nodes/visual_hull/hull_stage.h"
+#include "ros/image_conversions.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,4 +1,4 @@
-#include "nodes/pose_fitting/rig_trust.h"
+#include "tracking/rig_trust.h"
 
 #include <algorithm>
 
