@@ -35,8 +35,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       needs_(needs),
       status_(status),
       sink_(std::move(sink)),
-      tf_listener_(tf_),
-      tf_faults_(handle),
+      tf_(handle),
       collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       assembler_(
           std::max(options.cameras.size(), size_t(1)),
@@ -117,10 +116,10 @@ void FittingInputs::receiveHull(const std_msgs::Header& header) {
 
 void FittingInputs::followRig() {
   std::vector<std::string> remarks;
-  if (collector_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
+  if (collector_.settle(tf_.buffer(), ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
     rig_.reset();
   for (const std::string& remark : remarks) status_->remark(remark);
-  tf_faults_.tell(collector_, tf_, status_);
+  tf_.tellFaults(collector_, status_);
 }
 
 void FittingInputs::dispatchReady() {
@@ -235,7 +234,7 @@ CameraImage FittingInputs::takeImage(size_t camera, const sensor_msgs::Image& ma
 std::string FittingInputs::prepareRig() {
   if (rig_) return "";
   try {
-    rig_ = std::make_shared<const CameraRig>(collector_.rig(tf_));
+    rig_ = std::make_shared<const CameraRig>(collector_.rig(tf_.buffer()));
     return "";
   } catch (const std::exception& error) {
     return error.what();

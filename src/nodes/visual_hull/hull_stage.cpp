@@ -35,8 +35,7 @@ AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollecto
 HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                      const HullOptions& options, const HullNodeOptions& node_options)
     : node_options_(node_options),
-      tf_listener_(tf_),
-      tf_faults_(handle),
+      tf_(handle),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file,
            node_options.requiredCameras()),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
@@ -121,13 +120,13 @@ void HullStage::receiveImage(size_t camera, const CameraImage& image) {
 
 void HullStage::followRig() {
   std::vector<std::string> remarks;
-  const RigChange change = rig_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks);
+  const RigChange change = rig_.settle(tf_.buffer(), ros::SteadyTime::now().toSec(), &remarks);
   if (change == RigChange::kAfterPause)
     carver_.forgetRig();
-  else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
-    carver_.changeRig(rig_.rig(tf_));
+  else if (change == RigChange::kWhileUsed && rig_.missing(tf_.buffer()).empty())
+    carver_.changeRig(rig_.rig(tf_.buffer()));
   for (const std::string& remark : remarks) status_.remark(remark);
-  tf_faults_.tell(rig_, tf_, &status_);
+  tf_.tellFaults(rig_, &status_);
 }
 
 std::string HullStage::doubtOf(size_t camera) const {
@@ -205,9 +204,9 @@ void HullStage::prepareCarver(const std_msgs::Header& header) {
   if (carver_.takeNew()) announceCarver(header);
   if (carver_) return;
   if (!carver_.error().empty()) throw std::invalid_argument(carver_.error());
-  const std::string missing = rig_.missing(tf_);
+  const std::string missing = rig_.missing(tf_.buffer());
   if (!missing.empty()) throw std::invalid_argument(missing);
-  carver_.make(rig_.rig(tf_));
+  carver_.make(rig_.rig(tf_.buffer()));
   announceCarver(header);
 }
 
