@@ -57,7 +57,8 @@ TEST_F(ColorCheckTest, AnotherIsFoundIfTheTrackedOneIsWrong) {
 TEST_F(ColorCheckTest, OfTwoPosesColoursPreferTheRightOne) {
   const ColorQuestion question = ask(pose, {});
   const auto chosen = [&](const ContourPose& tracked, const ContourPose& rival) {
-    return preferred(question.observer, question.tracker, question.frame, body, tracked, rival)
+    return preferred(question.observer, question.tracker, question.frame, question.hull, body,
+                     tracked, rival)
         .value()
         .fit;
   };
@@ -69,7 +70,8 @@ TEST_F(ColorCheckTest, NothingIsPreferredWhereNobodyIsSeen) {
   for (cv::Mat& mask : masks) mask.setTo(0);
   for (cv::Mat& image : images) image.release();
   const ColorQuestion question = ask(pose, {});
-  EXPECT_FALSE(preferred(question.observer, question.tracker, question.frame, body, pose, wrong)
+  EXPECT_FALSE(preferred(question.observer, question.tracker, question.frame, question.hull, body,
+                         pose, wrong)
                    .has_value());
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contour/regions/hull_below.h"
 #include "contour/regions/hull_cells.h"
 #include "contour/unknown_room.h"
 
@@ -12,8 +13,26 @@ constexpr int kLeftWrist = 5;  // in contourPointNames()
 
 class RegionSearchTest : public testing::Test, protected UnknownRoom {
  protected:
+  /// Gives what is lower the colours of the wall. \param height metres
+  void hideBelow(double height, size_t view) {
+    const Eigen::Vector3d at(pose.position.x(), pose.position.y(), height);
+    const int row = int(rig[view].project(at)->y());
+    cv::Mat low = images[view].rowRange(row, images[view].rows);
+    cv::RNG random(9);
+    random.fill(low, cv::RNG::UNIFORM, 0, 40);
+    low += cv::Scalar(60, 130, 120);
+  }
+
   RegionObserver observer{rig, ContourOptions()};
 };
+
+ContourPose withFoldedLegs(ContourPose pose) {
+  for (const int knee : {RevoluteJoint::kLeftKnee, RevoluteJoint::kRightKnee})
+    pose.angles[size_t(knee)] = -2.5;
+  for (const int hip : {SphericalJoint::kLeftHip, SphericalJoint::kRightHip})
+    pose.rotations[size_t(hip)] = Eigen::Matrix3d::Identity();
+  return pose;
+}
 
 TEST_F(RegionSearchTest, ColoursAreNeededWhereTheBackgroundIsUnknown) {
   EXPECT_TRUE(RegionFrame(images, masks).needsColors());
@@ -109,6 +128,28 @@ TEST_F(RegionSearchTest, AForearmThatIsFoldedIntoTheBodyIsFoundAgain) {
   const auto better = searchLimbsByColor(observer, tracker, frame, hull, body, first);
   ASSERT_TRUE(better);
   EXPECT_LT(wristError(better->fit.pose), 0.06);
+}
+
+TEST_F(RegionSearchTest, TheHullGoesOnBelowABodyWhoseLegsAreFolded) {
+  EXPECT_LT(hullBelow(hull, body, pose), 0.1);
+  EXPECT_NEAR(hullBelow(hull, body, withFoldedLegs(pose)), 0.45, 0.1);
+  EXPECT_EQ(hullBelow(VisualHull(), body, withFoldedLegs(pose)), 0);
+  ContourPose elsewhere = withFoldedLegs(pose);
+  elsewhere.position.x() += 2.0;
+  EXPECT_EQ(hullBelow(hull, body, elsewhere), 0) << "the hull is not near";
+}
+
+TEST_F(RegionSearchTest, LegsThatColoursDoNotShowReachDownToWhereTheHullEnds) {
+  for (size_t i = 0; i < images.size(); ++i) hideBelow(0.45, i);
+  const ContourMultiHypothesisTracker tracker(rig, ContourOptions());
+  const RegionFrame frame(images, masks);
+  const std::vector<RegionFit> found =
+      searchByColor(observer, tracker, frame, hull, body, {withFoldedLegs(pose), pose});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_LT(found[0].hull_below, 0.2);
+  EXPECT_GT(found[1].hull_below, 0.3);
+  const auto byColors = [](const RegionFit& one) { return qualityOf(one.fit) + one.found.overlap; };
+  EXPECT_GT(byColors(found[1]), byColors(found[0])) << "colours do not tell";
 }
 
 }  // namespace

@@ -11,6 +11,10 @@
 
 namespace markerless_mocap {
 
+/// After a longer gap between two frame sets, nanoseconds, a person may have moved too far to be
+/// followed: a tracker may doubt its pose, and search.
+constexpr int64_t kLongGap_ns = 150000000;
+
 /// Input of a tracker at one time. All references must stay valid during the call.
 struct TrackerInput {
   int64_t stamp_ns;  ///< capture time

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "contour/regions/hull_below.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
@@ -31,6 +32,14 @@ constexpr double kMinOverlap = 0.5, kMinAgreement = 0.4;
 constexpr double kMinGain = 0.005;  // of the score
 // Nine of ten searches for limbs raise the score by less.
 constexpr double kLargestLimbGain = 0.15;
+
+// Of the score, for each metre by which the hull reaches further below the body than it usually
+// does: shadows and the soles of shoes belong to it.
+constexpr double kFloatingLoss = 0.2, kUsuallyBelow = 0.1;
+
+double floating(const RegionFit& one) {
+  return kFloatingLoss * std::max(0.0, one.hull_below - kUsuallyBelow);
+}
 
 bool isFitted(const RegionFit& one) {
   return one.fit.status == ContourFitStatus::kFitted;
@@ -99,8 +108,8 @@ struct SearchedFrame {
 };
 
 RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                   const SearchedFrame& frame, const ContourBody& body, const ContourPose& pose,
-                   const std::vector<Round>& rounds) {
+                   const SearchedFrame& frame, const VisualHull& hull, const ContourBody& body,
+                   const ContourPose& pose, const std::vector<Round>& rounds) {
   RegionFit out;
   ContourPose at = pose;
   for (const Round& round : rounds) {
@@ -110,6 +119,7 @@ RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisT
     if (!isFitted(out)) break;
     at = out.fit.pose;
   }
+  if (isFitted(out)) out.hull_below = hullBelow(hull, body, at);
   return out;
 }
 
@@ -129,10 +139,11 @@ std::optional<RegionFit> withOtherLimbs(const RegionObserver& observer,
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb) {
     const auto moved = tracker.searchLimb(seen, body, best.fit.pose, ContourLimb::Id(limb));
     if (!moved) continue;
-    RegionFit other = followed(observer, tracker, frame, body, *moved, kRoundsAfterLimbs);
+    RegionFit other = followed(observer, tracker, frame, hull, body, *moved, kRoundsAfterLimbs);
     if (!isFitted(other)) continue;
     const double gain = qualityOf(other.fit) - qualityOf(best.fit) +
-                        overlapOf(other.found.masks, wide) - overlapOf(best.found.masks, wide);
+                        overlapOf(other.found.masks, wide) - overlapOf(best.found.masks, wide) +
+                        floating(best) - floating(other);
     if (gain <= kMinGain) continue;
     best = std::move(other);
     better = true;
@@ -144,12 +155,13 @@ std::optional<RegionFit> withOtherLimbs(const RegionObserver& observer,
 }  // namespace
 
 double RegionFit::score() const {
-  return qualityOf(fit) + found.overlap;
+  return qualityOf(fit) + found.overlap - floating(*this);
 }
 
 RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                     const RegionFrame& frame, const ContourBody& body, const ContourPose& pose) {
-  return followed(observer, tracker, SearchedFrame(frame), body, pose, kRoundsAfterLimbs);
+                     const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
+                     const ContourPose& pose) {
+  return followed(observer, tracker, SearchedFrame(frame), hull, body, pose, kRoundsAfterLimbs);
 }
 
 std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
@@ -167,7 +179,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   const SearchedFrame searched(frame);
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
-    RegionFit one = followed(observer, tracker, searched, body, pose, kFirstRounds);
+    RegionFit one = followed(observer, tracker, searched, hull, body, pose, kFirstRounds);
     if (isFitted(one) && one.fit.overlap >= kMinOverlap && one.found.agreement >= kMinAgreement)
       out.push_back(std::move(one));
   }

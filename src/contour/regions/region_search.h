@@ -12,8 +12,9 @@ namespace markerless_mocap {
 struct RegionFit {
   RegionObservation found;
   ContourFit fit;
-  /// To compare poses of the same frame set: the pose must fit what colours found around it, and
-  /// the silhouettes must show the same person.
+  double hull_below = 0.0;  ///< see hullBelow(), metres
+  /// To compare poses of the same frame set: the pose must fit what colours found around it, the
+  /// silhouettes must show the same person, and its legs must reach down as far as the hull.
   double score() const;
 };
 
@@ -41,7 +42,8 @@ std::vector<RegionFit> searchProposalsByColor(const RegionObserver& observer,
 
 /// A pose moved to where the colours of the frame set fit; its limbs are not searched.
 RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                     const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
+                     const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
+                     const ContourPose& pose);
 
 /// Other places of the limbs of a pose that was found with colours, proposed by the silhouettes.
 /// \return empty if they are not better

@@ -39,10 +39,11 @@ std::optional<RegionFit> answered(const ColorQuestion& question) {
 
 std::optional<RegionFit> preferred(const RegionObserver& observer,
                                    const ContourMultiHypothesisTracker& tracker,
-                                   const RegionFrame& frame, const ContourBody& body,
-                                   const ContourPose& tracked, const ContourPose& rival) {
-  const RegionFit own = fitByColor(observer, tracker, frame, body, tracked);
-  const RegionFit other = fitByColor(observer, tracker, frame, body, rival);
+                                   const RegionFrame& frame, const VisualHull& hull,
+                                   const ContourBody& body, const ContourPose& tracked,
+                                   const ContourPose& rival) {
+  const RegionFit own = fitByColor(observer, tracker, frame, hull, body, tracked);
+  const RegionFit other = fitByColor(observer, tracker, frame, hull, body, rival);
   const bool is_fitted = own.fit.status == ContourFitStatus::kFitted;
   const bool rival_is_fitted = other.fit.status == ContourFitStatus::kFitted;
   if (rival_is_fitted && (!is_fitted || other.score() > own.score() + kMinGain)) return other;

@@ -34,8 +34,9 @@ std::optional<RegionFit> answered(const ColorQuestion& question);
 /// over some frames.
 std::optional<RegionFit> preferred(const RegionObserver& observer,
                                    const ContourMultiHypothesisTracker& tracker,
-                                   const RegionFrame& frame, const ContourBody& body,
-                                   const ContourPose& tracked, const ContourPose& rival);
+                                   const RegionFrame& frame, const VisualHull& hull,
+                                   const ContourBody& body, const ContourPose& tracked,
+                                   const ContourPose& rival);
 
 /// Completes and answers one question after another in another thread.
 class ColorCheck {

@@ -39,9 +39,9 @@ constexpr double kMinOverlap = 0.72;
 // his desk, of whom little is seen, has 0.45 to 0.69.
 constexpr double kMinAgreement = 0.75, kLostAgreement = 0.5;
 
-// After a longer gap the person may have moved too far for the prediction. A limb or the whole body
+// After a long gap the person may have moved too far for the prediction. A limb or the whole body
 // is then fitted to the wrong place, nearly as well as usual; and so it is by some starts.
-constexpr int64_t kLongGap_ns = 150000000, kDoubt_ns = 1000000000;
+constexpr int64_t kDoubt_ns = 1000000000;
 constexpr double kLonger = 1.5;  // times the last gap: cameras may be slow
 
 // Without them a search finds little, and takes as long.

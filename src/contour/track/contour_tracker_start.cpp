@@ -168,9 +168,9 @@ ActiveTrack ContourTracker::takeCheck(const Frame& now, const ActiveTrack& activ
   if (!limbsDiffer(*contour_body_, answer->found->fit.pose, answer->asked))
     return settle(now, active, RegionFit{{}, active.track.fit});
   const ContourPose rival = broughtForward(answer->found->fit.pose, answer->asked, pose);
-  return settle(
-      now, active,
-      preferred(observer_.withoutColors(), hypotheses_, now.regions, *contour_body_, pose, rival));
+  return settle(now, active,
+                preferred(observer_.withoutColors(), hypotheses_, now.regions,
+                          now.products.newestHull(), *contour_body_, pose, rival));
 }
 
 ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,

@@ -25,8 +25,8 @@ constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
 // Of the frame sets that wait, those are kept that lead from the last pose to the newest ones: few
 // of those behind a search, more where fitting is slower than the cameras.
-constexpr double kLargestLeap = 0.25;    // s, a tracker follows a person over it
-constexpr double kSmallLeap = 0.1;       // s, a tracker hardly notices it
+constexpr double kLargestLeap = 1e-9 * double(kLongGap_ns);  // s, over it no pose is doubted
+constexpr double kSmallLeap = 0.1;                           // s, a tracker hardly notices it
 constexpr double kLongestSilence = 2.0;  // s of the wall clock, then nobody is announced
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {
