@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "nodes/common/catch_up_queue.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -94,6 +96,28 @@ TEST(SteadyTime, AfterAPauseAClockThatWasSetBackBeginsAnew) {
   sets.send(3000 * kMs);
   EXPECT_EQ(sets.last.time_ns, sets.now_ns + sets.clock_ns);
   EXPECT_TRUE(sets.last.after_pause);
+}
+
+/// While frame sets wait, those around a step of the clock lead over it.
+TEST(SteadyTime, FrameSetsThatWaitAreKeptAroundAStepBack) {
+  CatchUpQueue<int64_t> queue(90);
+  for (int i = 0; i < 20; ++i)
+    queue.push(i * kPeriod + (i < 10 ? 1'000'000 * kMs : 0));  // set right after ten
+  queue.thinOut(3, [](int64_t one, int64_t other) { return isWithin(150 * kMs, one, other); });
+  int64_t before = *queue.take();
+  for (bool stepped = false; queue.waitingCount() > 0;) {
+    const int64_t next = *queue.take();
+    if (next > before) {
+      EXPECT_LT(next - before, 150 * kMs);
+    } else {
+      EXPECT_FALSE(stepped);
+      stepped = true;
+      EXPECT_EQ(before, 9 * kPeriod + 1'000'000 * kMs);
+      EXPECT_EQ(next, 10 * kPeriod);
+    }
+    before = next;
+  }
+  EXPECT_EQ(before, 19 * kPeriod);
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
 // Of the frame sets that wait, those are kept that lead from the last pose to the newest ones: few
 // of those behind a search, more where fitting is slower than the cameras.
-constexpr double kLargestLeap = 1e-9 * double(kLongGap_ns);  // s, over it no pose is doubted
-constexpr double kSmallLeap = 0.1;                           // s, a tracker hardly notices it
-constexpr double kLongestSilence = 2.0;  // s of the wall clock, then nobody is announced
+constexpr int64_t kLargestLeap_ns = kLongGap_ns;  // over it no pose is doubted
+constexpr int64_t kSmallLeap_ns = 100'000'000;    // a tracker hardly notices it
+constexpr double kLongestSilence = 2.0;           // s of the wall clock, then nobody is announced
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {
   PersonResources resources = readPersonResources(
@@ -99,9 +99,9 @@ void FittingStage::enqueue(FittingMessages input) {
   answerLate(input.header);
   queue_.push(std::move(input));
   if (!needsOf(options_.method).starts_by_search) return;
-  const double leap = searches_ ? kLargestLeap : kSmallLeap;
-  queue_.thinOut(kNewest, [leap](const FittingMessages& one, const FittingMessages& other) {
-    return (other.header.stamp - one.header.stamp).toSec() < leap;
+  const int64_t leap_ns = searches_ ? kLargestLeap_ns : kSmallLeap_ns;
+  queue_.thinOut(kNewest, [leap_ns](const FittingMessages& one, const FittingMessages& other) {
+    return isWithin(leap_ns, nanosecondsOf(one.header.stamp), nanosecondsOf(other.header.stamp));
   });
 }
 

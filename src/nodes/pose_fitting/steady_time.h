@@ -7,6 +7,12 @@
 
 namespace markerless_mocap {
 
+/// Whether the later stamp is less than so long after the earlier one. It is not where the clock
+/// was set back between them.
+inline bool isWithin(int64_t longest_ns, int64_t earlier_ns, int64_t later_ns) {
+  return later_ns >= earlier_ns && later_ns - earlier_ns < longest_ns;
+}
+
 /// The tracker's time of stamps, which goes on when the clock is set while the person is followed.
 /// Only one thread may call at().
 class SteadyTime {
