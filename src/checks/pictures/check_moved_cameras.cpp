@@ -102,13 +102,19 @@ Moved movedFrom(const std::vector<SeenPicture>& pictures, double least) {
   return moved;
 }
 
+/// Whether what stands still is hidden in most pictures: in the others the person may be what
+/// moved.
+bool isSeldomSeen(const Moved& moved, size_t pictures) {
+  return 2 * moved.shifts.size() < pictures - moved.from;
+}
+
 void checkCamera(const SeenCamera& camera, Findings* findings) {
   const std::vector<SeenPicture>& pictures = camera.pictures;
   if (camera.masks_only || pictures.size() < kFewPictures) return;
   const double width = pictures.front().grey.cols;
   const Moved moved = movedFrom(pictures, kMoved * width);
   const size_t from = moved.from;
-  if (from + 1 >= pictures.size()) return;
+  if (from + 1 >= pictures.size() || isSeldomSeen(moved, pictures.size())) return;
   const double shift = quantile(moved.shifts, 0.5);
   const double seconds = 1e-9 * double(pictures[from].stamp_ns - pictures.front().stamp_ns);
   const double before = 1e-9 * double(pictures[from - 1].stamp_ns - pictures.front().stamp_ns);
