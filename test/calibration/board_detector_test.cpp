@@ -103,6 +103,27 @@ TEST(BoardDetector, CoveredBoardIsFoundInPart) {
     EXPECT_LT((found->pixels[i] - picture.corners[found->ids[i]]).norm(), 0.5);
 }
 
+/// Around its former place the same corners are found; those beyond it are not lost.
+TEST(BoardDetector, FormerPlaceChangesNothing) {
+  const Board board(charuco());
+  const BoardDetector detector(board);
+  const Picture picture = pictureOf(board);
+  cv::Mat wide(1600, 1920, CV_8UC1, cv::Scalar(190));
+  picture.image.copyTo(wide(cv::Rect(500, 400, picture.image.cols, picture.image.rows)));
+  const auto whole = detector.detect(wide);
+  ASSERT_TRUE(whole);
+  for (const double moved : {0.0, 30.0, -60.0, 400.0, 1500.0}) {
+    BoardCorners before = *whole;
+    for (Eigen::Vector2d& pixel : before.pixels) pixel.x() += moved;
+    before.pixels.resize(12);  // as of a board that was covered in part
+    const auto found = detector.detect(wide, false, &before);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->ids, whole->ids) << moved;
+    for (size_t i = 0; i < std::min(found->ids.size(), whole->ids.size()); ++i)
+      EXPECT_LT((found->pixels[i] - whole->pixels[i]).norm(), 0.05) << moved;
+  }
+}
+
 TEST(BoardDetector, AprilTagGrid) {
   BoardOptions options;
   options.kind = "markers";

@@ -45,6 +45,25 @@ TEST(CheckRig, AnEvenFloorIsNoCover) {
   EXPECT_EQ(listOf(checkRig(rig)), "");
 }
 
+TEST(CheckRig, APersonWhoHidesTheRoomIsNoMovedCamera) {
+  constexpr int kMoved = 3;  // px
+  SeenRig rig = goodWalk();
+  std::vector<SeenPicture>& pictures = rig.cameras[0].pictures;
+  cv::Mat shirt(pictures[0].grey.size(), CV_8UC1);
+  cv::RNG random(1);
+  random.fill(shirt, cv::RNG::UNIFORM, 40, 200);
+  cv::GaussianBlur(shirt, shirt, {}, 2.0);
+  const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, kMoved, 0, 1, 0);
+  const cv::Mat first = pictures[0].grey.clone();
+  for (size_t i = 1; i < pictures.size(); ++i)
+    if (i < 4)
+      cv::warpAffine(first, pictures[i].grey, shift, first.size(), cv::INTER_LINEAR,
+                     cv::BORDER_REPLICATE);
+    else
+      cv::flip(shirt, pictures[i].grey, int(i % 3) - 1);
+  EXPECT_EQ(listOf(checkRig(rig)).find("camera_moved"), std::string::npos);
+}
+
 class FaultTest : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(FaultTest, IsFoundAndNamed) {

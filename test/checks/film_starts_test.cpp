@@ -13,9 +13,10 @@ namespace {
 /// A person of a few points who walks from place to place, at no even pace.
 class Walker {
  public:
-  explicit Walker(unsigned seed) {
+  /// \param reach how far from the middle of the room, metres along x and y
+  explicit Walker(unsigned seed, double reach = 1.4) {
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(-1.4, 1.4), pace(0.5, 1.2), rest(0.0, 1.5);
+    std::uniform_real_distribution<double> place(-reach, reach), pace(0.5, 1.2), rest(0.0, 1.5);
     for (double time = -100; time < 200;) {
       const Eigen::Vector2d next(place(random), place(random));
       time += places_.empty() ? 0 : (next - places_.back()).norm() / pace(random);
@@ -194,6 +195,12 @@ TEST(FilmStarts, SomebodyWhoStandsTellsNothing) {
   for (FilmedPerson& film : films)
     for (Outline& outline : film.outlines) outline = film.outlines.front();
   EXPECT_FALSE(personClocks(films).certain());
+}
+
+TEST(FilmStarts, SomebodyWhoStaysOnTheSpotIsNotCertain) {
+  const std::vector<double> starts = {0, 5, 9, 2};
+  EXPECT_FALSE(personClocks(filmsOf(Walker(4, 0.2), starts, 40)).certain());
+  EXPECT_TRUE(personClocks(filmsOf(Walker(4, 0.6), starts, 60)).certain());
 }
 
 TEST(FilmStarts, NobodyIsNoError) {

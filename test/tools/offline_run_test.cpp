@@ -133,6 +133,17 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
   EXPECT_NE(text.str().find("3 lost"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("3 times: "), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("No frame has a pose"), std::string::npos) << text.str();
+  EXPECT_EQ(text.str().find("show nobody"), std::string::npos) << "there is a box";
+}
+
+TEST_F(OfflineRun, WhoKeepsStillIsTakenForTheRoomAndTheSummarySaysSo) {
+  PipelineResult nobody;
+  RunSummary summary(false);
+  for (int i = 0; i < 4; ++i) summary.add(nobody);
+  std::ostringstream text;
+  summary.print(text);
+  EXPECT_NE(text.str().find("In 4 of 4 frame sets the silhouettes show nobody"), std::string::npos)
+      << text.str();
 }
 
 TEST_F(OfflineRun, RecordingThatEndsWhileLearningIsAnErrorAndLeavesNoBag) {

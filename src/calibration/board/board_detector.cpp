@@ -51,14 +51,15 @@ BoardDetector::BoardDetector(const Board& board) : board_(board) {
 
 BoardDetector::~BoardDetector() = default;
 
-std::optional<BoardCorners> BoardDetector::detect(const cv::Mat& image, bool thorough) const {
+std::optional<BoardCorners> BoardDetector::detect(const cv::Mat& image, bool thorough,
+                                                  const BoardCorners* before) const {
   constexpr size_t kLeast = 6;
   const cv::Mat grey = darkPattern(image, board_.options().inverted);
   BoardCorners corners;
   if (!markers_) {
     corners = chessboardCorners(board_, grey, thorough);
   } else {
-    const FoundMarkers markers = findMarkers(board_, markers_->dictionary, grey);
+    const FoundMarkers markers = findMarkers(board_, markers_->dictionary, grey, before);
     corners = board_.options().kind == "markers" ? refinedMarkerCorners(markers, grey)
                                                  : cornersBetweenMarkers(board_, markers, grey);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 namespace markerless_mocap {
 namespace {
@@ -106,13 +107,12 @@ void alignFirstCorners(const Board& board, FoundMarkers* found) {
   if (!best.empty()) *found = best;
 }
 
-}  // namespace
-
-FoundMarkers findMarkers(const Board& board, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
-                         const cv::Mat& grey) {
+/// \param smallest perimeter of a marker, pixels
+FoundMarkers markersIn(const Board& board, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
+                       const cv::Mat& grey, double smallest) {
   const auto parameters = cv::aruco::DetectorParameters::create();
   parameters->markerBorderBits = board.options().border_bits;
-  parameters->minMarkerPerimeterRate = 0.02;
+  parameters->minMarkerPerimeterRate = smallest / std::max(grey.cols, grey.rows);
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> numbers;
   cv::aruco::detectMarkers(grey, dictionary, corners, numbers, parameters);
@@ -123,6 +123,82 @@ FoundMarkers findMarkers(const Board& board, const cv::Ptr<cv::aruco::Dictionary
   }
   if (board.options().kind == "markers") alignFirstCorners(board, &found);
   return found;
+}
+
+constexpr float kMoved = 0.35f;       // of the board's size, from one image to the next
+constexpr double kMostOfImage = 0.6;  // that is searched first
+
+cv::Rect2f boxOf(const std::vector<cv::Point2f>& pixels) {
+  cv::Point2f low = pixels.front(), high = low;
+  for (const cv::Point2f& pixel : pixels) {
+    low = {std::min(low.x, pixel.x), std::min(low.y, pixel.y)};
+    high = {std::max(high.x, pixel.x), std::max(high.y, pixel.y)};
+  }
+  return {low, high};
+}
+
+cv::Rect2f boxOf(const BoardCorners& corners) {
+  std::vector<cv::Point2f> pixels;
+  for (const Eigen::Vector2d& pixel : corners.pixels)
+    pixels.emplace_back(float(pixel.x()), float(pixel.y()));
+  return boxOf(pixels);
+}
+
+/// Where all markers of the board must be if some are found, pixels; none if too few are.
+std::optional<cv::Rect2f> placeOfBoard(const Board& board, const FoundMarkers& found) {
+  constexpr size_t kFew = 4;
+  if (found.size() < kFew) return std::nullopt;
+  std::vector<size_t> markers;
+  for (const auto& [marker, corners] : found) markers.push_back(marker);
+  const cv::Mat homography = homographyOf(board, found, markers);
+  if (homography.empty()) return std::nullopt;
+  const cv::Matx33d H = homography;
+  std::vector<cv::Point2f> pixels;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (size_t marker = 0; marker < board.markers().size(); ++marker)
+    for (const cv::Point2f& place : placesOf(board, marker)) {
+      const double depth = (H * cv::Vec3d(place.x, place.y, 1))[2];
+      least = std::min(least, depth);
+      most = std::max(most, depth);
+      pixels.push_back(mapped(homography, {place.x, place.y}));
+    }
+  if (least * most <= 0) return std::nullopt;  // part of it would be behind the camera
+  return boxOf(pixels);
+}
+
+/// The place with a share of its size and some pixels around it.
+cv::Rect partAround(const cv::Rect2f& place, float share, const cv::Size& image) {
+  constexpr float kPixels = 16;  // more than the windows of the detector
+  const float margin = share * std::max(place.width, place.height) + kPixels;
+  const cv::Rect2f all(0, 0, float(image.width), float(image.height));
+  return cv::Rect(cv::Rect2f(place.x - margin, place.y - margin, place.width + 2 * margin,
+                             place.height + 2 * margin) &
+                  all);
+}
+
+/// Whether what was found there leaves no marker outside.
+bool holdsBoard(const Board& board, const FoundMarkers& found, const cv::Rect& part,
+                const cv::Size& image) {
+  constexpr float kAround = 0.05f;
+  const auto place = placeOfBoard(board, found);
+  return place && (partAround(*place, kAround, image) & part) == partAround(*place, kAround, image);
+}
+
+}  // namespace
+
+FoundMarkers findMarkers(const Board& board, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
+                         const cv::Mat& grey, const BoardCorners* before) {
+  const double smallest = 0.02 * std::max(grey.cols, grey.rows);
+  if (before && !before->pixels.empty()) {
+    const cv::Rect part = partAround(boxOf(*before), kMoved, grey.size());
+    if (part.area() > 0 && part.area() < kMostOfImage * double(grey.total())) {
+      FoundMarkers found = markersIn(board, dictionary, grey(part), smallest);
+      for (auto& [marker, corners] : found)
+        for (cv::Point2f& corner : corners) corner += cv::Point2f(part.tl());
+      if (holdsBoard(board, found, part, grey.size())) return found;
+    }
+  }
+  return markersIn(board, dictionary, grey, smallest);
 }
 
 BoardCorners cornersBetweenMarkers(const Board& board, const FoundMarkers& markers,

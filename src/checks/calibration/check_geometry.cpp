@@ -87,19 +87,27 @@ std::vector<Eigen::Vector3d> viewOf(const Camera& camera, double scale) {
   return points;
 }
 
+/// Of how many other cameras there are places, more than a few, that this one sees, too.
+int shareWithOthers(const Camera& camera, const std::vector<Camera>& cameras, double scale) {
+  std::vector<double> others;  // at each place
+  for (const Eigen::Vector3d& place : viewOf(camera, scale))
+    others.push_back(double(std::count_if(cameras.begin(), cameras.end(), [&](const Camera& other) {
+      return &other != &camera && other.projectInside(place).has_value();
+    })));
+  return int(quantile(std::move(others), 1 - kShared));
+}
+
+/// A camera that looks out of the room still sees what those across the room see behind it, so
+/// more than half as many must see a place as usually do.
 void checkCommonVolume(const std::vector<Camera>& cameras, double scale, Findings* findings) {
   if (cameras.size() < 2 || scale <= 0) return;
-  const int enough = cameras.size() > 3 ? 2 : 1;
-  for (const Camera& camera : cameras) {
-    const std::vector<Eigen::Vector3d> view = viewOf(camera, scale);
-    const auto shared = std::count_if(view.begin(), view.end(), [&](const Eigen::Vector3d& point) {
-      return std::count_if(cameras.begin(), cameras.end(), [&](const Camera& other) {
-               return &other != &camera && other.projectInside(point).has_value();
-             }) >= enough;
-    });
-    if (double(shared) > kShared * double(view.size())) continue;
+  std::vector<double> shared;
+  for (const Camera& camera : cameras) shared.push_back(shareWithOthers(camera, cameras, scale));
+  const int enough = std::max(cameras.size() > 3 ? 2 : 1, int(quantile(shared, 0.5)) / 2 + 1);
+  for (size_t i = 0; i < cameras.size(); ++i) {
+    if (shared[i] >= enough) continue;
     findings->push_back(
-        {"no_common_volume", camera.name(), Severity::kError,
+        {"no_common_volume", cameras[i].name(), Severity::kError,
          sentence("fewer than %d of the other cameras see any place that this one "
                   "sees",
                   enough),

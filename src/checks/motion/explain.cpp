@@ -46,6 +46,8 @@ struct Round {
   bool on_one_spot = false;
 };
 
+/// Towards one spot any rig can be turned, camera by camera: nothing is told of all cameras by
+/// somebody who stays there as the turned ones see it.
 /// \param deviations that a clock's error must have
 bool isLargeEnough(const Explanation& tried, const RigSight& sight, const Round& round,
                    double deviations) {
@@ -60,7 +62,9 @@ bool isLargeEnough(const Explanation& tried, const RigSight& sight, const Round&
     case ExplanationKind::kDrift:
       return amount * length > track.period && amount > deviations * tried.deviation;
     case ExplanationKind::kTurned:
-      if (!tried.amounts.empty() && amount > kMostTurnOfAll) return false;
+      if (!tried.amounts.empty() &&
+          (amount > kMostTurnOfAll || walkedIn(statesOf(sight, tried.model)) < kOneSpot))
+        return false;
       return amount > kLeastTurn && amount > kDeviations * tried.deviation &&
              (!round.on_one_spot || tried.before > kFarOff);
     case ExplanationKind::kFocalLength:

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "checks/motion/clock_search.h"
+#include "checks/motion/refined_clocks.h"
 #include "checks/motion/sight_grid.h"
 #include "checks/stamps/stream_times.h"
 
@@ -15,6 +15,8 @@ namespace {
 constexpr double kStep = 0.15;  // s
 constexpr int kFewMarks = 40;
 constexpr int kMoments = 160;
+// m. Of somebody who stays on the spot only the hands tell the time, and much fits them.
+constexpr double kLeastWalk = 0.75;
 
 /// Losses against shifts.
 struct Curve {
@@ -88,7 +90,10 @@ class PersonClocks {
           clocks.certainty[i] = std::min(clocks.certainty[i], start.certainty);
       }
     clocks.for_none = forNone();
-    refine(&clocks.offsets);
+    const RigSight sight = this->sight();
+    refineOffsets(sight, model_, root_, kStep, &clocks.offsets);
+    if (walkedAt(sight, model_, clocks.offsets) < kLeastWalk)
+      clocks.certainty.assign(model_.size(), 0.0);
     return clocks;
   }
 
@@ -252,45 +257,17 @@ class PersonClocks {
     return without / found;
   }
 
-  /// Each camera against the points of all others, to a part of the time between images.
-  void refine(std::vector<double>* offsets) const {
-    constexpr int kRounds = 3;
+  /// Moments of the root's film at which all cameras are looked at.
+  RigSight sight() const {
+    constexpr int kMostMoments = 900;
     RigSight sight;
     sight.tracks = tracks_;
-    constexpr int kMostMoments = 900;
     const SightGrid& root = grids_[root_];
     const double length = root.size() * kStep;
     const int moments = std::min(kMostMoments, int(length / tracks_[model_[root_].source].period));
     for (int i = 0; i < moments; ++i)
       sight.moments.push_back(root.first + (i + 0.5) * length / moments);
-    if (sight.moments.empty()) return;
-    RigModel model;
-    std::vector<size_t> cameras;
-    for (size_t i = 0; i < model_.size(); ++i) {
-      if (!std::isfinite((*offsets)[i])) continue;
-      cameras.push_back(i);
-      model.push_back(model_[i]);
-      model.back().offset = (*offsets)[i];
-      model.back().drift = 0;
-    }
-    double reach = kStep;
-    for (int round = 0; round < kRounds; ++round, reach /= 2)
-      for (size_t k = 0; k < model.size(); ++k)
-        if (cameras[k] != root_) model[k].offset += finer(sight, model, k, reach);
-    for (size_t k = 0; k < model.size(); ++k) (*offsets)[cameras[k]] = model[k].offset;
-  }
-
-  double finer(const RigSight& sight, const RigModel& model, size_t camera, double reach) const {
-    std::vector<Rays> rays;
-    for (const CameraModel& one : model) rays.push_back(raysOf(sight, one));
-    CameraState state;
-    state.camera = camera;
-    state.points =
-        pointsOf(rays, model.size() > 2 ? std::vector<size_t>{camera} : std::vector<size_t>{});
-    state.rays = rays[camera];
-    const double period = sight.tracks[model[camera].source].period;
-    const ClockSearch search(sight, model[camera], state, reach, std::min(period, reach) / 4);
-    return search.offset().offset;
+    return sight;
   }
 
   const std::vector<PersonTrack>& tracks_;

@@ -63,47 +63,59 @@ std::optional<Shift> shiftBetween(const cv::Mat& from, const cv::Mat& to,
                std::atan2(affine.at<double>(1, 0), affine.at<double>(0, 0))};
 }
 
-/// Shifts of all pictures against the first; NaN where unknown.
-std::vector<double> shiftsOf(const std::vector<SeenPicture>& pictures) {
-  std::vector<double> shifts{0.0};
-  const cv::Mat first = evened(pictures.front().grey);
-  std::vector<cv::Point2f> corners;
-  cv::goodFeaturesToTrack(first, corners, kCorners, 0.02, 8);
-  for (size_t i = 1; i < pictures.size(); ++i) {
-    std::optional<Shift> shift;
-    if (int(corners.size()) >= kFewCorners && pictures[i].grey.size() == first.size())
-      shift = shiftBetween(first, evened(pictures[i].grey), corners);
-    shifts.push_back(shift ? shift->pixels : NAN);
+/// How far what stands still in the first of some pictures has moved in others.
+class StillScene {
+ public:
+  explicit StillScene(const cv::Mat& grey) : first_(evened(grey)) {
+    cv::goodFeaturesToTrack(first_, corners_, kCorners, 0.02, 8);
   }
-  return shifts;
+  /// Pixels; none if that cannot be told.
+  std::optional<double> shiftOf(const cv::Mat& grey) const {
+    if (int(corners_.size()) < kFewCorners || grey.size() != first_.size()) return std::nullopt;
+    const auto shift = shiftBetween(first_, evened(grey), corners_);
+    return shift ? std::optional<double>(shift->pixels) : std::nullopt;
+  }
+
+ private:
+  cv::Mat first_;
+  std::vector<cv::Point2f> corners_;
+};
+
+/// From which picture on all are shifted.
+struct Moved {
+  size_t from = 0;             ///< the count of the pictures if none is
+  std::vector<double> shifts;  ///< of those from there on that are known, pixels
+};
+
+/// Looked at from the last picture back to the first that is not shifted by more than `least`,
+/// which of a camera that stands still is the last.
+Moved movedFrom(const std::vector<SeenPicture>& pictures, double least) {
+  const StillScene scene(pictures.front().grey);
+  Moved moved{pictures.size(), {}};
+  for (size_t i = pictures.size(); i-- > 1;) {
+    const std::optional<double> shift = scene.shiftOf(pictures[i].grey);
+    if (!shift) continue;
+    if (*shift < least) break;
+    moved.from = i;
+    moved.shifts.push_back(*shift);
+  }
+  return moved;
 }
 
-double medianOf(const std::vector<double>& shifts, size_t from, size_t to) {
-  std::vector<double> known;
-  for (size_t i = from; i < to; ++i)
-    if (std::isfinite(shifts[i])) known.push_back(shifts[i]);
-  return known.empty() ? NAN : quantile(known, 0.5);
-}
-
-/// The number from which on pictures are shifted by more than `least`; their count if none is.
-size_t movedFrom(const std::vector<double>& shifts, double least) {
-  size_t from = shifts.size();
-  for (size_t i = shifts.size(); i-- > 1;) {
-    if (std::isnan(shifts[i])) continue;
-    if (shifts[i] < least) break;
-    from = i;
-  }
-  return from;
+/// Whether what stands still is hidden in most pictures: in the others the person may be what
+/// moved.
+bool isSeldomSeen(const Moved& moved, size_t pictures) {
+  return 2 * moved.shifts.size() < pictures - moved.from;
 }
 
 void checkCamera(const SeenCamera& camera, Findings* findings) {
   const std::vector<SeenPicture>& pictures = camera.pictures;
   if (camera.masks_only || pictures.size() < kFewPictures) return;
-  const std::vector<double> shifts = shiftsOf(pictures);
   const double width = pictures.front().grey.cols;
-  const size_t from = movedFrom(shifts, kMoved * width);
-  if (from + 1 >= shifts.size()) return;
-  const double shift = medianOf(shifts, from, shifts.size());
+  const Moved moved = movedFrom(pictures, kMoved * width);
+  const size_t from = moved.from;
+  if (from + 1 >= pictures.size() || isSeldomSeen(moved, pictures.size())) return;
+  const double shift = quantile(moved.shifts, 0.5);
   const double seconds = 1e-9 * double(pictures[from].stamp_ns - pictures.front().stamp_ns);
   const double before = 1e-9 * double(pictures[from - 1].stamp_ns - pictures.front().stamp_ns);
   const auto calibration = calibrationOf(camera);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "tools/common/bags_in_threads.h"
@@ -85,6 +86,7 @@ FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, c
   const std::unique_ptr<ImageFilm> film = openFilm(source);
   FilmBoards found;
   found.camera.name = source.camera;
+  std::optional<BoardCorners> before;
   for (size_t number = 0;; ++number) {
     if (!wanted.has(number)) {
       const auto passed = film->skip();
@@ -97,8 +99,8 @@ FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, c
     found.times.push_back(timeOf(frame.time, number, times, source.camera));
     checkSize(frame.image, &found.camera);
     ++found.images;
-    if (auto corners = detector.detect(frame.image, wanted.thorough))
-      found.views.push_back({0, found.times.back(), false, *corners});
+    before = detector.detect(frame.image, wanted.thorough, before ? &*before : nullptr);
+    if (before) found.views.push_back({0, found.times.back(), false, *before});
     progress(double(number + 1) / std::max(1, film->count()));
   }
   if (found.times.empty()) throw std::runtime_error("there are no images in " + source.path);

@@ -41,6 +41,7 @@ void RunSummary::add(const PipelineResult& result) {
     ++learning_;
     return;
   }
+  empty_hulls_ += result.hull.voxels.empty();
   valid_trees_ += result.tree.valid();
   switch (result.pose.status) {
     case PoseStatus::kTracked:
@@ -76,8 +77,13 @@ void RunSummary::print(std::ostream& out) const {
     out << "The body and the silhouettes hardly overlap: these poses are probably wrong. Look at "
            "the "
            "pictures of --report before you use them.\n";
-  if (processed() > 0 && poses() == 0)
-    out << "No frame has a pose: all poses in the bag are LOST.\n";
+  if (processed() == 0 || poses() > 0) return;
+  out << "No frame has a pose: all poses in the bag are LOST.\n";
+  if (empty_hulls_ > processed() / 2)
+    out << "In " << empty_hulls_ << " of " << processed()
+        << " frame sets the silhouettes show nobody. Whoever keeps still in a whole recording is "
+           "taken for the room:\nfilm the empty room, too (import_recording --background), or "
+           "somebody who moves. check_recording tells what else may be wrong.\n";
 }
 
 void RunSummary::printReasons(std::ostream& out) const {

@@ -57,6 +57,7 @@ class RunSummary {
   std::vector<Time> times_;  ///< in the order of processing
   ReasonCounts reasons_;     ///< of lost poses
   int frame_sets_ = 0, learning_ = 0, tracked_ = 0, reinitialized_ = 0, lost_ = 0;
+  int empty_hulls_ = 0;
   bool with_trees_;
   int valid_trees_ = 0;
   std::string calibration_finding_;
