@@ -48,19 +48,24 @@ TEST(CheckRig, AnEvenFloorIsNoCover) {
 TEST(CheckRig, APersonWhoHidesTheRoomIsNoMovedCamera) {
   constexpr int kMoved = 3;  // px
   SeenRig rig = goodWalk();
-  std::vector<SeenPicture>& pictures = rig.cameras[0].pictures;
-  cv::Mat shirt(pictures[0].grey.size(), CV_8UC1);
+  cv::Mat shirt(rig.cameras[0].pictures[0].grey.size(), CV_8UC1);
   cv::RNG random(1);
   random.fill(shirt, cv::RNG::UNIFORM, 40, 200);
   cv::GaussianBlur(shirt, shirt, {}, 2.0);
   const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, kMoved, 0, 1, 0);
-  const cv::Mat first = pictures[0].grey.clone();
-  for (size_t i = 1; i < pictures.size(); ++i)
-    if (i < 4)
-      cv::warpAffine(first, pictures[i].grey, shift, first.size(), cv::INTER_LINEAR,
-                     cv::BORDER_REPLICATE);
-    else
-      cv::flip(shirt, pictures[i].grey, int(i % 3) - 1);
+  const cv::Mat first = rig.cameras[0].pictures[0].grey;
+  int i = 0;
+  changePictures(
+      &rig.cameras[0],
+      [&](const cv::Mat&) {
+        cv::Mat out;  // a new one: pictures of all tests are the same
+        if (++i < 4)
+          cv::warpAffine(first, out, shift, first.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+        else
+          cv::flip(shirt, out, i % 3 - 1);
+        return out;
+      },
+      1);
   EXPECT_EQ(listOf(checkRig(rig)).find("camera_moved"), std::string::npos);
 }
 

@@ -58,13 +58,12 @@ void refineOffsets(const RigSight& sight, const RigModel& model, size_t root, do
 }
 
 double walkedAt(const RigSight& sight, const RigModel& model, const std::vector<double>& offsets) {
-  if (sight.moments.empty()) return 0.0;
   std::vector<CameraState> states;
   for (const Rays& rays : TimedCameras(model, offsets).rays(sight)) {
     states.emplace_back();
     states.back().rays = rays;
   }
-  return walkedIn(states);
+  return states.empty() ? 0.0 : walkedIn(states);
 }
 
 }  // namespace markerless_mocap
