@@ -25,7 +25,7 @@ mocap_room(skeleton DEPENDS numerics options products resources LIBRARIES TBB::t
 mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
-mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core)
+mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core opencv_imgproc)
 mocap_room(region DEPENDS products LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
 mocap_room(contour DEPENDS tracking numerics region LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)

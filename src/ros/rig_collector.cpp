@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "camera/blind_camera.h"
 #include "camera/camera_difference.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/calibration_change.h"
@@ -20,9 +21,10 @@ constexpr int kMaxWanderings = 8;  // changes
 }  // namespace
 
 RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_frame,
-                           const std::string& rig_file)
+                           const std::string& rig_file, size_t required)
     : cameras_(std::move(cameras)),
       world_frame_(std::move(world_frame)),
+      lacking_(cameras_, std::min(required, cameras_.size())),
       infos_(cameras_.size()),
       candidates_(cameras_.size()),
       wanderings_(cameras_.size()),
@@ -56,7 +58,7 @@ bool RigCollector::add(size_t camera, const sensor_msgs::CameraInfo& info) {
   std::optional<Candidate>& candidate = candidates_[camera];
   if (!known) {
     known = info;
-    return true;
+    return !lacking_.isLeftOut(camera);
   }
   if (sameCalibration(*known, info)) {
     candidate.reset();
@@ -228,25 +230,38 @@ RigChange RigCollector::settle(const tf2::BufferCore& tf, double now,
   last_look_ = now;
   rest_ = paused ? 0.0 : kSettled;
   bool changed = false;
+  std::vector<std::string> lacks(cameras_.size());
   for (size_t i = 0; i < cameras_.size(); ++i) {
-    if (!infos_[i]) continue;
     doubts_[i].clear();
-    changed = settleInfo(i, tf, now, remarks) || changed;
-    changed = settlePose(i, tf, now, remarks) || changed;
-    if (!doubts_[i].empty()) remarks->push_back(doubts_[i]);
+    if (infos_[i]) {
+      changed = settleInfo(i, tf, now, remarks) || changed;
+      changed = settlePose(i, tf, now, remarks) || changed;
+      if (!doubts_[i].empty()) remarks->push_back(doubts_[i]);
+    }
+    lacks[i] = lackOf(i, tf);
   }
+  changed = lacking_.settle(lacks, now, remarks) || changed;
+  for (size_t i = 0; i < cameras_.size(); ++i)
+    if (lacking_.isLeftOut(i)) doubts_[i] = lacks[i];
   if (!changed) return RigChange::kNone;
   return paused ? RigChange::kAfterPause : RigChange::kWhileUsed;
+}
+
+std::string RigCollector::lackOf(size_t camera, const tf2::BufferCore& tf) const {
+  if (!infos_[camera]) return "no camera_info has been received from " + cameras_[camera];
+  geometry_msgs::Transform pose;
+  return placed_[camera] ? "" : findPose(camera, tf, &pose);
 }
 
 std::string RigCollector::missing(const tf2::BufferCore& tf) const {
   if (file_) return "";
   std::string without_info;
   for (size_t i = 0; i < cameras_.size(); ++i)
-    if (!infos_[i]) without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
+    if (!infos_[i] && !lacking_.isLeftOut(i))
+      without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
   if (!without_info.empty()) return "no camera_info has been received from " + without_info;
   for (size_t i = 0; i < cameras_.size(); ++i) {
-    if (placed_[i]) continue;
+    if (placed_[i] || lacking_.isLeftOut(i)) continue;
     if (std::string why = unplaced(i, infos_[i]->header.frame_id, tf); !why.empty()) return why;
   }
   return "";
@@ -271,6 +286,10 @@ CameraRig RigCollector::rig(const tf2::BufferCore& tf) const {
   if (!reason.empty()) throw std::invalid_argument(reason);
   CameraRig rig;
   for (size_t i = 0; i < cameras_.size(); ++i) {
+    if (lacking_.isLeftOut(i)) {
+      rig.push_back(blindCamera(cameras_[i]));
+      continue;
+    }
     // A camera that moves is where it was before, or doubtOf() would not tell its error.
     const geometry_msgs::Transform pose =
         placed_[i]

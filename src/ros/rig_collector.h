@@ -3,12 +3,14 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <tf2/buffer_core.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "markerless_mocap/camera/camera.h"
+#include "ros/lacking_cameras.h"
 
 namespace markerless_mocap {
 
@@ -27,8 +29,9 @@ class RigCollector {
   /// \param world_frame frame of the rig
   /// \param rig_file instead of camera_info and tf; empty: none. Throws as readRig() and
   ///   camerasNamed().
+  /// \param required if so many cameras are known, settle() does not wait for the others for long
   RigCollector(std::vector<std::string> cameras, std::string world_frame,
-               const std::string& rig_file = "");
+               const std::string& rig_file = "", size_t required = SIZE_MAX);
 
   const std::vector<std::string>& cameras() const { return cameras_; }
   /// True if the rig comes from a file: no camera_info is needed.
@@ -37,8 +40,8 @@ class RigCollector {
   const std::string& unusedCameras() const { return unused_cameras_; }
   /// Time offset of each camera in the rig file, s; empty without a file or without offsets.
   std::vector<double> timeOffsets() const;
-  /// Stores the message; returns true if it is the camera's first. What differs from the first is
-  /// taken over by settle().
+  /// Stores the message; returns true if it is the camera's first and the rig was waiting for it.
+  /// Everything else is taken over by settle().
   bool add(size_t camera, const sensor_msgs::CameraInfo& info);
   bool has(size_t camera) const { return infos_.at(camera).has_value(); }
 
@@ -49,7 +52,8 @@ class RigCollector {
   /// Whether tf places a camera by way of this frame.
   bool dependsOn(const std::string& frame, const tf2::BufferCore& tf) const;
 
-  /// Throws std::invalid_argument with the message of missing(), or as calibrationFromMessage().
+  /// Cameras that are left out, as too little is known of them, are blindCamera(). Throws
+  /// std::invalid_argument with the message of missing(), or as calibrationFromMessage().
   CameraRig rig(const tf2::BufferCore& tf) const;
 
   /// Size of the images that the camera sends, px: camera_info of another size is not taken over
@@ -58,13 +62,15 @@ class RigCollector {
   /// Takes over camera_info and poses that differ from those of the rig and have stayed the same
   /// for half a second. A camera_info that no camera has, that changes all the time, or whose frame
   /// tf does not connect to the world, is not.
+  /// Where enough cameras are known, those that are not are left out after a while, until they are.
   /// After half a second without a call the present ones are taken over at once, as at the start:
   /// nobody has watched whether they stayed. To be called whenever the rig is used.
   /// \param now s, by a clock that is never set
   /// \param remarks a sentence is appended for each change and each refusal
   RigChange settle(const tf2::BufferCore& tf, double now, std::vector<std::string>* remarks);
   /// Why what the camera sends must not be used, after settle(): its pose or its lens has changed
-  /// noticeably, and has not been taken over yet. Empty: it may be used.
+  /// noticeably, and has not been taken over yet, or too little is known of it. Empty: it may be
+  /// used.
   const std::string& doubtOf(size_t camera) const { return doubts_.at(camera); }
 
  private:
@@ -101,11 +107,14 @@ class RigCollector {
   /// one can.
   std::string findPose(size_t camera, const tf2::BufferCore& tf,
                        geometry_msgs::Transform* pose) const;
+  /// What is not known of a camera that the rig needs; empty: nothing.
+  std::string lackOf(size_t camera, const tf2::BufferCore& tf) const;
   /// Why the place of the frame that a camera_info names is not known; empty if it is.
   std::string unplaced(size_t camera, const std::string& frame, const tf2::BufferCore& tf) const;
 
   std::vector<std::string> cameras_;
   std::string world_frame_;
+  LackingCameras lacking_;
   std::vector<std::optional<sensor_msgs::CameraInfo>> infos_;
   std::vector<std::optional<Candidate>> candidates_;  ///< by camera
   std::vector<Wandering> wanderings_;                 ///< by camera

@@ -46,6 +46,18 @@ class FaultSuite(FaultCase):
         self.expect('set back by 0.3', 'set back by 0.2', some=True)
         self.set_right()
 
+    def test_clock_ahead_1000s_and_right_again(self):
+        self.cameras.stamp_of = lambda camera, stamp: stamp + rospy.Duration(1000)
+        self.run_fault()
+        self.expect('the clock was set ahead by', 'the clock was set back by')
+        self.assertLess(self.recovery, 1.0)
+
+    def test_clock_back_100s_and_right_again(self):
+        self.cameras.stamp_of = lambda camera, stamp: stamp - rospy.Duration(100)
+        self.run_fault()
+        self.expect('the clock was set back by', 'the clock was set ahead by')
+        self.assertLess(self.recovery, 1.0)
+
     def test_one_image_ahead(self):
         left = {camera: 1 for camera in CAMERAS}
 
@@ -244,6 +256,29 @@ class FaultSuite(FaultCase):
         self.cameras.info_of = info_of
         self.run_fault()
         self.expect('but the new one is not used')
+
+    def test_camera_info_of_no_view(self):
+        """Its principal point is far beside the image."""
+        self.k_of_one({2: 1e6})
+        self.expect('but the new one is not used: camera \'cam2\': by K', least=0.8)
+
+    def test_camera_info_of_another_camera(self):
+        """A calibration of half the focal length, or of a part of a larger image."""
+        for change in ({0: 150.0, 4: 150.0}, {2: 3 * 320.0}):
+            self.start = time.time()
+            self.k_of_one(change)
+            self.expect('the person is seen elsewhere by cam2', least=0.8)
+            self.assertLess(self.recovery, 1.0)
+
+    def k_of_one(self, change):
+        def info_of(camera, info):
+            other = CameraInfo(**{name: getattr(info, name) for name in info.__slots__})
+            other.K = list(info.K)
+            for place, value in change.items():
+                other.K[place] = value
+            return other if camera == 'cam2' else info
+        self.cameras.info_of = info_of
+        self.run_fault(4.0)
 
     def test_frame_of_one_is_empty(self):
         self.cameras.frame_of = lambda camera, frame: '' if camera == 'cam2' else frame

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "camera/blind_camera.h"
 #include "error_text_of.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/placed_camera.h"
@@ -102,6 +103,81 @@ TEST(RigCollector, AFirstCalibrationOfNoCameraIsReplacedAtOnce) {
   collector.add(0, infoIn("a_optical"));
   EXPECT_EQ(collector.settle(tf, 0.1, &remarks), RigChange::kWhileUsed);
   EXPECT_EQ(collector.rig(tf).size(), 1u);
+}
+
+/// Four cameras, three of which are enough. The last one is not placed.
+class RigWithALackingCamera : public ::testing::Test {
+ protected:
+  RigWithALackingCamera() : collector_({"a", "b", "c", "d"}, "world", "", 3) {
+    for (const char* name : {"a", "b", "c"}) place(tf_, std::string(name) + "_optical");
+    for (size_t i = 0; i < 3; ++i)
+      collector_.add(i, infoIn(std::string(1, char('a' + i)) + "_optical"));
+  }
+  RigChange settle(double now) {
+    remarks_.clear();
+    return collector_.settle(tf_, now, &remarks_);
+  }
+  /// Whether the rig changes within some seconds.
+  bool goesWithout(double from) {
+    bool changed = false;
+    for (double now = from; now < from + 3.0; now += 0.1)
+      changed = settle(now) != RigChange::kNone || changed;
+    return changed && collector_.missing(tf_).empty();
+  }
+
+  tf2::BufferCore tf_;
+  RigCollector collector_;
+  std::vector<std::string> remarks_;
+};
+
+TEST_F(RigWithALackingCamera, IsWaitedForAWhile) {
+  EXPECT_EQ(settle(0.0), RigChange::kNone);
+  EXPECT_EQ(settle(0.4), RigChange::kNone);
+  EXPECT_EQ(collector_.missing(tf_), "no camera_info has been received from d");
+}
+
+TEST_F(RigWithALackingCamera, IsUsedWithoutItUntilItIsKnown) {
+  ASSERT_TRUE(goesWithout(0.0));
+  EXPECT_EQ(remarks_, std::vector<std::string>{"no camera_info has been received from d; the other "
+                                               "cameras are used without it"});
+  EXPECT_EQ(collector_.doubtOf(3), "no camera_info has been received from d");
+  EXPECT_EQ(collector_.doubtOf(0), "");
+  const CameraRig rig = collector_.rig(tf_);
+  ASSERT_EQ(rig.size(), 4u);
+  EXPECT_TRUE(isBlind(rig[3]));
+  EXPECT_EQ(rig[3].name(), "d");
+  EXPECT_FALSE(isBlind(rig[2]));
+  // Its camera_info comes, then its transform.
+  EXPECT_FALSE(collector_.add(3, infoIn("d_optical"))) << "the rig that is used stays";
+  EXPECT_EQ(settle(3.1), RigChange::kNone);
+  EXPECT_EQ(collector_.doubtOf(3), "tf does not connect d_optical of d to world");
+  place(tf_, "d_optical");
+  EXPECT_EQ(settle(3.2), RigChange::kWhileUsed);
+  EXPECT_EQ(remarks_, std::vector<std::string>{"d is known now and used"});
+  EXPECT_EQ(collector_.doubtOf(3), "");
+  EXPECT_FALSE(isBlind(collector_.rig(tf_)[3]));
+}
+
+TEST_F(RigWithALackingCamera, AFirstCalibrationOfNoCameraCostsThatCamera) {
+  place(tf_, "d_optical");
+  sensor_msgs::CameraInfo bad = infoIn("d_optical");
+  bad.K.assign(0.0);
+  collector_.add(3, bad);
+  ASSERT_TRUE(goesWithout(0.0));
+  EXPECT_NE(collector_.doubtOf(3).find("K is all zero"), std::string::npos);
+  EXPECT_TRUE(isBlind(collector_.rig(tf_)[3]));
+  collector_.add(3, infoIn("d_optical"));
+  EXPECT_EQ(settle(3.1), RigChange::kWhileUsed);
+  EXPECT_FALSE(isBlind(collector_.rig(tf_)[3]));
+}
+
+TEST_F(RigWithALackingCamera, TooFewCamerasAreNotEnough) {
+  RigCollector collector({"a", "b", "c", "d"}, "world", "", 4);
+  for (size_t i = 0; i < 3; ++i)
+    collector.add(i, infoIn(std::string(1, char('a' + i)) + "_optical"));
+  for (double now = 0.0; now < 5.0; now += 0.1)
+    EXPECT_EQ(collector.settle(tf_, now, &remarks_), RigChange::kNone);
+  EXPECT_EQ(collector.missing(tf_), "no camera_info has been received from d");
 }
 
 TEST(RigCollector, AFrameOfAnotherCameraIsNotTaken) {

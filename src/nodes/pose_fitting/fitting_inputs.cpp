@@ -35,9 +35,8 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       needs_(needs),
       status_(status),
       sink_(std::move(sink)),
-      tf_listener_(tf_),
-      tf_faults_(handle),
-      collector_(options.cameras, options.world_frame, options.rig_file),
+      tf_(handle),
+      collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       assembler_(
           std::max(options.cameras.size(), size_t(1)),
           maskSetOptions(options.stamp_tolerance, options.deadline, collector_.timeOffsets())),
@@ -109,6 +108,7 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
 
 void FittingInputs::receiveHull(const std_msgs::Header& header) {
   FittingMessages input;
+  input.arrival_ns = ros::SteadyTime::now().toNSec();
   input.header = header;
   input.rig = rig_;
   sink_(std::move(input));
@@ -116,10 +116,10 @@ void FittingInputs::receiveHull(const std_msgs::Header& header) {
 
 void FittingInputs::followRig() {
   std::vector<std::string> remarks;
-  if (collector_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
+  if (collector_.settle(tf_.buffer(), ros::SteadyTime::now().toSec(), &remarks) != RigChange::kNone)
     rig_.reset();
   for (const std::string& remark : remarks) status_->remark(remark);
-  tf_faults_.tell(collector_, tf_, status_);
+  tf_.tellFaults(collector_, status_);
 }
 
 void FittingInputs::dispatchReady() {
@@ -131,6 +131,7 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
   if (isStray(frame_set)) return status_->count("lone masks between frame sets");
   followRig();
   FittingMessages input;
+  input.arrival_ns = ros::SteadyTime::now().toNSec();
   input.header.stamp = rosTime(frame_set.stamp_ns);
   input.header.frame_id = options_.world_frame;
   for (size_t i = 0; i < options_.cameras.size(); ++i) addView(i, frame_set, &input);
@@ -233,7 +234,7 @@ CameraImage FittingInputs::takeImage(size_t camera, const sensor_msgs::Image& ma
 std::string FittingInputs::prepareRig() {
   if (rig_) return "";
   try {
-    rig_ = std::make_shared<const CameraRig>(collector_.rig(tf_));
+    rig_ = std::make_shared<const CameraRig>(collector_.rig(tf_.buffer()));
     return "";
   } catch (const std::exception& error) {
     return error.what();

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <deque>
 #include <functional>
@@ -15,10 +13,10 @@
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/ros/messages.h"
+#include "nodes/common/camera_transforms.h"
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
-#include "nodes/common/tf_faults.h"
 #include "nodes/pose_fitting/color_images.h"
 #include "nodes/pose_fitting/live_products.h"
 #include "ros/node_options.h"
@@ -29,7 +27,8 @@ namespace markerless_mocap {
 /// Messages of the cameras for one time. Missing messages are null.
 struct FittingMessages {
   std_msgs::Header header;
-  std::string error;  ///< why no pose can be fitted; empty if it can
+  int64_t arrival_ns = 0;  ///< when it was complete, by a clock that is never set
+  std::string error;       ///< why no pose can be fitted; empty if it can
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
@@ -90,9 +89,7 @@ class FittingInputs {
   TrackerNeeds needs_;
   StageStatus* status_;
   std::function<void(FittingMessages)> sink_;
-  tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
-  TfFaults tf_faults_;
+  CameraTransforms tf_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   Assembler assembler_;

@@ -6,15 +6,12 @@
 #include <exception>
 #include <stdexcept>
 
-#include "markerless_mocap/tracking/shape_file.h"
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
-#include "nodes/pose_fitting/tracker_update.h"
 #include "ros/body_markers.h"
 #include "ros/camera_conversions.h"
 #include "ros/package_files.h"
 #include "ros/pose_conversions.h"
-#include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
 namespace {
@@ -28,12 +25,9 @@ constexpr size_t kMaxWaiting = 90, kMaxWaitingWithImages = 40;
 constexpr size_t kMaxLate = 2;  // frame sets behind a search that may still be answered in time
 // Of the frame sets that wait, those are kept that lead from the last pose to the newest ones: few
 // of those behind a search, more where fitting is slower than the cameras.
-constexpr double kLargestLeap = 1e-9 * double(kLongGap_ns);  // s, over it no pose is doubted
-constexpr double kSmallLeap = 0.1;                           // s, a tracker hardly notices it
-constexpr size_t kNewest = 3;                                // of which none is left out
-constexpr int64_t kLargestStep = 2'000'000'000;              // ns
-constexpr int64_t kLargestPeriod = 500'000'000;              // ns
-constexpr double kLongestSilence = 2.0;  // s of the wall clock, then nobody is announced
+constexpr int64_t kLargestLeap_ns = kLongGap_ns;  // over it no pose is doubted
+constexpr int64_t kSmallLeap_ns = 100'000'000;    // a tracker hardly notices it
+constexpr double kLongestSilence = 2.0;           // s of the wall clock, then nobody is announced
 
 PersonResources resourcesOf(const FittingNodeOptions& options) {
   PersonResources resources = readPersonResources(
@@ -105,9 +99,9 @@ void FittingStage::enqueue(FittingMessages input) {
   answerLate(input.header);
   queue_.push(std::move(input));
   if (!needsOf(options_.method).starts_by_search) return;
-  const double leap = searches_ ? kLargestLeap : kSmallLeap;
-  queue_.thinOut(kNewest, [leap](const FittingMessages& one, const FittingMessages& other) {
-    return (other.header.stamp - one.header.stamp).toSec() < leap;
+  const int64_t leap_ns = searches_ ? kLargestLeap_ns : kSmallLeap_ns;
+  queue_.thinOut(kNewest, [leap_ns](const FittingMessages& one, const FittingMessages& other) {
+    return isWithin(leap_ns, nanosecondsOf(one.header.stamp), nanosecondsOf(other.header.stamp));
   });
 }
 
@@ -121,108 +115,6 @@ void FittingStage::answerLate(const std_msgs::Header& newest) {
   lost.reason = "the person is being searched for";
   while (const std::optional<std_msgs::Header> late = answers_.takeLate(kMaxLate))
     publish(lost, *late);
-}
-
-void FittingStage::work() {
-  while (std::optional<FittingMessages> input = queue_.take()) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!runs_) {
-      status_.ok("stopped by the service set_running");
-      const std::lock_guard announcing(announcing_);
-      answers_.take(input->header);
-      continue;
-    }
-    input->behind = queue_.waitingCount() > kNewest;
-    const ros::WallTime start = ros::WallTime::now();
-    const BodyPose pose = fit(*input);
-    const double fitting = (ros::WallTime::now() - start).toSec();
-    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
-    if (answer(pose, *input)) reportTimes(fitting);
-    if (queue_.waitingCount() <= kNewest) searches_ = false;
-  }
-}
-
-BodyPose FittingStage::fit(const FittingMessages& input) {
-  try {
-    if (!input.error.empty()) throw std::invalid_argument(input.error);
-    const int64_t stamp_ns = steadyStamp(input.header.stamp);
-    prepareTracker(input, stamp_ns);
-    const BodyPose pose = updated(*tracker_, withoutChangedCameras(input, *rig_),
-                                  inputs_->products(), stamp_ns, needsOf(options_.method).images);
-    follows_ = pose.status != PoseStatus::kLost;
-    return pose;
-  } catch (const std::exception& error) {
-    follows_ = false;
-    BodyPose lost;
-    lost.reason = error.what();
-    return lost;
-  }
-}
-
-// A small step back is a clock that was set, while the person goes on; after a large one, as of a
-// bag that begins again, the tracker starts anew.
-int64_t FittingStage::steadyStamp(const ros::Time& stamp) {
-  const int64_t stamp_ns = nanosecondsOf(stamp);
-  const int64_t back_ns = last_stamp_ns_ - stamp_ns;
-  if (back_ns > kLargestStep) shift_ns_ = 0;
-  if (back_ns > 0 && back_ns <= kLargestStep) {
-    shift_ns_ += back_ns + period_ns_;
-    status_.remark("the clock was set back by " + std::to_string(back_ns / 1'000'000) +
-                   " ms, the person is followed on");
-  }
-  if (back_ns < 0 && back_ns > -kLargestPeriod) period_ns_ = -back_ns;
-  if (back_ns <= -kLargestPeriod) follows_ = false;  // the cameras may have moved meanwhile
-  last_stamp_ns_ = stamp_ns;
-  return stamp_ns + shift_ns_;
-}
-
-void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns) {
-  if (tracker_ && input.rig == rig_) return successor_.forget();
-  if (body_->shape_estimated) resources_.known_shape = body_->shape;
-  std::unique_ptr<BodyTracker> next;
-  if (tracker_ && follows_) {
-    next = successor_.look(
-        input.rig,
-        [rig = input.rig, resources = resources_, options = options_] {
-          return makeBodyTracker(*rig, resources, options);
-        },
-        [this, input, stamp_ns, images = needsOf(options_.method).images](BodyTracker& tracker) {
-          return updated(tracker, input, inputs_->products(), stamp_ns, images);
-        });
-    if (!next) return;
-  } else {
-    next = successor_.takeOf(input.rig);
-  }
-  searches_ = true;  // making a tracker takes long, too
-  tracker_ = next ? std::move(next) : makeBodyTracker(*input.rig, resources_, options_);
-  rig_ = input.rig;
-}
-
-void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
-  const bool newly_measured = body->shape_estimated && !resources_.known_shape;
-  {
-    const std::lock_guard lock(announcing_);
-    body_ = body;
-    filter_ = makePoseFilter(body_->model, options_.filter);
-    announcer_.announce(false, ros::Time::now());
-    description_.set(*body_);
-  }
-  if (!newly_measured) return;
-  ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
-           statureOf(body_->shape));
-  const std::string scale = scaleFinding(statureOf(body_->shape));
-  if (!scale.empty()) ROS_WARN("pose fitting: %s", scale.c_str());
-  resources_.known_shape = body_->shape;
-  saveBody();
-}
-
-void FittingStage::saveBody() {
-  if (node_options_.body_file.empty()) return;
-  try {
-    writeBodyFile(node_options_.body_file, body_->shape);
-  } catch (const std::exception& error) {
-    ROS_ERROR_STREAM("pose fitting: " << error.what());
-  }
 }
 
 void FittingStage::display(const BodyPose& pose, const FittingMessages& input) {
@@ -247,7 +139,7 @@ bool FittingStage::answer(const BodyPose& raw, const FittingMessages& input) {
 BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& header) {
   const BodyModel& model = *body_->model;
   const BodyPose pose =
-      filter_ ? filter_->filtered(nanosecondsOf(header.stamp) + shift_ns_, raw) : raw;
+      filter_ ? filter_->filtered(time_.timeOf(nanosecondsOf(header.stamp)), raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
   answered_lost_ = !tracked;
   last_published_ = ros::WallTime::now();
@@ -298,14 +190,12 @@ void FittingStage::beat() {
   message.last_pose = rosTime(last_pose_ns_);
   message.last_tracked = rosTime(last_tracked_ns_);
   inputs_->describeCameras(&message);
+  for (size_t i = 0; i < message.used.size(); ++i)
+    if (trust_.isRefused(i)) {
+      message.used[i] = false;
+      message.reasons[i] = "its images do not agree with its new camera_info or pose";
+    }
   heartbeat_.publish(message);
-}
-
-void FittingStage::reportTimes(double fitting) {
-  fitting_times_.add(ros::SteadyTime::now().toSec(), fitting);
-  status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
-  status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
-  status_.set("frame sets dropped for newer ones", queue_.droppedCount());
 }
 
 }  // namespace markerless_mocap

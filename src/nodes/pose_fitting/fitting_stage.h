@@ -23,8 +23,10 @@
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
 #include "nodes/pose_fitting/overlays.h"
+#include "nodes/pose_fitting/steady_time.h"
 #include "nodes/pose_fitting/tracker_successor.h"
 #include "ros/node_options.h"
+#include "tracking/rig_trust.h"
 
 namespace markerless_mocap {
 
@@ -46,9 +48,11 @@ class FittingStage {
   /// While the person is searched for, answers the frame sets that have waited too long.
   void answerLate(const std_msgs::Header& newest);
   void work();
-  BodyPose fit(const FittingMessages& input);
-  /// The tracker's time of a stamp: it goes on when the clock is set back a little.
-  int64_t steadyStamp(const ros::Time& stamp);
+  BodyPose fit(const FittingMessages& message);
+  /// The messages with the rig that is believed, without those of cameras that are not.
+  FittingMessages believed(const FittingMessages& input);
+  /// The tracker's time of a frame set.
+  int64_t steadyStamp(const FittingMessages& input);
   /// Makes a tracker if there is none of the rig. While the old one follows the person, it goes on
   /// until the new one has found the person, too.
   void prepareTracker(const FittingMessages& input, int64_t stamp_ns);
@@ -78,6 +82,8 @@ class FittingStage {
   void beat();
   void reportTimes(double fitting);
 
+  static constexpr size_t kNewest = 3;  // frame sets that wait, of which none is left out
+
   std::mutex mutex_;  ///< held for a frame set, a service, a change of settings
   TrackerOptions options_;
   FittingNodeOptions node_options_;
@@ -96,9 +102,9 @@ class FittingStage {
   std::shared_ptr<const CameraRig> rig_;     ///< of tracker_
   std::unique_ptr<BodyTracker> tracker_;     ///< null until the rig is known
   bool follows_ = false;                     ///< the person, in the last frame set
-  int64_t last_stamp_ns_ = 0;                ///< of the tracker
-  std::atomic<int64_t> shift_ns_{0};         ///< of the tracker's time
-  int64_t period_ns_ = 0;                    ///< between the last frame sets
+  BodyPose last_fitted_;                     ///< valid if follows_
+  RigTrust trust_;
+  SteadyTime time_;  ///< of the tracker
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};
   std::optional<Eigen::Vector3d> last_head_;  ///< m in world, where the text is shown
   std::atomic<bool> runs_{true};

@@ -46,6 +46,21 @@ std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
 
 }  // namespace
 
+cv::Mat maskOrNothing(const FittingMessages& input, size_t camera) {
+  if (!input.masks[camera]) return cv::Mat();
+  try {
+    return maskOfCamera((*input.rig)[camera], *input.masks[camera]);
+  } catch (const std::exception&) {  // told when it is used
+    return cv::Mat();
+  }
+}
+
+std::vector<Eigen::Vector3d> jointsOf(const BodyModel& model, const BodyPose& pose) {
+  LinkPoses T_world_link;
+  model.forwardKinematics(pose.T_world_body, pose.angles, T_world_link);
+  return markerPositions(model, T_world_link);
+}
+
 FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& rig) {
   if (input.rig.get() == &rig) return input;
   for (size_t i = 0; i < input.masks.size(); ++i) {

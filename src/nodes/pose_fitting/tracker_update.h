@@ -1,11 +1,19 @@
 #pragma once
 
-#include <string>
+#include <opencv2/core/mat.hpp>
+#include <vector>
 
+#include "markerless_mocap/body/body_model.h"
 #include "markerless_mocap/tracking/body_tracker.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
 
 namespace markerless_mocap {
+
+/// A camera's mask; empty if there is none that can be used.
+cv::Mat maskOrNothing(const FittingMessages& input, size_t camera);
+
+/// The joint centres of a pose that is not lost, m in world.
+std::vector<Eigen::Vector3d> jointsOf(const BodyModel& model, const BodyPose& pose);
 
 /// The messages without those of cameras that are elsewhere than the tracker's rig has them.
 FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& rig);

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "camera/camera_difference.h"
-#include "camera/timing_remarks.h"
 #include "hull/camera_trust.h"
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
@@ -31,27 +30,14 @@ AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollecto
   return maskSetOptions(node.stamp_tolerance, node.deadline, rig.timeOffsets());
 }
 
-/// For example "hull of 2000 voxels without camera 'a': its mask is full; 2 components are suspect
-/// ghosts".
-std::string messageFor(const VisualHull& hull) {
-  std::string message = "hull of " + std::to_string(hull.voxels.size()) + " voxels";
-  for (const LeftOutCamera& camera : hull.cameras_left_out)
-    message += " without camera '" + camera.name + "': " + camera.reason + ";";
-  if (!hull.cameras_left_out.empty()) message.pop_back();
-  const auto ghosts = std::count_if(hull.components.begin(), hull.components.end(),
-                                    [](const HullComponent& c) { return c.suspect_ghost; });
-  if (ghosts > 0) message += "; " + std::to_string(ghosts) + " components are suspect ghosts";
-  return message;
-}
-
 }  // namespace
 
 HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                      const HullOptions& options, const HullNodeOptions& node_options)
     : node_options_(node_options),
-      tf_listener_(tf_),
-      tf_faults_(handle),
-      rig_(node_options.cameras, node_options.world_frame, node_options.rig_file),
+      tf_(handle),
+      rig_(node_options.cameras, node_options.world_frame, node_options.rig_file,
+           node_options.requiredCameras()),
       assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
       images_(node_options.cameras.size(), kMaxImages),
       waiting_(kMaxWaiting),
@@ -134,13 +120,13 @@ void HullStage::receiveImage(size_t camera, const CameraImage& image) {
 
 void HullStage::followRig() {
   std::vector<std::string> remarks;
-  const RigChange change = rig_.settle(tf_, ros::SteadyTime::now().toSec(), &remarks);
+  const RigChange change = rig_.settle(tf_.buffer(), ros::SteadyTime::now().toSec(), &remarks);
   if (change == RigChange::kAfterPause)
     carver_.forgetRig();
-  else if (change == RigChange::kWhileUsed && rig_.missing(tf_).empty())
-    carver_.changeRig(rig_.rig(tf_));
+  else if (change == RigChange::kWhileUsed && rig_.missing(tf_.buffer()).empty())
+    carver_.changeRig(rig_.rig(tf_.buffer()));
   for (const std::string& remark : remarks) status_.remark(remark);
-  tf_faults_.tell(rig_, tf_, &status_);
+  tf_.tellFaults(rig_, &status_);
 }
 
 std::string HullStage::doubtOf(size_t camera) const {
@@ -214,63 +200,13 @@ bool HullStage::isStray(const Assembler::FrameSet& frame_set) const {
          std::abs(frame_set.stamp_ns - *last_carved_ns_) < kStrayTime;
 }
 
-void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
-                               const std_msgs::Header& header) {
-  HullCameras message;
-  message.header = header;
-  message.cameras = node_options_.cameras;
-  for (size_t i = 0; i < message.cameras.size(); ++i) {
-    const bool present = frame_set.present[i];
-    message.usable.push_back(present);
-    message.reasons.push_back(present ? "" : missRemark(message.cameras[i], assembler_.timing(i)));
-  }
-  for (const LeftOutCamera& camera : hull.cameras_left_out) {
-    const auto at = std::find(message.cameras.begin(), message.cameras.end(), camera.name) -
-                    message.cameras.begin();
-    // Where too little is known, fitting goes by the colours.
-    const sensor_msgs::ImageConstPtr& mask = frame_set.items[size_t(at)];
-    const bool by_color = mask && hasUnknownBackground(*mask) && doubtOf(size_t(at)).empty();
-    if (!by_color) message.usable[size_t(at)] = false;
-    message.reasons[size_t(at)] = camera.reason;
-    if (by_color && node_options_.privacy)
-      message.reasons[size_t(at)] +=
-          "; with privacy its colours are not read, and only what its mask knows is used";
-  }
-  cameras_.publish(message);
-  display_.note(message);
-}
-
-std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
-  const AssemblerOptions options = assemblerOptions(node_options_, rig_);
-  std::string remarks;
-  for (size_t i = 0; i < frame_set.present.size(); ++i) {
-    const std::string& camera = node_options_.cameras[i];
-    const StreamTiming timing = assembler_.timing(i);
-    const std::string remark =
-        frame_set.present[i] ? lagRemark(camera, timing, options) : missRemark(camera, timing);
-    if (!remark.empty()) remarks += "; " + remark;
-  }
-  return remarks;
-}
-
-void HullStage::reportHull(const VisualHull& hull, const std::string& timing) {
-  for (const LeftOutCamera& camera : hull.cameras_left_out)
-    status_.count("frame sets without camera " + camera.name);
-  if (hull.status != HullStatus::kOk)
-    status_.problem(hull.reason);
-  else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost && timing.empty())
-    status_.ok(messageFor(hull));
-  else
-    status_.waiting(messageFor(hull) + timing);
-}
-
 void HullStage::prepareCarver(const std_msgs::Header& header) {
   if (carver_.takeNew()) announceCarver(header);
   if (carver_) return;
   if (!carver_.error().empty()) throw std::invalid_argument(carver_.error());
-  const std::string missing = rig_.missing(tf_);
+  const std::string missing = rig_.missing(tf_.buffer());
   if (!missing.empty()) throw std::invalid_argument(missing);
-  carver_.make(rig_.rig(tf_));
+  carver_.make(rig_.rig(tf_.buffer()));
   announceCarver(header);
 }
 
@@ -312,21 +248,6 @@ std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
     }
   }
   return views;
-}
-
-void HullStage::reportCounts() {
-  const AssemblerCounts& counts = assembler_.counts();
-  status_.set("complete frame sets", counts.complete);
-  status_.set("incomplete frame sets", counts.incomplete);
-  status_.set("abandoned frame sets", counts.abandoned);
-  status_.set("duplicate masks", counts.duplicate);
-  status_.set("late masks", counts.late);
-  status_.set("masks far in the future", counts.far_future);
-  status_.set("frame sets dropped from a full queue", counts.overflow);
-  status_.set("time went back", counts.time_jumps_back);
-  for (size_t i = 0; i < node_options_.cameras.size(); ++i)
-    status_.set("frame sets without the mask of " + node_options_.cameras[i],
-                assembler_.timing(i).left_out);
 }
 
 }  // namespace markerless_mocap

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
-
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -11,12 +8,12 @@
 
 #include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
+#include "nodes/common/camera_transforms.h"
 #include "nodes/common/holding_queue.h"
 #include "nodes/common/live_options.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stage_services.h"
 #include "nodes/common/stamp_cache.h"
-#include "nodes/common/tf_faults.h"
 #include "nodes/visual_hull/camera_display.h"
 #include "nodes/visual_hull/live_carver.h"
 #include "nodes/visual_hull/volume_handles.h"
@@ -79,9 +76,7 @@ class HullStage {
   void reportCounts();
 
   HullNodeOptions node_options_;
-  tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
-  TfFaults tf_faults_;
+  CameraTransforms tf_;
   RigCollector rig_;
   Assembler assembler_;
   StampCache<CameraImage> images_;

@@ -1,0 +1,134 @@
+// What the thread of FittingStage does with the frame sets.
+#include <ros/console.h>
+
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+#include "markerless_mocap/tracking/shape_file.h"
+#include "nodes/pose_fitting/fitting_stage.h"
+#include "nodes/pose_fitting/tracker_update.h"
+#include "ros/camera_conversions.h"
+#include "ros/package_files.h"
+#include "tracking/calibration_scale.h"
+
+namespace markerless_mocap {
+
+void FittingStage::work() {
+  while (std::optional<FittingMessages> input = queue_.take()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!runs_) {
+      status_.ok("stopped by the service set_running");
+      const std::lock_guard announcing(announcing_);
+      answers_.take(input->header);
+      continue;
+    }
+    input->behind = queue_.waitingCount() > kNewest;
+    const ros::WallTime start = ros::WallTime::now();
+    const BodyPose pose = fit(*input);
+    const double fitting = (ros::WallTime::now() - start).toSec();
+    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
+    if (answer(pose, *input)) reportTimes(fitting);
+    if (queue_.waitingCount() <= kNewest) searches_ = false;
+  }
+}
+
+BodyPose FittingStage::fit(const FittingMessages& message) {
+  try {
+    if (!message.error.empty()) throw std::invalid_argument(message.error);
+    const int64_t stamp_ns = steadyStamp(message);
+    const FittingMessages input = believed(message);
+    prepareTracker(input, stamp_ns);
+    const BodyPose pose = updated(*tracker_, withoutChangedCameras(input, *rig_),
+                                  inputs_->products(), stamp_ns, needsOf(options_.method).images);
+    follows_ = pose.status != PoseStatus::kLost;
+    if (follows_) last_fitted_ = pose;
+    return pose;
+  } catch (const std::exception& error) {
+    follows_ = false;
+    BodyPose lost;
+    lost.reason = error.what();
+    return lost;
+  }
+}
+
+int64_t FittingStage::steadyStamp(const FittingMessages& input) {
+  const SteadyTime::Moment now = time_.at(nanosecondsOf(input.header.stamp), input.arrival_ns);
+  if (now.set_by_ns != 0)
+    status_.remark("the clock was set " + std::string(now.set_by_ns < 0 ? "back" : "ahead") +
+                   " by " + std::to_string(std::abs(now.set_by_ns) / 1'000'000) +
+                   " ms, the person is followed on");
+  if (now.after_pause) follows_ = false;  // the cameras may have moved meanwhile
+  return now.time_ns;
+}
+
+FittingMessages FittingStage::believed(const FittingMessages& input) {
+  RigTrust::Evidence evidence{[&input](size_t camera) { return maskOrNothing(input, camera); }, {}};
+  if (follows_) evidence.joints = jointsOf(*body_->model, last_fitted_);
+  const RigTrust::RigPointer rig = trust_.rigFor(input.rig, evidence);
+  for (size_t i = 0; i < rig->size(); ++i)
+    if (trust_.isRefused(i))
+      status_.remark("the person is seen elsewhere by " + (*rig)[i].name() +
+                     " than its new camera_info or pose says, it is left out until both agree");
+  FittingMessages believed = withoutChangedCameras(input, *rig);
+  believed.rig = rig;
+  return believed;
+}
+
+void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns) {
+  if (tracker_ && input.rig == rig_) return successor_.forget();
+  if (body_->shape_estimated) resources_.known_shape = body_->shape;
+  std::unique_ptr<BodyTracker> next;
+  if (tracker_ && follows_) {
+    next = successor_.look(
+        input.rig,
+        [rig = input.rig, resources = resources_, options = options_] {
+          return makeBodyTracker(*rig, resources, options);
+        },
+        [this, input, stamp_ns, images = needsOf(options_.method).images](BodyTracker& tracker) {
+          return updated(tracker, input, inputs_->products(), stamp_ns, images);
+        });
+    if (!next) return;
+  } else {
+    next = successor_.takeOf(input.rig);
+  }
+  searches_ = true;  // making a tracker takes long, too
+  tracker_ = next ? std::move(next) : makeBodyTracker(*input.rig, resources_, options_);
+  rig_ = input.rig;
+}
+
+void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
+  const bool newly_measured = body->shape_estimated && !resources_.known_shape;
+  {
+    const std::lock_guard lock(announcing_);
+    body_ = body;
+    filter_ = makePoseFilter(body_->model, options_.filter);
+    announcer_.announce(false, ros::Time::now());
+    description_.set(*body_);
+  }
+  if (!newly_measured) return;
+  ROS_INFO("pose fitting: the body has been measured, its stature is %.2f m",
+           statureOf(body_->shape));
+  const std::string scale = scaleFinding(statureOf(body_->shape));
+  if (!scale.empty()) ROS_WARN("pose fitting: %s", scale.c_str());
+  resources_.known_shape = body_->shape;
+  saveBody();
+}
+
+void FittingStage::saveBody() {
+  if (node_options_.body_file.empty()) return;
+  try {
+    writeBodyFile(node_options_.body_file, body_->shape);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("pose fitting: " << error.what());
+  }
+}
+
+void FittingStage::reportTimes(double fitting) {
+  fitting_times_.add(ros::SteadyTime::now().toSec(), fitting);
+  status_.set("fitting, median ms", fitting_times_.milliseconds(0.5));
+  status_.set("fitting, 99 % within ms", fitting_times_.milliseconds(0.99));
+  status_.set("frame sets dropped for newer ones", queue_.droppedCount());
+}
+
+}  // namespace markerless_mocap
