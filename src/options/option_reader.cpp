@@ -99,13 +99,14 @@ void OptionReader::finish() const {
   if (!node_ || node_.IsNull()) return;
   for (const auto& entry : node_) {
     if (!entry.first.IsScalar())
-      throw std::invalid_argument(where_ + " has the key " + shown(entry.first) +
+      throw std::invalid_argument(where_ + " has the key " + shortened(shown(entry.first)) +
                                   ", allowed are texts");
     const std::string& key = entry.first.Scalar();
     if (known_.count(key)) continue;
     throwIfKeyWasRenamed({where_, stage_, key});
-    throw std::invalid_argument(path(key) + " is not an option (value " + shown(entry.second) +
-                                "), " + suggestion(known_, key));
+    const std::string name = shortened(key);
+    throw std::invalid_argument(path(name.c_str()) + " is not an option (value " +
+                                shortened(shown(entry.second)) + "), " + suggestion(known_, name));
   }
 }
 

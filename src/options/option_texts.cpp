@@ -67,6 +67,14 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
+std::string shortened(const std::string& text) {
+  constexpr size_t kShown = 100;
+  if (text.size() <= kShown) return text;
+  size_t end = kShown;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // within a letter of several bytes
+  return text.substr(0, end) + " ...";
+}
+
 std::string valueText(const OptionField& field) {
   return std::visit(ValueText(), field.value);
 }

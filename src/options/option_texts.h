@@ -18,4 +18,7 @@ std::string allowedText(const OptionField& field);
 
 std::string joined(const std::vector<std::string>& words);
 
+/// The text for a message: of a long one (UTF-8) the beginning, and " ...".
+std::string shortened(const std::string& text);
+
 }  // namespace markerless_mocap

@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "options/option_texts.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -28,7 +30,7 @@ void checkCameras(const char* stage, const std::vector<std::string>& cameras, si
   std::set<std::string> names;
   for (const std::string& name : cameras)
     if (name.empty() || !names.insert(name).second)
-      throw std::invalid_argument(key + " holds \"" + name +
+      throw std::invalid_argument(key + " holds \"" + shortened(name) +
                                   "\", allowed are names that are not empty and all different");
 }
 
@@ -42,7 +44,7 @@ void checkBodyId(const char* stage, const std::string& id) {
   bool usable = !id.empty() && std::isalpha(static_cast<unsigned char>(id[0]));
   for (const char c : id) usable = usable && std::isalnum(static_cast<unsigned char>(c));
   if (!usable)
-    throw std::invalid_argument(std::string(stage) + "/body_id is \"" + id +
+    throw std::invalid_argument(std::string(stage) + "/body_id is \"" + shortened(id) +
                                 "\", allowed are letters and digits, a letter first");
 }
 

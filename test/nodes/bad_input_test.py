@@ -12,6 +12,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
 from markerless_mocap.msg import BodyParts, BodyPose, HullCameras, PoseTree, VoxelGrid
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image, PointCloud2, PointField
+from std_msgs.msg import String
 
 SIZE = (64, 48)
 
@@ -170,6 +171,17 @@ class Hull(HullNode):
 
     def test_full_masks(self):
         self.expect('is full', [info('a_optical'), info('b_optical')], value=255)
+
+
+class TopicOfAnotherType(Diagnosed):
+    def test_what_is_sent_is_named(self):
+        rospy.set_param('/visual_hull/cameras', ['p', 'q'])
+        strings = [rospy.Publisher(c + t, String, queue_size=5) for c in 'pq'
+                   for t in ('/camera_info', '/silhouette')]
+        self.run_node('visual_hull')
+        self.send_until('what is sent on /p/silhouette is std_msgs/String; no messages on '
+                        '/p/silhouette (sensor_msgs/Image)',
+                        lambda stamp: [publisher.publish('text') for publisher in strings])
 
 
 class HullOfTwoGoodCameras(Diagnosed):

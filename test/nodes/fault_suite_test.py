@@ -96,7 +96,7 @@ class FaultSuite(FaultCase):
             time.sleep(2.0)  # it takes a while to start
             self.run_fault()
         finally:
-            other.terminate()
+            other.kill()  # rospy does not always end by SIGTERM
             other.wait()
         self.expect('sends on /cam4/image_raw/compressed, too; allowed is one sender', least=0.8)
 
@@ -154,6 +154,9 @@ class FaultSuite(FaultCase):
     def test_visual_hull_is_killed(self):
         self.kill_stage('visual_hull')
 
+    def test_visual_hull_hangs(self):
+        self.stop_stage('visual_hull')
+
     def test_stamps_of_one_off(self):
         for shift in (0.03, -0.05, 0.05):
             self.start = time.time()
@@ -171,7 +174,14 @@ class FaultSuite(FaultCase):
         at = self.cameras.frame
         self.cameras.content_of = lambda camera, frame: at if camera in frozen else frame
         self.run_fault()
+        self.assertTrue(self.warned(frozen[0]), self.beats[-4:])
         self.expect(*[camera + ' is frozen' for camera in frozen])
+
+    def warned(self, camera):
+        """A consumer of pose/status alone is told that a camera is not used."""
+        return any(beat.level == MocapStatus.WARN and 'without ' + camera in beat.message and
+                   not beat.used[beat.cameras.index(camera)]
+                   for beat in self.beats if beat.header.stamp.to_sec() >= self.start)
 
     def test_one_frozen(self):
         self.freeze('cam1')
@@ -337,6 +347,16 @@ class FaultSuite(FaultCase):
         self.expect('is that of /tmp', least=0, silence=5.0)
         self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
+
+    def test_z_pose_fitting_is_killed(self):
+        pid = pid_of('pose_fitting')
+        os.kill(pid, signal.SIGKILL)
+        wait_for(lambda: runs_again('pose_fitting', pid), 30)
+        self.end = time.time()
+        self.expect(least=0, silence=5.0)
+        # From when it has all inputs: rospy, which sends here, connects one subscriber after another.
+        searched = [at for at, reason in self.lost if at > self.start and 'searched for' in reason]
+        self.assertLess(self.end + self.recovery - min(searched), 1.0)
 
     def test_zzy_stands_still_while_the_background_is_learned(self):
         """Nobody can know at first: it is told, and no ghost becomes a pose. When the masks are

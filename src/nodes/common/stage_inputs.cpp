@@ -12,17 +12,21 @@ namespace {
 
 constexpr double kSilence = 5.0;  // seconds
 
-/// Message for a topic without messages: its name and all topics of its type.
+/// Message for a topic without messages: its name, the type of what is sent on it if that is another
+/// one, and all topics of its type.
 std::string silentTopic(const std::string& topic, const std::string& type) {
   const std::string sentence = "no messages on " + topic + " (" + type + "); topics of that type ";
   if (!masterAnswers()) return sentence + "are not known, as roscore is away";
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
-  std::string others;
-  for (const ros::master::TopicInfo& info : topics)
+  std::string others, sent;
+  for (const ros::master::TopicInfo& info : topics) {
+    if (info.name == topic) sent = info.datatype;
     if (info.datatype == type && info.name != topic)
       others += (others.empty() ? "" : ", ") + info.name;
-  return sentence + "are " + (others.empty() ? "none" : others);
+  }
+  return (sent.empty() || sent == type ? "" : "what is sent on " + topic + " is " + sent + "; ") +
+         sentence + "are " + (others.empty() ? "none" : others);
 }
 
 }  // namespace

@@ -173,17 +173,16 @@ bool FittingInputs::waitsForImages(const Assembler::FrameSet& frame_set) const {
 void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
                             FittingMessages* input) {
   sensor_msgs::ImageConstPtr mask = frame_set.items[camera];
-  const std::string judgement = refusalOf(camera, frame_set.stamp_ns);
+  const Judgement judgement = judgementOf(camera, frame_set.stamp_ns);
   const std::string& doubt = collector_.doubtOf(camera);
-  const std::string& refusal = doubt.empty() ? judgement : doubt;
   if (!mask) status_->count("frame sets without the silhouette of " + options_.cameras[camera]);
-  if (mask && !refusal.empty()) {
+  if (mask && !(judgement.usable && doubt.empty())) {
     status_->count(
         (doubt.empty() ? "frame sets in which visual_hull left out " : "frame sets without ") +
         options_.cameras[camera]);
     mask.reset();
   }
-  noteUse(camera, bool(mask), refusal);
+  noteUse(camera, bool(mask), mask ? "" : doubt.empty() ? judgement.reason : doubt);
   input->masks.push_back(mask);
   if (mask && colors_ && colors_->areAwaited(camera, nanosecondsOf(mask->header.stamp)))
     input->images_awaited = true;
@@ -191,24 +190,38 @@ void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
     input->images.push_back(mask ? takeImage(camera, *mask) : CameraImage());
 }
 
-std::string FittingInputs::refusalOf(size_t camera, int64_t stamp_ns) const {
+FittingInputs::Judgement FittingInputs::judgementOf(size_t camera, int64_t stamp_ns) const {
   const auto age = [&](const HullCameras& one) {
     return std::abs(stamp_ns - nanosecondsOf(one.header.stamp));
   };
   const HullCameras* last = nullptr;
   for (const auto& one : judgements_)
     if (age(*one) < kJudgementHolds && (!last || age(*one) <= age(*last))) last = one.get();
-  if (!last) return "";
-  for (size_t i = 0; i < last->cameras.size() && i < last->usable.size(); ++i)
-    if (last->cameras[i] == options_.cameras[camera] && !last->usable[i])
-      return i < last->reasons.size() && !last->reasons[i].empty() ? last->reasons[i] : "left out";
-  return "";
+  if (!last) return {};
+  const size_t cameras =
+      std::min({last->cameras.size(), last->usable.size(), last->reasons.size()});
+  for (size_t i = 0; i < cameras; ++i)
+    if (last->cameras[i] == options_.cameras[camera])
+      return {bool(last->usable[i]), last->reasons[i]};
+  return {};
 }
 
 void FittingInputs::noteUse(size_t camera, bool used, const std::string& reason) {
   const std::lock_guard<std::mutex> lock(states_mutex_);
   states_[camera].used = used;
   states_[camera].reason = reason;
+}
+
+std::string FittingInputs::lackingCameras() const {
+  if (!needs_.masks) return "";
+  const std::lock_guard<std::mutex> lock(states_mutex_);
+  std::string lacking;
+  for (size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i].used) continue;
+    lacking += (lacking.empty() ? "without " : "; ") + options_.cameras[i];
+    if (!states_[i].reason.empty()) lacking += " (" + states_[i].reason + ")";
+  }
+  return lacking;
 }
 
 void FittingInputs::describeCameras(MocapStatus* message) const {

@@ -51,6 +51,9 @@ class FittingInputs {
   LiveProducts& products() { return products_; }
   /// Stamp of each camera's last silhouette, and what the last frame set used. Thread-safe.
   void describeCameras(MocapStatus* message) const;
+  /// Which cameras the last frame set did not use, such as "without cam2 (its mask is full)"; empty:
+  /// it used all. Thread-safe.
+  std::string lackingCameras() const;
 
  private:
   using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
@@ -73,8 +76,11 @@ class FittingInputs {
   /// Whether this is a lone mask between frame sets of more.
   bool isStray(const Assembler::FrameSet& frame_set) const;
   void addView(size_t camera, const Assembler::FrameSet& frame_set, FittingMessages* input);
-  /// Why visual_hull says that nobody should use the camera; empty: it does not say so.
-  std::string refusalOf(size_t camera, int64_t stamp_ns) const;
+  struct Judgement {
+    bool usable = true;
+    std::string reason;  ///< why visual_hull did without the camera; empty: it did not, or is silent
+  };
+  Judgement judgementOf(size_t camera, int64_t stamp_ns) const;
   /// Why too few cameras are where the rig has them; empty: there are enough.
   std::string doubtOf(const Assembler::FrameSet& frame_set) const;
   void noteUse(size_t camera, bool used, const std::string& reason);

@@ -150,7 +150,7 @@ BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& head
     description_.restore();
     joint_states_.publish(jointStateFromPose(model, pose, header));
     broadcaster_.sendTransform(linkTransforms(model, pose, header));
-    status_.ok(pose.reason.empty() ? "the person is tracked" : pose.reason);
+    reportTracked(pose.reason.empty() ? "the person is tracked" : pose.reason);
   } else {
     status_.problem(pose.reason);
   }
@@ -158,6 +158,14 @@ BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& head
   publishShared(pose_, messageFromPose(model, raw, header));
   status_.sent(header.stamp);
   return pose;
+}
+
+void FittingStage::reportTracked(const std::string& reason) {
+  const std::string lacking = inputs_->lackingCameras();
+  if (lacking.empty())
+    status_.ok(reason);
+  else
+    status_.waiting(reason + ", " + lacking);
 }
 
 // Who is told of a body finds its description and tf; these go after the body (REP-155). Before the

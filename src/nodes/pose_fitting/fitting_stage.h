@@ -73,6 +73,8 @@ class FittingStage {
   bool answer(const BodyPose& raw, const FittingMessages& input);
   /// Needs announcing_. \return the filtered pose
   BodyPose publish(const BodyPose& raw, const std_msgs::Header& header);
+  /// A person who is tracked without some camera is a warning.
+  void reportTracked(const std::string& reason);
   /// Shows a pose to whoever looks on.
   void display(const BodyPose& pose, const FittingMessages& input);
   void announce(bool tracked, const ros::Time& stamp);

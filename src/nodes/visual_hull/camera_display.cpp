@@ -8,9 +8,9 @@ namespace {
 constexpr double kInterval = 0.5, kSilence = 2.0;  // s
 constexpr double kDepth = 0.5;                     // m
 
-CameraHealth healthOf(const HullCameras& frame_set, size_t camera) {
+CameraHealth healthOf(const HullCameras& frame_set, size_t camera, bool present) {
   const std::string& reason = frame_set.reasons[camera];
-  if (!frame_set.usable[camera]) return {CameraHealth::kLeftOut, reason};
+  if (!present || !frame_set.usable[camera]) return {CameraHealth::kLeftOut, reason};
   return {reason.empty() ? CameraHealth::kUsed : CameraHealth::kDoubtful, reason};
 }
 
@@ -30,11 +30,11 @@ void CameraDisplay::setRig(const CameraRig& rig, const std_msgs::Header& header)
   changed_ = true;
 }
 
-void CameraDisplay::note(const HullCameras& frame_set) {
+void CameraDisplay::note(const HullCameras& frame_set, const std::vector<bool>& present) {
   const std::lock_guard<std::mutex> lock(mutex_);
   last_note_ = ros::SteadyTime::now().toSec();
   for (size_t i = 0; i < health_.size(); ++i) {
-    const CameraHealth health = healthOf(frame_set, i);
+    const CameraHealth health = healthOf(frame_set, i, present[i]);
     changed_ = changed_ || health != health_[i];
     health_[i] = health;
   }

@@ -20,7 +20,8 @@ class CameraDisplay {
 
   void setRig(const CameraRig& rig, const std_msgs::Header& header);
   /// Takes the health of the cameras from a frame set.
-  void note(const HullCameras& frame_set);
+  /// \param present by camera: whether it has a mask
+  void note(const HullCameras& frame_set, const std::vector<bool>& present);
 
  private:
   void update();

@@ -31,7 +31,7 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
   message.cameras = node_options_.cameras;
   for (size_t i = 0; i < message.cameras.size(); ++i) {
     const bool present = frame_set.present[i];
-    message.usable.push_back(present);
+    message.usable.push_back(true);  // others may have got its mask
     message.reasons.push_back(present ? "" : missRemark(message.cameras[i], assembler_.timing(i)));
   }
   for (const LeftOutCamera& camera : hull.cameras_left_out) {
@@ -47,7 +47,7 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
           "; with privacy its colours are not read, and only what its mask knows is used";
   }
   cameras_.publish(message);
-  display_.note(message);
+  display_.note(message, frame_set.present);
 }
 
 std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
