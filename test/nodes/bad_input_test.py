@@ -311,9 +311,14 @@ class FittingNode(Diagnosed):
         self.addCleanup(self.latched.unregister)
         self.latched.publish(self.grid)
         self.poses = []
-        self.poses_in = rospy.Subscriber('pose', BodyPose, self.poses.append)
-        self.addCleanup(self.poses_in.unregister)
         self.run_node('pose_fitting')
+        self.poses_in = rospy.Subscriber('pose', BodyPose, self.take)
+        self.addCleanup(self.poses_in.unregister)
+
+    def take(self, pose):
+        """/diagnostics comes once a second only."""
+        self.poses.append(pose)
+        self.sentences.append(pose.reason)
 
     def expect(self, sentence, infos=(), size=SIZE, encoding='mono8', stages=None, late=0.0):
         def send(stamp):
