@@ -9,6 +9,7 @@
 
 #include "hull/color/coloring.h"
 #include "hull/selection/camera_faults.h"
+#include "hull/selection/sure_views.h"
 #include "hull/selection/unknown_views.h"
 
 namespace markerless_mocap {
@@ -149,6 +150,7 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
   for (const CameraFault& fault : found.faults)
     hull.cameras_left_out.push_back({rig_[fault.camera].name(), fault.reason});
 
+  markUnsure(voting_.table(), found.voters, views, &found.components);
   const std::vector<VoxelComponent> components =
       rankComponents(std::move(found.components), voting_.table(), found.voters,
                      options_.min_component_litres, &hull);

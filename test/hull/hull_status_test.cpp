@@ -103,6 +103,35 @@ TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
   EXPECT_GE(hull.components.at(1).litres, 15);
 }
 
+/// A sphere that is surely a person, and one of which the background is unknown.
+std::vector<HullView> viewsOfUnknown(const Sphere& sure, const Sphere& unknown) {
+  const CameraRig rig = makeRig(16);
+  std::vector<HullView> views = renderViews(rig, {sure});
+  for (size_t c = 0; c < rig.size(); ++c) {
+    const cv::Mat beside = renderMask(rig[c], {unknown}) & (views[c].mask == 0);
+    views[c].mask.setTo(128, beside);
+  }
+  return views;
+}
+
+TEST(HullStatus, UnknownPlacesAreNoSecondBody) {
+  const Sphere person{{0.3, 0, 0}, 0.22}, place{{-0.3, 0, 0}, 0.25};
+  const VisualHull hull = carve(viewsOfUnknown(person, place));
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_GT(hull.lattice.center(hull.voxels[0].index).x(), 0.0);
+  EXPECT_FALSE(hull.components.at(0).unsure);
+  EXPECT_TRUE(hull.components.at(1).unsure);
+  EXPECT_GT(hull.components[1].litres, hull.components[0].litres);
+}
+
+TEST(HullStatus, SmallSureThingsCastNoDoubtOnAnUnknownBody) {
+  const Sphere thing{{0.42, 0, 0}, 0.13}, person{{-0.2, 0, 0}, 0.3};
+  const VisualHull hull = carve(viewsOfUnknown(thing, person));
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_LT(hull.lattice.center(hull.voxels[0].index).x(), 0.0);
+  EXPECT_FALSE(hull.components.at(0).unsure);
+}
+
 /// Two balls and a third that joins them, of 12 cameras; two silhouettes have a gap at the third.
 TEST(HullStatus, WhoWasThereStaysThePersonWhenAnotherBodyComes) {
   const CameraRig rig = makeRig(16);

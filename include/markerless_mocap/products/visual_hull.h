@@ -40,6 +40,7 @@ struct HullComponent {
   double mean_views = 0;       ///< number of cameras that see a voxel, mean over its voxels
   bool poorly_seen = false;    ///< far fewer cameras see it than another component
   bool suspect_ghost = false;  ///< without it, the other components explain all silhouettes as well
+  bool unsure = false;  ///< hardly a camera sees a person there, the background is unknown
 };
 
 /// A camera whose mask was found to be wrong and was not used.
@@ -56,7 +57,7 @@ struct VisualHull {
   std::vector<HullVoxel> voxels;
   HullStatus status = HullStatus::kNobody;
   std::string reason;  ///< message for the user; empty when kOk
-  /// All components, largest first; poorly seen and suspected ghosts last.
+  /// All components, largest first; poorly seen, unsure and suspected ghosts last.
   std::vector<HullComponent> components;
   std::vector<LeftOutCamera> cameras_left_out;
 

@@ -40,7 +40,7 @@ double meanViews(const VoxelComponent& component, const ProjectionTable& table, 
 
 /// Whether the component may be a body.
 bool isTrusted(const HullComponent& component) {
-  return !component.poorly_seen && !component.suspect_ghost;
+  return !component.poorly_seen && !component.suspect_ghost && !component.unsure;
 }
 
 /// How many of the ranked components are as large as a body, at least 1.
@@ -120,6 +120,7 @@ std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> component
     summary.litres = double(component.voxels) * voxel_litres;
     summary.mean_views = meanViews(component, table, voters);
     summary.suspect_ghost = component.suspect_ghost;
+    summary.unsure = component.unsure;
     if (summary.litres >= min_component_litres) max_views = std::max(max_views, summary.mean_views);
     summaries.push_back(summary);
   }

@@ -1,7 +1,6 @@
 #include "hull/selection/unknown_views.h"
 
 #include <cmath>
-#include <cstring>
 #include <opencv2/core.hpp>
 
 #include "markerless_mocap/products/silhouette_mask.h"
@@ -12,15 +11,9 @@ namespace {
 /// Fraction of the image up to which unknown pixels are accepted.
 constexpr double kMaxUnknown = 0.25;
 
-/// Most masks have no unknown pixels, and finding none is much faster than counting.
-bool hasUnknown(const cv::Mat& mask) {
-  for (int y = 0; y < mask.rows; ++y)
-    if (std::memchr(mask.ptr(y), kUnknownPixel, size_t(mask.cols))) return true;
-  return false;
-}
-
 double unknownFraction(const cv::Mat& mask) {
-  if (mask.empty() || !hasUnknown(mask)) return 0;
+  // Most masks have no unknown pixels, and finding none is much faster than counting.
+  if (mask.empty() || !hasUnknownPixels(mask)) return 0;
   return double(cv::countNonZero(mask == kUnknownPixel)) / double(mask.total());
 }
 

@@ -17,7 +17,7 @@ struct BrickVoxels {
 struct VoxelComponent {
   std::vector<BrickVoxels> cells;
   size_t voxels = 0;
-  bool suspect_ghost = false;
+  bool suspect_ghost = false, unsure = false;  ///< as in HullComponent
 
   void add(uint32_t brick, uint64_t bits) {
     cells.push_back({brick, bits});
