@@ -175,7 +175,7 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
                                      const ContourBody& body, const std::vector<ContourPose>& poses,
-                                     double rival, size_t limb_searches) {
+                                     const RegionFit* rival, size_t limb_searches) {
   const SearchedFrame searched(frame);
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
@@ -186,12 +186,14 @@ std::vector<RegionFit> searchByColor(const RegionObserver& observer,
   sortByScore(out);
   dropSame(body, out);
   // The best one first, as a high score spares the others the search for their limbs.
+  double highest = rival ? rival->score() : 0.0;
   for (size_t i = 0; i < std::min(limb_searches, out.size()); ++i) {
-    rival = std::max(rival, out[i].score());
-    if (out[i].score() <= rival - kLargestLimbGain) break;
+    highest = std::max(highest, out[i].score());
+    if (out[i].score() <= highest - kLargestLimbGain) break;
+    if (rival && !limbsDiffer(body, out[i].fit.pose, rival->fit.pose)) continue;
     if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, out[i]))
       out[i] = std::move(*better);
-    rival = std::max(rival, out[i].score());
+    highest = std::max(highest, out[i].score());
   }
   sortByScore(out);
   return out;
@@ -203,7 +205,7 @@ std::vector<RegionFit> searchProposalsByColor(const RegionObserver& observer,
                                               const ContourBody& body,
                                               const ContourObservation& seen,
                                               const std::vector<ContourPose>& proposals,
-                                              double rival, size_t limb_searches) {
+                                              const RegionFit* rival, size_t limb_searches) {
   std::vector<ContourPose> starts;
   for (const ContourFit& fit : tracker.bestFits(seen, body, proposals)) starts.push_back(fit.pose);
   return searchByColor(observer, tracker, frame, hull, body, starts, rival, limb_searches);

@@ -22,23 +22,22 @@ struct RegionFit {
 /// person, and the pose is fitted to that person. Then the same with other places of the limbs,
 /// which the silhouettes propose.
 /// \param poses may be wrong by tenths of a radian and decimetres
-/// \param rival a score that is known; limbs are not searched where they would hardly reach it
+/// \param rival what has been found already, or null: limbs are not searched of poses that have come
+///   to the same, nor where they would hardly reach its score
 /// \param limb_searches at most so many poses have their limbs searched, which takes longest
 /// \return different poses, best first; those that cannot be fitted are left out
 std::vector<RegionFit> searchByColor(const RegionObserver& observer,
                                      const ContourMultiHypothesisTracker& tracker,
                                      const RegionFrame& frame, const VisualHull& hull,
                                      const ContourBody& body, const std::vector<ContourPose>& poses,
-                                     double rival = 0.0, size_t limb_searches = 2);
+                                     const RegionFit* rival = nullptr, size_t limb_searches = 2);
 
 /// The same from the most promising of many poses. \param seen what they are judged by
-std::vector<RegionFit> searchProposalsByColor(const RegionObserver& observer,
-                                              const ContourMultiHypothesisTracker& tracker,
-                                              const RegionFrame& frame, const VisualHull& hull,
-                                              const ContourBody& body,
-                                              const ContourObservation& seen,
-                                              const std::vector<ContourPose>& proposals,
-                                              double rival = 0.0, size_t limb_searches = 2);
+std::vector<RegionFit> searchProposalsByColor(
+    const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
+    const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
+    const ContourObservation& seen, const std::vector<ContourPose>& proposals,
+    const RegionFit* rival = nullptr, size_t limb_searches = 2);
 
 /// A pose moved to where the colours of the frame set fit; its limbs are not searched.
 RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,

@@ -25,12 +25,12 @@ std::optional<RegionFit> answered(const ColorQuestion& question) {
   const auto& [observer, tracker, frame, hull, body, pose, proposals] = question;
   constexpr size_t kLimbSearches = 1;  // of each list
   std::vector<RegionFit> fits =
-      searchByColor(observer, tracker, frame, hull, body, {pose, withLegsSwapped(body, pose)}, 0.0,
-                    kLimbSearches);
+      searchByColor(observer, tracker, frame, hull, body, {pose, withLegsSwapped(body, pose)},
+                    nullptr, kLimbSearches);
   const ContourObservation seen = observer.observeLargest(frame, hull).seen;
   std::vector<RegionFit> others =
       searchProposalsByColor(observer, tracker, frame, hull, body, seen, proposals,
-                             fits.empty() ? 0.0 : fits.front().score(), kLimbSearches);
+                             fits.empty() ? nullptr : &fits.front(), kLimbSearches);
   if (!others.empty() && (fits.empty() || others.front().score() > fits.front().score() + kMinGain))
     fits = std::move(others);
   if (fits.empty()) return std::nullopt;
