@@ -4,9 +4,9 @@
 
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/formats/calibration_files.h"
+#include "tools/common/film_times.h"
 #include "tools/common/recording.h"
 #include "tools/import/film_calibration.h"
-#include "tools/import/film_times.h"
 #include "tools/import/import_recording.h"
 #include "tools/tool_fixture.h"
 
@@ -97,7 +97,7 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
     times[3].push_back(24.8 + 0.1 * k);               // started 0.2 s earlier
   }
   writeTimes(times);
-  input_.timestamps = path("timestamps.csv");
+  input_.times = path("timestamps.csv");
   const ImportResult result = import();
   const auto frame_sets = written();
   ASSERT_GE(frame_sets.size(), 4u);
@@ -109,6 +109,22 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
   }
   EXPECT_EQ(result.warnings.at(result.warnings.size() - 3),
             "cam1: 4 frames used, 13.0 ms from their frame sets on average, 13.0 ms at most");
+}
+
+TEST_F(ImportFilms, ATableBesideTheFilmsIsUsedUnaskedAndTold) {
+  for (int i = 0; i < 4; ++i) writeImages("cam" + std::to_string(i), 6);
+  std::vector<std::vector<double>> times(4);
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 6; ++k) times[i].push_back(5.0 + 0.04 * k - (i == 3 ? 0.08 : 0.0));
+  writeTimes(times);
+  std::filesystem::rename(path("timestamps.csv"), path("films/timestamps.csv"));
+  const ImportResult result = import();
+  EXPECT_EQ(result.warnings.at(0), "the times are those of " + path("films/timestamps.csv") +
+                                       ", which lies beside the films");
+  const auto frame_sets = written();
+  ASSERT_EQ(frame_sets.size(), 4u);
+  for (const FrameSet& set : frame_sets)
+    EXPECT_EQ(numberOf(set.frames[3].image), numberOf(set.frames[0].image) + 2);
 }
 
 TEST_F(ImportFilms, TimeOffsetsOfTheRigGoIntoTheStamps) {
@@ -180,7 +196,7 @@ TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
             "two films belong to the camera of the calibration cam3, the films are 03, cam3");
   std::filesystem::remove_all(path("films/03"));
   writeText("timestamps.csv", "sync_index,cam_id,frame_time\n0,3,soon\n");
-  input_.timestamps = path("timestamps.csv");
+  input_.times = path("timestamps.csv");
   EXPECT_EQ(refusal(),
             path("timestamps.csv") + ", line 2: frame_time is 'soon', allowed are seconds");
   writeText("timestamps.csv", "a,b\n");

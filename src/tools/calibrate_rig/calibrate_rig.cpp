@@ -19,7 +19,10 @@ namespace markerless_mocap {
 namespace {
 
 FrameTimes timesOf(const CalibrateRigArguments& a, const std::vector<FilmSource>& films) {
-  return a.times.empty() ? FrameTimes{} : readFrameTimes(a.times, films);
+  if (a.times.empty()) return {};
+  std::vector<std::string> names;
+  for (const FilmSource& film : films) names.push_back(film.camera);
+  return readFrameTimes(a.times, names);
 }
 
 void addPicturesOfLenses(const CalibrateRigArguments& a, const BoardDetector& detector,

@@ -9,11 +9,11 @@
 #include "markerless_mocap/formats/calibration_files.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "tools/common/camera_bag_writer.h"
+#include "tools/common/film_times.h"
 #include "tools/common/progress.h"
 #include "tools/import/film.h"
 #include "tools/import/film_calibration.h"
 #include "tools/import/film_join.h"
-#include "tools/import/film_times.h"
 #include "tools/import/import_recording.h"
 #include "tools/import/person_starts.h"
 
@@ -65,13 +65,10 @@ struct Cast {
   std::vector<double> offsets;  ///< s
 };
 
-void setTimes(const FilmsInput& input, const std::vector<NamedFilm>& named_films, Cast* cast) {
-  if (input.timestamps.empty()) return;
-  const auto times = readFrameTimes(input.timestamps);
-  std::vector<std::string> known;
-  for (const auto& entry : times) known.push_back(entry.first);
-  const auto matched = matchNames(namesOf(named_films), known, "camera of " + input.timestamps);
-  for (size_t i = 0; i < cast->films.size(); ++i) cast->films[i].setTimes(times.at(matched[i]));
+void setTimes(const std::string& table, const std::vector<NamedFilm>& films, Cast* cast) {
+  if (table.empty()) return;
+  const FrameTimes times = readFrameTimes(table, namesOf(films));
+  for (size_t i = 0; i < films.size(); ++i) cast->films[i].setTimes(times.at(films[i].name));
 }
 
 void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast* cast) {
@@ -110,13 +107,24 @@ Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult*
     cast.cameras.back().time_offset = 0.0;  // it is in the stamps
   }
   if (!input.masks.empty()) addMasks(input, films, &cast);
-  setTimes(input, films, &cast);
+  setTimes(input.times, films, &cast);
   return cast;
+}
+
+/// As calibrate_rig does with films of the board.
+FilmsInput withTimesBeside(const FilmsInput& input, ImportResult* result) {
+  FilmsInput out = input;
+  if (!input.times.empty() || input.start == FilmStart::kApart) return out;
+  out.times = fileBesideFilms({input.folder}, {kTimesBesideFilms});
+  if (!out.times.empty())
+    result->warnings.push_back("the times are those of " + out.times +
+                               ", which lies beside the films");
+  return out;
 }
 
 /// Offsets of a rig file are believed unless the films are said to have begun apart.
 bool areStartsKnown(const FilmsInput& input, const Cast& cast) {
-  if (!input.timestamps.empty() || input.start == FilmStart::kTogether) return true;
+  if (!input.times.empty() || input.start == FilmStart::kTogether) return true;
   return input.start == FilmStart::kUnknown &&
          std::any_of(cast.offsets.begin(), cast.offsets.end(), [](double o) { return o != 0.0; });
 }
@@ -140,10 +148,11 @@ cv::Mat maskFrom(const cv::Mat& image) {
 
 }  // namespace
 
-ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, std::ostream* notes,
+ImportResult importFilms(const FilmsInput& given, const ImportOptions& options, std::ostream* notes,
                          bool terminal) {
   options.validate();
   ImportResult result;
+  const FilmsInput input = withTimesBeside(given, &result);
   Cast cast = castOf(input, options, &result);
   if (!areStartsKnown(input, cast)) {
     Progress search("beginning of the films", notes, terminal);

@@ -51,10 +51,12 @@ struct FilmsInput {
   std::string folder;
   std::vector<std::string> calibration;  ///< see readCalibration()
   std::string masks;                     ///< folder like `folder`, black = background; or empty
-  std::string timestamps;                ///< see readFrameTimes(); or empty: the containers' times
-  bool guess_unit = true;                ///< as guessWorld(), in place of ImportOptions::world
+  /// Table, see readFrameTimes(). Empty: kTimesBesideFilms in the folder unless the films began
+  /// apart, or else the containers' times.
+  std::string times;
+  bool guess_unit = true;  ///< as guessWorld(), in place of ImportOptions::world
   bool guess_up = true;
-  /// Films without timestamps: unless they began together, or the rig file has time offsets, when
+  /// Films without such a table: unless they began together, or the rig file has time offsets, when
   /// they began is searched by the motion of the person.
   FilmStart start = FilmStart::kUnknown;
   double largest_offset = kLargestFilmOffset;  ///< s, between two films, that is searched for

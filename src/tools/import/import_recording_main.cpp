@@ -96,9 +96,9 @@ CLI::App* describeFilms(CLI::App& app, Arguments* arguments) {
   command->add_option(
       "--masks", input.masks,
       "folder with a film of masks per camera; white = person, value 128 = unknown");
-  command->add_option("--timestamps", input.timestamps,
-                      "CSV file with the columns cam_id and frame_time (s), in place of the films' "
-                      "own times");
+  command->add_option("--times,--timestamps", input.times,
+                      "table of the time of every frame, in place of the films' own: columns "
+                      "cam_id and frame_time, s; timestamps.csv beside the films is used unasked");
   command->add_flag_callback(
       "--unsynchronised", [&input] { input.start = FilmStart::kApart; },
       "the films began at different times: take the offsets that fit the motion of the person "
