@@ -16,10 +16,10 @@ namespace {
 class ImportFilms : public ToolTest {
  protected:
   ImportFilms() {
-    input_.folder = path("films");
+    input_.films = {path("films")};
     input_.calibration = {path("rig.yaml")};
     options_.output = path("out.bag");
-    std::filesystem::create_directories(input_.folder);
+    std::filesystem::create_directories(path("films"));
     writeRig(path("rig.yaml"), ringOfFour());
   }
 
@@ -180,11 +180,55 @@ TEST_F(ImportFilms, FoldersOfNoCameraAreLeftOutIfEveryCameraHasAFilm) {
   const ImportResult result = import();
   EXPECT_EQ(result.cameras.size(), 4u);
   EXPECT_EQ(result.warnings.at(1),
-            "there is no camera calibration: " + path("films/calibration") + " is left out");
+            path("films/calibration") + " belongs to no camera of the calibration and is left out");
+}
+
+TEST_F(ImportFilms, FilmsAreNamedOneByOneOrLieInFoldersOfTheirCameras) {
+  for (int i = 0; i < 4; ++i) writeVideo("cam" + std::to_string(i), 3, 25.0);
+  std::filesystem::create_directories(path("films/cam3"));
+  std::filesystem::rename(path("films/cam3.avi"), path("films/cam3/video.avi"));
+  EXPECT_EQ(import().frame_sets, 3);
+  std::filesystem::remove(options_.output);
+  std::filesystem::rename(path("films/cam3/video.avi"), path("cam3.avi"));
+  input_.films = {path("films/cam1.avi"), path("films/cam0.avi"), path("cam3.avi"),
+                  path("films/cam2.avi")};
+  const ImportResult result = import();
+  EXPECT_EQ(result.frame_sets, 3);
+  EXPECT_EQ(result.cameras.at(0).name, "cam1");
+  EXPECT_EQ(result.cameras.at(2).name, "cam3");
+  input_.films.push_back(path("cam4.avi"));
+  EXPECT_EQ(refusal(), "there is no file or folder " + path("cam4.avi"));
+}
+
+TEST_F(ImportFilms, FilmsOfTheEmptyRoomComeFirst) {
+  for (int i = 0; i < 4; ++i) {
+    const std::string camera = "cam" + std::to_string(i);
+    writeImages(camera, 3);
+    std::filesystem::create_directories(path("empty/" + camera));
+    for (int k = 0; k < (i == 2 ? 2 : 5); ++k)
+      cv::imwrite(path("empty/" + camera + "/" + std::to_string(k) + ".png"), frameOf(50 + k));
+  }
+  input_.background = path("empty");
+  const ImportResult result = import();
+  EXPECT_EQ(result.frame_sets, 5);  // the shortest film of the room has two frames
+  EXPECT_NE(std::find(result.warnings.begin(), result.warnings.end(),
+                      "the first 2 frame sets are of the empty room"),
+            result.warnings.end());
+  const auto frame_sets = written();
+  ASSERT_EQ(frame_sets.size(), 5u);
+  const int wanted[] = {50, 51, 0, 1, 2};
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(frame_sets[k].stamp_ns, 1000000000 + k * 40000000);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(numberOf(frame_sets[k].frames[i].image), wanted[k]);
+  }
+  cv::imwrite(path("empty/cam1/0.png"), cv::Mat(30, 40, CV_8UC3, cv::Scalar::all(9)));
+  EXPECT_EQ(refusal(), "the film of the empty room " + path("empty/cam1") + " is 40 x 30 pixels, " +
+                           path("films/cam1") + " is 80 x 60");
 }
 
 TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
-  EXPECT_EQ(refusal(), "the folder " + input_.folder + " has no videos and no folders with images");
+  EXPECT_EQ(refusal(),
+            "the folder " + path("films") + " has no videos and no folders with images or a video");
   writeImages("cam7", 2);
   EXPECT_EQ(
       refusal(),
