@@ -194,14 +194,12 @@ TEST_F(CalibrateRig, WhatIsMissingIsTold) {
 
 TEST_F(CalibrateRig, TimesOfEachCameraAreRead) {
   writeText("times.csv", "sync_index,cam_id,frame_time\n0,0,5.5\n0,1,5.6\n1,1,5.8\n1,0,5.7\n");
-  const std::vector<FilmSource> films = {{"cam_0", "", ""}, {"cam_1", "", ""}};
-  const FrameTimes times = readFrameTimes(path("times.csv"), films);
+  const FrameTimes times = readFrameTimes(path("times.csv"), {"cam_0", "cam_01"});
   EXPECT_EQ(times.at("cam_0"), (std::vector<double>{5.5, 5.7}));
-  EXPECT_EQ(times.at("cam_1"), (std::vector<double>{5.6, 5.8}));
-  EXPECT_EQ(errorTextOf<std::exception>([&] {
-              readFrameTimes(path("times.csv"), {{"cam_10", "", ""}});
-            }),
-            path("times.csv") + " has no times of cam_10");
+  EXPECT_EQ(times.at("cam_01"), (std::vector<double>{5.6, 5.8}));
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readFrameTimes(path("times.csv"), {"cam_10"}); }),
+            "no camera of " + path("times.csv") +
+                " is called like the film cam_10, there are 0, 1 and the films cam_10");
 }
 
 TEST_F(CalibrateRig, FilesBesideTheFilmsAreFound) {

@@ -14,10 +14,10 @@ constexpr double kRate = 12.0, kSeconds = 34.0, kFilmed = 20.0;
 class ImportStarts : public ToolTest {
  protected:
   ImportStarts() {
-    input_.folder = path("films");
+    input_.films = {path("films")};
     input_.calibration = {path("rig.yaml")};
     options_.output = path("out.bag");
-    std::filesystem::create_directories(input_.folder);
+    std::filesystem::create_directories(path("films"));
   }
 
   /// Somebody who goes here and there for half a minute.

@@ -4,9 +4,9 @@
 
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/formats/calibration_files.h"
+#include "tools/common/film_times.h"
 #include "tools/common/recording.h"
 #include "tools/import/film_calibration.h"
-#include "tools/import/film_times.h"
 #include "tools/import/import_recording.h"
 #include "tools/tool_fixture.h"
 
@@ -16,10 +16,10 @@ namespace {
 class ImportFilms : public ToolTest {
  protected:
   ImportFilms() {
-    input_.folder = path("films");
+    input_.films = {path("films")};
     input_.calibration = {path("rig.yaml")};
     options_.output = path("out.bag");
-    std::filesystem::create_directories(input_.folder);
+    std::filesystem::create_directories(path("films"));
     writeRig(path("rig.yaml"), ringOfFour());
   }
 
@@ -97,7 +97,7 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
     times[3].push_back(24.8 + 0.1 * k);               // started 0.2 s earlier
   }
   writeTimes(times);
-  input_.timestamps = path("timestamps.csv");
+  input_.times = path("timestamps.csv");
   const ImportResult result = import();
   const auto frame_sets = written();
   ASSERT_GE(frame_sets.size(), 4u);
@@ -109,6 +109,22 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
   }
   EXPECT_EQ(result.warnings.at(result.warnings.size() - 3),
             "cam1: 4 frames used, 13.0 ms from their frame sets on average, 13.0 ms at most");
+}
+
+TEST_F(ImportFilms, ATableBesideTheFilmsIsUsedUnaskedAndTold) {
+  for (int i = 0; i < 4; ++i) writeImages("cam" + std::to_string(i), 6);
+  std::vector<std::vector<double>> times(4);
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 6; ++k) times[i].push_back(5.0 + 0.04 * k - (i == 3 ? 0.08 : 0.0));
+  writeTimes(times);
+  std::filesystem::rename(path("timestamps.csv"), path("films/timestamps.csv"));
+  const ImportResult result = import();
+  EXPECT_EQ(result.warnings.at(0), "the times are those of " + path("films/timestamps.csv") +
+                                       ", which lies beside the films");
+  const auto frame_sets = written();
+  ASSERT_EQ(frame_sets.size(), 4u);
+  for (const FrameSet& set : frame_sets)
+    EXPECT_EQ(numberOf(set.frames[3].image), numberOf(set.frames[0].image) + 2);
 }
 
 TEST_F(ImportFilms, TimeOffsetsOfTheRigGoIntoTheStamps) {
@@ -164,11 +180,55 @@ TEST_F(ImportFilms, FoldersOfNoCameraAreLeftOutIfEveryCameraHasAFilm) {
   const ImportResult result = import();
   EXPECT_EQ(result.cameras.size(), 4u);
   EXPECT_EQ(result.warnings.at(1),
-            "there is no camera calibration: " + path("films/calibration") + " is left out");
+            path("films/calibration") + " belongs to no camera of the calibration and is left out");
+}
+
+TEST_F(ImportFilms, FilmsAreNamedOneByOneOrLieInFoldersOfTheirCameras) {
+  for (int i = 0; i < 4; ++i) writeVideo("cam" + std::to_string(i), 3, 25.0);
+  std::filesystem::create_directories(path("films/cam3"));
+  std::filesystem::rename(path("films/cam3.avi"), path("films/cam3/video.avi"));
+  EXPECT_EQ(import().frame_sets, 3);
+  std::filesystem::remove(options_.output);
+  std::filesystem::rename(path("films/cam3/video.avi"), path("cam3.avi"));
+  input_.films = {path("films/cam1.avi"), path("films/cam0.avi"), path("cam3.avi"),
+                  path("films/cam2.avi")};
+  const ImportResult result = import();
+  EXPECT_EQ(result.frame_sets, 3);
+  EXPECT_EQ(result.cameras.at(0).name, "cam1");
+  EXPECT_EQ(result.cameras.at(2).name, "cam3");
+  input_.films.push_back(path("cam4.avi"));
+  EXPECT_EQ(refusal(), "there is no file or folder " + path("cam4.avi"));
+}
+
+TEST_F(ImportFilms, FilmsOfTheEmptyRoomComeFirst) {
+  for (int i = 0; i < 4; ++i) {
+    const std::string camera = "cam" + std::to_string(i);
+    writeImages(camera, 3);
+    std::filesystem::create_directories(path("empty/" + camera));
+    for (int k = 0; k < (i == 2 ? 2 : 5); ++k)
+      cv::imwrite(path("empty/" + camera + "/" + std::to_string(k) + ".png"), frameOf(50 + k));
+  }
+  input_.background = path("empty");
+  const ImportResult result = import();
+  EXPECT_EQ(result.frame_sets, 5);  // the shortest film of the room has two frames
+  EXPECT_NE(std::find(result.warnings.begin(), result.warnings.end(),
+                      "the first 2 frame sets are of the empty room"),
+            result.warnings.end());
+  const auto frame_sets = written();
+  ASSERT_EQ(frame_sets.size(), 5u);
+  const int wanted[] = {50, 51, 0, 1, 2};
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(frame_sets[k].stamp_ns, 1000000000 + k * 40000000);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(numberOf(frame_sets[k].frames[i].image), wanted[k]);
+  }
+  cv::imwrite(path("empty/cam1/0.png"), cv::Mat(30, 40, CV_8UC3, cv::Scalar::all(9)));
+  EXPECT_EQ(refusal(), "the film of the empty room " + path("empty/cam1") + " is 40 x 30 pixels, " +
+                           path("films/cam1") + " is 80 x 60");
 }
 
 TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
-  EXPECT_EQ(refusal(), "the folder " + input_.folder + " has no videos and no folders with images");
+  EXPECT_EQ(refusal(),
+            "the folder " + path("films") + " has no videos and no folders with images or a video");
   writeImages("cam7", 2);
   EXPECT_EQ(
       refusal(),
@@ -180,7 +240,7 @@ TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
             "two films belong to the camera of the calibration cam3, the films are 03, cam3");
   std::filesystem::remove_all(path("films/03"));
   writeText("timestamps.csv", "sync_index,cam_id,frame_time\n0,3,soon\n");
-  input_.timestamps = path("timestamps.csv");
+  input_.times = path("timestamps.csv");
   EXPECT_EQ(refusal(),
             path("timestamps.csv") + ", line 2: frame_time is 'soon', allowed are seconds");
   writeText("timestamps.csv", "a,b\n");

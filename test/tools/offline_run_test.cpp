@@ -134,6 +134,16 @@ TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {
   EXPECT_NE(text.str().find("3 times: "), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("No frame has a pose"), std::string::npos) << text.str();
   EXPECT_EQ(text.str().find("show nobody"), std::string::npos) << "there is a box";
+  EXPECT_NE(text.str().find("check_recording tells"), std::string::npos) << text.str();
+}
+
+TEST_F(OfflineRun, WhatIsDoneBeforeTheFirstPoseIsShown) {
+  writeBag();
+  std::ostringstream notes;
+  runOffline(options_, &notes, false);
+  const std::string text = notes.str();
+  EXPECT_LT(text.find("looking for the background 0 %"), text.find("measuring the person 0 %"));
+  EXPECT_LT(text.find("measuring the person 100 %"), text.find("mocap_offline 0 %")) << text;
 }
 
 TEST_F(OfflineRun, WhoKeepsStillIsTakenForTheRoomAndTheSummarySaysSo) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace markerless_mocap {
@@ -18,6 +19,14 @@ TEST(RunTool, IsSilentWhenAllIsWell) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(runTool("tool", [] {}), 0);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(RunTool, ProgramsAreNamedAsTheirCallerCallsThem) {
+  unsetenv("MARKERLESS_MOCAP_RUN");
+  EXPECT_EQ(callOf("mocap_offline"), "rosrun markerless_mocap mocap_offline");
+  setenv("MARKERLESS_MOCAP_RUN", "../mocap/scripts/run", 1);
+  EXPECT_EQ(callOf("mocap_offline"), "../mocap/scripts/run mocap_offline");
+  unsetenv("MARKERLESS_MOCAP_RUN");
 }
 
 TEST(RunTool, TheFirstSignalAsksAndTheSecondEnds) {

@@ -14,12 +14,16 @@
 #include "tools/calibrate_rig/live_boards.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/common/progress.h"
+#include "tools/common/run_tool.h"
 
 namespace markerless_mocap {
 namespace {
 
 FrameTimes timesOf(const CalibrateRigArguments& a, const std::vector<FilmSource>& films) {
-  return a.times.empty() ? FrameTimes{} : readFrameTimes(a.times, films);
+  if (a.times.empty()) return {};
+  std::vector<std::string> names;
+  for (const FilmSource& film : films) names.push_back(film.camera);
+  return readFrameTimes(a.times, names);
 }
 
 void addPicturesOfLenses(const CalibrateRigArguments& a, const BoardDetector& detector,
@@ -258,10 +262,10 @@ std::string nextStep(const CalibrateRigArguments& arguments) {
   const std::string& out = arguments.output;
   if (arguments.lens_only) return "written: " + out + "/camera_info, " + out + "/report.html";
   return "written: " + out + "/rig.yaml; how good it is: " + out +
-         "/report.html\nnext, films of a person: import_recording films person.bag FILMS "
-         "--calibration " +
-         out + "/rig.yaml; a bag of one: mocap_offline person.bag result.bag --rig " + out +
-         "/rig.yaml";
+         "/report.html\nnext, films of a person: " + callOf("import_recording") +
+         " films person.bag FILMS --calibration " + out +
+         "/rig.yaml\na bag of one: " + callOf("mocap_offline") + " person.bag result.bag --rig " +
+         out + "/rig.yaml";
 }
 
 }  // namespace markerless_mocap

@@ -7,8 +7,8 @@
 #include <iostream>
 
 #include "tools/calibrate_rig/calibrate_rig.h"
-#include "tools/calibrate_rig/film.h"
 #include "tools/common/board_arguments.h"
+#include "tools/common/film_times.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 
@@ -37,7 +37,7 @@ void describe(CLI::App& app, CalibrateRigArguments* a) {
       "no two images are of one time, as pictures that were taken camera by camera; --points "
       "then gives the places");
   app.add_option(
-      "--times", a->times,
+      "--times,--timestamps", a->times,
       "table of the time of every image: columns cam_id and frame_time, s; timestamps.csv beside "
       "the films is used unasked");
   app.add_flag_callback(
@@ -95,7 +95,7 @@ void useFilesBesideFilms(CalibrateRigArguments* arguments, BoardArguments* board
                 "is the one that make_board prints if it is not told otherwise\n";
   }
   if (arguments->times.empty() && arguments->start != FilmStart::kApart)
-    arguments->times = find("the times are those of ", {"timestamps.csv"});
+    arguments->times = find("the times are those of ", {kTimesBesideFilms});
 }
 
 }  // namespace

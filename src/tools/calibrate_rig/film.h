@@ -39,10 +39,6 @@ struct FilmSource {
 /// video Throws std::runtime_error; the message says what was not found.
 std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs, const std::string& video);
 
-/// The first of some files that is there in a folder of the inputs; empty if there is none.
-std::string fileBesideFilms(const std::vector<std::string>& inputs,
-                            const std::vector<std::string>& names);
-
 /// Opens a film. Pictures have the times 0, 1, 2 ... Throws std::runtime_error.
 std::unique_ptr<ImageFilm> openFilm(const FilmSource& source);
 

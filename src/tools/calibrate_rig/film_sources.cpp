@@ -110,13 +110,4 @@ std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs,
   return films;
 }
 
-std::string fileBesideFilms(const std::vector<std::string>& inputs,
-                            const std::vector<std::string>& names) {
-  for (const std::string& input : inputs)
-    for (const std::string& name : names)
-      if (const fs::path file = fs::path(input) / name; fs::is_regular_file(file))
-        return file.string();
-  return "";
-}
-
 }  // namespace markerless_mocap

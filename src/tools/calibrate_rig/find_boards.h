@@ -1,13 +1,13 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "calibration/board_detector.h"
 #include "calibration/views.h"
 #include "tools/calibrate_rig/film.h"
+#include "tools/common/film_times.h"
 
 namespace markerless_mocap {
 
@@ -18,9 +18,6 @@ struct FoundBoards {
   std::vector<int> images;                 ///< that were searched, by camera
   std::vector<std::vector<double>> times;  ///< of all images of each camera, s
 };
-
-/// Times of the images of each camera, by its name, s; as read by readFrameTimes().
-using FrameTimes = std::map<std::string, std::vector<double>>;
 
 /// Searches the films for the board, side by side.
 /// \param most_images searched per film; of longer ones every second, third ... image is searched
@@ -42,11 +39,6 @@ std::vector<cv::Mat> imagesOf(const FilmSource& film, int images);
 
 /// Adds pictures that were taken for the lenses only; their cameras must be among those found.
 void addLensPictures(const FoundBoards& pictures, FoundBoards* boards);
-
-/// Reads a table with the columns cam_id and frame_time (s): the time of every image of every
-/// camera, as caliscope and FreeMoCap write them. A camera is named by its id or by a name that
-/// ends with it. Throws std::runtime_error; the message names the file and the line.
-FrameTimes readFrameTimes(const std::string& path, const std::vector<FilmSource>& films);
 
 /// Reads known points: a YAML list `points`, each with a `name`, a `position` [x, y, z] in metres
 /// and `pixels`, a map of cameras to [u, v]. Throws std::runtime_error or std::invalid_argument.

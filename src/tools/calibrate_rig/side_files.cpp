@@ -1,9 +1,5 @@
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "files/text_file.h"
@@ -11,42 +7,6 @@
 
 namespace markerless_mocap {
 namespace {
-
-std::vector<std::string> cellsOf(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    while (!cell.empty() && isspace(cell.back())) cell.pop_back();
-    cells.push_back(cell);
-  }
-  return cells;
-}
-
-size_t columnNamed(const std::vector<std::string>& head, const std::string& name,
-                   const std::string& path) {
-  const auto found = std::find(head.begin(), head.end(), name);
-  if (found == head.end()) throw std::runtime_error(path + " has no column " + name);
-  return size_t(found - head.begin());
-}
-
-/// Whether a camera's name is the id or ends with it after something that is no digit.
-bool isNamedBy(const std::string& camera, const std::string& id) {
-  if (camera == id) return true;
-  if (camera.size() <= id.size() || isdigit(camera[camera.size() - id.size() - 1])) return false;
-  return camera.compare(camera.size() - id.size(), id.size(), id) == 0;
-}
-
-double secondsIn(const std::string& cell, const std::string& path, int line) {
-  try {
-    size_t end = 0;
-    const double seconds = std::stod(cell, &end);
-    if (end == cell.size() && std::isfinite(seconds)) return seconds;
-  } catch (const std::logic_error&) {
-    // Reported below.
-  }
-  throw std::runtime_error(path + ", line " + std::to_string(line) + ": '" + cell +
-                           "' is no time in seconds");
-}
 
 size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
                    const std::string& where) {
@@ -80,29 +40,6 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
 }
 
 }  // namespace
-
-FrameTimes readFrameTimes(const std::string& path, const std::vector<FilmSource>& films) {
-  checkRegularFile(path, "the times in " + path, kMaxTableBytes);
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line)) throw std::runtime_error("cannot read the times in " + path);
-  const std::vector<std::string> head = cellsOf(line);
-  const size_t id_at = columnNamed(head, "cam_id", path);
-  const size_t time_at = columnNamed(head, "frame_time", path);
-  FrameTimes times;
-  for (int number = 2; std::getline(file, line); ++number) {
-    const std::vector<std::string> cells = cellsOf(line);
-    if (cells.size() <= std::max(id_at, time_at) || cells[time_at].empty()) continue;
-    for (const FilmSource& film : films)
-      if (isNamedBy(film.camera, cells[id_at]))
-        times[film.camera].push_back(secondsIn(cells[time_at], path, number));
-  }
-  for (const FilmSource& film : films)
-    if (times.count(film.camera) == 0)
-      throw std::runtime_error(path + " has no times of " + film.camera);
-  for (auto& [camera, own] : times) std::sort(own.begin(), own.end());
-  return times;
-}
 
 std::vector<KnownPoint> readKnownPoints(const std::string& path,
                                         const std::vector<CameraToCalibrate>& cameras) {

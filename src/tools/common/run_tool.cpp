@@ -1,6 +1,7 @@
 #include "tools/common/run_tool.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -34,6 +35,11 @@ std::function<bool()> catchInterruptions() {
 
 bool isInterrupted() {
   return interrupted != 0;
+}
+
+std::string callOf(const std::string& program) {
+  const char* caller = std::getenv("MARKERLESS_MOCAP_RUN");
+  return (caller ? std::string(caller) : "rosrun markerless_mocap") + ' ' + program;
 }
 
 }  // namespace markerless_mocap

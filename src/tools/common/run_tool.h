@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace markerless_mocap {
 
@@ -12,5 +13,9 @@ int runTool(const char* name, const std::function<void()>& work);
 std::function<bool()> catchInterruptions();
 /// What that function returns.
 bool isInterrupted();
+
+/// How whoever called this program calls another one of the package: by scripts/run, which says so
+/// in MARKERLESS_MOCAP_RUN, else by rosrun.
+std::string callOf(const std::string& program);
 
 }  // namespace markerless_mocap

@@ -159,16 +159,44 @@ std::optional<FilmFrame> Film::next() {
   return frame;
 }
 
-std::vector<NamedFilm> filmsIn(const std::string& folder) {
+namespace {
+
+/// What a camera's folder holds; no path if it is none.
+std::string filmOfFolder(const fs::path& folder) {
+  if (!sortedEntries(folder, isImage).empty()) return folder.string();
+  const std::vector<fs::path> videos = sortedEntries(folder, isVideo);
+  if (videos.size() > 1)
+    throw std::runtime_error(
+        "the folder " + folder.string() +
+        " has several videos, name one film for each camera: " + videos[0].string() + " ...");
+  return videos.empty() ? "" : videos[0].string();
+}
+
+void addFilmsOf(const std::string& folder, std::vector<NamedFilm>* films) {
+  const size_t before = films->size();
+  const auto any = [](const fs::path& path) { return isVideo(path) || fs::is_directory(path); };
+  for (const fs::path& path : sortedEntries(folder, any)) {
+    if (!fs::is_directory(path))
+      films->push_back({path.stem().string(), path.string()});
+    else if (const std::string film = filmOfFolder(path); !film.empty())
+      films->push_back({path.filename().string(), film});
+  }
+  if (films->size() == before)
+    throw std::runtime_error("the folder " + folder +
+                             " has no videos and no folders with images or a video");
+}
+
+}  // namespace
+
+std::vector<NamedFilm> filmsIn(const std::vector<std::string>& inputs) {
   std::vector<NamedFilm> films;
-  const auto is_film = [](const fs::path& path) {
-    return isVideo(path) || (fs::is_directory(path) && !sortedEntries(path, isImage).empty());
-  };
-  for (const fs::path& path : sortedEntries(folder, is_film))
-    films.push_back(
-        {fs::is_directory(path) ? path.filename().string() : path.stem().string(), path.string()});
-  if (films.empty())
-    throw std::runtime_error("the folder " + folder + " has no videos and no folders with images");
+  for (const std::string& input : inputs) {
+    if (!fs::exists(input)) throw std::runtime_error("there is no file or folder " + input);
+    if (fs::is_regular_file(input))
+      films.push_back({fs::path(input).stem().string(), input});
+    else
+      addFilmsOf(input, &films);
+  }
   return films;
 }
 

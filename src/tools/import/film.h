@@ -33,6 +33,7 @@ class Film {
   int turned() const;
   /// Gives images as they are stored from now on, not turned.
   void doNotTurn();
+  bool turns() const { return turns_; }
   /// The k-th mask of a video or a folder of images belongs to the k-th frame. Throws
   /// std::runtime_error if there are none; next() does if they end before the film.
   void addMasks(const std::string& path);
@@ -64,13 +65,13 @@ class Film {
   int without_time_ = 0;
 };
 
-/// A film and its name, that of the file or folder without ending.
+/// A film and its name, that of the file or of the camera's folder without ending.
 struct NamedFilm {
   std::string name, path;
 };
 
-/// Videos and folders with images in a folder, in the order of names. Throws std::runtime_error if
-/// there are none.
-std::vector<NamedFilm> filmsIn(const std::string& folder);
+/// Videos that are named, and what lies in folders that are named, in the order of names: videos,
+/// folders with images, folders with one video. Throws std::runtime_error if there are none.
+std::vector<NamedFilm> filmsIn(const std::vector<std::string>& inputs);
 
 }  // namespace markerless_mocap

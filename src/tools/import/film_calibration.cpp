@@ -6,10 +6,6 @@
 namespace markerless_mocap {
 namespace {
 
-std::string text(const cv::Size& size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 bool hasShapeOf(const cv::Size& a, const cv::Size& b) {
   return std::abs(double(a.width) * b.height - double(a.height) * b.width) <
          0.5 * (a.width + a.height);
@@ -28,6 +24,10 @@ void scale(CameraCalibration* camera, double factor) {
 }
 
 }  // namespace
+
+std::string text(const cv::Size& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
 
 void agreeInSize(CameraCalibration* camera, Film* film, std::vector<std::string>* notes) {
   const cv::Size calibrated(camera->width, camera->height);

@@ -8,6 +8,9 @@
 
 namespace markerless_mocap {
 
+/// Such as "640 x 480".
+std::string text(const cv::Size& size);
+
 /// Makes a calibration and the film that it belongs to agree in size: the size is taken from the
 /// film where the calibration has none, the film is not turned if the calibration is of the images
 /// as they are stored, the calibration is scaled to a film of the same shape, and a film that lacks

@@ -9,11 +9,11 @@
 #include "markerless_mocap/formats/calibration_files.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "tools/common/camera_bag_writer.h"
+#include "tools/common/film_times.h"
 #include "tools/common/progress.h"
 #include "tools/import/film.h"
 #include "tools/import/film_calibration.h"
 #include "tools/import/film_join.h"
-#include "tools/import/film_times.h"
 #include "tools/import/import_recording.h"
 #include "tools/import/person_starts.h"
 
@@ -62,35 +62,50 @@ CalibrationSet calibrationIn(const FilmsInput& input, const ImportOptions& optio
 struct Cast {
   std::vector<CameraCalibration> cameras;
   std::vector<Film> films;
-  std::vector<double> offsets;  ///< s
+  std::vector<Film> empty_room;  ///< or none
+  std::vector<double> offsets;   ///< s
 };
 
-void setTimes(const FilmsInput& input, const std::vector<NamedFilm>& named_films, Cast* cast) {
-  if (input.timestamps.empty()) return;
-  const auto times = readFrameTimes(input.timestamps);
-  std::vector<std::string> known;
-  for (const auto& entry : times) known.push_back(entry.first);
-  const auto matched = matchNames(namesOf(named_films), known, "camera of " + input.timestamps);
-  for (size_t i = 0; i < cast->films.size(); ++i) cast->films[i].setTimes(times.at(matched[i]));
+void setTimes(const std::string& table, const std::vector<NamedFilm>& films, Cast* cast) {
+  if (table.empty()) return;
+  const FrameTimes times = readFrameTimes(table, namesOf(films));
+  for (size_t i = 0; i < films.size(); ++i) cast->films[i].setTimes(times.at(films[i].name));
 }
 
 void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast* cast) {
-  const std::vector<NamedFilm> masks = filmsIn(input.masks);
+  const std::vector<NamedFilm> masks = filmsIn({input.masks});
   const auto matched = matchNames(namesOf(films), namesOf(masks), "film of masks");
   for (size_t i = 0; i < films.size(); ++i) cast->films[i].addMasks(named(masks, matched[i]).path);
 }
 
+void addEmptyRoom(const FilmsInput& input, const std::vector<NamedFilm>& films, double fps,
+                  Cast* cast) {
+  if (input.background.empty()) return;
+  const std::vector<NamedFilm> rooms = filmsIn({input.background});
+  const auto matched = matchNames(namesOf(films), namesOf(rooms), "film of the empty room");
+  for (size_t i = 0; i < films.size(); ++i) {
+    Film room(named(rooms, matched[i]).path, fps);
+    const Film& film = cast->films[i];
+    if (!film.turns()) room.doNotTurn();
+    if (room.size() != film.size())
+      throw std::invalid_argument("the film of the empty room " + room.path() + " is " +
+                                  text(room.size()) + " pixels, " + film.path() + " is " +
+                                  text(film.size()));
+    cast->empty_room.push_back(std::move(room));
+  }
+}
+
 /// Folders of other pictures may lie beside the films. They are left out if every camera has a film
 /// without them.
-std::vector<NamedFilm> filmsOfCameras(const std::string& folder,
+std::vector<NamedFilm> filmsOfCameras(const std::vector<std::string>& inputs,
                                       const std::vector<std::string>& cameras,
                                       std::vector<std::string>* notes) {
   std::vector<NamedFilm> films, others;
-  for (const NamedFilm& film : filmsIn(folder))
+  for (const NamedFilm& film : filmsIn(inputs))
     (isCalledLikeOne(film.name, cameras) ? films : others).push_back(film);
-  if (films.size() < cameras.size()) return filmsIn(folder);
+  if (films.size() < cameras.size()) return filmsIn(inputs);
   for (const NamedFilm& other : others)
-    notes->push_back("there is no camera " + other.name + ": " + other.path + " is left out");
+    notes->push_back(other.path + " belongs to no camera of the calibration and is left out");
   return films;
 }
 
@@ -98,7 +113,7 @@ Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult*
   const double fps = options.fps > 0.0 ? options.fps : kImagesFps;
   const CalibrationSet set = calibrationIn(input, options, &result->warnings);
   const std::vector<NamedFilm> films =
-      filmsOfCameras(input.folder, namesOf(set.cameras), &result->warnings);
+      filmsOfCameras(input.films, namesOf(set.cameras), &result->warnings);
   const auto cameras =
       matchNames(namesOf(films), namesOf(set.cameras), "camera of the calibration");
   Cast cast;
@@ -110,13 +125,25 @@ Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult*
     cast.cameras.back().time_offset = 0.0;  // it is in the stamps
   }
   if (!input.masks.empty()) addMasks(input, films, &cast);
-  setTimes(input, films, &cast);
+  addEmptyRoom(input, films, fps, &cast);
+  setTimes(input.times, films, &cast);
   return cast;
+}
+
+/// As calibrate_rig does with films of the board.
+FilmsInput withTimesBeside(const FilmsInput& input, ImportResult* result) {
+  FilmsInput out = input;
+  if (!input.times.empty() || input.start == FilmStart::kApart) return out;
+  out.times = fileBesideFilms(input.films, {kTimesBesideFilms});
+  if (!out.times.empty())
+    result->warnings.push_back("the times are those of " + out.times +
+                               ", which lies beside the films");
+  return out;
 }
 
 /// Offsets of a rig file are believed unless the films are said to have begun apart.
 bool areStartsKnown(const FilmsInput& input, const Cast& cast) {
-  if (!input.timestamps.empty() || input.start == FilmStart::kTogether) return true;
+  if (!input.times.empty() || input.start == FilmStart::kTogether) return true;
   return input.start == FilmStart::kUnknown &&
          std::any_of(cast.offsets.begin(), cast.offsets.end(), [](double o) { return o != 0.0; });
 }
@@ -138,20 +165,54 @@ cv::Mat maskFrom(const cv::Mat& image) {
   return maskOfThreeValues(grey);
 }
 
+/// The images that the background is learned from come first. Returns the number of frame sets.
+int writeEmptyRoom(std::vector<Film>* films, int most, const ImportOptions& options, double fps,
+                   CameraBagWriter* bag) {
+  for (int k = 0; k < most; ++k) {
+    std::vector<cv::Mat> images;
+    for (Film& film : *films)
+      if (const auto frame = film.next()) images.push_back(frame->image);
+    if (images.empty() || images.size() < films->size()) return k;
+    for (size_t i = 0; i < images.size(); ++i)
+      bag->write(options.stampOf(k, fps), i, images[i], cv::Mat());
+  }
+  return most;
+}
+
+/// Returns the number of frame sets.
+int writeFilms(FilmJoin* films, int64_t start, CameraBagWriter* bag, Progress* progress) {
+  int frame_sets = 0;
+  std::optional<double> first;
+  while (const auto joined = films->next()) {
+    if (!first) first = joined->time;
+    const int64_t stamp = start + std::llround(1e9 * (joined->time - *first));
+    for (size_t i = 0; i < joined->frames.size(); ++i)
+      if (const FilmFrame& frame = joined->frames[i]; !frame.image.empty())
+        bag->write(stamp, i, frame.image, maskFrom(frame.mask));
+    progress->update(double(++frame_sets) / std::max(films->expectedFrameSets(), 1));
+  }
+  return frame_sets;
+}
+
+void findStarts(const FilmsInput& input, Cast* cast, ImportResult* result, std::ostream* notes,
+                bool terminal) {
+  if (areStartsKnown(input, *cast)) return;
+  Progress search("beginning of the films", notes, terminal);
+  const auto found = findPersonStarts(cast->films, cast->cameras, input, &cast->offsets,
+                                      [&](double part) { search.update(part); });
+  search.finish();
+  result->warnings.insert(result->warnings.end(), found.begin(), found.end());
+}
+
 }  // namespace
 
-ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, std::ostream* notes,
+ImportResult importFilms(const FilmsInput& given, const ImportOptions& options, std::ostream* notes,
                          bool terminal) {
   options.validate();
   ImportResult result;
+  const FilmsInput input = withTimesBeside(given, &result);
   Cast cast = castOf(input, options, &result);
-  if (!areStartsKnown(input, cast)) {
-    Progress search("beginning of the films", notes, terminal);
-    const auto found = findPersonStarts(cast.films, cast.cameras, input, &cast.offsets,
-                                        [&](double part) { search.update(part); });
-    search.finish();
-    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
-  }
+  findStarts(input, &cast, &result, notes, terminal);
   result.cameras = cast.cameras;
   FilmJoin films(std::move(cast.films), cast.offsets, options.fps);
   result.fps = films.fps();
@@ -161,20 +222,15 @@ ImportResult importFilms(const FilmsInput& input, const ImportOptions& options, 
   CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);
   bag.writeTransforms(options.stampOf(0, result.fps));
-  std::optional<double> first;
-  while (const auto joined = films.next()) {
-    if (!first) first = joined->time;
-    const int64_t stamp =
-        options.stampOf(0, result.fps) + std::llround(1e9 * (joined->time - *first));
-    for (size_t i = 0; i < joined->frames.size(); ++i)
-      if (const FilmFrame& frame = joined->frames[i]; !frame.image.empty())
-        bag.write(stamp, i, frame.image, maskFrom(frame.mask));
-    ++result.frame_sets;
-    progress.update(double(result.frame_sets) / std::max(films.expectedFrameSets(), 1));
-  }
+  const int empty =
+      writeEmptyRoom(&cast.empty_room, input.background_frames, options, result.fps, &bag);
+  if (!cast.empty_room.empty())
+    result.warnings.push_back("the first " + std::to_string(empty) +
+                              " frame sets are of the empty room");
+  const int filmed = writeFilms(&films, options.stampOf(empty, result.fps), &bag, &progress);
   progress.finish();
-  if (result.frame_sets == 0)
-    throw std::runtime_error("the films have no time in common, or no frames");
+  if (filmed == 0) throw std::runtime_error("the films have no time in common, or no frames");
+  result.frame_sets = empty + filmed;
   for (size_t i = 0; i < result.cameras.size(); ++i)
     result.warnings.push_back(noteOf(result.cameras[i].name, films.statistics()[i]));
   bag.commit();

@@ -45,16 +45,20 @@ struct VideosInput {
   int background_frames = 30;  ///< number of frames from the background video
 };
 
-/// A folder with a video or a folder of images for each camera, and one calibration. They belong
-/// together by name or by the number in it.
+/// A video or a folder of images for each camera, and one calibration. They belong together by name
+/// or by the number in it.
 struct FilmsInput {
-  std::string folder;
+  std::vector<std::string> films;        ///< see filmsIn()
   std::vector<std::string> calibration;  ///< see readCalibration()
-  std::string masks;                     ///< folder like `folder`, black = background; or empty
-  std::string timestamps;                ///< see readFrameTimes(); or empty: the containers' times
-  bool guess_unit = true;                ///< as guessWorld(), in place of ImportOptions::world
+  std::string masks;                     ///< folder of films, black = background; or empty
+  std::string background;                ///< folder of films of the empty room; or empty
+  int background_frames = 30;            ///< of these, that come before the others
+  /// Table, see readFrameTimes(). Empty: kTimesBesideFilms in a folder of films unless the films
+  /// began apart, or else the containers' times.
+  std::string times;
+  bool guess_unit = true;  ///< as guessWorld(), in place of ImportOptions::world
   bool guess_up = true;
-  /// Films without timestamps: unless they began together, or the rig file has time offsets, when
+  /// Films without such a table: unless they began together, or the rig file has time offsets, when
   /// they began is searched by the motion of the person.
   FilmStart start = FilmStart::kUnknown;
   double largest_offset = kLargestFilmOffset;  ///< s, between two films, that is searched for

@@ -83,22 +83,32 @@ CLI::App* describeVideos(CLI::App& app, Arguments* arguments) {
 
 CLI::App* describeFilms(CLI::App& app, Arguments* arguments) {
   CLI::App* command = app.add_subcommand(
-      "films",
-      "a folder with a video or a folder of images per camera, of any rates, and one calibration");
+      "films", "a video or a folder of images per camera, of any rates, and one calibration");
   FilmsInput& input = arguments->films;
   command->add_option("output", arguments->options.output, "bag to write")->required();
-  command->add_option("folder", input.folder, "folder that contains the films")->required();
+  command
+      ->add_option("films", input.films,
+                   "a folder with a video, a folder of images or a folder with a video for each "
+                   "camera; or videos")
+      ->required();
   command
       ->add_option("--calibration", input.calibration,
                    "files or folders of any format that convert_calibration reads; cameras and "
                    "films belong together by name, or by the number in it")
       ->required();
+  command->add_option("--background", input.background,
+                      "folder with a film of the empty room per camera, used first");
+  command
+      ->add_option("--background-frames", input.background_frames,
+                   "number of frames from the films of the empty room")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option(
       "--masks", input.masks,
       "folder with a film of masks per camera; white = person, value 128 = unknown");
-  command->add_option("--timestamps", input.timestamps,
-                      "CSV file with the columns cam_id and frame_time (s), in place of the films' "
-                      "own times");
+  command->add_option("--times,--timestamps", input.times,
+                      "table of the time of every frame, in place of the films' own: columns "
+                      "cam_id and frame_time, s; timestamps.csv beside the films is used unasked");
   command->add_flag_callback(
       "--unsynchronised", [&input] { input.start = FilmStart::kApart; },
       "the films began at different times: take the offsets that fit the motion of the person "
@@ -145,7 +155,7 @@ int main(int argc, char** argv) {
     if (!arguments.options.rig_out.empty()) writeRig(arguments.options.rig_out, result.cameras);
     if (!notes) return;
     print(result, *notes);
-    *notes << "written: " << arguments.options.output << "\nnext: mocap_offline "
-           << arguments.options.output << " result.bag --report report\n";
+    *notes << "written: " << arguments.options.output << "\nnext: " << callOf("mocap_offline")
+           << ' ' << arguments.options.output << " result.bag --report report\n";
   });
 }

@@ -160,12 +160,12 @@ std::vector<std::string> findPersonStarts(const std::vector<Film>& films,
     std::vector<std::string> notes = foundStarts(cameras, *offsets);
     notes.push_back(uncertain(cameras, clocks,
                               "check the bag (check_recording), or give times "
-                              "(--timestamps)"));
+                              "(--times)"));
     return notes;
   }
   return {uncertain(cameras, clocks,
                     "the films are taken to have begun together; if they did not, give times "
-                    "(--timestamps, or time_offset in the rig file)")};
+                    "(--times, or time_offset in the rig file)")};
 }
 
 }  // namespace markerless_mocap

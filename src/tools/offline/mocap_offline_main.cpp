@@ -113,7 +113,7 @@ void run(Arguments* arguments) {
   if (!arguments->self_calibrate.empty()) calibrate(arguments->self_calibrate, &options);
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
   if (!arguments->prepare.empty()) {
-    writePreparation(options, arguments->prepare, notes);
+    writePreparation(options, arguments->prepare, notes, isStderrTerminal());
     return;
   }
   if (options.output.empty()) throw std::invalid_argument("give a bag to write, or --prepare");

@@ -68,7 +68,7 @@ std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* r
 }
 
 void measureBody(const OfflineOptions& options, const std::vector<SharedBackground>& backgrounds,
-                 PersonResources* resources, std::ostream* notes) {
+                 PersonResources* resources, std::ostream* notes, bool terminal) {
   RecordingOptions beginning = options.recording;
   beginning.duration = std::min(beginning.duration, kMaxMeasuringSeconds);
   Recording recording(options.input, beginning);
@@ -78,11 +78,16 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
   pipeline.useBackgrounds(backgrounds);
   pipeline.makePartsOnDemand();
   std::atomic<bool> measured = false;
+  Progress progress("measuring the person", notes, terminal);
   pipeline.processStream(
-      [&] { return measured ? std::nullopt : nextFrameSet(options, &recording); },
+      [&] {
+        progress.update(recording.fractionRead());
+        return measured ? std::nullopt : nextFrameSet(options, &recording);
+      },
       [&](const FrameSet&, const PipelineResult& result) {
         measured = measured || (result.body && result.body->shape_estimated);
       });
+  progress.finish();
   pipeline.estimateShapeNow();
   if (pipeline.body()->shape_estimated) resources->known_shape = pipeline.body()->shape;
   if (!notes) return;
@@ -103,7 +108,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
   PipelineOptions stages = options.pipeline;
   const Preparation prepared =
       options.prepared.empty()
-          ? prepare(options, resources, &stages, notes)
+          ? prepare(options, resources, &stages, notes, terminal)
           : readPreparation(options, options.prepared, recording.cameras().size(), &stages);
   resources.known_shape = prepared.shape;
   Pipeline pipeline(recording.rig(), resources, stages);

@@ -39,9 +39,10 @@ std::optional<FrameSet> nextFrameSet(const OfflineOptions& options, Recording* r
 /// whole recording can be processed with it. Throws as runOffline().
 /// \param backgrounds as Pipeline::useBackgrounds()
 /// \param resources receives the shape if it could be estimated
-/// \param notes stream for the result; nullptr: none
+/// \param notes stream for progress and the result; nullptr: none
+/// \param terminal true if `notes` is a terminal
 void measureBody(const OfflineOptions& options, const std::vector<SharedBackground>& backgrounds,
-                 PersonResources* resources, std::ostream* notes);
+                 PersonResources* resources, std::ostream* notes, bool terminal);
 
 /// Runs all stages over a bag and writes the results to another bag. The same input gives the same
 /// bytes. The output appears only if the run succeeds. Throws std::runtime_error or

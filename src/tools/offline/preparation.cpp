@@ -96,21 +96,21 @@ void save(const SharedBackground& background, const SilhouetteOptions& options,
 }  // namespace
 
 Preparation prepare(const OfflineOptions& options, const PersonResources& resources,
-                    PipelineOptions* pipeline, std::ostream* notes) {
+                    PipelineOptions* pipeline, std::ostream* notes, bool terminal) {
   Preparation prepared;
   OfflineOptions decided = options;
-  prepared.backgrounds = learnBackgrounds(options, &decided.pipeline, notes);
+  prepared.backgrounds = learnBackgrounds(options, &decided.pipeline, notes, terminal);
   PersonResources person = resources;
   const TrackerOptions& fitting = options.pipeline.fitting;
   if (fitting.person.measure && needsOf(fitting.method).masks && !person.known_shape)
-    measureBody(decided, prepared.backgrounds, &person, notes);
+    measureBody(decided, prepared.backgrounds, &person, notes, terminal);
   prepared.shape = person.known_shape;
   decideHowToLearn(pipeline);
   return prepared;
 }
 
-void writePreparation(const OfflineOptions& options, const std::string& folder,
-                      std::ostream* notes) {
+void writePreparation(const OfflineOptions& options, const std::string& folder, std::ostream* notes,
+                      bool terminal) {
   checkModel(options);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -118,7 +118,7 @@ void writePreparation(const OfflineOptions& options, const std::string& folder,
   OfflineOptions decided = options;
   const PersonResources resources =
       readPersonResources(options.body_id, options.urdf_template, options.body_file);
-  Preparation prepared = prepare(options, resources, &decided.pipeline, notes);
+  Preparation prepared = prepare(options, resources, &decided.pipeline, notes, terminal);
   std::vector<SharedBackground> first = learnFromFirstImages(decided);
   prepared.backgrounds.resize(first.size());
   YAML::Node list;

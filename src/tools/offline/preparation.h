@@ -24,15 +24,16 @@ struct Preparation {
 /// Learns the backgrounds if somebody is in the first images, and measures the person if the
 /// options ask for it. Decides how the silhouettes of `pipeline` learn and that the person is not
 /// measured again. Throws as runOffline().
-/// \param notes stream for the results; nullptr: none
+/// \param notes stream for progress and results; nullptr: none
+/// \param terminal true if `notes` is a terminal
 Preparation prepare(const OfflineOptions& options, const PersonResources& resources,
-                    PipelineOptions* pipeline, std::ostream* notes);
+                    PipelineOptions* pipeline, std::ostream* notes, bool terminal);
 
 /// Prepares a recording and writes all of it to a folder, with the backgrounds that the first
 /// images give. Throws as runOffline(), and std::invalid_argument if the model of the silhouettes
 /// cannot be saved.
-void writePreparation(const OfflineOptions& options, const std::string& folder,
-                      std::ostream* notes);
+void writePreparation(const OfflineOptions& options, const std::string& folder, std::ostream* notes,
+                      bool terminal);
 
 /// What writePreparation() wrote, for a part of the recording: one that begins with the recording
 /// learns from the first images itself, as a run over the whole recording does. Sets `pipeline` as

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/common/progress.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -24,8 +26,9 @@ void skipUnneeded(Recording* recording, std::vector<RecordingLearner>* learners)
 }
 
 void readAll(const OfflineOptions& options, Recording* recording,
-             std::vector<RecordingLearner>* learners) {
+             std::vector<RecordingLearner>* learners, Progress* progress) {
   for (;;) {
+    progress->update(recording->fractionRead());
     skipUnneeded(recording, learners);
     const auto frame_set = nextFrameSet(options, recording);
     if (!frame_set) return;
@@ -48,7 +51,8 @@ void tell(const CameraRig& rig, const std::vector<SharedBackground>& backgrounds
 }  // namespace
 
 std::vector<SharedBackground> learnBackgrounds(const OfflineOptions& options,
-                                               PipelineOptions* pipeline, std::ostream* notes) {
+                                               PipelineOptions* pipeline, std::ostream* notes,
+                                               bool terminal) {
   const SilhouetteOptions silhouette = pipeline->silhouette;
   if (!canLearnFromRecording(silhouette) || options.recording.use_masks) return {};
   pipeline->silhouette.background = "first_images";
@@ -56,7 +60,9 @@ std::vector<SharedBackground> learnBackgrounds(const OfflineOptions& options,
   const int expected = recording.expectedFrameSets();
   std::vector<RecordingLearner> learners;
   for (size_t i = 0; i < recording.rig().size(); ++i) learners.emplace_back(silhouette, expected);
-  readAll(options, &recording, &learners);
+  Progress progress("looking for the background", notes, terminal);
+  readAll(options, &recording, &learners, &progress);
+  progress.finish();
   std::vector<SharedBackground> backgrounds = learnBackgrounds(learners);
   if (std::count(backgrounds.begin(), backgrounds.end(), nullptr) == int(backgrounds.size()))
     return {};

@@ -83,7 +83,10 @@ void RunSummary::print(std::ostream& out) const {
     out << "In " << empty_hulls_ << " of " << processed()
         << " frame sets the silhouettes show nobody. Whoever keeps still in a whole recording is "
            "taken for the room:\nfilm the empty room, too (import_recording --background), or "
-           "somebody who moves. check_recording tells what else may be wrong.\n";
+           "somebody who moves.\n";
+  out << "check_recording tells what may be wrong with the recording, the pictures of --report "
+         "show "
+         "what the cameras saw:\nthe person must be seen from head to foot by most of them.\n";
 }
 
 void RunSummary::printReasons(std::ostream& out) const {

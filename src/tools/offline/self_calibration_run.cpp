@@ -24,8 +24,9 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
   PersonResources resources = readPersonResources(run.body_id, run.urdf_template, run.body_file);
   OfflineOptions with_backgrounds = run;
   const std::vector<SharedBackground> backgrounds =
-      learnBackgrounds(run, &with_backgrounds.pipeline, nullptr);
-  if (!resources.known_shape) measureBody(with_backgrounds, backgrounds, &resources, nullptr);
+      learnBackgrounds(run, &with_backgrounds.pipeline, nullptr, false);
+  if (!resources.known_shape)
+    measureBody(with_backgrounds, backgrounds, &resources, nullptr, false);
   PipelineOptions stages = with_backgrounds.pipeline;
   stages.fitting.method = "contour";
   stages.fitting.person.measure = false;

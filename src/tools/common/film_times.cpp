@@ -1,8 +1,9 @@
-#include "tools/import/film_times.h"
+#include "tools/common/film_times.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -58,9 +59,8 @@ std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
-}  // namespace
-
-std::map<std::string, std::vector<double>> readFrameTimes(const std::string& path) {
+/// By the names of the cameras in the table.
+FrameTimes timesOfCameras(const std::string& path) {
   checkRegularFile(path, path, kMaxTableBytes);
   std::ifstream file(path);
   std::string line;
@@ -68,7 +68,7 @@ std::map<std::string, std::vector<double>> readFrameTimes(const std::string& pat
   const auto head = cellsOf(line);
   const size_t camera = columnAmong(head, {"cam_id", "port", "camera"}, path);
   const size_t time = columnAmong(head, {"frame_time"}, path);
-  std::map<std::string, std::vector<double>> times;
+  FrameTimes times;
   for (int number = 2; std::getline(file, line); ++number) {
     const auto cells = cellsOf(line);
     if (cells.empty()) continue;
@@ -79,6 +79,18 @@ std::map<std::string, std::vector<double>> readFrameTimes(const std::string& pat
     times[cells[camera]].push_back(secondsIn(cells[time], where));
   }
   for (auto& entry : times) std::sort(entry.second.begin(), entry.second.end());
+  return times;
+}
+
+}  // namespace
+
+FrameTimes readFrameTimes(const std::string& path, const std::vector<std::string>& films) {
+  const FrameTimes of_cameras = timesOfCameras(path);
+  std::vector<std::string> cameras;
+  for (const auto& entry : of_cameras) cameras.push_back(entry.first);
+  const std::vector<std::string> matched = matchNames(films, cameras, "camera of " + path);
+  FrameTimes times;
+  for (size_t i = 0; i < films.size(); ++i) times[films[i]] = of_cameras.at(matched[i]);
   return times;
 }
 
@@ -109,6 +121,16 @@ bool isCalledLikeOne(const std::string& name, const std::vector<std::string>& ot
   return std::any_of(others.begin(), others.end(), [&](const std::string& other) {
     return other == name || haveOneNumber(name, other);
   });
+}
+
+std::string fileBesideFilms(const std::vector<std::string>& inputs,
+                            const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  for (const std::string& input : inputs)
+    for (const std::string& name : names)
+      if (const fs::path file = fs::path(input) / name; fs::is_regular_file(file))
+        return file.string();
+  return "";
 }
 
 }  // namespace markerless_mocap
