@@ -87,7 +87,9 @@ TEST(MotionScript, saysWhatIsWrongWithFeet) {
 TEST(MotionScript, saysWhatIsWrongWithFiles) {
   EXPECT_EQ(faultOf("a: [1\nb: 2\n").substr(0, 21), "m.yaml is no YAML in ");
   EXPECT_EQ(errorTextOf([] { readMotionScript("/nowhere/dance.yaml"); }),
-            "the motion /nowhere/dance.yaml cannot be read");
+            "cannot read the motion /nowhere/dance.yaml");
+  EXPECT_EQ(errorTextOf([] { readMotionScript("/"); }),
+            "cannot read the motion /: it is a folder, pipe or device, allowed are files");
 }
 
 }  // namespace

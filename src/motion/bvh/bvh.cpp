@@ -194,12 +194,12 @@ BvhMotion readBvh(std::istream& stream, const std::string& name) {
 BvhMotion readBvh(const std::string& path) {
   constexpr uintmax_t kMaxBytes = 1u << 30;  // hours of motion
   try {
-    checkRegularFile(path, path, kMaxBytes);
-  } catch (const std::runtime_error&) {
-    throw std::invalid_argument(path + " cannot be read, expected is a BVH file");
+    checkRegularFile(path, "the BVH file " + path, kMaxBytes);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
   }
   std::ifstream file(path);
-  if (!file) throw std::invalid_argument(path + " cannot be read, expected is a BVH file");
+  if (!file) throw std::invalid_argument("cannot read the BVH file " + path);
   return readBvh(file, path);
 }
 

@@ -184,8 +184,8 @@ MotionScript readMotionScript(const std::string& file) {
   std::string text;
   try {
     text = readTextFile(file, "the motion " + file);
-  } catch (const std::runtime_error&) {
-    throw std::invalid_argument("the motion " + file + " cannot be read");
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
   }
   return parseMotionScript(text, file);
 }

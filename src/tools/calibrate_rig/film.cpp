@@ -88,9 +88,9 @@ class BagTopic : public ImageFilm {
     if (message_ == view_->end()) return {};
     const rosbag::MessageInstance& entry = *message_;
     TimedImage frame;
-    if (const auto raw = entry.instantiate<sensor_msgs::Image>()) {
+    if (const auto raw = messageOf<sensor_msgs::Image>(entry)) {
       frame = {matFromMessage(*raw), 1e-9 * double(nanosecondsOf(raw->header.stamp))};
-    } else if (const auto jpeg = entry.instantiate<sensor_msgs::CompressedImage>()) {
+    } else if (const auto jpeg = messageOf<sensor_msgs::CompressedImage>(entry)) {
       frame = {matFromMessage(*jpeg), 1e-9 * double(nanosecondsOf(jpeg->header.stamp))};
     }
     ++message_;
@@ -100,9 +100,9 @@ class BagTopic : public ImageFilm {
     if (message_ == view_->end()) return std::nullopt;
     const rosbag::MessageInstance& entry = *message_;
     double time = 0.0;
-    if (const auto raw = entry.instantiate<sensor_msgs::Image>())
+    if (const auto raw = messageOf<sensor_msgs::Image>(entry))
       time = 1e-9 * double(nanosecondsOf(raw->header.stamp));
-    else if (const auto jpeg = entry.instantiate<sensor_msgs::CompressedImage>())
+    else if (const auto jpeg = messageOf<sensor_msgs::CompressedImage>(entry))
       time = 1e-9 * double(nanosecondsOf(jpeg->header.stamp));
     ++message_;
     return time;

@@ -1,3 +1,6 @@
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -5,6 +8,7 @@
 
 #include "tools/calibrate_rig/film.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/foreign_topic.h"
 #include "tools/common/recorded_cameras.h"
 
 namespace markerless_mocap {
@@ -63,6 +67,8 @@ std::vector<FilmSource> filmsOfBag(const std::string& path) {
   for (const RecordedCamera& camera : findCameras(bag, {}, true))
     if (!camera.image_topic.empty()) films.push_back({camera.name, path, camera.image_topic});
   if (films.empty()) throw std::runtime_error("the bag " + path + " has no image topics");
+  const std::string foreign = foreignTopic<sensor_msgs::Image, sensor_msgs::CompressedImage>(bag);
+  if (!foreign.empty()) throw std::runtime_error("not all images can be read" + foreign);
   return films;
 }
 

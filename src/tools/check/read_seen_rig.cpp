@@ -10,6 +10,7 @@
 #include "ros/rig_recorder.h"
 #include "tools/check/check_recording.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/foreign_topic.h"
 #include "tools/common/progress.h"
 #include "tools/common/recorded_cameras.h"
 #include "tools/common/recorded_transforms.h"
@@ -87,11 +88,13 @@ class MessageLoader {
   std::mutex mutex_;
 };
 
+/// Throws std::runtime_error if the message is damaged, not if its image is.
 cv::Mat pixelsOf(const rosbag::MessageInstance& entry, MessageLoader* loader) {
+  const auto raw = loader->load<sensor_msgs::Image>(entry);
+  const auto jpeg = raw ? nullptr : loader->load<sensor_msgs::CompressedImage>(entry);
   try {
-    if (const auto raw = loader->load<sensor_msgs::Image>(entry)) return matFromMessage(*raw);
-    if (const auto jpeg = loader->load<sensor_msgs::CompressedImage>(entry))
-      return matFromMessage(*jpeg);
+    if (raw) return matFromMessage(*raw);
+    if (jpeg) return matFromMessage(*jpeg);
   } catch (const std::exception&) {  // counted when silhouettes are looked for
   }
   return {};
@@ -158,6 +161,8 @@ void readImages(const CheckArguments& arguments, const SilhouetteOptions& silhou
                 std::vector<CameraRecorder>* recorders, std::ostream* notes, bool terminal) {
   ImageReader reader(bag, cameras);
   if (reader.empty()) throw std::runtime_error("the bag has no images");
+  const std::string foreign = foreignTopic<sensor_msgs::Image, sensor_msgs::CompressedImage>(bag);
+  if (!foreign.empty()) throw std::runtime_error("not all images can be read" + foreign);
   MessageLoader loader;
   SilhouetteOptions options = silhouette;
   const bool masks = (*recorders).front().seen().masks_only;

@@ -15,6 +15,7 @@
 #include "markerless_mocap/ros/messages.h"
 #include "ros/camera_conversions.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/foreign_topic.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/stamped_transforms.h"
 
@@ -32,7 +33,7 @@ StampedTransforms readTransforms(rosbag::Bag& bag) {
   StampedTransforms transforms;
   const std::vector<std::string> topics{"/tf", "/tf_static"};
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topics)))
-    if (const auto message = entry.instantiate<tf2_msgs::TFMessage>())
+    if (const auto message = messageOf<tf2_msgs::TFMessage>(entry))
       transforms.add(*message, entry.getTopic() == "/tf_static");
   return transforms;
 }
@@ -43,16 +44,17 @@ std::set<std::string> bodiesIn(rosbag::Bag& bag, const StampedTransforms& transf
   for (const std::string& frame : transforms.framesBeginningWith(kRootLink))
     ids.insert(frame.substr(std::string(kRootLink).size()));
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/pose")))
-    if (const auto pose = entry.instantiate<BodyPoseMsg>()) ids.insert(pose->body_id);
+    if (const auto pose = messageOf<BodyPoseMsg>(entry)) ids.insert(pose->body_id);
   return ids;
 }
 
 std::string chooseBody(const std::set<std::string>& ids, const std::string& wanted,
-                       const std::string& path) {
+                       const std::string& path, const rosbag::Bag& bag) {
   std::string names;
   for (const std::string& id : ids) names += (names.empty() ? "" : ", ") + id;
   if (ids.empty())
-    throw std::runtime_error(path + " has no results: neither a frame body_<id> in tf nor /pose");
+    throw std::runtime_error(path + " has no results: neither a frame body_<id> in tf nor /pose" +
+                             foreignTopic<tf2_msgs::TFMessage, BodyPoseMsg>(bag));
   if (wanted.empty() && ids.size() > 1)
     throw std::runtime_error(path + " has several bodies, " + names + ": choose one by --id");
   if (wanted.empty()) return *ids.begin();
@@ -65,8 +67,7 @@ void readBody(rosbag::Bag& bag, std::string urdf, ResultRecord* results) {
   const bool is_given = !urdf.empty();
   const rosbag::TopicQuery description(ofBody(results->body_id, "human_description"));
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, description))
-    if (const auto text = entry.instantiate<std_msgs::String>(); text && !is_given)
-      urdf = text->data;
+    if (const auto text = messageOf<std_msgs::String>(entry); text && !is_given) urdf = text->data;
   results->has_description = !urdf.empty();
   if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kDefaultStature);
   results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
@@ -85,7 +86,7 @@ FramesByStamp readStatuses(rosbag::Bag& bag, const StampedTransforms& transforms
                            ResultRecord* results) {
   FramesByStamp frames;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/pose"))) {
-    const auto pose = entry.instantiate<BodyPoseMsg>();
+    const auto pose = messageOf<BodyPoseMsg>(entry);
     if (!pose || pose->body_id != results->body_id) continue;
     const int64_t stamp = nanosecondsOf(pose->header.stamp);
     ResultFrame& frame = frames[stamp];
@@ -125,7 +126,7 @@ void readAngles(rosbag::Bag& bag, const FramesByStamp& frames, ResultRecord* res
   std::map<int64_t, AngleFrame> angles;
   const rosbag::TopicQuery topic(ofBody(results->body_id, "joint_states"));
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, topic)) {
-    const auto states = entry.instantiate<sensor_msgs::JointState>();
+    const auto states = messageOf<sensor_msgs::JointState>(entry);
     if (!states) continue;
     const int64_t stamp = nanosecondsOf(states->header.stamp);
     const auto frame = frames.find(stamp);
@@ -148,7 +149,7 @@ ResultRecord readResults(const std::string& path, const std::string& id, const s
   openForReading(path, bag);
   const StampedTransforms transforms = readTransforms(bag);
   ResultRecord results;
-  results.body_id = chooseBody(bodiesIn(bag, transforms), id, path);
+  results.body_id = chooseBody(bodiesIn(bag, transforms), id, path, bag);
   results.joints.names = bodyPointNames();
   readBody(bag, urdf, &results);
   FramesByStamp frames = readStatuses(bag, transforms, &results);

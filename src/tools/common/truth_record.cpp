@@ -9,6 +9,7 @@
 
 #include "ros/camera_conversions.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/foreign_topic.h"
 #include "tools/common/result_record.h"
 
 namespace markerless_mocap {
@@ -53,13 +54,14 @@ TruthRecord readTruth(const std::string& path) {
   TruthRecord truth;
   const std::vector<std::string> topics{kJoints, kJointStates};
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topics))) {
-    if (const auto joints = entry.instantiate<JointPositions>())
+    if (const auto joints = messageOf<JointPositions>(entry))
       addJoints(*joints, path, &truth);
-    else if (const auto states = entry.instantiate<sensor_msgs::JointState>())
+    else if (const auto states = messageOf<sensor_msgs::JointState>(entry))
       addAngles(*states, &truth);
   }
   if (truth.joints.frames() == 0)
-    throw std::runtime_error(path + " has no ground truth: no topic " + kJoints);
+    throw std::runtime_error(path + " has no ground truth: no topic " + kJoints +
+                             foreignTopic<JointPositions>(bag));
   return truth;
 }
 

@@ -57,7 +57,7 @@ std::optional<VoxelGrid> readGrid(const std::string& path) {
   rosbag::Bag bag;
   openForReading(path, bag);
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/grid")))
-    if (const auto grid = entry.instantiate<VoxelGrid>()) return *grid;
+    if (const auto grid = messageOf<VoxelGrid>(entry)) return *grid;
   return std::nullopt;
 }
 
@@ -84,7 +84,7 @@ PlayerHulls readHulls(const std::string& results, const std::vector<int64_t>& st
   rosbag::Bag bag;
   openForReading(results, bag);
   for (const auto& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/points"))) {
-    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    const auto cloud = messageOf<sensor_msgs::PointCloud2>(entry);
     if (!cloud) continue;
     const int64_t* stamp =
         nearestStamp(stamps_ns, nanosecondsOf(cloud->header.stamp), tolerance_ns);
@@ -166,7 +166,7 @@ void ImageEvaluator::measureHulls(const HullOptions& rules, ImageMetrics* measur
   openForReading(results_, bag);
   std::vector<double> overlaps;
   for (const auto& entry : rosbag::View(bag, rosbag::TopicQuery("/hull/points"))) {
-    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    const auto cloud = messageOf<sensor_msgs::PointCloud2>(entry);
     if (!cloud) continue;
     const int64_t* stamp =
         nearestStamp(stamps_ns_, nanosecondsOf(cloud->header.stamp), tolerance_ns_);
@@ -200,8 +200,8 @@ std::vector<CameraFrame> ImageEvaluator::framesAt(const rosbag::Bag& bag, int64_
                     rosTime(stamp_ns + kRecordedLater_ns));
   for (const rosbag::MessageInstance& entry : near) {
     const auto camera = std::find(topics.begin(), topics.end(), entry.getTopic()) - topics.begin();
-    const auto raw = entry.instantiate<sensor_msgs::Image>();
-    const auto packed = entry.instantiate<sensor_msgs::CompressedImage>();
+    const auto raw = messageOf<sensor_msgs::Image>(entry);
+    const auto packed = messageOf<sensor_msgs::CompressedImage>(entry);
     if (!raw && !packed) continue;
     const int64_t stamp = nanosecondsOf(raw ? raw->header.stamp : packed->header.stamp);
     if (std::llabs(stamp - stamp_ns) <= tolerance_ns_)

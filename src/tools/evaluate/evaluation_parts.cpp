@@ -64,12 +64,12 @@ PartsRecord readParts(const std::string& path) {
   double pitch = 0.0;
   const std::vector<std::string> topics{kPoints, kParts, kGrid};
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topics))) {
-    if (const auto grid = entry.instantiate<VoxelGrid>()) pitch = grid->pitch;
-    if (const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>()) {
+    if (const auto grid = messageOf<VoxelGrid>(entry)) pitch = grid->pitch;
+    if (const auto cloud = messageOf<sensor_msgs::PointCloud2>(entry)) {
       addPoints(*cloud, &all[nanosecondsOf(cloud->header.stamp)]);
       record.world_frame = cloud->header.frame_id;
     }
-    if (const auto parts = entry.instantiate<BodyPartsMsg>())
+    if (const auto parts = messageOf<BodyPartsMsg>(entry))
       addParts(*parts, &all[nanosecondsOf(parts->header.stamp)]);
   }
   for (auto& [stamp, said] : all) {

@@ -35,7 +35,7 @@ TreeRecord readTrees(const std::string& path) {
   TreeRecord record;
   for (int i = 0; i < kTreeJointCount; ++i) record.joints.names.push_back(truthName(TreeJoint(i)));
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(kTopic))) {
-    const auto message = entry.instantiate<PoseTreeMsg>();
+    const auto message = messageOf<PoseTreeMsg>(entry);
     if (!message) continue;
     const int64_t stamp = nanosecondsOf(message->header.stamp);
     // Time starts again in a loop or a second recording; only the first pass is used.

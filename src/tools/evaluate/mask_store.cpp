@@ -28,7 +28,7 @@ MaskStore::MaskStore(const std::string& path, const std::vector<std::string>& to
   rosbag::Bag bag;
   openForReading(path, bag);
   for (const rosbag::MessageInstance& message : rosbag::View(bag, rosbag::TopicQuery(topics))) {
-    const auto image = message.instantiate<sensor_msgs::Image>();
+    const auto image = messageOf<sensor_msgs::Image>(message);
     if (!image) continue;
     const int64_t stamp = nanosecondsOf(image->header.stamp);
     const int64_t* frame_set = nearestStamp(stamps_ns, stamp, tolerance_ns);

@@ -36,7 +36,7 @@ std::vector<std::string> exportHulls(const HullExportOptions& what) {
   std::vector<std::string> files;
   std::optional<ros::Time> first;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(what.topic))) {
-    const auto cloud = entry.instantiate<sensor_msgs::PointCloud2>();
+    const auto cloud = messageOf<sensor_msgs::PointCloud2>(entry);
     if (!cloud) continue;
     if (!first) first = cloud->header.stamp;
     if ((cloud->header.stamp - *first).toSec() < what.at) continue;
