@@ -242,6 +242,9 @@ RegionSegmenter::RegionSegmenter(int parts) : impl_(std::make_unique<Impl>(parts
 RegionSegmenter::~RegionSegmenter() = default;
 RegionSegmenter::RegionSegmenter(RegionSegmenter&&) noexcept = default;
 RegionSegmenter& RegionSegmenter::operator=(RegionSegmenter&&) noexcept = default;
+void RegionSegmenter::prepare() {
+  ColorBins::instance();
+}
 void RegionSegmenter::reset() {
   impl_->reset();
 }

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <opencv2/imgproc.hpp>
 
 #include "region/colors/color_bins.h"
 #include "region/colors/color_histogram.h"
@@ -11,21 +10,6 @@ namespace {
 
 uint16_t binOf(const cv::Vec3b& bgr) {
   return ColorBins::instance().of(cv::Mat(1, 1, CV_8UC3, cv::Scalar(bgr))).at<uint16_t>(0, 0);
-}
-
-TEST(ColorBins, LabIsThatOfOpenCV) {
-  cv::Mat bgr(1, 16 * 16 * 16, CV_8UC3), lab;
-  for (int i = 0; i < bgr.cols; ++i)
-    bgr.at<cv::Vec3b>(0, i) = {uchar(17 * (i & 15)), uchar(17 * (i >> 4 & 15)),
-                               uchar(17 * (i >> 8))};
-  bgr.convertTo(lab, CV_32FC3, 1.0 / 255);
-  cv::cvtColor(lab, lab, cv::COLOR_BGR2Lab);
-  for (int i = 0; i < bgr.cols; ++i) {
-    const cv::Vec3b ours = labFromBgr(bgr.at<cv::Vec3b>(0, i));
-    const cv::Vec3f theirs = lab.at<cv::Vec3f>(0, i);
-    EXPECT_NEAR(ours[0], theirs[0] * 2.55f, 1.0) << i;
-    for (int k = 1; k < 3; ++k) EXPECT_NEAR(ours[k], theirs[k] + 128, 1.0) << i;
-  }
 }
 
 TEST(ColorBins, SeparateHuesAndKeepShadesOfGreyTogetherInChroma) {

@@ -164,7 +164,8 @@ bool RegionFrame::needsColors() const {
                      [](const RegionView& view) { return !view.colors.empty(); });
 }
 
-BodyRegions::BodyRegions(const CameraRig& rig) : rig_(rig) {
+BodyRegions::BodyRegions(const CameraRig& rig)
+    : rig_(rig), prepared_(std::async(std::launch::async, RegionSegmenter::prepare).share()) {
   for (size_t i = 0; i < rig.size(); ++i) segmenters_.emplace_back(int(ContourSegment::kCount));
 }
 

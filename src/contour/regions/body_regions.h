@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <future>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -80,6 +81,7 @@ class BodyRegions {
 
  private:
   CameraRig rig_;
+  std::shared_future<void> prepared_;        ///< beside what comes before the first search
   std::vector<RegionSegmenter> segmenters_;  ///< by camera
 };
 

@@ -6,9 +6,6 @@
 
 namespace markerless_mocap {
 
-/// CIE Lab of an sRGB colour, in OpenCV's 8 bits: L times 255 / 100, neutral a and b at 128.
-cv::Vec3b labFromBgr(const cv::Vec3b& bgr);
-
 /// Bins of colours in CIE Lab: fewer of lightness than of the two chroma axes, which are stretched
 /// over the range that ordinary scenes have.
 class ColorBins {
