@@ -39,7 +39,8 @@ std::string allowedOf(const OptionField& field) {
 
 void throwNotAllowed(const std::string& path, const std::string& value,
                      const std::string& allowed) {
-  throw std::invalid_argument(shortened(path) + " is " + shortened(value) + ", allowed is " + allowed);
+  throw std::invalid_argument(shortened(path) + " is " + shortened(value) + ", allowed is " +
+                              allowed);
 }
 
 void checkOption(const std::string& path, const OptionField& field) {

@@ -126,10 +126,11 @@ TEST(Options, RangeIsAPairInOrder) {
 
 TEST(Options, OfLongTextsTheBeginningIsShown) {
   const std::string letters(200000, 'x');
-  EXPECT_EQ(errorOf("method: " + letters), "sample/method is \"" + letters.substr(0, 99) +
-                                               " ..., allowed is one of walk, tree");
+  EXPECT_EQ(errorOf("method: " + letters),
+            "sample/method is \"" + letters.substr(0, 99) + " ..., allowed is one of walk, tree");
   const std::string unknown = errorOf("? " + letters + "\n: 1");
-  EXPECT_EQ(unknown.find("sample/" + letters.substr(0, 100) + " ... is not an option"), 0u) << unknown;
+  EXPECT_EQ(unknown.find("sample/" + letters.substr(0, 100) + " ... is not an option"), 0u)
+      << unknown;
   std::string umlauts = "x";
   for (int i = 0; i < 100; ++i) umlauts += "\xC3\xBC";
   EXPECT_EQ(errorOf("views: " + umlauts), "sample/views is " + umlauts.substr(0, 99) +

@@ -40,7 +40,7 @@ struct HullComponent {
   double mean_views = 0;       ///< number of cameras that see a voxel, mean over its voxels
   bool poorly_seen = false;    ///< far fewer cameras see it than another component
   bool suspect_ghost = false;  ///< without it, the other components explain all silhouettes as well
-  bool unsure = false;  ///< hardly a camera sees a person there, the background is unknown
+  bool unsure = false;         ///< hardly a camera sees a person there, the background is unknown
 };
 
 /// A camera whose mask was found to be wrong and was not used.

@@ -22,7 +22,8 @@ struct RegionFit {
 /// person, and the pose is fitted to that person. Then the same with other places of the limbs,
 /// which the silhouettes propose.
 /// \param poses may be wrong by tenths of a radian and decimetres
-/// \param rival what has been found already, or null: limbs are not searched of poses that have come
+/// \param rival what has been found already, or null: limbs are not searched of poses that have
+/// come
 ///   to the same, nor where they would hardly reach its score
 /// \param limb_searches at most so many poses have their limbs searched, which takes longest
 /// \return different poses, best first; those that cannot be fitted are left out

@@ -24,8 +24,8 @@ std::string namesOf(CameraSet cameras, const CameraRig& rig);
 bool rejectMasks(const MaskSummary& masks, CameraSet usable, const CameraRig& rig, int min_views,
                  VisualHull* hull);
 
-/// Measures the components, moves poorly seen and unsure ones and suspected ghosts behind the others, and
-/// fills the hull's `components`.
+/// Measures the components, moves poorly seen and unsure ones and suspected ghosts behind the
+/// others, and fills the hull's `components`.
 std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> components,
                                            const ProjectionTable& table, CameraSet voters,
                                            double min_component_litres, VisualHull* hull);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSilence = 5.0;  // seconds
 
-/// Message for a topic without messages: its name, the type of what is sent on it if that is another
-/// one, and all topics of its type.
+/// Message for a topic without messages: its name, the type of what is sent on it if that is
+/// another one, and all topics of its type.
 std::string silentTopic(const std::string& topic, const std::string& type) {
   const std::string sentence = "no messages on " + topic + " (" + type + "); topics of that type ";
   if (!masterAnswers()) return sentence + "are not known, as roscore is away";

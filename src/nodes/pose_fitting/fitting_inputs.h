@@ -51,8 +51,8 @@ class FittingInputs {
   LiveProducts& products() { return products_; }
   /// Stamp of each camera's last silhouette, and what the last frame set used. Thread-safe.
   void describeCameras(MocapStatus* message) const;
-  /// Which cameras the last frame set did not use, such as "without cam2 (its mask is full)"; empty:
-  /// it used all. Thread-safe.
+  /// Which cameras the last frame set did not use, such as "without cam2 (its mask is full)";
+  /// empty: it used all. Thread-safe.
   std::string lackingCameras() const;
 
  private:
@@ -78,7 +78,7 @@ class FittingInputs {
   void addView(size_t camera, const Assembler::FrameSet& frame_set, FittingMessages* input);
   struct Judgement {
     bool usable = true;
-    std::string reason;  ///< why visual_hull did without the camera; empty: it did not, or is silent
+    std::string reason;  ///< why visual_hull did without the camera; empty: not known
   };
   Judgement judgementOf(size_t camera, int64_t stamp_ns) const;
   /// Why too few cameras are where the rig has them; empty: there are enough.
