@@ -105,7 +105,7 @@ void OptionReader::finish() const {
     if (known_.count(key)) continue;
     throwIfKeyWasRenamed({where_, stage_, key});
     const std::string name = shortened(key);
-    throw std::invalid_argument(path(name.c_str()) + " is not an option (value " +
+    throw std::invalid_argument(path(name) + " is not an option (value " +
                                 shortened(shown(entry.second)) + "), " + suggestion(known_, name));
   }
 }

@@ -9,10 +9,6 @@ namespace {
 
 /// A silhouette that covers more of its image has no outline to carve with.
 constexpr double kFullMaskFraction = 0.95;
-/// A second component counts as a second body if its size is at least this fraction of the first
-/// one's.
-constexpr double kSecondBodyFraction = 0.4;
-constexpr double kSecondBodyLitres = 15.0;
 /// Of several bodies, the last person's has at least the first fraction of the last person's
 /// voxels, and at least the second one of what all of them have.
 constexpr double kStayedFraction = 0.3, kPlainFraction = 0.8;

@@ -11,9 +11,6 @@ namespace {
 constexpr size_t kJudged = 8;
 /// Of the fraction of views in which another component is surely a person.
 constexpr double kHardly = 0.25;
-/// Only what may be a body casts doubt on another component: of the other one's size.
-constexpr double kBodyFraction = 0.4;
-constexpr double kBodyLitres = 15.0;
 
 /// Of the component's views, one for each voxel and camera that sees it, the fraction in which the
 /// pixel is a person's and not unknown.
@@ -45,14 +42,15 @@ void markUnsure(const ProjectionTable& table, CameraSet voters, const std::vecto
   if (std::none_of(views.begin(), views.end(),
                    [](const HullView& view) { return hasUnknownPixels(view.mask); }))
     return;
-  const double body = kBodyLitres / std::pow(10 * table.lattice().pitch, 3);
+  // Only what would count as another body casts doubt on a component.
+  const double body = kSecondBodyLitres / std::pow(10 * table.lattice().pitch, 3);
   std::vector<double> sure;
   for (size_t i = 0; i < std::min(components->size(), kJudged); ++i)
     sure.push_back(sureFraction((*components)[i], table, voters, views));
   for (size_t i = 0; i < sure.size(); ++i)
     for (size_t other = 0; other < sure.size(); ++other) {
       const double voxels = double((*components)[other].voxels);
-      if (voxels >= body && voxels >= kBodyFraction * double((*components)[i].voxels) &&
+      if (voxels >= body && voxels >= kSecondBodyFraction * double((*components)[i].voxels) &&
           sure[i] < kHardly * sure[other])
         (*components)[i].unsure = true;
     }

@@ -7,6 +7,11 @@
 
 namespace markerless_mocap {
 
+/// A second component counts as a second body if it has so many litres, and at least this fraction
+/// of the first one's.
+constexpr double kSecondBodyFraction = 0.4;
+constexpr double kSecondBodyLitres = 15.0;
+
 /// Voxels of one brick.
 struct BrickVoxels {
   uint32_t brick;
