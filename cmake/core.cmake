@@ -9,11 +9,11 @@ mocap_resource(poseTreeValidityYaml models/pose_tree_validity.yaml)
 mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 
 mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(numerics)
+mocap_room(numerics LIBRARIES Eigen3::Eigen)
 mocap_room(files)
-mocap_room(camera DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(formats DEPENDS camera files LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
-mocap_room(calibration DEPENDS camera files options
+mocap_room(camera DEPENDS files numerics LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(formats DEPENDS camera files numerics LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
+mocap_room(calibration DEPENDS camera files numerics options
   LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
 mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
@@ -40,13 +40,13 @@ mocap_room(checks DEPENDS camera products LIBRARIES opencv_calib3d opencv_core o
 mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
   TESTS_USE evaluation)
 
-mocap_room(motion DEPENDS files LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(motion DEPENDS files numerics LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options
   LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp nlohmann_json::nlohmann_json)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
-mocap_room(exports DEPENDS body character evaluation files motion
+mocap_room(exports DEPENDS body character evaluation files motion numerics
   LIBRARIES nlohmann_json::nlohmann_json TESTS_USE capture)
 
 # templates/ and Debian's three.js are built in, so that a page needs nothing else.

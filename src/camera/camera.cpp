@@ -9,6 +9,7 @@
 
 #include "camera/lens_distortion.h"
 #include "camera/number_text.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -153,8 +154,7 @@ LocalView Camera::localView(const Eigen::Vector3d& point_world) const {
   LocalView view{calibration_.T_world_camera.linear(), K(0, 0), K(1, 1)};
   if (lens_.type == LensType::kPolynomial) return view;
   const Eigen::Vector3d in_camera = T_camera_world_ * point_world;
-  view.R_world_view =
-      view.R_world_view * Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), in_camera);
+  view.R_world_view = view.R_world_view * shortestRotation(Eigen::Vector3d::UnitZ(), in_camera);
   const double scale = fisheyeScale(lens_, in_camera);
   view.fx *= scale;
   view.fy *= scale;

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "numerics/shortest_rotation.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -91,7 +93,7 @@ Eigen::Matrix3d WorldTransform::rotation() const {
   const Eigen::Vector3d axis = axisNamed(up);
   // For a rotation by 180 degrees the shortest rotation is ambiguous: it is about x.
   if (axis.z() < -0.5) return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
-  return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return shortestRotation(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 CameraCalibration WorldTransform::apply(CameraCalibration calibration) const {

@@ -2,6 +2,8 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include "numerics/shortest_rotation.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -41,8 +43,8 @@ InteractiveMarkerControl moveAlong(int axis) {
   InteractiveMarkerControl control;
   control.name = std::string("move_") + "xyz"[axis];
   control.interaction_mode = InteractiveMarkerControl::MOVE_AXIS;
-  control.orientation = tf2::toMsg(
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), Eigen::Vector3d::Unit(axis)));
+  control.orientation =
+      tf2::toMsg(shortestRotation(Eigen::Vector3d::UnitX(), Eigen::Vector3d::Unit(axis)));
   return control;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "calibration/origin/person_cloud.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -71,7 +72,7 @@ Eigen::Vector3d upwards(const CameraRig& cameras, const std::vector<PersonCloud>
 }
 
 Eigen::Matrix3d levelledTo(const Eigen::Vector3d& up) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+  return shortestRotation(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
 }
 
 /// Middle of the lower of a person's soles, world; empty if its hull has no flat end. Below a sole

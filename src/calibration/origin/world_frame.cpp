@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "calibration/start/seen_ahead.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -106,7 +107,7 @@ void guessFloor(const Board& board, RigState* state) {
     up -= isometry(camera.camera_world).linear().row(1).transpose();
   if (up.norm() < 1e-3) up = Eigen::Vector3d::UnitZ();
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  T.linear() = shortestRotation(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   double lowest = std::numeric_limits<double>::infinity(), count = 0;
   for (const Instant& instant : state->instants) {
     if (!instant.located) continue;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "camera/lens_distortion.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 
@@ -20,8 +21,7 @@ AheadView seenAhead(const Intrinsics& in, const std::vector<cv::Point2d>& pixels
     middle += rays.back();
   }
   AheadView view;
-  view.turn =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), middle).toRotationMatrix();
+  view.turn = shortestRotation(Eigen::Vector3d::UnitZ(), middle).toRotationMatrix();
   for (size_t i = 0; i < rays.size(); ++i) {
     const Eigen::Vector3d turned = view.turn.transpose() * rays[i];
     if (!(turned.z() > kBeside)) continue;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/shortest_rotation.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -74,7 +76,7 @@ struct SphericalResidual {
 };
 
 SphericalResidual twistOf(const TwistPrior& rule, const Matrix3d& R) {
-  const auto reference = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), rule.rest);
+  const auto reference = shortestRotation(Vector3d::UnitZ(), rule.rest);
   Eigen::Quaterniond q = reference.conjugate() * Eigen::Quaterniond(R);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   // Swing-twist decomposition: the twist about z is 2 atan2(z, w). dw and dz are the derivatives of
@@ -190,7 +192,7 @@ double postureEnergy(const ContourPose& pose) {
 ContourPose withArmsAtRest(ContourPose pose) {
   for (const size_t side : {0, 1}) {
     pose.rotations[B::kLeftShoulder + side] =
-        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), hangingOf(side)).toRotationMatrix();
+        shortestRotation(Vector3d::UnitZ(), hangingOf(side)).toRotationMatrix();
     pose.angles[A::kLeftElbow + side] = kBend;
   }
   return pose;

@@ -10,6 +10,7 @@
 #include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
 #include "contour/fit/pose_problem.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -111,7 +112,7 @@ Eigen::Vector3d direction(size_t i, size_t count) {
 
 /// R after the shortest rotation that turns its z axis to `z`.
 Eigen::Matrix3d turnTo(const Eigen::Vector3d& z, const Eigen::Matrix3d& R) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(R.col(2)), z).toRotationMatrix() * R;
+  return shortestRotation(Eigen::Vector3d(R.col(2)), z).toRotationMatrix() * R;
 }
 
 /// Adds the first few samples whose ends are far from those already chosen.

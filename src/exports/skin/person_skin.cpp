@@ -6,6 +6,7 @@
 #include "character/adult_character.h"
 #include "evaluation/body_points.h"
 #include "exports/skin/measured_bones.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -23,7 +24,7 @@ PerBone<Eigen::Affine3d> stretches(const HumanSkeleton& from, const HumanSkeleto
     const double stretch = to.lengthOf(bone) / from.lengthOf(bone);
     Eigen::Affine3d T = Eigen::Affine3d::Identity();
     T.translate(to.headOf(bone));
-    T.rotate(Eigen::Quaterniond::FromTwoVectors(direction, to.tailOf(bone) - to.headOf(bone)));
+    T.rotate(shortestRotation(direction, to.tailOf(bone) - to.headOf(bone)));
     T.linear() *= Eigen::Matrix3d::Identity() + (stretch - 1.0) * direction * direction.transpose();
     T.translate(-from.headOf(bone));
     out[size_t(b)] = T;

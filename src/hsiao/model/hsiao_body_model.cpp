@@ -6,6 +6,7 @@
 
 #include "body/rotations.h"
 #include "body/zero_pose.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -14,11 +15,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const std::array<std::string, 2> kSides = {"l_", "r_"};
-
-// Shortest rotation from `from` to `to` (unit vectors).
-Matrix3d shortestRotation(const Vector3d& from, const Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
-}
 
 // Hsiao's zero pose is a T-pose, while the model's arms hang: a rotation by 90 degrees about x
 // (left +, right -).

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/skeleton/two_bone_ik.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,8 +36,7 @@ void poseLeg(bool left, const FootPose& foot, const HumanSkeleton& skeleton, Hum
   const Eigen::Vector3d ankle = softIkTarget(hip, foot.ankle, skeleton.legLength());
   // Rotated with the leg, so that the knee of a raised leg points up.
   const Eigen::Vector3d pole =
-      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), ankle - hip) *
-      kneesAhead(pose, foot, left);
+      shortestRotation(-Eigen::Vector3d::UnitZ(), ankle - hip) * kneesAhead(pose, foot, left);
   const TwoBoneIkResult bend = solveTwoBoneIk(hip, ankle, skeleton.lengthOf(thigh),
                                               skeleton.lengthOf(shank), pole, kMaxBend);
   const Eigen::Vector3d hinge = pole.cross(bend.end - hip);  // to the left at rest

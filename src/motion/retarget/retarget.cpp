@@ -7,6 +7,7 @@
 #include "motion/bone_names.h"
 #include "motion/rig_stance.h"
 #include "motion/skeleton/two_bone_ik.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -100,8 +101,7 @@ class Retargeter {
     const bool carries_next = parentOf(next) == bone && bones_.has(next);
     if (!carries_next || stance_.direction[size_t(bone)].isZero()) return;
     const Vector3d now = pose[bone] * (skeleton_.tailOf(bone) - skeleton_.headOf(bone));
-    pose[bone] =
-        Quaterniond::FromTwoVectors(now, place(source, next) - place(source, bone)) * pose[bone];
+    pose[bone] = shortestRotation(now, place(source, next) - place(source, bone)) * pose[bone];
   }
 
   /// The ankle keeps its scaled position relative to the hip joint, and the knee its direction.
@@ -117,8 +117,8 @@ class Retargeter {
         upper + kForwardIfStraight * upper.norm() * (pose[thigh] * Vector3d::UnitX());
     const TwoBoneIkResult leg =
         solveTwoBoneIk(Vector3d::Zero(), ankle, upper.norm(), lower.norm(), pole, M_PI);
-    pose[thigh] = Quaterniond::FromTwoVectors(upper, leg.middle) * pose[thigh];
-    pose[shank] = Quaterniond::FromTwoVectors(lower, leg.end - leg.middle) * pose[shank];
+    pose[thigh] = shortestRotation(upper, leg.middle) * pose[thigh];
+    pose[shank] = shortestRotation(lower, leg.end - leg.middle) * pose[shank];
   }
 
   const BvhMotion& motion_;

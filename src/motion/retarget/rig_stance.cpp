@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "motion/retarget/joint_name.h"
+#include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
 namespace {
@@ -128,7 +129,7 @@ PerBone<Eigen::Quaterniond> RigStance::turnsFrom(const HumanSkeleton& skeleton) 
     if (!begins_limb) turns[b] = turns[size_t(parentOf(Bone(b)))];
     if (direction[b].isZero()) continue;
     const Vector3d canonical = turns[b] * (skeleton.tail[b] - skeleton.head[b]);
-    turns[b] = Eigen::Quaterniond::FromTwoVectors(canonical, direction[b]) * turns[b];
+    turns[b] = shortestRotation(canonical, direction[b]) * turns[b];
   }
   return turns;
 }
