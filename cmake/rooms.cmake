@@ -52,8 +52,17 @@ function(mocap_room_tests name)
   target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
   target_compile_definitions(${name}_test PRIVATE MOCAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name}_test GTest::gtest_main ${ARGN})
-  add_test(NAME ${name} COMMAND ${name}_test)
+  mocap_room_test(${name} ${name}_test)
   mocap_plain_tests(${name} ${ARGN})
+endfunction()
+
+# Rooms without ROS have the label core: their tests are the same in a tree with ROS and in one without,
+# and scripts/test runs them in one of the two.
+function(mocap_room_test name program)
+  add_test(NAME ${name} COMMAND ${program})
+  if(NOT COMMAND mocap_use_ros)
+    set_tests_properties(${name} PROPERTIES LABELS core)
+  endif()
 endfunction()
 
 # The tests of a room with kernels (numerics/simd_clones.h) once more, with the kernels' plain forms:
@@ -74,5 +83,5 @@ function(mocap_plain_tests name)
   target_include_directories(${name}_plain_test PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_definitions(${name}_plain_test PRIVATE MOCAP_PLAIN_KERNELS)
   target_link_libraries(${name}_plain_test mocap_${name} GTest::gtest_main ${ARGN})
-  add_test(NAME ${name}_plain COMMAND ${name}_plain_test)
+  mocap_room_test(${name}_plain ${name}_plain_test)
 endfunction()
