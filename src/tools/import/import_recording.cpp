@@ -1,6 +1,7 @@
 #include "tools/import/import_recording.h"
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,7 +32,8 @@ int64_t ImportOptions::stampOf(int frame_set, double frame_sets_per_second) cons
 
 void print(const ImportResult& result, std::ostream& out) {
   out << result.cameras.size() << " cameras, " << result.frame_sets << " frame sets at "
-      << result.fps << " per second\n";
+      << std::setprecision(4) << result.fps << " per second\n"
+      << std::setprecision(6);
   printCameras(result.cameras, out);
   for (const std::string& remark : result.warnings) out << "note: " << remark << '\n';
 }

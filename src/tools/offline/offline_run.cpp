@@ -99,6 +99,7 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
 }
 
 RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
+  RunSummary summary(!options.poses_only);
   checkFiles(options);
   Recording recording(options.input, options.recording);
   BagWriter bag(options.output);  // first, because what follows may take minutes
@@ -117,7 +118,6 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     settleBackgrounds(options, prepared, &pipeline);
   if (options.poses_only) pipeline.makePartsOnDemand();
   const std::shared_ptr<const TrackedBody> body = pipeline.body();
-  RunSummary summary(!options.poses_only);
   ResultFigures figures;
 
   ResultWriter writer(&bag, *body->model, options.recording.world_frame,
@@ -146,6 +146,7 @@ RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool t
     if (calibration) calibration->add(frame_set, result);
     if (report) summary.addOverlaps(report->add(frame_set, result));
   };
+  summary.endPreparation();
   pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
   pipeline.processStream(
       [&] {

@@ -14,7 +14,7 @@
 
 namespace markerless_mocap {
 
-/// Counts and durations of one run over a recording.
+/// Counts and durations of one run over a recording, which starts with the constructor.
 class RunSummary {
  public:
   static constexpr const char *kReading = "reading", *kWriting = "writing";
@@ -22,6 +22,8 @@ class RunSummary {
   /// \param with_trees whether a pose tree is made of every frame set
   explicit RunSummary(bool with_trees);
 
+  /// What comes before the first frame set, the background and the person's measures, is done.
+  void endPreparation() { prepared_ = Clock::now(); }
   /// Runs a step for one frame set and adds its duration; steps are the stages, kReading and
   /// kWriting. Thread-safe.
   void timed(const std::string& step, const std::function<void()>& work);
@@ -52,7 +54,7 @@ class RunSummary {
   void printReasons(std::ostream& out) const;
   void printTimes(std::ostream& out) const;
 
-  Clock::time_point started_;
+  Clock::time_point started_, prepared_;
   std::unique_ptr<std::mutex> times_mutex_ = std::make_unique<std::mutex>();
   std::vector<Time> times_;  ///< in the order of processing
   ReasonCounts reasons_;     ///< of lost poses
