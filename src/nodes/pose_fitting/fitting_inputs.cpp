@@ -37,6 +37,8 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       sink_(std::move(sink)),
       tf_(handle),
       collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
+      // Before products_: a tracker without masks waits for no camera, and hulls may come at once.
+      rig_(needs.masks ? nullptr : std::make_shared<const CameraRig>()),
       assembler_(
           std::max(options.cameras.size(), size_t(1)),
           maskSetOptions(options.stamp_tolerance, options.deadline, collector_.timeOffsets())),
@@ -48,10 +50,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
           &inputs_, status, std::llround(options.stamp_tolerance * 1e9), !needs.masks,
           [this](const std_msgs::Header& header) { receiveHull(header); },
           std::move(search_begins)) {
-  if (!needs_.masks) {
-    rig_ = std::make_shared<const CameraRig>();
-    return;
-  }
+  if (!needs_.masks) return;
   if (needs_.colors && !options_.privacy)
     colors_.emplace(options_.cameras, options_.image_transport, &inputs_, status_,
                     [this] { dispatchReady(); });

@@ -52,13 +52,14 @@ void forgoImages(const std::string& method) {
 FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                            const TrackerOptions& options, const FittingNodeOptions& node_options)
     : options_(options),
+      needs_(needsOf(options.method)),
       node_options_(node_options),
       resources_(resourcesOf(node_options)),
       status_(handle, private_handle, "pose fitting"),
       description_(node_options.body_id),
       announcer_(handle, node_options.body_id),
       queue_(needsOf(options.method).images ? kMaxWaitingWithImages : kMaxWaiting) {
-  if (needsOf(options_.method).masks) node_options_.requireCameras();
+  if (needs_.masks) node_options_.requireCameras();
   if (node_options_.privacy) forgoImages(options_.method);
   takeOver(initialBody(resources_, options_.person.stature));
   joint_states_ = handle.advertise<sensor_msgs::JointState>(
@@ -66,10 +67,10 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
   text_ = handle.advertise<visualization_msgs::Marker>("pose/text", 4);
-  if (needsOf(options_.method).masks && !node_options_.privacy)
+  if (needs_.masks && !node_options_.privacy)
     overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
   inputs_ = std::make_unique<FittingInputs>(
-      handle, node_options_, needsOf(options_.method), &status_,
+      handle, node_options_, needs_, &status_,
       [this](FittingMessages input) { enqueue(std::move(input)); }, [this] { searches_ = true; });
   heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
@@ -94,11 +95,10 @@ FittingStage::~FittingStage() {
 }
 
 void FittingStage::enqueue(FittingMessages input) {
-  if (!needsOf(options_.method).images && queue_.waitingCount() >= kMaxWaitingWithImages)
-    input.images.clear();
+  if (!needs_.images && queue_.waitingCount() >= kMaxWaitingWithImages) input.images.clear();
   answerLate(input.header);
   queue_.push(std::move(input));
-  if (!needsOf(options_.method).starts_by_search) return;
+  if (!needs_.starts_by_search) return;
   const int64_t leap_ns = searches_ ? kLargestLeap_ns : kSmallLeap_ns;
   queue_.thinOut(kNewest, [leap_ns](const FittingMessages& one, const FittingMessages& other) {
     return isWithin(leap_ns, nanosecondsOf(one.header.stamp), nanosecondsOf(other.header.stamp));
@@ -110,7 +110,7 @@ void FittingStage::enqueue(FittingMessages input) {
 void FittingStage::answerLate(const std_msgs::Header& newest) {
   const std::lock_guard lock(announcing_);
   answers_.await(newest);
-  if (!searches_ || !needsOf(options_.method).starts_by_search) return;
+  if (!searches_ || !needs_.starts_by_search) return;
   BodyPose lost;
   lost.reason = "the person is being searched for";
   while (const std::optional<std_msgs::Header> late = answers_.takeLate(kMaxLate))
@@ -142,7 +142,7 @@ BodyPose FittingStage::publish(const BodyPose& raw, const std_msgs::Header& head
       filter_ ? filter_->filtered(time_.timeOf(nanosecondsOf(header.stamp)), raw) : raw;
   const bool tracked = pose.status != PoseStatus::kLost;
   answered_lost_ = !tracked;
-  last_published_ = ros::WallTime::now();
+  last_published_ = ros::SteadyTime::now();
   status_.count(toString(pose.status));
   last_pose_ns_ = nanosecondsOf(header.stamp);
   if (tracked) {
@@ -181,7 +181,7 @@ void FittingStage::checkAnnouncement() {
   const std::lock_guard lock(announcing_);
   if (!described) description_.forget();
   if (announcer_.isTracked()) description_.restore();
-  if ((ros::WallTime::now() - last_published_).toSec() > kLongestSilence)
+  if ((ros::SteadyTime::now() - last_published_).toSec() > kLongestSilence)
     announce(false, ros::Time::now());
 }
 

@@ -88,6 +88,7 @@ class FittingStage {
 
   std::mutex mutex_;  ///< held for a frame set, a service, a change of settings
   TrackerOptions options_;
+  const TrackerNeeds needs_;  ///< of the method, which does not change
   FittingNodeOptions node_options_;
   PersonResources resources_;
   StageStatus status_;
@@ -98,7 +99,7 @@ class FittingStage {
   bool answered_lost_ = true;  ///< the last frame set
   BodyDescription description_;
   BodyAnnouncer announcer_;
-  ros::WallTime last_published_;
+  ros::SteadyTime last_published_;
   std::shared_ptr<const TrackedBody> body_;  ///< only the worker changes it
   std::optional<PoseFilter> filter_;         ///< for body_
   std::shared_ptr<const CameraRig> rig_;     ///< of tracker_

@@ -86,9 +86,10 @@ void CameraSource::start(int64_t start_ns, Sink sink, Trouble trouble) {
 
 void CameraSource::run() {
   while (!stop_) {
-    device_ ? readDevice() : readFile();
-    if (stop_ || (!device_ && !options_.loop)) return;
-    if (device_) {
+    const bool was_played = !device_ && readFile();
+    if (device_) readDevice();
+    if (stop_ || (was_played && !options_.loop)) return;
+    if (!was_played) {
       trouble_("no image comes from " + source_ + " of camera " + name_ + ", it is opened again");
       std::this_thread::sleep_for(kPause);
     }
@@ -104,7 +105,7 @@ void CameraSource::readDevice() {
   }
 }
 
-void CameraSource::readFile() {
+bool CameraSource::readFile() {
   const int64_t interval_ns = std::llround(1e9 / std::max(capture_.get(cv::CAP_PROP_FPS), 1.0));
   int64_t stamp_ns = start_ns_ - interval_ns;
   cv::Mat image;
@@ -112,10 +113,12 @@ void CameraSource::readFile() {
     const int64_t told = start_ns_ + std::llround(1e6 * capture_.get(cv::CAP_PROP_POS_MSEC));
     // The last frames of a decoder that looks ahead come without a time.
     stamp_ns = told > stamp_ns ? told : stamp_ns + interval_ns;
-    if (!waitUntil(stamp_ns)) return;
+    if (!waitUntil(stamp_ns)) break;
     sink_(stamp_ns, image);
   }
+  const bool had_images = stamp_ns >= start_ns_;
   start_ns_ = stamp_ns + interval_ns;
+  return had_images;
 }
 
 bool CameraSource::waitUntil(int64_t stamp_ns) const {

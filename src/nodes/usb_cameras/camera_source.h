@@ -35,7 +35,8 @@ class CameraSource {
   bool open();
   void run();
   void readDevice();
-  void readFile();
+  /// Returns whether the file had images.
+  bool readFile();
   /// Returns false if the thread shall end.
   bool waitUntil(int64_t stamp_ns) const;
 

@@ -83,7 +83,7 @@ void HullStage::subscribe() {
 
 void HullStage::followDemand() {
   if (!node_options_.readsImages()) return;
-  const double now = ros::WallTime::now().toSec();
+  const double now = ros::SteadyTime::now().toSec();
   if (isWanted()) wanted_until_ = now + kImagesKept;
   if (now < wanted_until_ && image_subscribers_.empty() && masterAnswers())
     for (size_t i = 0; i < node_options_.cameras.size(); ++i)

@@ -26,17 +26,26 @@ void LiveCarver::changeRig(const CameraRig& rig) {
   error_.clear();
   if (!carver_) return;
   next_rig_ = std::make_shared<const CameraRig>(rig);
+  if (!next_.valid()) makeNext();  // else takeRig() does, when that is done
+}
+
+void LiveCarver::makeNext() {
+  making_rig_ = next_rig_;
   next_ = std::async(std::launch::async,
                      [rig = next_rig_, options = options_] { return HullCarver(*rig, options); });
 }
 
 bool LiveCarver::takeRig() {
-  if (!next_rig_ || next_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+  if (!next_.valid() || next_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return false;
-  const RigPointer rig = std::move(next_rig_);
-  next_rig_.reset();
+  std::future<HullCarver> made = std::move(next_);
+  if (making_rig_ != next_rig_) {  // another one is wanted by now, or none
+    if (next_rig_) makeNext();
+    return false;
+  }
+  const RigPointer rig = std::exchange(next_rig_, nullptr);
   try {
-    use(next_.get(), rig);
+    use(made.get(), rig);
   } catch (const std::invalid_argument& error) {
     use(std::nullopt, nullptr);
     error_ = error.what();

@@ -52,13 +52,15 @@ class LiveCarver {
   };
   bool takeSettings();
   bool takeRig();
+  void makeNext();
   void use(std::optional<HullCarver> carver, RigPointer rig);
 
   HullOptions options_;
   std::optional<HullCarver> carver_;
   std::string error_;
-  RigPointer next_rig_;           ///< of next_; null: none is being made
-  std::future<HullCarver> next_;  ///< of a rig that has changed
+  RigPointer next_rig_;           ///< the next carver's; null: none is wanted
+  RigPointer making_rig_;         ///< next_'s; not next_rig_: it is too late
+  std::future<HullCarver> next_;  ///< valid while it is made
   std::mutex mutex_;
   RigPointer rig_;  ///< of carver_
   std::optional<Ready> ready_;
