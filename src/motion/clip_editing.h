@@ -15,10 +15,6 @@ namespace markerless_mocap {
 /// Throws std::invalid_argument if the clip ends before `start` or the duration is not positive.
 MotionClip cut(const MotionClip& clip, double start, double duration);
 
-/// Interpolates at another rate.
-/// \param fps frames per second; throws std::invalid_argument unless it is positive
-MotionClip resampled(const MotionClip& clip, double fps);
-
 /// Turns the motion about the world's z axis.
 /// \param yaw radians
 MotionClip turned(const MotionClip& clip, double yaw);

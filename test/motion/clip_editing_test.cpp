@@ -35,18 +35,6 @@ TEST(Placement, cutsOutsideTheMotionAreRefused) {
   EXPECT_EQ(errorTextOf([&] { cut(clip, 1.0, 0.0); }), "duration is 0 s, allowed is more than 0");
 }
 
-TEST(Placement, resamples) {
-  const MotionClip clip = resampled(walk(2.0), 125.0);
-  EXPECT_DOUBLE_EQ(clip.fps, 125.0);
-  ASSERT_EQ(clip.poses.size(), 251u);
-  for (size_t i = 0; i < clip.poses.size(); ++i) {
-    const HumanPose truth = walkingAt(double(i) / 125.0);
-    EXPECT_NEAR((clip.poses[i].hips - truth.hips).norm(), 0.0, 1e-3);
-    EXPECT_NEAR(angleBetween(clip.poses[i], truth), 0.0, 3e-3);
-  }
-  EXPECT_EQ(errorTextOf([] { resampled(walk(1.0), 0.0); }), "fps is 0, allowed is more than 0");
-}
-
 TEST(Placement, turnsAboutTheWorldsAxis) {
   const MotionClip clip = walk(1.0), now = turned(clip, M_PI / 2);
   const HumanPose& before = clip.poses[30];
@@ -265,7 +253,6 @@ TEST(Placement, clipsWithoutPosesAreRefused) {
   const MotionClip none{30.0, {}};
   const std::string sentence = "the motion has no poses";
   EXPECT_EQ(errorTextOf([&] { cut(none, 0.0, 1.0); }), sentence);
-  EXPECT_EQ(errorTextOf([&] { resampled(none, 30.0); }), sentence);
   EXPECT_EQ(errorTextOf([&] { turned(none, 1.0); }), sentence);
   EXPECT_EQ(errorTextOf([&] { centred(none); }), sentence);
   EXPECT_EQ(errorTextOf([&] { bent(none, 1.0); }), sentence);

@@ -6,7 +6,6 @@
 
 #include "segmentation/box_graph.h"
 #include "segmentation/eigenmap.h"
-#include "segmentation/eigenmap_alignment.h"
 #include "segmentation/graph_modes.h"
 #include "segmentation/voxel_figure.h"
 #include "segmentation/voxel_graph.h"
@@ -128,32 +127,6 @@ TEST(LaplacianEigenmap, KeepsItsSignsFromFrameToFrame) {
   const Eigenmap first = laplacianEigenmap(a.graph, 6);
   const Eigenmap second = laplacianEigenmap(b.graph, 6);
   for (int mode = 0; mode < 6; ++mode) EXPECT_GT(likeness(a, first, b, second, mode), 0.5);
-}
-
-// The values of a square plate come in equal pairs, whose modes can be turned into each other.
-TEST(AlignEigenmap, TurnsNearEqualModesToThePreviousOnes) {
-  VoxelGraph a;
-  VoxelGraph b;
-  a.graph = box(48, 48, 2);
-  b.graph = box(48, 49, 2);
-  const Eigenmap first = laplacianEigenmap(a.graph, 5, 2e-3);
-  Eigenmap previous = first;
-  const double turn = 0.7;
-  previous.vectors.col(0) =
-      std::cos(turn) * first.vectors.col(0) + std::sin(turn) * first.vectors.col(1);
-  previous.vectors.col(1) =
-      std::sin(turn) * first.vectors.col(0) - std::cos(turn) * first.vectors.col(1);
-  Eigenmap second = laplacianEigenmap(b.graph, 5, 2e-3);
-  const double before =
-      std::min(likeness(a, previous, b, second, 0), likeness(a, previous, b, second, 1));
-  EXPECT_LT(before, 0.9);
-  alignEigenmap(a.graph, previous, b.graph, &second);
-  EXPECT_GT(likeness(a, previous, b, second, 0), 0.98);
-  EXPECT_GT(likeness(a, previous, b, second, 1), 0.98);
-  const Eigen::VectorXd degree = degreesOf(b.graph);
-  const Eigen::MatrixXd product =
-      second.vectors.transpose() * degree.asDiagonal() * second.vectors / degree.sum();
-  EXPECT_TRUE(product.isApprox(Eigen::MatrixXd::Identity(5, 5), 1e-5));
 }
 
 }  // namespace

@@ -156,12 +156,10 @@ void HsiaoRefiner::residuals(const HsiaoVector& v, const Problem& problem, Vecto
   shape_->inWorld(frames, cones);
   out.resize(problem.size);
   int row = 0;
-  const double surface_scale =
-      std::sqrt(settings_.surface_weight / problem.surface.size()) / kTypicalSurface;
+  const double surface_scale = std::sqrt(1.0 / problem.surface.size()) / kTypicalSurface;
   for (const Correspondence& c : problem.surface)
     out[row++] = surface_scale * std::sqrt(c.weight) * cones[c.cone].signedDistance(c.point);
-  const double inside_scale =
-      std::sqrt(settings_.inside_weight / problem.spheres.size()) / kTypicalOutside;
+  const double inside_scale = std::sqrt(1.0 / problem.spheres.size()) / kTypicalOutside;
   for (const HsiaoInteriorSphere& sphere : problem.spheres)
     out[row++] = inside_scale *
                  std::max(0.0, problem.data->field->signedDistance(sphere.center.inWorld(frames)) +
@@ -170,8 +168,7 @@ void HsiaoRefiner::residuals(const HsiaoVector& v, const Problem& problem, Vecto
     if (problem.assignment[i] < 0) continue;
     const std::vector<Vector3d>& samples = problem.data->curves->samples(PartLabel(i));
     problem.modelPoints(*body_model_, frames, i, model);
-    const double scale =
-        std::sqrt(settings_.curve_weight / (kPartCount * samples.size())) / kTypicalCurve;
+    const double scale = std::sqrt(1.0 / (kPartCount * samples.size())) / kTypicalCurve;
     for (size_t k = 0; k < samples.size(); ++k, row += 3)
       out.segment<3>(row) =
           scale * std::sqrt(problem.curve_weights[i][k]) * (samples[k] - model[k]);

@@ -14,9 +14,6 @@ namespace markerless_mocap {
 struct HsiaoRefinerSettings {
   int iterations = 10;
   int refinement_surface_points = 600;  ///< maximum number of surface voxels in the fit
-  double curve_weight = 1.0;            ///< of the part curves
-  double surface_weight = 1.0;          ///< of the hull's surface
-  double inside_weight = 1.0;           ///< of the body outside the hull
 };
 
 /// The data of one frame. All pointers must stay valid during the refinement.

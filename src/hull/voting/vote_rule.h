@@ -13,12 +13,11 @@ namespace markerless_mocap {
 struct VoteRule {
   std::vector<const TileMask*> masks;  ///< one per camera; nullptr: the camera has no vote
   std::vector<uint32_t> weights;       ///< one per camera, up to kMaxWeight
-  uint32_t limit = 1;                  ///< up to kMaxLimit
+  uint32_t limit = 1;                  ///< up to 32 * kMaxWeight
   int min_views = 2;
   VoxelBox window;  ///< voxels outside are background
 
   static constexpr uint32_t kMaxWeight = 16;
-  static constexpr uint32_t kMaxLimit = 32 * kMaxWeight;
 };
 
 /// Sets `volume` to the foreground. The result equals that of a loop over all voxels and cameras.

@@ -55,13 +55,6 @@ MotionClip cut(const MotionClip& clip, double start, double duration) {
   return sampled(clip, start, std::min(start + duration, clip.duration()), clip.fps);
 }
 
-MotionClip resampled(const MotionClip& clip, double fps) {
-  requirePoses(clip);
-  if (!(fps > 0.0))
-    throw std::invalid_argument("fps is " + numberText(fps) + ", allowed is more than 0");
-  return sampled(clip, 0.0, clip.duration(), fps);
-}
-
 MotionClip turned(const MotionClip& clip, double yaw) {
   requirePoses(clip);
   MotionClip out = clip;

@@ -10,7 +10,7 @@
 namespace markerless_mocap {
 
 /// Rendered images of a moving person with ground truth: images, camera_info, tf,
-/// `ground_truth/joints`, `joint_states` and `<camera>/silhouette`.
+/// `ground_truth/joints`, `ground_truth/joint_states` and `ground_truth/<camera>/silhouette`.
 class VirtualStudioNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
