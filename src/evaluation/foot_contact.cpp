@@ -113,10 +113,6 @@ void evaluateAgreement(const JointTrack& truth, const JointTrack& estimate, Foot
   out->recall = real == 0 ? NAN : double(both) / double(real);
 }
 
-std::string otherSide(const std::string& name) {
-  return (name[0] == 'l' ? "r" : "l") + name.substr(1);
-}
-
 }  // namespace
 
 FootContact footContact(const JointTrack& truth, const JointTrack& estimate,

@@ -45,12 +45,6 @@ void checkPair(const JointTrack& truth, const JointTrack& estimate) {
         "truth and estimate to compare must have the same frames and names");
 }
 
-std::string otherSide(const std::string& name) {
-  if (name.rfind("l_", 0) == 0) return "r_" + name.substr(2);
-  if (name.rfind("r_", 0) == 0) return "l_" + name.substr(2);
-  return name;
-}
-
 /// Fraction of frames in which an exchange of the sides lowers D clearly.
 double swapRate(const JointTrack& truth, const JointTrack& estimate) {
   std::vector<std::string> exchanged;

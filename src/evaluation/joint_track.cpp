@@ -36,6 +36,12 @@ JointTrack JointTrack::select(const std::vector<std::string>& wanted) const {
   return out;
 }
 
+std::string otherSide(const std::string& name) {
+  if (name.rfind("l_", 0) == 0) return "r_" + name.substr(2);
+  if (name.rfind("r_", 0) == 0) return "l_" + name.substr(2);
+  return name;
+}
+
 int64_t frameTime(const std::vector<int64_t>& stamps_ns) {
   if (stamps_ns.size() < 2) return 0;
   std::vector<int64_t> steps;

@@ -25,6 +25,10 @@ struct JointTrack {
   JointTrack select(const std::vector<std::string>& wanted) const;
 };
 
+/// The name of the same point on the other side, l_wrist for r_wrist; the name itself if it has no
+/// side.
+std::string otherSide(const std::string& name);
+
 /// Median time between frames, ns; 0 below two frames.
 int64_t frameTime(const std::vector<int64_t>& stamps_ns);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include "character/import/rig_skeleton.h"
 #include "character/import/rigged_scene.h"
+#include "character/skin/skin_weights.h"
 
 namespace markerless_mocap {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-using BoneWeights = PerBone<float>;
+using BoneWeights = PerBone<double>;
 
 struct UprightRig {
   RiggedMesh rig;
@@ -62,7 +62,7 @@ std::vector<BoneWeights> boneWeights(const UprightRig& upright) {
   const std::vector<Bone> carrier = carriers(upright.rig.joints, upright.bones);
   std::vector<BoneWeights> all(upright.rig.weights.size());
   for (size_t v = 0; v < all.size(); ++v) {
-    all[v].fill(0.0f);
+    all[v].fill(0.0);
     for (const JointWeight& entry : upright.rig.weights[v])
       all[v][size_t(carrier[entry.joint])] += entry.weight;
   }
@@ -72,7 +72,7 @@ std::vector<BoneWeights> boneWeights(const UprightRig& upright) {
 /// Index of the largest weight; -1 if all weights are zero.
 int heaviest(const BoneWeights& weights) {
   const auto max = std::max_element(weights.begin(), weights.end());
-  return *max > 0.0f ? int(max - weights.begin()) : -1;
+  return *max > 0.0 ? int(max - weights.begin()) : -1;
 }
 
 Bone nearestBone(const HumanSkeleton& skeleton, const Vector3d& point) {
@@ -99,30 +99,15 @@ void distributeToMissing(const BoneMap& bones, const HumanSkeleton& skeleton, co
   for (int b = 1; b < kBoneCount; ++b) {
     const Bone bone = Bone(b), parent = parentOf(bone);
     if (bones.has(bone) || bone == Bone::kLeftClavicle || bone == Bone::kRightClavicle ||
-        weights[size_t(parent)] == 0.0f)
+        weights[size_t(parent)] == 0.0)
       continue;
     const Vector3d along = (skeleton.tailOf(bone) - skeleton.headOf(parent)).normalized();
     const double reach = kReach * std::min(skeleton.lengthOf(bone), skeleton.lengthOf(parent));
     const double beyond = (point - skeleton.headOf(bone)).dot(along);
-    const float fraction = float(std::clamp(0.5 + 0.5 * beyond / std::max(reach, 1e-9), 0.0, 1.0));
+    const double fraction = std::clamp(0.5 + 0.5 * beyond / std::max(reach, 1e-9), 0.0, 1.0);
     weights[size_t(b)] = fraction * weights[size_t(parent)];
-    weights[size_t(parent)] *= 1.0f - fraction;
+    weights[size_t(parent)] *= 1.0 - fraction;
   }
-}
-
-VertexWeights fourLargest(const BoneWeights& weights) {
-  std::array<int, kBoneCount> order;
-  std::iota(order.begin(), order.end(), 0);
-  std::partial_sort(order.begin(), order.begin() + 4, order.end(),
-                    [&](int a, int b) { return weights[size_t(a)] > weights[size_t(b)]; });
-  VertexWeights largest;
-  float sum = 0.0f;
-  for (size_t k = 0; k < 4; ++k) sum += weights[size_t(order[k])];
-  for (size_t k = 0; k < 4; ++k) {
-    largest.bones[k] = Bone(order[k]);
-    largest.weights[k] = weights[size_t(order[k])] / sum;
-  }
-  return largest;
 }
 
 /// The person in the pose of the file.
@@ -136,7 +121,7 @@ Character standing(UprightRig& upright) {
   for (size_t v = 0; v < weights.size(); ++v) {
     const Vector3d point = measures.vertices[v].cast<double>();
     if (measures.bone_of_vertex[v] < 0)
-      weights[v][size_t(nearestBone(person.skeleton, point))] = 1.0f;
+      weights[v][size_t(nearestBone(person.skeleton, point))] = 1.0;
     distributeToMissing(upright.bones, person.skeleton, point, weights[v]);
     person.weights.push_back(fourLargest(weights[v]));
   }

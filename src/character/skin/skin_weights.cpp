@@ -147,23 +147,23 @@ void smoothWeights(std::vector<WeightVector>& bone_weights, const Surface& surfa
   }
 }
 
-VertexWeights fourLargest(const WeightVector& bone_weights) {
-  std::array<int, kBoneCount> order;
-  std::iota(order.begin(), order.end(), 0);
-  std::partial_sort(order.begin(), order.begin() + 4, order.end(), [&](int a, int b) {
-    return bone_weights[a] != bone_weights[b] ? bone_weights[a] > bone_weights[b] : a < b;
+}  // namespace
+
+VertexWeights fourLargest(const PerBone<double>& weights) {
+  std::array<size_t, kBoneCount> order;
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::partial_sort(order.begin(), order.begin() + 4, order.end(), [&](size_t a, size_t b) {
+    return weights[a] != weights[b] ? weights[a] > weights[b] : a < b;
   });
   double sum = 0.0;
-  for (size_t k = 0; k < 4; ++k) sum += bone_weights[order[k]];
-  VertexWeights weights;
+  for (size_t k = 0; k < 4; ++k) sum += weights[order[k]];
+  VertexWeights largest;
   for (size_t k = 0; k < 4; ++k) {
-    weights.bones[k] = Bone(order[k]);
-    weights.weights[k] = float(bone_weights[order[k]] / sum);
+    largest.bones[k] = Bone(order[k]);
+    largest.weights[k] = float(weights[order[k]] / sum);
   }
-  return weights;
+  return largest;
 }
-
-}  // namespace
 
 std::vector<VertexWeights> skinWeights(const HumanSkeleton& skeleton, const Surface& surface,
                                        const std::vector<Layer>& layers) {
@@ -173,7 +173,11 @@ std::vector<VertexWeights> skinWeights(const HumanSkeleton& skeleton, const Surf
     bone_weights.push_back(field.at(surface.vertices[v], layers[v]));
   smoothWeights(bone_weights, surface);
   std::vector<VertexWeights> weights;
-  for (const WeightVector& vertex : bone_weights) weights.push_back(fourLargest(vertex));
+  for (const WeightVector& vertex : bone_weights) {
+    PerBone<double> of_bones;
+    std::copy_n(vertex.data(), kBoneCount, of_bones.begin());
+    weights.push_back(fourLargest(of_bones));
+  }
   return weights;
 }
 

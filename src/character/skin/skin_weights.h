@@ -14,4 +14,7 @@ namespace markerless_mocap {
 std::vector<VertexWeights> skinWeights(const HumanSkeleton& skeleton, const Surface& surface,
                                        const std::vector<Layer>& layers);
 
+/// The four largest weights of bones, scaled to a sum of 1; of equal ones the first.
+VertexWeights fourLargest(const PerBone<double>& weights);
+
 }  // namespace markerless_mocap

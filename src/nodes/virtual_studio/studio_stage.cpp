@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "camera/rig_calibrations.h"
 #include "capture/ground_truth.h"
 #include "nodes/common/publish_shared.h"
 #include "resources/resources.h"
@@ -23,12 +24,6 @@ constexpr int64_t kClockStart = 1000'000'000'000;  // nanoseconds
 StudioFiles filesFor(const StudioNodeOptions& options) {
   return {options.urdf_template.empty() ? humanUrdfTemplate() : readText(options.urdf_template),
           packageFile("config/motions")};
-}
-
-std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
-  std::vector<CameraCalibration> out;
-  for (const Camera& camera : rig) out.push_back(camera.calibration());
-  return out;
 }
 
 }  // namespace

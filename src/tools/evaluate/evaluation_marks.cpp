@@ -14,11 +14,6 @@ namespace {
 
 constexpr int64_t kLeastTolerance_ns = 1000000;
 
-std::string exchanged(const std::string& name) {
-  if (name.rfind("l_", 0) == 0) return "r_" + name.substr(2);
-  return name.rfind("r_", 0) == 0 ? "l_" + name.substr(2) : name;
-}
-
 int64_t toleranceOf(const std::vector<int64_t>& stamps) {
   return std::max(kLeastTolerance_ns, int64_t(kStampTolerance * double(frameTime(stamps))));
 }
@@ -33,7 +28,7 @@ size_t countExchanged(const JointTrack& real, const JointTrack& found,
       const Eigen::Vector3d truth = real.positions[f].col(real.indexOf(name));
       const double distance = (truth - found.positions[f].col(found.indexOf(name))).norm();
       const double distance_other =
-          (truth - found.positions[f].col(found.indexOf(exchanged(name)))).norm();
+          (truth - found.positions[f].col(found.indexOf(otherSide(name)))).norm();
       if (!std::isfinite(distance) || !std::isfinite(distance_other)) continue;
       as_is += distance;
       other += distance_other;

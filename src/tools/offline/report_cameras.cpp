@@ -1,5 +1,4 @@
-#include <cmath>
-
+#include "evaluation/joint_error.h"
 #include "tools/common/number_format.h"
 #include "tools/offline/report_page.h"
 
@@ -22,7 +21,7 @@ void addBackground(const ReportCamera& camera, Page* page) {
 }
 
 void addConfidence(const ReportCamera& camera, Page* page) {
-  const double unknown = meanOfFinite(camera.unknown_of_row);
+  const double unknown = summaryStatistics(camera.unknown_of_row).mean;
   if (std::isnan(unknown)) {
     page->text("This camera gave no mask.");
     return;
@@ -36,17 +35,6 @@ void addConfidence(const ReportCamera& camera, Page* page) {
 
 }  // namespace
 
-double meanOfFinite(const std::vector<double>& values) {
-  double sum = 0.0;
-  int count = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) {
-      sum += value;
-      ++count;
-    }
-  return count == 0 ? NAN : sum / count;
-}
-
 void addCameras(const ReportContent& content, Page* page) {
   page->heading("What each camera saw");
   page->text(
@@ -55,7 +43,7 @@ void addCameras(const ReportContent& content, Page* page) {
       "other cameras and, with colour images, from the person's colours.");
   std::vector<std::vector<std::string>> rows;
   for (const ReportCamera& camera : content.cameras)
-    rows.push_back({camera.name, formatNumber("%.3f", meanOfFinite(camera.iou_of_row))});
+    rows.push_back({camera.name, formatNumber("%.3f", summaryStatistics(camera.iou_of_row).mean)});
   page->table({"camera", "#mean IoU"}, rows);
   for (const ReportCamera& camera : content.cameras) {
     page->heading(camera.name, 3);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "evaluation/joint_error.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -25,7 +27,7 @@ void addFit(const std::vector<ReportRow>& rows, Page* page) {
   page->heading("Overlap of body and masks");
   page->text("mean intersection over union of the views");
   page->timeLines({overlap}, "", 1.0);
-  if (std::isnan(meanOfFinite(error.values))) return;
+  if (summaryStatistics(error.values).count == 0) return;
   page->heading("Skeleton error");
   page->text("mean distance of part curves to the body");
   page->timeLines({error}, "mm", 200.0);

@@ -49,7 +49,4 @@ void addCameras(const ReportContent& content, Page* page);
 /// and expected errors, and the reasons that were given, counted.
 void addParts(const ReportContent& content, Page* page);
 
-/// Mean over the frames with a figure; NaN without any.
-double meanOfFinite(const std::vector<double>& values);
-
 }  // namespace markerless_mocap

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "evaluation/body_silhouette.h"
+#include "evaluation/joint_error.h"
 #include "files/whole_file.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "markerless_mocap/silhouette/background_picture.h"
@@ -88,8 +89,8 @@ std::vector<double> RunReport::add(const FrameSet& frame_set, const PipelineResu
   if (!shown) return overlaps;
   const size_t row = content_.rows.size();
   const bool lost = result.pose.status == PoseStatus::kLost;
-  content_.rows.push_back(
-      {meanOfFinite(overlaps), lost ? NAN : result.pose.skeleton_error_m, result.pose.part_seen});
+  content_.rows.push_back({summaryStatistics(overlaps).mean,
+                           lost ? NAN : result.pose.skeleton_error_m, result.pose.part_seen});
   content_.frames.push_back(std::move(frame));
   for (size_t i = 0; i < ious.size(); ++i) {
     content_.cameras[i].iou_of_row.push_back(ious[i]);

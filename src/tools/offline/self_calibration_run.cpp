@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "camera/rig_calibrations.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
@@ -12,12 +13,6 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kMaxSeconds = 60.0;  // seconds of the recording
-std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
-  std::vector<CameraCalibration> calibrations;
-  for (const Camera& camera : rig) calibrations.push_back(camera.calibration());
-  return calibrations;
-}
-
 }  // namespace
 
 OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string& rig_file) {

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "camera/rig_calibrations.h"
 #include "capture/ground_truth.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/camera_conversions.h"
@@ -37,12 +38,6 @@ int qualityOf(const RenderOptions& options) {
   if (options.jpeg_quality < 1 || options.jpeg_quality > 100)
     refuse("jpeg quality", std::to_string(options.jpeg_quality), "1 to 100");
   return options.images == "jpeg" ? options.jpeg_quality : 0;
-}
-
-std::vector<CameraCalibration> calibrationsOf(const CameraRig& rig) {
-  std::vector<CameraCalibration> out;
-  for (const Camera& camera : rig) out.push_back(camera.calibration());
-  return out;
 }
 
 /// Writes one frame set after another.
