@@ -79,6 +79,21 @@ TEST(SteadyTime, APauseIsNoStepOfTheClock) {
   sets.sendGood(5);
 }
 
+TEST(SteadyTime, FrameSetsThatCameLateCatchUpWithoutAStepOfTheClock) {
+  FrameSets sets;
+  sets.send();
+  sets.sendGood(20);
+  // The process stood still for 8 s: frame sets of then come at once, those between are lost.
+  const int64_t stopped_ns = sets.now_ns;
+  for (int i = 1; i <= 5; ++i)
+    sets.last = sets.time.at(stopped_ns + i * kPeriod + sets.clock_ns, stopped_ns + 8000 * kMs + i);
+  sets.last_ns = sets.last.time_ns;
+  EXPECT_EQ(sets.send(8000 * kMs + 100 * kMs), 8000 * kMs + 100 * kMs - 5 * kPeriod);
+  EXPECT_EQ(sets.last.set_by_ns, 0);
+  EXPECT_TRUE(sets.last.after_pause);
+  sets.sendGood(5);
+}
+
 TEST(SteadyTime, AFastBagWithAGapIsNoStepOfTheClock) {
   FrameSets sets;
   sets.send();

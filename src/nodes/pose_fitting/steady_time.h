@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "nodes/common/usual_delay.h"
+
 namespace markerless_mocap {
 
 /// Whether the later stamp is less than so long after the earlier one. It is not where the clock
@@ -44,6 +46,7 @@ class SteadyTime {
     int64_t stamp_ns, arrival_ns;
   };
   std::optional<Last> last_;
+  UsualDelay delay_;
   int64_t period_ns_ = 0;  ///< between the last frame sets
   std::atomic<int64_t> shift_ns_{0};
 };
@@ -58,13 +61,18 @@ inline std::optional<int64_t> SteadyTime::acrossStep(int64_t ahead_ns, int64_t p
 inline SteadyTime::Moment SteadyTime::at(int64_t stamp_ns, int64_t arrival_ns) {
   const Last last = last_.value_or(Last{stamp_ns - 1, arrival_ns});
   last_ = {stamp_ns, arrival_ns};
+  const bool usual = delay_.isUsual(stamp_ns, arrival_ns, period_ns_);
   const int64_t ahead_ns = stamp_ns - last.stamp_ns;
   if (ahead_ns > 0 && ahead_ns < kPause) {
     period_ns_ = ahead_ns;
+    delay_.add(stamp_ns, arrival_ns);
     return {timeOf(stamp_ns)};
   }
   const int64_t passed_ns = arrival_ns - last.arrival_ns;
-  const std::optional<int64_t> gone_on_ns = acrossStep(ahead_ns, passed_ns);
+  const std::optional<int64_t> gone_on_ns =
+      ahead_ns > 0 && usual ? std::nullopt : acrossStep(ahead_ns, passed_ns);
+  if (ahead_ns <= 0 || !usual) delay_.forget();
+  delay_.add(stamp_ns, arrival_ns);
   if (!gone_on_ns) {
     if (ahead_ns < 0) shift_ns_ = 0;
     return {timeOf(stamp_ns), 0, true};
