@@ -94,6 +94,26 @@ TEST(SteadyTime, FrameSetsThatCameLateCatchUpWithoutAStepOfTheClock) {
   sets.sendGood(5);
 }
 
+TEST(SteadyTime, AfterAClockThatStoodStillATrackerDoubts) {
+  FrameSets sets;
+  sets.send();
+  sets.sendGood(20);
+  sets.clock_ns -= 5000 * kMs;
+  EXPECT_EQ(sets.send(5000 * kMs + kPeriod), 450 * kMs);
+  EXPECT_EQ(sets.last.set_by_ns, 0);
+  sets.sendGood(5);
+}
+
+TEST(SteadyTime, ABagThatIsPlayedSlowlyIsNoClockThatStandsStill) {
+  FrameSets sets;
+  sets.send();
+  for (int i = 0; i < 20; ++i) {
+    sets.clock_ns -= 1500 * kMs;
+    const int64_t gone_on = sets.send(1500 * kMs + kPeriod);
+    if (i > 3) EXPECT_EQ(gone_on, kPeriod) << i;
+  }
+}
+
 TEST(SteadyTime, AFastBagWithAGapIsNoStepOfTheClock) {
   FrameSets sets;
   sets.send();
