@@ -110,7 +110,9 @@ TEST(SteadyTime, ABagThatIsPlayedSlowlyIsNoClockThatStandsStill) {
   for (int i = 0; i < 20; ++i) {
     sets.clock_ns -= 1500 * kMs;
     const int64_t gone_on = sets.send(1500 * kMs + kPeriod);
-    if (i > 3) EXPECT_EQ(gone_on, kPeriod) << i;
+    if (i > 3) {
+      EXPECT_EQ(gone_on, kPeriod) << i;
+    }
   }
 }
 
