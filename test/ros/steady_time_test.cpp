@@ -88,9 +88,11 @@ TEST(SteadyTime, FrameSetsThatCameLateCatchUpWithoutAStepOfTheClock) {
   for (int i = 1; i <= 5; ++i)
     sets.last = sets.time.at(stopped_ns + i * kPeriod + sets.clock_ns, stopped_ns + 8000 * kMs + i);
   sets.last_ns = sets.last.time_ns;
-  EXPECT_EQ(sets.send(8000 * kMs + 100 * kMs), 8000 * kMs + 100 * kMs - 5 * kPeriod);
+  sets.now_ns = stopped_ns + 8000 * kMs;
+  const int64_t gone_on = sets.send(100 * kMs);
+  EXPECT_GE(gone_on, 200 * kMs) << "a gap that makes a tracker doubt";
+  EXPECT_LE(gone_on, 450 * kMs);
   EXPECT_EQ(sets.last.set_by_ns, 0);
-  EXPECT_TRUE(sets.last.after_pause);
   sets.sendGood(5);
 }
 

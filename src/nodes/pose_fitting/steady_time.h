@@ -76,16 +76,17 @@ inline SteadyTime::Moment SteadyTime::at(int64_t stamp_ns, int64_t arrival_ns) {
     if (stood_still) shift_ns_ += kLongestGap - ahead_ns;
     return {timeOf(stamp_ns)};
   }
-  const std::optional<int64_t> gone_on_ns =
-      ahead_ns > 0 && usual ? std::nullopt : acrossStep(ahead_ns, passed_ns);
-  if (ahead_ns <= 0 || !usual) delay_.forget();
+  const std::optional<int64_t> gone_on_ns = acrossStep(ahead_ns, passed_ns);
+  const bool catches_up =
+      ahead_ns > 0 && usual;  // what came late, as after the process stood still
+  if (!catches_up) delay_.forget();
   delay_.add(stamp_ns, arrival_ns);
   if (!gone_on_ns) {
     if (ahead_ns < 0) shift_ns_ = 0;
     return {timeOf(stamp_ns), 0, true};
   }
   shift_ns_ += *gone_on_ns - ahead_ns;
-  return {timeOf(stamp_ns), ahead_ns - *gone_on_ns, false};
+  return {timeOf(stamp_ns), catches_up ? 0 : ahead_ns - *gone_on_ns, false};
 }
 
 }  // namespace markerless_mocap
