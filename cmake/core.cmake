@@ -10,13 +10,13 @@ mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 
 mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics LIBRARIES Eigen3::Eigen)
-mocap_room(files)
+mocap_room(files LIBRARIES yaml-cpp)
 mocap_room(camera DEPENDS files numerics LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(formats DEPENDS camera files numerics LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
 mocap_room(calibration DEPENDS camera files numerics options
   LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
-mocap_room(body LIBRARIES Eigen3::Eigen urdfdom_model)
+mocap_room(body LIBRARIES Eigen3::Eigen $<LINK_ONLY:tinyxml2::tinyxml2> urdfdom_model)
 mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS files numerics options products
   LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video TBB::tbb)
@@ -25,7 +25,7 @@ mocap_room(skeleton DEPENDS numerics options products resources LIBRARIES TBB::t
 mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
-mocap_room(tracking DEPENDS body camera options products resources LIBRARIES opencv_core opencv_imgproc)
+mocap_room(tracking DEPENDS body camera files options products resources LIBRARIES opencv_core opencv_imgproc)
 mocap_room(region DEPENDS products LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
 mocap_room(contour DEPENDS tracking numerics region LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)

@@ -1,7 +1,5 @@
 #include "markerless_mocap/camera/rig_file.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "camera/number_text.h"
 #include "files/text_file.h"
 #include "files/whole_file.h"
+#include "files/yaml_text.h"
 
 namespace markerless_mocap {
 namespace {
@@ -217,12 +216,7 @@ std::string rigText(const std::vector<CameraCalibration>& rig) {
 }
 
 std::vector<CameraCalibration> rigFromText(const std::string& text, const std::string& where) {
-  YAML::Node root;
-  try {
-    root = YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throwError(where, std::string("this is no YAML: ") + error.what());
-  }
+  const YAML::Node root = yamlFrom(text, where);
   if (!root.IsMap())
     throwError(where, "the rig has no cameras, key 'cameras' must list at least one");
   StrictMap top(root, where);

@@ -36,8 +36,9 @@ class BodySegmentationNodelet : public nodelet::Nodelet {
     points_ = handle.advertise<sensor_msgs::PointCloud2>("segmentation/points", kPublisherQueue);
     curves_ = handle.advertise<visualization_msgs::MarkerArray>("segmentation/curves", 4);
     inputs_.emplace(handle, status_.get());
-    inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
+    inputs_->listenToLatched<VoxelGrid>(
+        "hull/grid", StageInputs::kOptional,
+        [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });

@@ -36,8 +36,9 @@ class PoseTreeNodelet : public nodelet::Nodelet {
     markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose_tree/markers", 4);
     skeletons_ = handle.advertise<sensor_msgs::PointCloud2>("pose_tree/skeleton", 4);
     inputs_.emplace(handle, status_.get());
-    inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOptional,
-                               [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
+    inputs_->listenToLatched<VoxelGrid>(
+        "hull/grid", StageInputs::kOptional,
+        [this](const VoxelGridConstPtr& grid) { receiveGrid(grid); });
     inputs_->listen<sensor_msgs::PointCloud2>(
         "hull/points", 2, StageInputs::kRequired,
         [this](const sensor_msgs::PointCloud2ConstPtr& hull) { receive(*hull); });

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "files/yaml_text.h"
 #include "markerless_mocap/options/options.h"
 #include "ros/package_files.h"
 
@@ -39,7 +40,7 @@ std::string volumeText(const HullOptions& options) {
 HullOptions withVolumeOf(const std::string& file, const HullOptions& options) {
   const std::string text = readText(file);
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = yamlFrom(text, file);
     OptionReader whole(root, file);
     whole.allow(HullOptions::kStage);
     whole.finish();
@@ -51,7 +52,7 @@ HullOptions withVolumeOf(const std::string& file, const HullOptions& options) {
     changed.validate();
     return changed;
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(file + " is no YAML: " + error.what());
+    throw std::invalid_argument(file + ": " + sentenceOf(error));
   }
 }
 

@@ -1,11 +1,11 @@
 #include "markerless_mocap/tracking/shape_file.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <cmath>
 #include <cstdio>
 #include <set>
 #include <stdexcept>
+
+#include "files/yaml_text.h"
 
 namespace markerless_mocap {
 
@@ -31,12 +31,7 @@ std::string shapeToYaml(const ShapeParameters& shape) {
 constexpr double kLongest = 2.0;  // of a part of a person, metres
 
 ShapeParameters shapeFromYaml(const std::string& yaml, const std::string& where) {
-  YAML::Node root;
-  try {
-    root = YAML::Load(yaml);
-  } catch (const YAML::Exception& fault) {
-    throw std::invalid_argument(where + " is not YAML: " + fault.msg);
-  }
+  const YAML::Node root = yamlFrom(yaml, where);
   if (!root.IsMap())
     throw std::invalid_argument(where + " must map names of shape parameters to metres");
   ShapeParameters shape;

@@ -10,10 +10,16 @@ std::string refusal(const std::string& urdf) {
 }
 
 TEST(UrdfReaderTest, garbageIsRefused) {
-  const std::string sentence = "URDF of the body: the text cannot be read as a URDF";
-  EXPECT_EQ(refusal(""), sentence);
-  EXPECT_EQ(refusal("no xml at all"), sentence);
-  EXPECT_EQ(refusal(humanUrdf().substr(0, 4000)), sentence);
+  const std::string no_xml = "URDF of the body: the text is no XML from line ";
+  EXPECT_EQ(refusal(""), "URDF of the body: the text is empty or has no tags");
+  EXPECT_EQ(refusal("no xml at all"), no_xml + "1 on: text stands where a tag belongs");
+  EXPECT_EQ(refusal(humanUrdf().substr(0, 4000)).rfind(no_xml, 0), 0u);
+  EXPECT_EQ(refusal("<robot name=\"a\">\n<link name=\"b\">\n</joint></robot>"),
+            no_xml + "2 on: a tag has no end, or that of another");
+  EXPECT_EQ(refusal("<robot name=\"a\">\n<link name=\"b/></robot>"),
+            no_xml + "2 on: a tag or attribute is not complete");
+  EXPECT_EQ(refusal("<robot name=\"a\"/>").rfind("URDF of the body: the text is XML, but no", 0),
+            0u);
 }
 
 std::string repeated(const std::string& text, int times) {
@@ -25,11 +31,12 @@ std::string repeated(const std::string& text, int times) {
 TEST(UrdfReaderTest, textsOfTooManyTagsAreRefusedBeforeTheyAreRead) {
   EXPECT_EQ(refusal(repeated("<a>", 300000)),
             "URDF of the body: it has 300000 tags, allowed are 10000");
-  EXPECT_EQ(refusal("<robot name=\"a\">" + repeated("<a>", 9999)),
-            "URDF of the body: the text cannot be read as a URDF");
+  const std::string too_deep =
+      "URDF of the body: the text is no XML from line 1 on: tags nest too deep";
+  EXPECT_EQ(refusal("<robot name=\"a\">" + repeated("<a>", 9999)), too_deep);
   EXPECT_EQ(
       refusal("<robot name=\"a\">" + repeated("<a>", 4990) + repeated("</a>", 4990) + "</robot>"),
-      "URDF of the body: the text cannot be read as a URDF");
+      too_deep);
 }
 
 /// The body with more links: link<i> hangs on `parent(i)`.

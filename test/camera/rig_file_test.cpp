@@ -140,7 +140,7 @@ TEST(RigFileTest, valuesThatAreNoCameraAreNamed) {
             "rig.yaml: camera 'a': D has 2 distortion coefficients, allowed are 0, 4, 5 or 8");
   EXPECT_EQ(errorForCamera("fx: 70", "fx: -70"),
             "rig.yaml: camera 'a': the focal lengths in K must be positive");
-  EXPECT_EQ(errorFor("cameras: [").rfind("rig.yaml: this is no YAML: ", 0), 0u);
+  EXPECT_EQ(errorFor("cameras: [").rfind("rig.yaml is no YAML: ", 0), 0u);
 }
 
 TEST(RigFileTest, camerasAreChosenByNameAndLackingOnesNamed) {

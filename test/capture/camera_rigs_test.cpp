@@ -101,7 +101,7 @@ TEST(RigsTest, aRigFileKeepsTheRigBitByBit) {
 TEST(RigsTest, faultsAreNamed) {
   EXPECT_EQ(errorTextOf([] { makeRig(planOf("ring5")); }),
             "the rig is \"ring5\", allowed are ring8, ring7_overhead, ring4, ring16, ceiling4, "
-            "random8, wide6");
+            "random8, wide6 or path of a rig file with the ending .yaml");
   EXPECT_EQ(errorTextOf([] {
               lookAt({1, 2, 3}, {1, 2, 3});
             }),

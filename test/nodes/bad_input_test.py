@@ -352,6 +352,17 @@ class FittingSkeletons(FittingNode):
         self.assertTrue(self.poses)
 
 
+    def test_a_second_sender_of_the_grid_is_named(self):
+        other = subprocess.Popen(['rostopic', 'pub', '-r', '5', '/hull/grid', 'markerless_mocap/VoxelGrid',
+                                  '{header: {frame_id: world}, pitch: 0.05, size: [9, 9, 9]}'],
+                                 stdout=subprocess.DEVNULL)
+        try:
+            self.send_until('what is sent on /hull/grid comes from /rostopic', lambda stamp: None)
+        finally:
+            other.kill()  # rospy does not always end by SIGTERM
+            other.wait()
+
+
 class FittingContours(FittingNode):
     both = [info('a_optical'), info('b_optical')]
 

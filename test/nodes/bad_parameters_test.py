@@ -29,6 +29,16 @@ def rig_text(names):
 
 
 class Refusals(unittest.TestCase):
+    def test_limits_of_the_process(self):
+        for limits, sentence in (('-n 32', 'may open 32 files and connections, allowed are 64 and more'),
+                                 ('-v 600000', 'may use 585 MB of addresses, allowed are 1000 MB')):
+            done = subprocess.run(
+                ['bash', '-c', 'ulimit %s; exec "$(catkin_find --first-only --libexec '
+                 'markerless_mocap pose_tree)"' % limits],
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=30)
+            self.assertEqual(1, done.returncode, done.stdout)
+            self.assertIn(sentence, done.stdout)
+
     def expect(self, sentence, node, *arguments, **parameters):
         for key, value in parameters.items():
             rospy.set_param('/%s/%s' % (node, key), value)
@@ -214,6 +224,8 @@ class RoscoreStartsAgain(unittest.TestCase):
         first = self.start_master()
         self.assertTrue(wait_for(lambda: answer_of(self.master.getPid)))
         self.master.setParam('/test', '/visual_hull', {'cameras': ['a', 'b']})
+        # Of a stage that is not there while roscore starts again.
+        self.master.setParam('/test', '/silhouette', {'cameras': ['a']})
         process = node('visual_hull', uri)
         try:
             self.assertTrue(wait_for(lambda: self.publishers('/hull/points')))
@@ -244,6 +256,7 @@ class RoscoreStartsAgain(unittest.TestCase):
                 self.assertTrue(wait_for(lambda: said('roscore was started again')))
                 self.assertEqual(['a', 'b'], answer_of(self.master.getParam,
                                                        '/visual_hull/cameras'))
+                self.assertEqual(['a'], answer_of(self.master.getParam, '/silhouette/cameras'))
             finally:
                 second.terminate()
                 second.wait()

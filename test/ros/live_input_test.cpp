@@ -80,6 +80,29 @@ TEST(StampOrder, AfterAPauseNothingIsLost) {
   camera.sendGood(5);
 }
 
+TEST(StampOrder, ImagesThatCameLateCatchUpWithoutAStepOfTheClock) {
+  Camera camera;
+  camera.sendGood(20);
+  // The process stood still for 8 s: images of then come at once, those between are lost.
+  const int64_t stopped_ns = camera.now_ns;
+  const int64_t goes_on_ns = stopped_ns + 8000 * kMs;
+  for (int i = 1; i <= 5; ++i)
+    EXPECT_EQ(camera.order.judge(stopped_ns + i * kPeriod + camera.clock_ns, goes_on_ns + i * kMs)
+                  .verdict,
+              Verdict::kInOrder);
+  camera.now_ns = goes_on_ns;
+  camera.sendGood(5);
+  EXPECT_EQ(camera.send(1000 * kMs).verdict, Verdict::kDoubtful) << "ahead of what is usual";
+}
+
+TEST(StampOrder, AfterAPauseAStampAheadIsDoubtful) {
+  Camera camera;
+  camera.sendGood(20);
+  camera.now_ns += 30'000 * kMs;
+  camera.sendGood(1);
+  EXPECT_EQ(camera.send(1000 * kMs).verdict, Verdict::kDoubtful);
+}
+
 TEST(StampOrder, ImagesMayLack) {
   Camera camera;
   camera.sendGood(20);

@@ -132,6 +132,8 @@ TEST(SenderWatch, AnotherOneTakesOverWhenTheFirstIsSilent) {
   EXPECT_TRUE(watch.accept("/driver_2", now + 0.6));
   EXPECT_TRUE(watch.accept("/driver_2", now + 0.7));
   EXPECT_FALSE(watch.accept("/driver", now + 0.75));
+  EXPECT_EQ(watch.sender(), "/driver_2");
+  EXPECT_EQ(watch.firstSender(), "/driver");
 }
 
 TEST(SenderWatch, ASlowSenderIsNotSilentBetweenItsMessages) {

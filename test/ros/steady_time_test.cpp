@@ -79,6 +79,45 @@ TEST(SteadyTime, APauseIsNoStepOfTheClock) {
   sets.sendGood(5);
 }
 
+TEST(SteadyTime, FrameSetsThatCameLateCatchUpWithoutAStepOfTheClock) {
+  FrameSets sets;
+  sets.send();
+  sets.sendGood(20);
+  // The process stood still for 8 s: frame sets of then come at once, those between are lost.
+  const int64_t stopped_ns = sets.now_ns;
+  for (int i = 1; i <= 5; ++i)
+    sets.last = sets.time.at(stopped_ns + i * kPeriod + sets.clock_ns, stopped_ns + 8000 * kMs + i);
+  sets.last_ns = sets.last.time_ns;
+  sets.now_ns = stopped_ns + 8000 * kMs;
+  const int64_t gone_on = sets.send(100 * kMs);
+  EXPECT_GE(gone_on, 200 * kMs) << "a gap that makes a tracker doubt";
+  EXPECT_LE(gone_on, 450 * kMs);
+  EXPECT_EQ(sets.last.set_by_ns, 0);
+  sets.sendGood(5);
+}
+
+TEST(SteadyTime, AfterAClockThatStoodStillATrackerDoubts) {
+  FrameSets sets;
+  sets.send();
+  sets.sendGood(20);
+  sets.clock_ns -= 5000 * kMs;
+  EXPECT_EQ(sets.send(5000 * kMs + kPeriod), 450 * kMs);
+  EXPECT_EQ(sets.last.set_by_ns, 0);
+  sets.sendGood(5);
+}
+
+TEST(SteadyTime, ABagThatIsPlayedSlowlyIsNoClockThatStandsStill) {
+  FrameSets sets;
+  sets.send();
+  for (int i = 0; i < 20; ++i) {
+    sets.clock_ns -= 1500 * kMs;
+    const int64_t gone_on = sets.send(1500 * kMs + kPeriod);
+    if (i > 3) {
+      EXPECT_EQ(gone_on, kPeriod) << i;
+    }
+  }
+}
+
 TEST(SteadyTime, AFastBagWithAGapIsNoStepOfTheClock) {
   FrameSets sets;
   sets.send();

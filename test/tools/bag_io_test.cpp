@@ -104,6 +104,14 @@ TEST_F(BagIo, DamagedIndexesAreRefusedBeforeTheyAreRead) {
   EXPECT_NO_THROW(openForReading(path("in.bag"), bag));
 }
 
+TEST_F(BagIo, WhatIsNoFileIsToldSo) {
+  rosbag::Bag bag;
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { openForReading(folder_.string(), bag); }),
+            folder_.string() + " is a folder, pipe or device, allowed are bags");
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { openForReading(path("none.bag"), bag); }),
+            "there is no bag " + path("none.bag"));
+}
+
 TEST_F(BagIo, AnInterruptionIsASentenceAndLeavesTheFileThatWas) {
   std::ofstream(path("out.bag")) << "the file that was";
   EXPECT_EXIT(

@@ -1,6 +1,7 @@
 #include "tools/calibrate_rig/calibrate_rig.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -8,6 +9,7 @@
 #include "calibration/board_drawing.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
+#include "tools/calibrate_rig/film.h"
 #include "tools/calibrate_rig/find_boards.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/make_board/board_pdf.h"
@@ -190,6 +192,16 @@ TEST_F(CalibrateRig, WhatIsMissingIsTold) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { calibrateFilms(arguments_, nullptr, false); }),
             found_nowhere + "the board is black on white: leave out --inverted");
   EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(CalibrateRig, APipeIsNoVideo) {
+  const std::string pipe = path("left.mp4");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(
+      errorTextOf<std::exception>([&] {
+        openFilm({"left", pipe, ""});
+      }),
+      "cannot read the video " + pipe + ": it is a folder, pipe or device, allowed are files");
 }
 
 TEST_F(CalibrateRig, TimesOfEachCameraAreRead) {

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -6,6 +8,7 @@
 #include "markerless_mocap/formats/calibration_files.h"
 #include "tools/common/film_times.h"
 #include "tools/common/recording.h"
+#include "tools/import/film.h"
 #include "tools/import/film_calibration.h"
 #include "tools/import/import_recording.h"
 #include "tools/tool_fixture.h"
@@ -234,6 +237,10 @@ TEST_F(ImportFilms, WhatDoesNotBelongTogetherIsTold) {
       refusal(),
       "no camera of the calibration is called like the film cam7, there are cam0, cam1, cam2, "
       "cam3 and the films cam7");
+  ASSERT_EQ(mkfifo(path("pipe.mp4").c_str(), 0600), 0);
+  EXPECT_EQ(errorTextOf<std::exception>([&] { Film(path("pipe.mp4"), 25.0); }),
+            "cannot read the film " + path("pipe.mp4") +
+                ": it is a folder, pipe or device, allowed are files");
   std::filesystem::rename(path("films/cam7"), path("films/cam3"));
   writeImages("03", 2);
   EXPECT_EQ(refusal(),

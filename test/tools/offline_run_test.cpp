@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -318,10 +319,14 @@ TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
   writeText("broken.yaml", "visual_hull: {pitch: [\n");
   EXPECT_EQ(errorTextOf<std::exception>([&] {
               readConfiguration(path("broken.yaml"));
-            }).find(path("broken.yaml") + " is not YAML: "),
+            }).find(path("broken.yaml") + " is no YAML: "),
             0u);
   EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
             "cannot read the configuration " + path("none.yaml"));
+  ASSERT_EQ(mkfifo(path("pipe.yaml").c_str(), 0600), 0);
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("pipe.yaml")); }),
+            "cannot read the configuration " + path("pipe.yaml") +
+                ": it is a folder, pipe or device, allowed are files");
 }
 
 }  // namespace

@@ -15,6 +15,12 @@ TEST(RunTool, SaysWhyTheWorkCouldNotBeDone) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "tool: there is no bag\n");
 }
 
+TEST(RunTool, WhatStoodInADamagedFileIsShownSafely) {
+  EXPECT_EQ(printable("a.yaml: 'x' holds \x1b[2J\x01\x7f, allowed are numbers\nand text"),
+            "a.yaml: 'x' holds ?[2J??, allowed are numbers\nand text");
+  EXPECT_EQ(printable(std::string(3000, 'a')), std::string(2000, 'a') + " ...");
+}
+
 TEST(RunTool, IsSilentWhenAllIsWell) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(runTool("tool", [] {}), 0);

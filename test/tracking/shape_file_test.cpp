@@ -47,7 +47,7 @@ TEST(SizesFile, HasOneLineForEachSizeBelowItsMeaning) {
 TEST(SizesFile, RefusesWhatIsNoMapOfSizes) {
   EXPECT_EQ(refusal("[1, 2]"), "anna.yaml must map names of shape parameters to metres");
   EXPECT_EQ(refusal(""), "anna.yaml must map names of shape parameters to metres");
-  EXPECT_EQ(refusal("thigh: [").rfind("anna.yaml is not YAML: ", 0), 0u);
+  EXPECT_EQ(refusal("thigh: [").rfind("anna.yaml is no YAML: ", 0), 0u);
 }
 
 TEST(SizesFile, RefusesASizeThatIsMissingOrUnknown) {

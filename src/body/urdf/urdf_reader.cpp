@@ -1,5 +1,6 @@
 #include "body/urdf/urdf_reader.h"
 
+#include <tinyxml2.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
@@ -59,6 +60,20 @@ void checkTags(const std::string& xml) {
   constexpr auto kMaxTags = 10000;
   if (const auto tags = std::count(xml.begin(), xml.end(), '<'); tags > kMaxTags)
     refuse("it has " + std::to_string(tags) + " tags, allowed are " + std::to_string(kMaxTags));
+}
+
+/// The URDF reader says of broken XML neither where nor what.
+void checkXml(const std::string& xml) {
+  tinyxml2::XMLDocument document;
+  const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
+  if (error == tinyxml2::XML_SUCCESS) return;
+  if (error == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) refuse("the text is empty or has no tags");
+  const bool other_end = error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT;
+  refuse("the text is no XML from line " + std::to_string(document.ErrorLineNum()) + " on: " +
+         (other_end                                       ? "a tag has no end, or that of another"
+          : error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED ? "tags nest too deep"
+          : error == tinyxml2::XML_ERROR_PARSING_TEXT     ? "text stands where a tag belongs"
+                                                          : "a tag or attribute is not complete"));
 }
 
 std::string textOf(Kind kind) {
@@ -219,8 +234,12 @@ void appendLinks(const urdf::LinkConstSharedPtr& root, const std::string& id, Bo
 
 BodyTree readBodyTree(const std::string& urdf_xml, const std::string& id) {
   checkTags(urdf_xml);
+  checkXml(urdf_xml);
   const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(urdf_xml);
-  if (!urdf || !urdf->getRoot()) refuse("the text cannot be read as a URDF");
+  if (!urdf || !urdf->getRoot())
+    refuse(
+        "the text is XML, but no URDF: needed is a robot whose links hang on one root, each by one "
+        "joint, with numbers where numbers belong");
   const std::string root = "body_" + id;
   if (!urdf->getLink(root)) refuse("link " + root + " is missing");
   if (urdf->getRoot()->name != root)

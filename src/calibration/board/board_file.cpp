@@ -1,5 +1,4 @@
 #include <toml++/toml.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "calibration/board.h"
 #include "files/text_file.h"
+#include "files/yaml_text.h"
 
 namespace markerless_mocap {
 namespace {
@@ -56,13 +56,11 @@ bool isToml(const std::string& path) {
 
 BoardOptions readBoard(const std::string& path) {
   const std::string text = readTextFile(path, "the board " + path);
+  const YAML::Node yaml = isToml(path) ? YAML::Node() : yamlFrom(text, path);
   try {
-    BoardOptions board =
-        isToml(path) ? boardInToml(text) : loadOptions<BoardOptions>(YAML::Load(text));
+    BoardOptions board = isToml(path) ? boardInToml(text) : loadOptions<BoardOptions>(yaml);
     board.validate();
     return board;
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": this is no YAML: " + error.what());
   } catch (const toml::parse_error& error) {
     throw std::invalid_argument(path + ": this is no TOML: " + std::string(error.description()));
   } catch (const std::invalid_argument& error) {

@@ -172,7 +172,8 @@ CameraRig makeRig(const RigPlan& plan) {
   if (std::find(kinds.begin(), kinds.end(), plan.kind) == kinds.end()) {
     std::string allowed;
     for (const std::string& kind : kinds) allowed += (allowed.empty() ? "" : ", ") + kind;
-    throw std::invalid_argument("the rig is \"" + plan.kind + "\", allowed are " + allowed);
+    throw std::invalid_argument("the rig is \"" + plan.kind + "\", allowed are " + allowed +
+                                " or path of a rig file with the ending .yaml");
   }
   std::vector<CameraCalibration> planned = plannedRig(plan);
   for (size_t i = 0; i < planned.size(); ++i) planned[i].name = "cam" + std::to_string(i);

@@ -1,9 +1,8 @@
-#include <yaml-cpp/yaml.h>
-
 #include <cmath>
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "files/yaml_text.h"
 #include "motion/motion_script.h"
 #include "motion/script/script_node.h"
 
@@ -170,14 +169,7 @@ MotionScript readRoot(const ScriptNode& root) {
 }  // namespace
 
 MotionScript parseMotionScript(const std::string& text, const std::string& name) {
-  YAML::Node node;
-  try {
-    node = YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(name + " is no YAML in line " +
-                                std::to_string(error.mark.line + 1) + ": " + error.msg);
-  }
-  return readRoot(ScriptNode(node, name));
+  return readRoot(ScriptNode(yamlFrom(text, name), name));
 }
 
 MotionScript readMotionScript(const std::string& file) {

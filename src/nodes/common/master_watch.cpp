@@ -6,7 +6,10 @@
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "nodes/common/process_limits.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,6 +21,8 @@ constexpr double kInterval = 1.0;  // s
 // subscriber drops all others.
 constexpr double kSubscribersLater = 2.0 * kInterval;
 constexpr double kTold = 10.0;  // s after roscore came back
+constexpr const char* kStages[] = {"silhouette", "visual_hull", "body_segmentation", "pose_tree",
+                                   "pose_fitting"};
 constexpr const char* kRegisteredAgain =
     "roscore was started again; the topics, services and parameters of this node are registered "
     "again";
@@ -124,37 +129,50 @@ bool MasterWatch::sleep(double seconds) const {
 
 void MasterWatch::run() {
   while (sleep(kInterval)) {
-    if (ros::WallTime::now() < told_until_) tell(kRegisteredAgain);
+    if (ros::WallTime::now() < told_until_) tell("roscore", kRegisteredAgain);
+    if (const std::string shortage = shortageOfFiles(); !shortage.empty()) tell("limits", shortage);
     if (isKnownToMaster()) continue;
     if (!ros::master::check())
-      tell("roscore cannot be reached; this node goes on with those that it knows");
+      tell("roscore", "roscore cannot be reached; this node goes on with those that it knows");
     else if (!isKnownToMaster())
       registerAgain();
   }
 }
 
-void MasterWatch::tell(const std::string& message) const {
+void MasterWatch::tell(const std::string& about, const std::string& message) const {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = ros::Time::now();
   array.status.emplace_back();
   array.status[0].level = diagnostic_msgs::DiagnosticStatus::WARN;
-  array.status[0].name = ros::this_node::getName().substr(1) + ": roscore";
+  array.status[0].name = ros::this_node::getName().substr(1) + ": " + about;
   array.status[0].message = message;
   diagnostics_.publish(array);
 }
 
 void MasterWatch::keepParameters() {
-  for (const std::string& name : namespaces_) {
+  std::vector<std::string> kept = namespaces_;
+  if (!namespaces_.empty())
+    for (const char* stage : kStages)
+      kept.push_back(ros::names::parentNamespace(namespaces_[0]) + "/" + stage);
+  for (const std::string& name : kept) {
     XmlRpcValue values;
-    if (askMaster("getParam", {ros::this_node::getName(), name}, &values))
-      parameters_[name] = values;
+    if (askMaster("getParam", {ros::this_node::getName(), ros::names::clean(name)}, &values))
+      parameters_[ros::names::clean(name)] = values;
+  }
+}
+
+/// Those of other stages only if nobody has set them: these know them better.
+void MasterWatch::setParameters() const {
+  for (const auto& [name, values] : parameters_) {
+    const bool own = std::count(namespaces_.begin(), namespaces_.end(), name) > 0;
+    if (own || !ros::param::has(name)) ros::param::set(name, values);
   }
 }
 
 void MasterWatch::registerAgain() {
   ROS_ERROR_STREAM(ros::this_node::getName() << ": " << kRegisteredAgain);
   told_until_ = ros::WallTime::now() + ros::WallDuration(kTold);
-  for (auto& [name, values] : parameters_) ros::param::set(name, values);
+  setParameters();
   registerPublishers();
   XmlRpcValue ignored;
   for (const auto& [name, address] : services_)

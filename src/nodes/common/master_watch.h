@@ -15,10 +15,11 @@ namespace markerless_mocap {
 /// Notices that roscore was started again, which then knows neither this node nor its parameters,
 /// and registers the node's topics and services and sets its parameters again. Both this and a
 /// roscore that cannot be reached are told on /diagnostics. Connections between nodes outlive
-/// roscore.
+/// roscore. Tells, too, if hardly any connection can be opened anymore.
 class MasterWatch {
  public:
-  /// \param namespaces whose parameters are kept, such as "/visual_hull"
+  /// \param namespaces whose parameters are kept, such as "/visual_hull". Those of other stages
+  /// beside it are, too, as such a one may have ended and not know them when roscore is back
   explicit MasterWatch(const std::vector<std::string>& namespaces);
   ~MasterWatch();
   MasterWatch(const MasterWatch&) = delete;
@@ -28,10 +29,11 @@ class MasterWatch {
   void run();
   bool sleep(double seconds) const;
   void keepParameters();
+  void setParameters() const;
   void registerAgain();
-  void tell(const std::string& message) const;
+  void tell(const std::string& about, const std::string& message) const;
 
-  std::vector<std::string> namespaces_;
+  std::vector<std::string> namespaces_;                    ///< of the stages in this process
   std::map<std::string, XmlRpc::XmlRpcValue> parameters_;  ///< by namespace
   std::map<std::string, std::string> services_;            ///< address by name
   ros::Publisher diagnostics_;

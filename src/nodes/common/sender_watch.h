@@ -19,6 +19,7 @@ class SenderWatch {
     }
     if (!sender_.empty() && now - last_ < std::clamp(3.0 * period_, kSilence, kLongest))
       return false;
+    if (first_.empty()) first_ = sender;
     sender_ = sender;
     last_ = now;
     period_ = 0.0;
@@ -26,12 +27,14 @@ class SenderWatch {
   }
   /// The node whose messages are used.
   const std::string& sender() const { return sender_; }
+  /// The node that sent first of all.
+  const std::string& firstSender() const { return first_; }
 
  private:
   static constexpr double kSilence = 0.5, kLongest = 3.0;  // s
   static constexpr double kShare = 0.2;                    // of the newest gap in the period
 
-  std::string sender_;
+  std::string first_, sender_;
   double last_ = 0.0, period_ = 0.0;  ///< s
 };
 

@@ -10,6 +10,7 @@
 #include "nodes/common/guarded_start.h"
 #include "nodes/common/keep_memory.h"
 #include "nodes/common/master_watch.h"
+#include "nodes/common/process_limits.h"
 
 namespace markerless_mocap {
 namespace {
@@ -53,6 +54,11 @@ int runStages(const std::vector<HostedStage>& stages, const std::vector<std::str
   std::vector<std::string> rest = arguments;
   rest.erase(std::remove(rest.begin(), rest.end(), "--retry"), rest.end());
   const bool retries = rest.size() < arguments.size();
+  if (const std::string lack = raiseProcessLimits(); !lack.empty()) {
+    ROS_FATAL_STREAM(ros::this_node::getName() << ": " << lack);
+    if (retries) ros::WallDuration(kRetryInterval).sleep();  // a launch file starts it again
+    return 1;
+  }
   ros::NodeHandle handle;
   nodelet::Loader loader(false);
   ros::Publisher diagnostics;

@@ -93,6 +93,12 @@ bool StageInputs::isUsable(const std::string& topic, const std::string& sender,
   return false;
 }
 
+void StageInputs::tellIfAnother(const std::string& topic, const SenderWatch& senders) {
+  if (senders.firstSender() == senders.sender()) return;
+  status_->remark("what is sent on " + topic + " comes from " + senders.sender() +
+                  " now, at first from " + senders.firstSender() + "; allowed is one sender");
+}
+
 void StageInputs::reportSilence() {
   if (silent_.empty()) {
     silence_timer_.stop();

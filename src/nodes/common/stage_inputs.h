@@ -40,6 +40,12 @@ class StageInputs {
   void listen(const std::string& topic, uint32_t queue, Need need, CallbackT callback) {
     subscribers_.push_back(subscribe<MessageT>(topic, queue, need, callback));
   }
+  /// A topic whose last message stands until there is another one: its sender is never silent, so
+  /// that of several the last one counts, which is told.
+  template <class MessageT, class CallbackT>
+  void listenToLatched(const std::string& topic, Need need, CallbackT callback) {
+    subscribers_.push_back(subscribe<MessageT>(topic, 1, need, callback, true));
+  }
   /// \param transport raw or compressed
   void listenToImages(const std::string& camera, const std::string& transport, uint32_t queue,
                       Need need, const std::function<void(const CameraImage&)>& callback) {
@@ -56,8 +62,8 @@ class StageInputs {
 
   /// As listen(), until the result is destroyed.
   template <class MessageT, class CallbackT>
-  ros::Subscriber subscribe(const std::string& topic, uint32_t queue, Need need,
-                            CallbackT callback) {
+  ros::Subscriber subscribe(const std::string& topic, uint32_t queue, Need need, CallbackT callback,
+                            bool latched = false) {
     const std::string name = handle_.resolveName(topic);
     if (need != kOptional) require(name, ros::message_traits::DataType<MessageT>::value());
     const std::optional<size_t> watched = watch(name, need);
@@ -65,9 +71,10 @@ class StageInputs {
     ros::SubscribeOptions options;
     options.template initByFullCallbackType<const Event&>(
         name, queue,
-        gate_.guarded([this, name, watched, callback,
+        gate_.guarded([this, name, watched, callback, latched,
                        senders = std::make_shared<SenderWatch>()](const Event& event) {
           if (!isUsable(name, event.getPublisherName(), senders.get())) return;
+          if (latched) tellIfAnother(name, *senders);
           silent_.erase(name);
           if (watched) status_->arrived(*watched);
           callback(event.getConstMessage());
@@ -83,6 +90,7 @@ class StageInputs {
   void reportSilence();
   /// Tells if another node's messages are used.
   bool isUsable(const std::string& topic, const std::string& sender, SenderWatch* senders);
+  void tellIfAnother(const std::string& topic, const SenderWatch& senders);
 
   ros::NodeHandle handle_;
   StageStatus* status_;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+
+#include "nodes/common/usual_delay.h"
 
 namespace markerless_mocap {
 
@@ -45,8 +48,9 @@ class StampOrder {
 
   std::optional<Arrival> last_;
   std::optional<Arrival> doubtful_;  ///< the last one that was left out
-  double period_ns_ = 0.0;           ///< between images in order; 0: not known yet
-  int duplicates_ = 0;               ///< in a row
+  UsualDelay delay_;
+  double period_ns_ = 0.0;  ///< between images in order; 0: not known yet
+  int duplicates_ = 0;      ///< in a row
 };
 
 inline bool StampOrder::continues(int64_t from_ns, int64_t stamp_ns, int64_t passed_ns) const {
@@ -57,6 +61,8 @@ inline bool StampOrder::continues(int64_t from_ns, int64_t stamp_ns, int64_t pas
 
 inline StampOrder::Judgement StampOrder::accept(int64_t stamp_ns, int64_t arrival_ns,
                                                 Judgement judgement) {
+  if (judgement.verdict == Verdict::kStepped) delay_.forget();
+  delay_.add(stamp_ns, arrival_ns);
   last_ = {stamp_ns, arrival_ns};
   doubtful_.reset();
   return judgement;
@@ -72,9 +78,14 @@ inline StampOrder::Judgement StampOrder::judged(int64_t stamp_ns, int64_t arriva
   if (stamp_ns == 0) return {Verdict::kZero};
   if (!last_) return accept(stamp_ns, arrival_ns, {});
   if (std::abs(stamp_ns - last_->stamp_ns) < kNearest) return {Verdict::kDuplicate};
-  if (continues(last_->stamp_ns, stamp_ns, arrival_ns - last_->arrival_ns)) {
+  const bool catches_up =
+      stamp_ns > last_->stamp_ns && delay_.isUsual(stamp_ns, arrival_ns, int64_t(period_ns_));
+  if (catches_up || continues(last_->stamp_ns, stamp_ns, arrival_ns - last_->arrival_ns)) {
     const double difference = double(stamp_ns - last_->stamp_ns);
-    period_ns_ += (period_ns_ > 0.0 ? kShare : 1.0) * (difference - period_ns_);
+    if (period_ns_ > 0.0)  // a pause tells no period
+      period_ns_ += kShare * (std::min(difference, kMissedImages * period_ns_) - period_ns_);
+    else
+      period_ns_ = difference;
     return accept(stamp_ns, arrival_ns, {});
   }
   if (doubtful_ && continues(doubtful_->stamp_ns, stamp_ns, arrival_ns - doubtful_->arrival_ns)) {

@@ -29,12 +29,12 @@ LiveProducts::LiveProducts(StageInputs* inputs, StageStatus* status, int64_t tol
       always_(always),
       hull_came_(std::move(hull_came)),
       search_begins_(std::move(search_begins)) {
-  inputs_->listen<VoxelGrid>("hull/grid", 1, StageInputs::kOnce,
-                             [this](const VoxelGridConstPtr& grid) {
-                               const std::lock_guard<std::mutex> lock(mutex_);
-                               const std::string fault = grids_.add(grid);
-                               if (!fault.empty()) tell({fault});
-                             });
+  inputs_->listenToLatched<VoxelGrid>("hull/grid", StageInputs::kOnce,
+                                      [this](const VoxelGridConstPtr& grid) {
+                                        const std::lock_guard<std::mutex> lock(mutex_);
+                                        const std::string fault = grids_.add(grid);
+                                        if (!fault.empty()) tell({fault});
+                                      });
   if (!always_) return;
   subscribeToHulls();
   subscribeToOthers();

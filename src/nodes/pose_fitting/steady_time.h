@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "nodes/common/usual_delay.h"
+
 namespace markerless_mocap {
 
 /// Whether the later stamp is less than so long after the earlier one. It is not where the clock
@@ -13,7 +15,8 @@ inline bool isWithin(int64_t longest_ns, int64_t earlier_ns, int64_t later_ns) {
   return later_ns >= earlier_ns && later_ns - earlier_ns < longest_ns;
 }
 
-/// The tracker's time of stamps, which goes on when the clock is set while the person is followed.
+/// The tracker's time of stamps, which goes on when the clock is set while the person is followed,
+/// and when it stands still and the person does not: then as over a gap that makes a tracker doubt.
 /// Only one thread may call at().
 class SteadyTime {
  public:
@@ -40,11 +43,16 @@ class SteadyTime {
   // sees after such a gap, and gives up after a longer one.
   static constexpr int64_t kDoubtedGap = 200'000'000, kLongestGap = 450'000'000;  // ns
 
+  static constexpr double kUnusual = 5.0;  // so many times the usual time between arrivals
+  static constexpr double kShare = 0.1;    // of the newest one in the usual one
+
   struct Last {
     int64_t stamp_ns, arrival_ns;
   };
   std::optional<Last> last_;
-  int64_t period_ns_ = 0;  ///< between the last frame sets
+  UsualDelay delay_;
+  int64_t period_ns_ = 0;         ///< between the last frame sets
+  double usual_passed_ns_ = 0.0;  ///< between their arrivals; a bag may be played slowly
   std::atomic<int64_t> shift_ns_{0};
 };
 
@@ -58,19 +66,27 @@ inline std::optional<int64_t> SteadyTime::acrossStep(int64_t ahead_ns, int64_t p
 inline SteadyTime::Moment SteadyTime::at(int64_t stamp_ns, int64_t arrival_ns) {
   const Last last = last_.value_or(Last{stamp_ns - 1, arrival_ns});
   last_ = {stamp_ns, arrival_ns};
-  const int64_t ahead_ns = stamp_ns - last.stamp_ns;
+  const bool usual = delay_.isUsual(stamp_ns, arrival_ns, period_ns_);
+  const int64_t ahead_ns = stamp_ns - last.stamp_ns, passed_ns = arrival_ns - last.arrival_ns;
+  const bool stood_still = passed_ns > std::max(double(kRealPause), kUnusual * usual_passed_ns_);
+  usual_passed_ns_ += kShare * (double(passed_ns) - usual_passed_ns_);
   if (ahead_ns > 0 && ahead_ns < kPause) {
     period_ns_ = ahead_ns;
+    delay_.add(stamp_ns, arrival_ns);
+    if (stood_still) shift_ns_ += kLongestGap - ahead_ns;
     return {timeOf(stamp_ns)};
   }
-  const int64_t passed_ns = arrival_ns - last.arrival_ns;
   const std::optional<int64_t> gone_on_ns = acrossStep(ahead_ns, passed_ns);
+  const bool catches_up =
+      ahead_ns > 0 && usual;  // what came late, as after the process stood still
+  if (!catches_up) delay_.forget();
+  delay_.add(stamp_ns, arrival_ns);
   if (!gone_on_ns) {
     if (ahead_ns < 0) shift_ns_ = 0;
     return {timeOf(stamp_ns), 0, true};
   }
   shift_ns_ += *gone_on_ns - ahead_ns;
-  return {timeOf(stamp_ns), ahead_ns - *gone_on_ns, false};
+  return {timeOf(stamp_ns), catches_up ? 0 : ahead_ns - *gone_on_ns, false};
 }
 
 }  // namespace markerless_mocap

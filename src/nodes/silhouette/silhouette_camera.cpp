@@ -86,7 +86,9 @@ bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
   using Verdict = StampOrder::Verdict;
   const StampOrder::Judgement found = order_.judge(nanosecondsOf(stamp), steadyNanoseconds());
   if (found.verdict == Verdict::kZero)
-    status_.error("the stamps of " + camera_ + "'s images are zero, its driver has to set them");
+    status_.error(
+        "the stamps of " + camera_ + "'s images are zero, its driver has to set them" +
+        (ros::Time::isSimTime() ? ", and /clock has to run, as /use_sim_time is true" : ""));
   if (found.verdict == Verdict::kDuplicate) reportDuplicate();
   if (found.verdict == Verdict::kDoubtful) status_.count("stamps out of order, or too far ahead");
   if (found.verdict == Verdict::kStepped) {
@@ -101,9 +103,10 @@ bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
 void SilhouetteCamera::reportDuplicate() {
   status_.count("duplicate");
   if (order_.duplicates() < kDuplicatesTold) return;
-  status_.problem("the last " + std::to_string(order_.duplicates()) + " images of " + camera_ +
-                  " have the same stamp, its driver has to set the time of each image" +
-                  (ros::Time::isSimTime() ? ", and /clock has to go on" : ""));
+  status_.problem(
+      "the last " + std::to_string(order_.duplicates()) + " images of " + camera_ +
+      " have the same stamp, its driver has to set the time of each image" +
+      (ros::Time::isSimTime() ? ", and /clock has to go on, as /use_sim_time is true" : ""));
 }
 
 bool SilhouetteCamera::isFrozen(const CameraImage& image) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "tools/common/bag_io.h"
@@ -18,7 +20,9 @@ namespace fs = std::filesystem;
 /// With the times of the container: phones do not keep their rate.
 class Video : public ImageFilm {
  public:
-  explicit Video(const std::string& path) : video_(path) {
+  explicit Video(const std::string& path) {
+    checkRegularFile(path, "the video " + path, std::numeric_limits<uintmax_t>::max());
+    video_.open(path);
     if (!video_.isOpened()) throw std::runtime_error("cannot read the video " + path);
     rate_ = video_.get(cv::CAP_PROP_FPS);
     if (!(rate_ > 0)) throw std::runtime_error("the video " + path + " tells no frame rate");

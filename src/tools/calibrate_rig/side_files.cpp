@@ -1,8 +1,7 @@
-#include <yaml-cpp/yaml.h>
-
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "files/yaml_text.h"
 #include "tools/calibrate_rig/find_boards.h"
 
 namespace markerless_mocap {
@@ -46,10 +45,10 @@ std::vector<KnownPoint> readKnownPoints(const std::string& path,
   const std::string text = readTextFile(path, "the points in " + path);
   std::vector<KnownPoint> points;
   try {
-    for (const auto& node : YAML::Load(text)["points"])
+    for (const auto& node : yamlFrom(text, path)["points"])
       points.push_back(pointIn(node, cameras, path));
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + error.what());
+    throw std::invalid_argument(path + ": " + sentenceOf(error));
   }
   if (points.empty()) throw std::invalid_argument(path + " has no list `points`");
   return points;

@@ -14,7 +14,11 @@
 namespace markerless_mocap {
 
 void openForReading(const std::string& path, rosbag::Bag& bag) {
-  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error("there is no bag " + path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) throw std::runtime_error("there is no bag " + path);
+  if (!std::filesystem::is_regular_file(status))
+    throw std::runtime_error(path + " is a folder, pipe or device, allowed are bags");
   if (!areBagRecordsSound(path))
     throw std::runtime_error(path + " is not a bag or was cut off or damaged");
   try {

@@ -2,19 +2,13 @@
 
 #include <stdexcept>
 
-#include "ros/package_files.h"
+#include "files/text_file.h"
+#include "files/yaml_text.h"
 
 namespace markerless_mocap {
 
 PipelineOptions readConfiguration(const std::string& path) {
-  YAML::Node root;
-  try {
-    root = YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw std::runtime_error("cannot read the configuration " + path);
-  } catch (const YAML::Exception& error) {
-    throw std::runtime_error(path + " is not YAML: " + error.what());
-  }
+  const YAML::Node root = yamlFrom(readTextFile(path, "the configuration " + path), path);
   try {
     return loadPipelineOptions(root);
   } catch (const std::invalid_argument& error) {

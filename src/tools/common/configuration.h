@@ -6,8 +6,8 @@
 
 namespace markerless_mocap {
 
-/// Reads a configuration file. Throws std::runtime_error if it cannot be read or is not YAML,
-/// std::invalid_argument as loadPipelineOptions(). The message names the file.
+/// Reads a configuration file. Throws std::runtime_error if it cannot be read,
+/// std::invalid_argument if it is no YAML or as loadPipelineOptions(). The message names the file.
 PipelineOptions readConfiguration(const std::string& path);
 
 }  // namespace markerless_mocap

@@ -7,7 +7,7 @@
 namespace markerless_mocap {
 
 /// URDF of a person with a stature (metres). Throws std::runtime_error or std::invalid_argument if
-/// the template cannot be read or the stature is out of range.
+/// the template cannot be read or gives no body, or the stature is out of range.
 /// \param template_path empty: the template of this package
 std::string bodyUrdf(const std::string& template_path, const std::string& id, double stature);
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
 
 namespace markerless_mocap {
 namespace {
@@ -17,11 +18,20 @@ void interrupt(int signal) {
 
 }  // namespace
 
+std::string printable(const std::string& text) {
+  constexpr size_t kLongest = 2000;
+  std::string shown = text.substr(0, kLongest);
+  for (char& letter : shown)
+    if ((static_cast<unsigned char>(letter) < ' ' && letter != '\n') || letter == '\x7f')
+      letter = '?';
+  return shown + (text.size() > kLongest ? " ..." : "");
+}
+
 int runTool(const char* name, const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << std::endl;
+    std::cerr << name << ": " << printable(error.what()) << std::endl;
     return 1;
   }
   return 0;

@@ -1,9 +1,8 @@
 #include "tools/common/studio_settings.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <stdexcept>
 
+#include "files/yaml_text.h"
 #include "ros/package_files.h"
 
 namespace markerless_mocap {
@@ -11,12 +10,7 @@ namespace {
 
 YAML::Node sectionOf(const std::string& config) {
   if (config.empty()) return YAML::Node(YAML::NodeType::Map);
-  YAML::Node root;
-  try {
-    root = YAML::Load(readText(config));
-  } catch (const YAML::Exception& error) {
-    throw std::runtime_error(config + " is not YAML: " + error.what());
-  }
+  const YAML::Node root = yamlFrom(readText(config), config);
   if (!root.IsMap() || !root[StudioOptions::kStage])
     throw std::invalid_argument(config + " has no section " + StudioOptions::kStage);
   return root[StudioOptions::kStage];

@@ -1,7 +1,5 @@
 #include "tools/evaluate/marks_file.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "evaluation/body_points.h"
 #include "files/text_file.h"
+#include "files/yaml_text.h"
 #include "tools/common/number_format.h"
 
 namespace markerless_mocap {
@@ -188,9 +187,9 @@ std::vector<Ray> raysOf(const std::string& name,
 MarksFile readMarks(const std::string& path) {
   const std::string text = readTextFile(path, "the marks " + path);
   try {
-    return marksOf(YAML::Load(text), path);
+    return marksOf(yamlFrom(text, path), path);
   } catch (const YAML::Exception& error) {
-    throwError(path, std::string("is no YAML: ") + error.what());
+    throwError(path, sentenceOf(error));
   }
 }
 

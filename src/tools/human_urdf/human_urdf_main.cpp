@@ -1,11 +1,8 @@
-#include <yaml-cpp/yaml.h>
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <string>
 
-#include "markerless_mocap/body/body_urdf.h"
-#include "markerless_mocap/pipeline/tracker_options.h"
+#include "tools/common/configuration.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
 
@@ -14,8 +11,8 @@ namespace {
 
 /// pose_fitting/stature of a configuration, metres.
 double statureOf(const std::string& config) {
-  const YAML::Node root = YAML::Load(config.empty() ? "{}" : readText(config));
-  return loadOptions<TrackerOptions>(root[TrackerOptions::kStage]).person.stature;
+  const PipelineOptions options = config.empty() ? PipelineOptions() : readConfiguration(config);
+  return options.fitting.person.stature;
 }
 
 }  // namespace
@@ -30,8 +27,5 @@ int main(int argc, char** argv) {
   app.add_option("--id", id, "suffix of links and joints");
   app.add_option("--config", config, "configuration; its pose_fitting/stature is used");
   CLI11_PARSE(app, argc, argv);
-  return runTool("human_urdf", [&] {
-    const auto proportions = BodyProportions::fromStature(statureOf(config));
-    std::cout << fillUrdfTemplate(readText(file), id, proportions);
-  });
+  return runTool("human_urdf", [&] { std::cout << bodyUrdf(file, id, statureOf(config)); });
 }

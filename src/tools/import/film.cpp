@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
+
+#include "files/text_file.h"
 
 namespace markerless_mocap {
 namespace {
@@ -49,10 +52,13 @@ struct Film::Source {
   std::vector<fs::path> images;
 
   explicit Source(const fs::path& path) {
-    if (fs::is_directory(path))
+    if (fs::is_directory(path)) {
       images = sortedEntries(path, isImage);
-    else
-      video.open(path.string());
+      return;
+    }
+    checkRegularFile(path.string(), "the film " + path.string(),
+                     std::numeric_limits<uintmax_t>::max());
+    video.open(path.string());
   }
   double time() const { return 1e-3 * video.get(cv::CAP_PROP_POS_MSEC); }
   bool skip(size_t index) { return images.empty() ? video.grab() : index < images.size(); }

@@ -1,7 +1,9 @@
+#include <limits>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "files/text_file.h"
 #include "markerless_mocap/formats/calibration_files.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "tools/common/camera_bag_writer.h"
@@ -64,6 +66,7 @@ std::vector<CameraFiles> listFiles(const MatricesInput& input) {
 }
 
 cv::Mat readImage(const std::string& path, int flags) {
+  checkRegularFile(path, "the image " + path, std::numeric_limits<uintmax_t>::max());
   cv::Mat image = cv::imread(path, flags);
   if (image.empty()) throw std::runtime_error("cannot read the image " + path);
   return image;

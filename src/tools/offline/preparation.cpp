@@ -1,13 +1,12 @@
 #include "tools/offline/preparation.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
 #include "files/text_file.h"
 #include "files/whole_file.h"
+#include "files/yaml_text.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
@@ -134,7 +133,8 @@ void writePreparation(const OfflineOptions& options, const std::string& folder, 
 
 Preparation readPreparation(const OfflineOptions& options, const std::string& folder,
                             size_t cameras, PipelineOptions* pipeline) {
-  const YAML::Node list = YAML::Load(readTextFile(listFile(folder), listFile(folder)));
+  const YAML::Node list =
+      yamlFrom(readTextFile(listFile(folder), listFile(folder)), listFile(folder));
   const YAML::Node kinds = list["backgrounds"];
   if (!kinds || kinds.size() != cameras)
     throw std::invalid_argument(folder + " is of " + std::to_string(kinds.size()) +
