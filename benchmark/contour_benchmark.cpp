@@ -116,7 +116,7 @@ BENCHMARK(estimateShapeOfThirty)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark:
 void matchRaysInVectors(benchmark::State& state) {
   std::vector<RayMatch> matches;
   for (auto _ : state) {
-    matchRays(PackedContourCones(scene().cones), scene().seen.rays, matches);
+    matchRays(ConesInViews(scene().seen, scene().cones), scene().seen.rays, matches);
     benchmark::DoNotOptimize(matches.data());
   }
 }

@@ -41,6 +41,7 @@ class ContourTracker : public BodyTracker {
     ProductSource& products;
     bool behind;
     RegionFrame regions;
+    std::vector<double> later_s;  ///< by camera, as TrackerInput has it
   };
   BodyPose updateFrom(const Frame& now);
   /// True if the last start has failed a short time ago and nobody has come since.

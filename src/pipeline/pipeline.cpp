@@ -201,7 +201,10 @@ void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
   const std::vector<cv::Mat> masks = trustedMasks(rig(), *result);
   const std::vector<cv::Mat> images = imagesOf(frame_set.frames);
   Products products(this, frame_set, result);
-  result->pose = tracker_->update({frame_set.stamp_ns, masks, images, products});
+  std::vector<double> later_s;
+  for (const CameraFrame& frame : frame_set.frames) later_s.push_back(frame.later_s);
+  result->pose =
+      tracker_->update({frame_set.stamp_ns, masks, images, products, false, false, later_s});
   result->body = tracker_->body();
 }
 

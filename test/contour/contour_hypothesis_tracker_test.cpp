@@ -63,6 +63,41 @@ TEST_F(ContourTrackerTest, FollowsAWalk) {
   }
 }
 
+TEST_F(ContourTrackerTest, FollowsThroughCamerasThatTakeTurns) {
+  const auto punch = [](double frame) {
+    ContourPose pose = at(0);
+    pose.position.x() += 0.05 * frame;
+    pose.rotations[SphericalJoint::kLeftShoulder] =
+        expSO3({0, -0.2 * frame, 0}) * pose.rotations[SphericalJoint::kLeftShoulder];
+    return pose;
+  };
+  std::vector<double> later_s;
+  for (size_t i = 0; i < rig.size(); ++i)
+    later_s.push_back(1e-9 * kFrame_ns * (double(i % 4) - 1.5) / 4);
+  ContourHypothesisTracker unaware(rig, {});
+  for (ContourHypothesisTracker* one : {&tracker, &unaware})
+    one->start(0, see(punch(0)), body, punch(0));
+  double error = 0.0, unaware_error = 0.0;
+  for (int i = 1; i <= 7; ++i) {
+    std::vector<cv::Mat> masks(rig.size());
+    for (size_t c = 0; c < rig.size(); ++c)
+      masks[c] = drawnMasks(rig, body, punch(i + 1e9 * later_s[c] / kFrame_ns))[c];
+    ContourObservation seen = observer.observe(masks);
+    const ContourPose taken = unaware.update(i * kFrame_ns, seen, body).fit.pose;
+    if (const auto motion = tracker.motion(i * kFrame_ns))
+      shiftViews(body, *motion, later_s, &seen);
+    const ContourPose pose = tracker.update(i * kFrame_ns, seen, body).fit.pose;
+    if (i < 3) continue;  // two poses tell how it moves
+    const auto wristError = [&](const ContourPose& found) {
+      return (body.points(found) - body.points(punch(i))).col(kLeftWrist).norm() / 5;
+    };
+    error += wristError(pose);
+    unaware_error += wristError(taken);
+  }
+  EXPECT_GT(unaware_error, 2 * error) << "m: " << unaware_error << ' ' << error;
+  EXPECT_LT(error, 0.012);
+}
+
 TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
   tracker.start(0, see(at(0)), body, at(0));
   tracker.update(kFrame_ns, see(at(0)), body);

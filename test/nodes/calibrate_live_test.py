@@ -2,6 +2,7 @@
 """calibrate_rig --live before two cameras that see a drawn board: it says what is missing, stops by
 itself when the views suffice and the board lies on the floor, and writes the rig."""
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -19,6 +20,7 @@ SIZE, FOCAL = (480, 360), 420.0
 COLUMNS, ROWS, SQUARE, MARKER = 6, 5, 0.1, 0.075
 PIXELS, MARGIN = 800, 0.05
 APART = 0.6  # m, between the cameras
+HELD, PAUSE = 40, 5.0  # images, s
 
 
 def turn(axis, angle):
@@ -108,15 +110,19 @@ class CalibrateLive(unittest.TestCase):
         try:
             end = rospy.get_time() + 200
             while tool.poll() is None and rospy.get_time() < end:
-                self.publish(flat, on_floor() if self.enough.is_set() else board_at(k))
+                # At first it is held still, and then the cameras pause.
+                self.publish(flat, on_floor() if self.enough.is_set() else board_at(max(0, k - HELD)))
                 k += 1
-                rospy.sleep(0.25)
+                rospy.sleep(PAUSE if k == HELD else 0.25)
             reader.join(10)
         finally:
             if tool.poll() is None:
                 tool.kill()
         self.assertEqual(tool.returncode, 0, self.said)
         self.assertIn('left needs ', self.said)
+        tables = re.findall(r'^left .*\nright .*', self.said, re.MULTILINE)
+        self.assertEqual(len(tables), len(set(tables)), self.said)
+        self.assertEqual(self.said.count('no images come any more'), 1, self.said)
         self.assertIn('more places of the board', self.said)
         self.assertIn('to one of left and at the same time to one of right', self.said)
         self.assertTrue(self.pictures)

@@ -19,6 +19,25 @@ TEST_F(RecordingTest, EveryInstantComesInOrderAMissingCameraIsEmpty) {
   EXPECT_EQ(recording.counts().incomplete, 1u);
 }
 
+TEST_F(RecordingTest, FrameSetsTellHowMuchLaterEachImageWasTaken) {
+  {
+    CameraBagWriter bag(path("in.bag"), ringOfFour(), 0);
+    bag.writeTransforms(kSecond);
+    for (int k = 0; k < 5; ++k)
+      for (int i = 0; i < 4; ++i)
+        bag.write(kSecond + k * kSecond / 10 + i * kSecond / 50, i, smallImage(true), cv::Mat());
+    bag.commit();
+  }
+  RecordingOptions options;
+  options.stamp_tolerance = 0.07;
+  Recording recording(path("in.bag"), options);
+  const auto frame_sets = allOf(recording);
+  ASSERT_EQ(frame_sets.size(), 5u);
+  for (const FrameSet& frame_set : frame_sets)
+    for (int i = 0; i < 4; ++i)
+      EXPECT_NEAR(frame_set.frames[size_t(i)].later_s, 0.02 * i - 0.03, 1e-6);
+}
+
 TEST_F(RecordingTest, StartAndDurationAreSecondsAfterTheFirstImage) {
   writeBag("in.bag");
   RecordingOptions options;

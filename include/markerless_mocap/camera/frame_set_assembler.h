@@ -116,6 +116,11 @@ class FrameSetAssembler {
     std::vector<Item> items;  ///< one per stream; default-constructed where missing
     std::vector<bool> present;
     std::vector<int64_t> stamps_ns;  ///< one per stream, with offset and without lag; 0: missing
+
+    /// By how much a stream's item is later than `stamp_ns`, s; 0 if it is missing.
+    double laterBy(size_t stream) const {
+      return present[stream] ? 1e-9 * double(stamps_ns[stream] - stamp_ns) : 0.0;
+    }
   };
 
   /// Throws std::invalid_argument as AssemblerOptions::validate().

@@ -47,6 +47,7 @@ void forEachStage(PipelineOptions& options, const Function& function) {
 struct CameraFrame {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1
   cv::Mat mask;   ///< CV_8UC1 0 | 128 unknown | 255; if given, background subtraction is skipped
+  double later_s = 0.0;  ///< s, how much later than the frame set's stamp it was taken
 };
 
 /// Images or masks of all cameras at one time.

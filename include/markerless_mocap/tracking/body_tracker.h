@@ -24,6 +24,8 @@ struct TrackerInput {
   ProductSource& products;
   bool behind = false;  ///< newer frames wait: what is not needed to follow the person is put off
   bool images_awaited = false;  ///< images that are missing here will come with later frames
+  /// By camera, s: how much later than stamp_ns its image was taken; empty: all were taken then.
+  std::vector<double> later_s = {};
 };
 
 /// Tracks the pose of one person over time. Every tracking method implements this interface. Not

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "contour/fit/view_times.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -88,7 +90,7 @@ double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
   std::vector<double> overlaps(rig.size(), 0.0);
   tbb::parallel_for(size_t(0), rig.size(), [&](size_t v) {
     if (seen.views[v].status == ViewStatus::kUsable)
-      overlaps[v] = viewOverlap(seen.views[v], rig[v], cones);
+      overlaps[v] = viewOverlap(seen.views[v], rig[v], conesIn(seen.views[v], cones));
   });
   const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
   const int usable = seen.usableViews();

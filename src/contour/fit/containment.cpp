@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contour/fit/geman_mcclure.h"
+#include "contour/fit/view_times.h"
 
 namespace markerless_mocap {
 namespace {
@@ -75,10 +76,11 @@ std::optional<SphereInView> sphereInView(const Camera& camera, const ContourView
 /// from `first` to before `end`, for the cones with wanted(cone).
 template <typename Wanted, typename Add>
 void forEachViolation(const ContourObservation& seen, const CameraRig& rig, size_t first,
-                      size_t end, const ContourWorldCones& cones, const Wanted& wanted,
+                      size_t end, const ContourWorldCones& body, const Wanted& wanted,
                       const Add& add) {
   for (size_t v = first; v < end; ++v) {
     if (seen.views[v].status != ViewStatus::kUsable) continue;
+    const ContourWorldCones cones = conesIn(seen.views[v], body);
     for (size_t c = 0; c < kContourCones; ++c)
       for (size_t i = 0; wanted(c) && i < kSpheresPerCone; ++i) {
         const double s = double(i) / (kSpheresPerCone - 1);

@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "contour/model/contour_body.h"
 #include "markerless_mocap/camera/camera.h"
 #include "markerless_mocap/contour/contour_options.h"
 
@@ -25,6 +26,12 @@ struct ContourRay {
 enum class ViewStatus { kMissing, kEmpty, kFull, kUsable };
 const char* toString(ViewStatus status);
 
+/// By how much the ends of the body's cones are elsewhere, metres.
+struct ConeShift {
+  Eigen::Vector3d a, b;
+};
+using ConeShifts = std::array<ConeShift, kContourCones>;
+
 /// The mask of one camera, sampled in a box around the person.
 struct ContourView {
   ViewStatus status = ViewStatus::kMissing;
@@ -34,6 +41,9 @@ struct ContourView {
   cv::Mat known;     ///< CV_8UC1, 0 unknown | 255; empty if all samples are known
   /// CV_32FC1: distance to the border of the silhouette, pixels, negative inside.
   cv::Mat distance;
+  /// From the body at the time of the observation to the body that this view shows; null: the view
+  /// is of that time.
+  std::shared_ptr<const ConeShifts> shifts;
 };
 
 /// The silhouettes of all cameras at one time.

@@ -92,7 +92,7 @@ std::vector<double> rayWeights(const ContourObservation& seen, const ContourOpti
         rays.push_back(seen.rays[i]);
       }
     std::vector<RayMatch> others;
-    matchRays(PackedContourCones(without(arm, problem.cones())), rays, others);
+    matchRays(ConesInViews(seen, without(arm, problem.cones())), rays, others);
     for (size_t i = 0; i < rays.size(); ++i) {
       const double rise =
           gemanMcClureLoss(others[i].residual, options.robust_scale_final) -

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contour/fit/geman_mcclure.h"
+#include "contour/fit/view_times.h"
 
 namespace markerless_mocap {
 namespace {
@@ -18,7 +19,7 @@ void PoseProblem::evaluate(const ContourBody& body, const ContourPose& pose, dou
   body.place(pose, frames_);
   body.place(frames_, cones_);
   blocks_.assign(kRayBlocks + kViewBlocks, {});
-  const PackedContourCones packed(cones_);
+  const ConesInViews packed(seen_, cones_);
   tbb::parallel_for(size_t(0), kRayBlocks + kViewBlocks, [&](size_t block) {
     if (block < kRayBlocks)
       addRays(packed, outlier, block);
@@ -42,7 +43,7 @@ void PoseProblem::addViews(size_t block) {
                                             (i + 1) * views / kViewBlocks, blocks_[block].sums);
 }
 
-void PoseProblem::addRays(const PackedContourCones& cones, double outlier, size_t block) {
+void PoseProblem::addRays(const ConesInViews& cones, double outlier, size_t block) {
   const size_t rays = seen_.rays.size(), first = block * rays / kRayBlocks,
                end = (block + 1) * rays / kRayBlocks;
   matchRays(cones, seen_.rays, first, end, matches_);

@@ -33,7 +33,7 @@ class PoseProblem {
     AllConeNormalEquations sums;
     SphereViolation violation{};
   };
-  void addRays(const PackedContourCones& cones, double outlier, size_t block);
+  void addRays(const ConesInViews& cones, double outlier, size_t block);
   void addViews(size_t block);
 
   const ContourObservation& seen_;

@@ -1,5 +1,8 @@
 #include "contour/fit/ray_match.h"
 
+#include <algorithm>
+
+#include "contour/fit/view_times.h"
 #include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
@@ -67,18 +70,26 @@ PackedContourCones::PackedContourCones(const ContourWorldCones& cones) {
   }
 }
 
-void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
+ConesInViews::ConesInViews(const ContourObservation& seen, const ContourWorldCones& cones) {
+  const bool in_step = std::none_of(seen.views.begin(), seen.views.end(),
+                                    [](const ContourView& view) { return bool(view.shifts); });
+  if (in_step) packed_.emplace_back(cones);
+  for (size_t i = 0; !in_step && i < seen.views.size(); ++i)
+    packed_.emplace_back(conesIn(seen.views[i], cones));
+}
+
+void matchRays(const ConesInViews& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches) {
   matches.resize(rays.size());
   matchRays(cones, rays, 0, rays.size(), matches);
 }
 
-void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays, size_t first,
+void matchRays(const ConesInViews& cones, const std::vector<ContourRay>& rays, size_t first,
                size_t end, std::vector<RayMatch>& matches) {
   Lanes lanes;
   for (size_t r = first; r < end; ++r) {
     const ContourRay& ray = rays[r];
-    measure(cones,
+    measure(cones[ray.camera],
             {{ray.normal.x(), ray.normal.y(), ray.normal.z()},
              {ray.side.x(), ray.side.y(), ray.side.z()},
              ray.normal_of_ray,

@@ -17,6 +17,19 @@ struct PackedContourCones {
   explicit PackedContourCones(const ContourWorldCones& cones);
 };
 
+/// The body as each view shows it.
+class ConesInViews {
+ public:
+  /// \param cones at the time of the observation
+  ConesInViews(const ContourObservation& seen, const ContourWorldCones& cones);
+  const PackedContourCones& operator[](int camera) const {
+    return packed_[packed_.size() == 1 ? 0 : size_t(camera)];
+  }
+
+ private:
+  std::vector<PackedContourCones> packed_;  ///< one if all views are of one time
+};
+
 /// The cone that a ray is assumed to touch.
 struct RayMatch {
   int cone;
@@ -30,10 +43,10 @@ struct RayMatch {
 /// between the contour's normal and the direction from the cone's axis to the ray. If a cone lies
 /// on the wrong side of its contour, the distance is measured along the normal, which pulls the
 /// cone back through the contour.
-void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays,
+void matchRays(const ConesInViews& cones, const std::vector<ContourRay>& rays,
                std::vector<RayMatch>& matches);
 /// The same of the rays from `first` to before `end`; `matches` has the size of `rays`.
-void matchRays(const PackedContourCones& cones, const std::vector<ContourRay>& rays, size_t first,
+void matchRays(const ConesInViews& cones, const std::vector<ContourRay>& rays, size_t first,
                size_t end, std::vector<RayMatch>& matches);
 
 }  // namespace markerless_mocap

@@ -112,10 +112,11 @@ ContourTrackingResult ContourHypothesisTracker::keep(int64_t stamp_ns, const Con
     last_.reset();
     return {ContourTrackingStatus::kLost, fit};
   }
-  Past past{stamp_ns, fit.pose, std::nullopt, qualityOf(fit), 0.0, {}};
+  Past past{stamp_ns, fit.pose, std::nullopt, 0, qualityOf(fit), 0.0, {}};
   for (size_t i = 0; i < past.outside.size(); ++i) past.outside[i] = fit.limbs[i].outside;
   if (last_) {
     past.before = last_->pose;
+    past.before_ns = last_->stamp_ns;
     // The usual quality rises at once and falls slowly, so that it does not adapt to a loss.
     const double quality_deviation = std::max(0.0, last_->quality - past.quality);
     past.quality = std::max(past.quality, last_->quality - kUsualRate * quality_deviation);
@@ -254,6 +255,13 @@ std::optional<ContourPrediction> ContourHypothesisTracker::predict(int64_t stamp
       last_->before ? predictConstantVelocity(*last_->before, last_->pose, kVelocityFraction)
                     : last_->pose,
       1e-9 * double(gap)};
+}
+
+std::optional<ContourMotion> ContourHypothesisTracker::motion(int64_t stamp_ns) const {
+  const std::optional<ContourPrediction> predicted = predict(stamp_ns);
+  if (!predicted || !last_->before) return std::nullopt;
+  const double seconds = 1e-9 * double(last_->stamp_ns - last_->before_ns);
+  return ContourMotion{predicted->pose, boxMinus(last_->pose, *last_->before) / seconds};
 }
 
 ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,

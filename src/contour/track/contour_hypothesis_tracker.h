@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contour/fit/contour_fitter.h"
+#include "contour/fit/view_times.h"
 
 namespace markerless_mocap {
 
@@ -54,6 +55,8 @@ class ContourHypothesisTracker {
                                const ContourBody& body, Effort effort = Effort::kSearch);
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const;
+  /// The motion that the prediction follows; empty if two poses do not tell it.
+  std::optional<ContourMotion> motion(int64_t stamp_ns) const;
   void lose() { last_.reset(); }
   /// Lets the next frame search for limbs, however short ago that was done.
   void searchSoon() { next_search_ns_ = next_least_certain_ns_ = 0; }
@@ -69,6 +72,7 @@ class ContourHypothesisTracker {
     int64_t stamp_ns;
     ContourPose pose;
     std::optional<ContourPose> before;  ///< pose of the frame before
+    int64_t before_ns;                  ///< its stamp
     double quality;                     ///< slowly decaying maximum of the quality
     double quality_deviation;           ///< usual difference from this maximum
     /// Usual distance of each limb outside the masks, metres.

@@ -48,6 +48,8 @@ class ContourMultiHypothesisTracker {
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
     return active_.predict(stamp_ns);
   }
+  /// See ContourHypothesisTracker::motion().
+  std::optional<ContourMotion> motion(int64_t stamp_ns) const { return active_.motion(stamp_ns); }
   bool hasAlternative() const { return alternative_.has_value(); }
   /// True if a pose is tracked and there is no alternative, or the alternative has turned out
   /// clearly worse.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contour/fit/view_times.h"
 #include "contour/track/exchanged_sides.h"
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_from_pose_tree.h"
@@ -245,7 +246,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   };
   const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
-  return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}});
+  return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
 }
 
 bool ContourTracker::restsFromSearching(const TrackerInput& now) const {
@@ -261,6 +262,8 @@ BodyPose ContourTracker::lost(const ContourObservation& seen, const ContourFit& 
 
 BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
+  if (const auto motion = hypotheses_.motion(now.stamp_ns))
+    shiftViews(*contour_body_, *motion, now.later_s, &found.seen);
   still_contours_.weigh(found.seen);
   take(found);
   if (agreement_ < kLostAgreement) hypotheses_.lose();

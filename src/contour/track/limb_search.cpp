@@ -77,7 +77,7 @@ class LimbPoseCost {
     body.place(pose, frames);
     body.place(frames, cones);
     std::vector<RayMatch> matches;
-    matchRays(PackedContourCones(cones), rays_, matches);
+    matchRays(ConesInViews(seen_, cones), rays_, matches);
     const double variance = options_.ray_sigma * options_.ray_sigma;
     const double one = rays_per_selected_ * options_.effective_rays /
                        double(std::max<size_t>(1, seen_.rays.size()));

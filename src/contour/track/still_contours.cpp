@@ -134,7 +134,7 @@ void StillContours::compare(const ContourObservation& seen, const ContourBody& b
     body.place(pose, frames);
     body.place(frames, cones);
     std::vector<RayMatch> matches;
-    matchRays(PackedContourCones(cones), still, matches);
+    matchRays(ConesInViews(seen, cones), still, matches);
     unexplained = double(std::count_if(
                       matches.begin(), matches.end(),
                       [](const RayMatch& m) { return std::abs(m.residual) > kRayExplained; })) /

@@ -183,6 +183,7 @@ void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
   }
   noteUse(camera, bool(mask), mask ? "" : doubt.empty() ? judgement.reason : doubt);
   input->masks.push_back(mask);
+  input->later_s.push_back(frame_set.laterBy(camera));
   if (mask && colors_ && colors_->areAwaited(camera, nanosecondsOf(mask->header.stamp)))
     input->images_awaited = true;
   if (needs_.images || colors_)

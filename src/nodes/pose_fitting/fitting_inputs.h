@@ -32,6 +32,7 @@ struct FittingMessages {
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
+  std::vector<double> later_s;      ///< by camera, as of TrackerInput
   bool behind = false;              ///< newer frame sets wait
   bool images_awaited = false;      ///< images that it lacks will come with later frame sets
 };

@@ -76,8 +76,8 @@ BodyPose updated(BodyTracker& tracker, const FittingMessages& input, LiveProduct
   const std::vector<cv::Mat> masks = masksOf(input, *input.rig);
   const std::vector<cv::Mat> images = imagesOf(input, images_required);
   LiveProducts::Source source = products.at(input.header.stamp);
-  BodyPose pose =
-      tracker.update({stamp_ns, masks, images, source, input.behind, input.images_awaited});
+  BodyPose pose = tracker.update(
+      {stamp_ns, masks, images, source, input.behind, input.images_awaited, input.later_s});
   if (pose.status == PoseStatus::kLost) pose.reason += source.lack();
   return pose;
 }

@@ -11,6 +11,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/film_files.h"
 
 namespace markerless_mocap {
 namespace {
@@ -55,18 +56,12 @@ class Video : public ImageFilm {
 
 class Pictures : public ImageFilm {
  public:
-  explicit Pictures(const std::string& folder) {
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.is_regular_file()) files_.push_back(entry.path().string());
-    std::sort(files_.begin(), files_.end());
-    files_.erase(std::remove_if(files_.begin(), files_.end(),
-                                [](const std::string& f) { return !cv::haveImageReader(f); }),
-                 files_.end());
-  }
+  explicit Pictures(const std::string& folder) : files_(entriesOf(folder, isPicture)) {}
   TimedImage next() override {
     if (next_ >= files_.size()) return {};
-    TimedImage frame{cv::imread(files_[next_], cv::IMREAD_COLOR), double(next_)};
-    if (frame.image.empty()) throw std::runtime_error("cannot read the picture " + files_[next_]);
+    TimedImage frame{cv::imread(files_[next_].string(), cv::IMREAD_COLOR), double(next_)};
+    if (frame.image.empty())
+      throw std::runtime_error("cannot read the picture " + files_[next_].string());
     ++next_;
     return frame;
   }
@@ -77,7 +72,7 @@ class Pictures : public ImageFilm {
   int count() const override { return int(files_.size()); }
 
  private:
-  std::vector<std::string> files_;
+  std::vector<fs::path> files_;
   size_t next_ = 0;
 };
 

@@ -1,13 +1,13 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 
 #include "tools/calibrate_rig/film.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/film_files.h"
 #include "tools/common/foreign_topic.h"
 #include "tools/common/recorded_cameras.h"
 
@@ -16,31 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool hasEnding(const fs::path& path, const std::set<std::string>& endings) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return tolower(c); });
-  return endings.count(ending) > 0;
-}
-
-bool isVideo(const fs::path& path) {
-  return fs::is_regular_file(path) &&
-         hasEnding(path, {".mp4", ".avi", ".mkv", ".mov", ".m4v", ".webm", ".mpg", ".mpeg"});
-}
-
-bool isPicture(const fs::path& path) {
-  return fs::is_regular_file(path) &&
-         hasEnding(path, {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm"});
-}
-
-template <class Wanted>
-std::vector<fs::path> inFolder(const fs::path& folder, const Wanted& wanted) {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (wanted(entry.path())) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 /// The camera whose images a folder holds; no path if there are none.
 FilmSource cameraFolder(const fs::path& folder, const std::string& video) {
   FilmSource source{folder.filename().string(), "", ""};
@@ -48,11 +23,11 @@ FilmSource cameraFolder(const fs::path& folder, const std::string& video) {
     if (isVideo(folder / video)) source.path = (folder / video).string();
     return source;
   }
-  if (!inFolder(folder, isPicture).empty()) {
+  if (!entriesOf(folder, isPicture).empty()) {
     source.path = folder.string();
     return source;
   }
-  const std::vector<fs::path> videos = inFolder(folder, isVideo);
+  const std::vector<fs::path> videos = entriesOf(folder, isVideo);
   if (videos.size() > 1)
     throw std::runtime_error("the folder " + folder.string() + " has several videos, choose one: " +
                              "--video " + videos[0].filename().string());
@@ -75,13 +50,13 @@ std::vector<FilmSource> filmsOfBag(const std::string& path) {
 std::vector<FilmSource> filmsOfFolder(const fs::path& folder, const std::string& video) {
   std::vector<FilmSource> films;
   for (const fs::path& inner :
-       inFolder(folder, [](const fs::path& p) { return fs::is_directory(p); }))
+       entriesOf(folder, [](const fs::path& p) { return fs::is_directory(p); }))
     if (const FilmSource source = cameraFolder(inner, video); !source.path.empty())
       films.push_back(source);
   if (!films.empty()) return films;
-  for (const fs::path& file : inFolder(folder, isVideo))
+  for (const fs::path& file : entriesOf(folder, isVideo))
     films.push_back({file.stem().string(), file.string(), ""});
-  if (films.empty() && !inFolder(folder, isPicture).empty())
+  if (films.empty() && !entriesOf(folder, isPicture).empty())
     films.push_back(
         {fs::absolute(folder / "").parent_path().filename().string(), folder.string(), ""});
   if (films.empty())
@@ -102,7 +77,7 @@ std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs,
     if (!fs::exists(input)) throw std::runtime_error("there is no file or folder " + input);
     if (fs::is_directory(input))
       found = filmsOfFolder(input, video);
-    else if (hasEnding(input, {".bag"}))
+    else if (fs::path(input).extension() == ".bag")
       found = filmsOfBag(input);
     else
       found = {{fs::path(input).stem().string(), input, ""}};

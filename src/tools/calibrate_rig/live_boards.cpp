@@ -129,13 +129,19 @@ class Watcher {
 
   LiveBoards run() {
     waitForAll();
+    say("Wave the board before the cameras. Ctrl-C ends this, and calibrates with what was seen.");
     for (double last = -INFINITY; !watch_.interrupted() && !isDone();) {
       receive();
       const double time = images_.commonTime();
       if (time < last) last = -INFINITY;  // a bag began anew
-      if (time - last < kInterval) continue;
+      if (time - last < kInterval) {
+        saySilence();
+        continue;
+      }
       last = time;
       search(time);
+      searched_ = ros::WallTime::now();
+      silence_said_ = false;
       sayWhatIsMissing();
     }
     say(coverage_->missing().empty() ? "Stop: the views suffice, the rig is calibrated now."
@@ -223,9 +229,19 @@ class Watcher {
     const ros::WallTime now = ros::WallTime::now();
     if ((now - said_).toSec() < kSayEvery) return;
     said_ = now;
-    if (told_) return say("waiting for the board to lie still on the floor");
-    say(coverage_->table());
-    for (const std::string& one : coverage_->missing()) say("  " + one);
+    std::string text = "waiting for the board to lie still on the floor";
+    if (!told_) {
+      text = coverage_->table();
+      for (const std::string& one : coverage_->missing()) text += "\n  " + one;
+    }
+    if (text != missing_) say(text);
+    missing_ = text;
+  }
+
+  void saySilence() {
+    if (silence_said_ || (ros::WallTime::now() - searched_).toSec() < kSayEvery) return;
+    say("no images come any more");
+    silence_said_ = true;
   }
 
   void publish(const std::vector<cv::Mat>& images, const std::vector<BoardCorners>& corners) {
@@ -256,7 +272,9 @@ class Watcher {
   LiveBoards found_;
   FloorWatch floor_;
   std::optional<double> told_;  ///< s: when the board was asked onto the floor
-  ros::WallTime said_;
+  ros::WallTime said_, searched_ = ros::WallTime::now();
+  std::string missing_;  ///< what was said last
+  bool silence_said_ = false;
 };
 
 }  // namespace

@@ -250,6 +250,7 @@ FrameSet Recording::frameSetOf(const Assembler::FrameSet& frame_set) {
   for (size_t i = 0; i < streams_.size(); ++i) {
     if (!frame_set.present[i]) continue;
     CameraFrame& frame = out.frames[streams_[i].camera];
+    frame.later_s = frame_set.laterBy(i);
     try {
       const cv::Mat pixels = decoded(frame_set.items[i], streams_[i].is_mask);
       checkSize(i, pixels);

@@ -1,7 +1,5 @@
 #include "tools/import/film.h"
 
-#include <string.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -10,42 +8,11 @@
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "tools/common/film_files.h"
 
 namespace markerless_mocap {
-namespace {
 
 namespace fs = std::filesystem;
-
-bool hasEnding(const fs::path& path, const std::vector<std::string>& endings) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
-
-bool isVideo(const fs::path& path) {
-  return fs::is_regular_file(path) &&
-         hasEnding(path, {".mp4", ".avi", ".mov", ".mkv", ".webm", ".m4v", ".mpg", ".mts", ".wmv"});
-}
-
-bool isImage(const fs::path& path) {
-  return fs::is_regular_file(path) && hasEnding(path, {".png", ".jpg", ".jpeg", ".bmp", ".tif",
-                                                       ".tiff", ".pgm", ".pbm", ".ppm", ".webp"});
-}
-
-template <class Accepts>
-std::vector<fs::path> sortedEntries(const fs::path& folder, const Accepts& accepts) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (accepts(entry.path())) entries.push_back(entry.path());
-  if (error) throw std::runtime_error("cannot read the folder " + folder.string());
-  std::sort(entries.begin(), entries.end(), [](const fs::path& a, const fs::path& b) {
-    return strverscmp(a.c_str(), b.c_str()) < 0;
-  });
-  return entries;
-}
-
-}  // namespace
 
 struct Film::Source {
   cv::VideoCapture video;
@@ -53,7 +20,7 @@ struct Film::Source {
 
   explicit Source(const fs::path& path) {
     if (fs::is_directory(path)) {
-      images = sortedEntries(path, isImage);
+      images = entriesOf(path, isPicture);
       return;
     }
     checkRegularFile(path.string(), "the film " + path.string(),
@@ -169,8 +136,8 @@ namespace {
 
 /// What a camera's folder holds; no path if it is none.
 std::string filmOfFolder(const fs::path& folder) {
-  if (!sortedEntries(folder, isImage).empty()) return folder.string();
-  const std::vector<fs::path> videos = sortedEntries(folder, isVideo);
+  if (!entriesOf(folder, isPicture).empty()) return folder.string();
+  const std::vector<fs::path> videos = entriesOf(folder, isVideo);
   if (videos.size() > 1)
     throw std::runtime_error(
         "the folder " + folder.string() +
@@ -181,7 +148,7 @@ std::string filmOfFolder(const fs::path& folder) {
 void addFilmsOf(const std::string& folder, std::vector<NamedFilm>* films) {
   const size_t before = films->size();
   const auto any = [](const fs::path& path) { return isVideo(path) || fs::is_directory(path); };
-  for (const fs::path& path : sortedEntries(folder, any)) {
+  for (const fs::path& path : entriesOf(folder, any)) {
     if (!fs::is_directory(path))
       films->push_back({path.stem().string(), path.string()});
     else if (const std::string film = filmOfFolder(path); !film.empty())
