@@ -8,12 +8,13 @@ mocap_resource(poseTreeExtremitiesYaml models/pose_tree_extremities.yaml)
 mocap_resource(poseTreeValidityYaml models/pose_tree_validity.yaml)
 mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 
-mocap_room(options LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(text)
+mocap_room(options DEPENDS text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics LIBRARIES Eigen3::Eigen)
 mocap_room(files LIBRARIES yaml-cpp)
-mocap_room(camera DEPENDS files numerics LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(formats DEPENDS camera files numerics LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
-mocap_room(calibration DEPENDS camera files numerics options
+mocap_room(camera DEPENDS files numerics text LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(formats DEPENDS camera files numerics text LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
+mocap_room(calibration DEPENDS camera files numerics options text
   LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
 mocap_room(body LIBRARIES Eigen3::Eigen $<LINK_ONLY:tinyxml2::tinyxml2> urdfdom_model)
@@ -40,13 +41,13 @@ mocap_room(checks DEPENDS camera products LIBRARIES opencv_calib3d opencv_core o
 mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
   TESTS_USE evaluation)
 
-mocap_room(motion DEPENDS files numerics LIBRARIES Eigen3::Eigen yaml-cpp)
+mocap_room(motion DEPENDS files numerics text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(character DEPENDS motion options
   LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp nlohmann_json::nlohmann_json)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
 mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
-mocap_room(exports DEPENDS body character evaluation files motion numerics
+mocap_room(exports DEPENDS body character evaluation files motion numerics text
   LIBRARIES nlohmann_json::nlohmann_json TESTS_USE capture)
 
 # templates/ and Debian's three.js are built in, so that a page needs nothing else.

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "camera/lens_distortion.h"
-#include "camera/number_text.h"
 #include "numerics/shortest_rotation.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "camera/number_text.h"
 #include "files/text_file.h"
 #include "files/whole_file.h"
 #include "files/yaml_text.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

@@ -1,17 +1,12 @@
 #include "options/option_texts.h"
 
-#include <array>
-#include <charconv>
 #include <sstream>
+
+#include "text/joined.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {
-
-std::string text(double number) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  return {buffer.data(), end};
-}
 
 /// Text of bounds, which some are multiples of pi.
 std::string boundText(double number) {
@@ -27,12 +22,12 @@ std::string quoted(const std::string& word) {
 struct ValueText {
   std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(const int* value) const { return std::to_string(*value); }
-  std::string operator()(const double* value) const { return text(*value); }
+  std::string operator()(const double* value) const { return numberText(*value); }
   std::string operator()(const OptionField::Range& value) const {
-    return "[" + text(*value.min) + ", " + text(*value.max) + "]";
+    return "[" + numberText(*value.min) + ", " + numberText(*value.max) + "]";
   }
   std::string operator()(const Eigen::Vector3d* v) const {
-    return "[" + text(v->x()) + ", " + text(v->y()) + ", " + text(v->z()) + "]";
+    return "[" + numberText(v->x()) + ", " + numberText(v->y()) + ", " + numberText(v->z()) + "]";
   }
   std::string operator()(const std::string* value) const { return quoted(*value); }
   std::string operator()(const std::vector<std::string>* value) const {
@@ -60,12 +55,6 @@ struct AllowedText {
 };
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
 
 std::string shortened(const std::string& text) {
   constexpr size_t kShown = 100;

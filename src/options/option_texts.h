@@ -16,8 +16,6 @@ std::string rangeText(const OptionField& field);
 /// What may stand in YAML, such as "three numbers, each -10 to 10".
 std::string allowedText(const OptionField& field);
 
-std::string joined(const std::vector<std::string>& words);
-
 /// The text for a message: of a long one (UTF-8) the beginning, and " ...".
 std::string shortened(const std::string& text);
 

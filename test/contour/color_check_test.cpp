@@ -57,10 +57,7 @@ TEST_F(ColorCheckTest, AnotherIsFoundIfTheTrackedOneIsWrong) {
 TEST_F(ColorCheckTest, OfTwoPosesColoursPreferTheRightOne) {
   const ColorQuestion question = ask(pose, {});
   const auto chosen = [&](const ContourPose& tracked, const ContourPose& rival) {
-    return preferred(question.observer, question.tracker, question.frame, question.hull, body,
-                     tracked, rival)
-        .value()
-        .fit;
+    return preferred(question.scene(), tracked, rival).value().fit;
   };
   EXPECT_LT(error(chosen(wrong, disturbed(pose, 0.04, 0.02, 1)).pose), 0.03);
   EXPECT_LT(error(chosen(disturbed(pose, 0.04, 0.02, 1), wrong).pose), 0.03);
@@ -70,9 +67,7 @@ TEST_F(ColorCheckTest, NothingIsPreferredWhereNobodyIsSeen) {
   for (cv::Mat& mask : masks) mask.setTo(0);
   for (cv::Mat& image : images) image.release();
   const ColorQuestion question = ask(pose, {});
-  EXPECT_FALSE(preferred(question.observer, question.tracker, question.frame, question.hull, body,
-                         pose, wrong)
-                   .has_value());
+  EXPECT_FALSE(preferred(question.scene(), pose, wrong).has_value());
 }
 
 TEST_F(ColorCheckTest, InAnotherThreadTheAnswerIsTheSame) {

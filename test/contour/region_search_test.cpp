@@ -125,7 +125,7 @@ TEST_F(RegionSearchTest, AForearmThatIsFoldedIntoTheBodyIsFoundAgain) {
   };
   first.fit.pose = folded;  // the fit may have moved the arm
   ASSERT_GT(wristError(folded), 0.3);
-  const auto better = searchLimbsByColor(observer, tracker, frame, hull, body, first);
+  const auto better = searchLimbsByColor({observer, tracker, frame, hull, body}, first);
   ASSERT_TRUE(better);
   EXPECT_LT(wristError(better->fit.pose), 0.06);
 }
@@ -144,7 +144,7 @@ TEST_F(RegionSearchTest, LegsThatColoursDoNotShowReachDownToWhereTheHullEnds) {
   const ContourMultiHypothesisTracker tracker(rig, ContourOptions());
   const RegionFrame frame(images, masks);
   const std::vector<RegionFit> found =
-      searchByColor(observer, tracker, frame, hull, body, {withFoldedLegs(pose), pose});
+      searchByColor({observer, tracker, frame, hull, body}, {withFoldedLegs(pose), pose});
   ASSERT_EQ(found.size(), 2u);
   EXPECT_LT(found[0].hull_below, 0.2);
   EXPECT_GT(found[1].hull_below, 0.3);

@@ -6,17 +6,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr double kMoved = 0.05;  // of the image's width, mean over the corners in common
 constexpr double kTilted = 20 * M_PI / 180;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  return out;
-}
 
 size_t cellOf(const Eigen::Vector2d& pixel, const CameraToCalibrate& camera) {
   const int column = int((pixel.x() + 0.5) / camera.width * CameraCoverage::kColumns);
@@ -137,7 +133,7 @@ std::string BoardCoverage::emptyPlaces(const CameraCoverage& camera) const {
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 3; ++x)
       if (2 * seen[y][x] < all[y][x]) empty.push_back(kPlaces[y][x]);
-  return listed(empty);
+  return joined(empty);
 }
 
 std::vector<std::string> BoardCoverage::missing() const {
@@ -152,13 +148,13 @@ std::vector<std::string> BoardCoverage::missing() const {
       todo.push_back(camera.name + " needs the board tilted, " +
                      std::to_string(goals_.tilted - camera.tilted) + " more times");
   }
-  std::vector<std::string> joined, apart;
+  std::vector<std::string> together, apart;
   const std::vector<bool> is_joined = joinedToFirst();
   for (size_t i = 0; i < coverage_.size(); ++i)
-    (is_joined[i] ? joined : apart).push_back(coverage_[i].name);
+    (is_joined[i] ? together : apart).push_back(coverage_[i].name);
   if (!apart.empty())
-    todo.push_back("show the board more often to one of " + listed(joined) +
-                   " and at the same time to one of " + listed(apart));
+    todo.push_back("show the board more often to one of " + joined(together) +
+                   " and at the same time to one of " + joined(apart));
   return todo;
 }
 

@@ -101,45 +101,42 @@ void dropSame(const ContourBody& body, std::vector<RegionFit>& fits) {
   fits = std::move(others);
 }
 
-struct SearchedFrame {
-  explicit SearchedFrame(const RegionFrame& frame) : fine(frame), coarse(frame.coarser()) {}
-  const RegionFrame& fine;
+struct SearchedScene : ColorScene {
+  explicit SearchedScene(const ColorScene& scene) : ColorScene(scene), coarse(frame.coarser()) {}
   RegionFrame coarse;
 };
 
-RegionFit followed(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                   const SearchedFrame& frame, const VisualHull& hull, const ContourBody& body,
-                   const ContourPose& pose, const std::vector<Round>& rounds) {
+RegionFit followed(const SearchedScene& scene, const ContourPose& pose,
+                   const std::vector<Round>& rounds) {
   RegionFit out;
   ContourPose at = pose;
   for (const Round& round : rounds) {
-    out.found =
-        observer.observeNear(round.is_coarse ? frame.coarse : frame.fine, body, at, round.error_m);
-    out.fit = tracker.bestFit(out.found.seen, body, {at}, round.fit);
+    out.found = scene.observer.observeNear(round.is_coarse ? scene.coarse : scene.frame, scene.body,
+                                           at, round.error_m);
+    out.fit = scene.tracker.bestFit(out.found.seen, scene.body, {at}, round.fit);
     if (!isFitted(out)) break;
     at = out.fit.pose;
   }
-  if (isFitted(out)) out.hull_below = hullBelow(hull, body, at);
+  if (isFitted(out)) out.hull_below = hullBelow(scene.hull, scene.body, at);
   return out;
 }
 
-std::optional<RegionFit> withOtherLimbs(const RegionObserver& observer,
-                                        const ContourMultiHypothesisTracker& tracker,
-                                        const SearchedFrame& frame, const VisualHull& hull,
-                                        const ContourBody& body, const RegionFit& first) {
-  std::vector<cv::Mat> wide = observer.candidates(frame.fine, hull, body, first.fit.pose);
+std::optional<RegionFit> withOtherLimbs(const SearchedScene& scene, const RegionFit& first) {
+  std::vector<cv::Mat> wide =
+      scene.observer.candidates(scene.frame, scene.hull, scene.body, first.fit.pose);
   std::vector<cv::Mat> all(wide.size());
   tbb::parallel_for(size_t(0), wide.size(), [&](size_t i) {
     wide[i] = attached(first.found.masks[i], wide[i]);
     if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
   });
-  const ContourObservation seen = observer.observeRoughly(all);
+  const ContourObservation seen = scene.observer.observeRoughly(all);
   RegionFit best = first;
   bool better = false;
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb) {
-    const auto moved = tracker.searchLimb(seen, body, best.fit.pose, ContourLimb::Id(limb));
+    const auto moved =
+        scene.tracker.searchLimb(seen, scene.body, best.fit.pose, ContourLimb::Id(limb));
     if (!moved) continue;
-    RegionFit other = followed(observer, tracker, frame, hull, body, *moved, kRoundsAfterLimbs);
+    RegionFit other = followed(scene, *moved, kRoundsAfterLimbs);
     if (!isFitted(other)) continue;
     const double gain = qualityOf(other.fit) - qualityOf(best.fit) +
                         overlapOf(other.found.masks, wide) - overlapOf(best.found.masks, wide) +
@@ -158,57 +155,46 @@ double RegionFit::score() const {
   return qualityOf(fit) + found.overlap - floating(*this);
 }
 
-RegionFit fitByColor(const RegionObserver& observer, const ContourMultiHypothesisTracker& tracker,
-                     const RegionFrame& frame, const VisualHull& hull, const ContourBody& body,
-                     const ContourPose& pose) {
-  return followed(observer, tracker, SearchedFrame(frame), hull, body, pose, kRoundsAfterLimbs);
+RegionFit fitByColor(const ColorScene& scene, const ContourPose& pose) {
+  return followed(SearchedScene(scene), pose, kRoundsAfterLimbs);
 }
 
-std::optional<RegionFit> searchLimbsByColor(const RegionObserver& observer,
-                                            const ContourMultiHypothesisTracker& tracker,
-                                            const RegionFrame& frame, const VisualHull& hull,
-                                            const ContourBody& body, const RegionFit& first) {
-  return withOtherLimbs(observer, tracker, SearchedFrame(frame), hull, body, first);
+std::optional<RegionFit> searchLimbsByColor(const ColorScene& scene, const RegionFit& first) {
+  return withOtherLimbs(SearchedScene(scene), first);
 }
 
-std::vector<RegionFit> searchByColor(const RegionObserver& observer,
-                                     const ContourMultiHypothesisTracker& tracker,
-                                     const RegionFrame& frame, const VisualHull& hull,
-                                     const ContourBody& body, const std::vector<ContourPose>& poses,
+std::vector<RegionFit> searchByColor(const ColorScene& scene, const std::vector<ContourPose>& poses,
                                      const RegionFit* rival, size_t limb_searches) {
-  const SearchedFrame searched(frame);
+  const SearchedScene searched(scene);
   std::vector<RegionFit> out;
   for (const ContourPose& pose : poses) {
-    RegionFit one = followed(observer, tracker, searched, hull, body, pose, kFirstRounds);
+    RegionFit one = followed(searched, pose, kFirstRounds);
     if (isFitted(one) && one.fit.overlap >= kMinOverlap && one.found.agreement >= kMinAgreement)
       out.push_back(std::move(one));
   }
   sortByScore(out);
-  dropSame(body, out);
+  dropSame(scene.body, out);
   // The best one first, as a high score spares the others the search for their limbs.
   double highest = rival ? rival->score() : 0.0;
   for (size_t i = 0; i < std::min(limb_searches, out.size()); ++i) {
     highest = std::max(highest, out[i].score());
     if (out[i].score() <= highest - kLargestLimbGain) break;
-    if (rival && !limbsDiffer(body, out[i].fit.pose, rival->fit.pose)) continue;
-    if (auto better = withOtherLimbs(observer, tracker, searched, hull, body, out[i]))
-      out[i] = std::move(*better);
+    if (rival && !limbsDiffer(scene.body, out[i].fit.pose, rival->fit.pose)) continue;
+    if (auto better = withOtherLimbs(searched, out[i])) out[i] = std::move(*better);
     highest = std::max(highest, out[i].score());
   }
   sortByScore(out);
   return out;
 }
 
-std::vector<RegionFit> searchProposalsByColor(const RegionObserver& observer,
-                                              const ContourMultiHypothesisTracker& tracker,
-                                              const RegionFrame& frame, const VisualHull& hull,
-                                              const ContourBody& body,
+std::vector<RegionFit> searchProposalsByColor(const ColorScene& scene,
                                               const ContourObservation& seen,
                                               const std::vector<ContourPose>& proposals,
                                               const RegionFit* rival, size_t limb_searches) {
   std::vector<ContourPose> starts;
-  for (const ContourFit& fit : tracker.bestFits(seen, body, proposals)) starts.push_back(fit.pose);
-  return searchByColor(observer, tracker, frame, hull, body, starts, rival, limb_searches);
+  for (const ContourFit& fit : scene.tracker.bestFits(seen, scene.body, proposals))
+    starts.push_back(fit.pose);
+  return searchByColor(scene, starts, rival, limb_searches);
 }
 
 }  // namespace markerless_mocap

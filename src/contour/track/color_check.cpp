@@ -22,28 +22,23 @@ double angleBetween(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other) {
 }  // namespace
 
 std::optional<RegionFit> answered(const ColorQuestion& question) {
-  const auto& [observer, tracker, frame, hull, body, pose, proposals] = question;
   constexpr size_t kLimbSearches = 1;  // of each list
-  std::vector<RegionFit> fits =
-      searchByColor(observer, tracker, frame, hull, body, {pose, withLegsSwapped(body, pose)},
-                    nullptr, kLimbSearches);
-  const ContourObservation seen = observer.observeLargest(frame, hull).seen;
-  std::vector<RegionFit> others =
-      searchProposalsByColor(observer, tracker, frame, hull, body, seen, proposals,
-                             fits.empty() ? nullptr : &fits.front(), kLimbSearches);
+  const ColorScene scene = question.scene();
+  std::vector<RegionFit> fits = searchByColor(
+      scene, {question.pose, withLegsSwapped(scene.body, question.pose)}, nullptr, kLimbSearches);
+  const ContourObservation seen = scene.observer.observeLargest(scene.frame, scene.hull).seen;
+  std::vector<RegionFit> others = searchProposalsByColor(
+      scene, seen, question.proposals, fits.empty() ? nullptr : &fits.front(), kLimbSearches);
   if (!others.empty() && (fits.empty() || others.front().score() > fits.front().score() + kMinGain))
     fits = std::move(others);
   if (fits.empty()) return std::nullopt;
   return std::move(fits.front());
 }
 
-std::optional<RegionFit> preferred(const RegionObserver& observer,
-                                   const ContourMultiHypothesisTracker& tracker,
-                                   const RegionFrame& frame, const VisualHull& hull,
-                                   const ContourBody& body, const ContourPose& tracked,
+std::optional<RegionFit> preferred(const ColorScene& scene, const ContourPose& tracked,
                                    const ContourPose& rival) {
-  const RegionFit own = fitByColor(observer, tracker, frame, hull, body, tracked);
-  const RegionFit other = fitByColor(observer, tracker, frame, hull, body, rival);
+  const RegionFit own = fitByColor(scene, tracked);
+  const RegionFit other = fitByColor(scene, rival);
   const bool is_fitted = own.fit.status == ContourFitStatus::kFitted;
   const bool rival_is_fitted = other.fit.status == ContourFitStatus::kFitted;
   if (rival_is_fitted && (!is_fitted || other.score() > own.score() + kMinGain)) return other;

@@ -20,6 +20,8 @@ struct ColorQuestion {
   ContourBody body;
   ContourPose pose;  ///< the one that is tracked
   std::vector<ContourPose> proposals;
+
+  ColorScene scene() const { return {observer, tracker, frame, hull, body}; }
 };
 
 /// Adds default postures to proposals of which none fits well.
@@ -32,10 +34,7 @@ std::optional<RegionFit> answered(const ColorQuestion& question);
 /// Which of two poses the colours of a frame set show, fitted to them: the tracked one, or a rival
 /// that is clearly better. Empty if neither can be fitted. Takes as long as following the person
 /// over some frames.
-std::optional<RegionFit> preferred(const RegionObserver& observer,
-                                   const ContourMultiHypothesisTracker& tracker,
-                                   const RegionFrame& frame, const VisualHull& hull,
-                                   const ContourBody& body, const ContourPose& tracked,
+std::optional<RegionFit> preferred(const ColorScene& scene, const ContourPose& tracked,
                                    const ContourPose& rival);
 
 /// Completes and answers one question after another in another thread.

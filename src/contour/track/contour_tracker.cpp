@@ -116,8 +116,9 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   const bool doubtful = now.stamp_ns < reconsider_until_ns_ || least < kMinLimbAgreement;
   if (!doubtful) limb_search_interval_ns_ = 0;
   if (!doubtful || now.stamp_ns < next_limb_search_ns_ || !now.regions.needsColors()) return;
-  auto better = searchLimbsByColor(observer_, hypotheses_, now.regions, now.products.newestHull(),
-                                   *contour_body_, {found, active.track.fit});
+  auto better = searchLimbsByColor(
+      {observer_, hypotheses_, now.regions, now.products.newestHull(), *contour_body_},
+      {found, active.track.fit});
   limb_search_interval_ns_ = better ? kLimbSearchInterval_ns
                                     : std::clamp(2 * limb_search_interval_ns_,
                                                  kLimbSearchInterval_ns, kMaxLimbSearchInterval_ns);

@@ -47,9 +47,9 @@ std::vector<ContourPose> ContourTracker::completeProposals(const Frame& now,
 }
 
 std::vector<RegionFit> ContourTracker::fitsByColor(const Frame& now, const Search& search) const {
-  return searchProposalsByColor(observer_, hypotheses_, now.regions,
-                                now.products.ofThisFrame().hull, *contour_body_, search.found.seen,
-                                search.poses);
+  return searchProposalsByColor(
+      {observer_, hypotheses_, now.regions, now.products.ofThisFrame().hull, *contour_body_},
+      search.found.seen, search.poses);
 }
 
 // Colours find the pose of a body whose stature is about right, and a pose tells the stature better
@@ -169,8 +169,9 @@ ActiveTrack ContourTracker::takeCheck(const Frame& now, const ActiveTrack& activ
     return settle(now, active, RegionFit{{}, active.track.fit});
   const ContourPose rival = broughtForward(answer->found->fit.pose, answer->asked, pose);
   return settle(now, active,
-                preferred(observer_.withoutColors(), hypotheses_, now.regions,
-                          now.products.newestHull(), *contour_body_, pose, rival));
+                preferred({observer_.withoutColors(), hypotheses_, now.regions,
+                           now.products.newestHull(), *contour_body_},
+                          pose, rival));
 }
 
 ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,

@@ -6,15 +6,10 @@
 
 #include "evaluation/body_points.h"
 #include "exports/names/name_sets.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 bool contains(const std::string& text, const char* word) {
   return text.find(word) != std::string::npos;
@@ -54,7 +49,7 @@ const std::vector<std::string>& nameSets() {
 const std::vector<NamedPoint>& pointNames(const std::string& set) {
   for (const NameSet& known : allNameSets())
     if (known.name == set) return known.points;
-  throw std::invalid_argument("there are no names " + set + ", allowed are " + listed(nameSets()));
+  throw std::invalid_argument("there are no names " + set + ", allowed are " + joined(nameSets()));
 }
 
 std::vector<NamedPoint> choosePoints(const std::string& set,
@@ -66,7 +61,7 @@ std::vector<NamedPoint> choosePoints(const std::string& set,
   for (const std::string& name : names) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end())
-      throw std::invalid_argument("there is no joint " + name + ", allowed are " + listed(known));
+      throw std::invalid_argument("there is no joint " + name + ", allowed are " + joined(known));
     chosen.push_back(points[size_t(found - known.begin())]);
   }
   return chosen;

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/opencv_storage.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

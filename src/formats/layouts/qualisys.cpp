@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

@@ -4,10 +4,10 @@
 #include <set>
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/ros_transforms.h"
 #include "formats/parts/yaml_parts.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

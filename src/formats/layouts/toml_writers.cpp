@@ -1,7 +1,8 @@
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
+
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

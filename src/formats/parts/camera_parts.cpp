@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "camera/number_text.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <sstream>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "camera/number_text.h"
 #include "formats/parts/camera_parts.h"
+#include "text/number_text.h"
 
 namespace markerless_mocap {
 

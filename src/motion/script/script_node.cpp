@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -27,12 +29,6 @@ double numberOrNan(const YAML::Node& node) {
 
 }  // namespace
 
-std::string joinedWords(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
-
 std::string formatNumber(double number) {
   std::ostringstream out;
   out << number;
@@ -50,7 +46,7 @@ void ScriptNode::allowKeys(const std::vector<std::string>& keys) const {
   for (const std::string& key : this->keys())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw std::invalid_argument(address_ + " has the unknown key " + key + ", allowed are " +
-                                  joinedWords(keys));
+                                  joined(keys));
 }
 
 bool ScriptNode::has(const std::string& key) const {
@@ -116,7 +112,7 @@ bool ScriptNode::flag(const std::string& key, bool otherwise) const {
 std::string ScriptNode::word(const std::vector<std::string>& allowed) const {
   if (!node_.IsScalar() ||
       std::find(allowed.begin(), allowed.end(), node_.Scalar()) == allowed.end())
-    fail("one of " + joinedWords(allowed));
+    fail("one of " + joined(allowed));
   return node_.Scalar();
 }
 

@@ -40,8 +40,6 @@ class ScriptNode {
   std::string address_;
 };
 
-/// "a, b, c"
-std::string joinedWords(const std::vector<std::string>& words);
 /// A number as text, without trailing zeros.
 std::string formatNumber(double number);
 

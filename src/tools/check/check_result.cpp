@@ -1,16 +1,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "text/joined.h"
 #include "tools/check/check_recording.h"
 
 namespace markerless_mocap {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  return out;
-}
 
 double lengthOf(const SeenRig& rig) {
   int64_t first = std::numeric_limits<int64_t>::max(), last = 0;
@@ -55,7 +50,7 @@ void print(const CheckResult& result, std::ostream& out) {
   for (const std::string& sentence : result.not_checked) out << "not checked: " << sentence << '\n';
   const int errors = count(result.findings, Severity::kError);
   const int warnings = count(result.findings, Severity::kWarning);
-  out << counted(int(result.cameras.size()), "camera") << " (" << listed(result.cameras) << "), "
+  out << counted(int(result.cameras.size()), "camera") << " (" << joined(result.cameras) << "), "
       << std::lround(result.seconds) << " s: ";
   if (errors + warnings == 0)
     out << "nothing wrong was found\n";

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -51,12 +52,6 @@ std::optional<long> numberOf(const std::string& name) {
 
 bool haveOneNumber(const std::string& a, const std::string& b) {
   return numberOf(a) && numberOf(a) == numberOf(b);
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  return out;
 }
 
 /// By the names of the cameras in the table.
@@ -108,10 +103,10 @@ std::vector<std::string> matchNames(const std::vector<std::string>& wanted,
     if (found.size() != 1)
       throw std::invalid_argument((found.empty() ? "no " : "more than one ") + what +
                                   " is called like the film " + name + ", there are " +
-                                  listed(names) + " and the films " + listed(wanted));
+                                  joined(names) + " and the films " + joined(wanted));
     if (std::find(matched.begin(), matched.end(), found[0]) != matched.end())
       throw std::invalid_argument("two films belong to the " + what + " " + found[0] +
-                                  ", the films are " + listed(wanted));
+                                  ", the films are " + joined(wanted));
     matched.push_back(found[0]);
   }
   return matched;

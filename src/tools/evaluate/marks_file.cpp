@@ -9,6 +9,7 @@
 #include "evaluation/body_points.h"
 #include "files/text_file.h"
 #include "files/yaml_text.h"
+#include "text/joined.h"
 #include "tools/common/number_format.h"
 
 namespace markerless_mocap {
@@ -18,12 +19,6 @@ constexpr double kAgrees = 4.0;  // a mark agrees within so many standard deviat
 
 [[noreturn]] void throwError(const std::string& where, const std::string& what) {
   throw std::invalid_argument(where + ": " + what);
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 double numberOf(const YAML::Node& node, const std::string& where, const std::string& key) {
