@@ -236,6 +236,9 @@ class RoscoreStartsAgain(unittest.TestCase):
             service = '/visual_hull/set_running'
             address = answer_of(self.master.lookupService, service)
             self.assertTrue(address)
+            # As a setting that is changed while the stage runs. It asks once a second.
+            self.master.setParam('/test', '/visual_hull/pitch', 0.04)
+            rospy.rostime.wallsleep(4)
             first.terminate()
             first.wait()
             self.assertTrue(wait_for(lambda: said('roscore cannot be reached')))
@@ -256,6 +259,7 @@ class RoscoreStartsAgain(unittest.TestCase):
                 self.assertTrue(wait_for(lambda: said('roscore was started again')))
                 self.assertEqual(['a', 'b'], answer_of(self.master.getParam,
                                                        '/visual_hull/cameras'))
+                self.assertEqual(0.04, answer_of(self.master.getParam, '/visual_hull/pitch'))
                 self.assertEqual(['a'], answer_of(self.master.getParam, '/silhouette/cameras'))
             finally:
                 second.terminate()

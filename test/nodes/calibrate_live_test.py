@@ -21,6 +21,7 @@ COLUMNS, ROWS, SQUARE, MARKER = 6, 5, 0.1, 0.075
 PIXELS, MARGIN = 800, 0.05
 APART = 0.6  # m, between the cameras
 HELD, PAUSE = 40, 5.0  # images, s
+DAMAGED = 16  # images, the first
 
 
 def turn(axis, angle):
@@ -90,12 +91,14 @@ class CalibrateLive(unittest.TestCase):
             if line.startswith('Enough.'):
                 self.enough.set()
 
-    def publish(self, flat, board):
+    def publish(self, flat, board, damaged):
         stamp = rospy.Time.now()
         for name, camera in cameras().items():
             image = Image(height=SIZE[1], width=SIZE[0], encoding='mono8', step=SIZE[0])
             image.header.stamp = stamp
             image.data = picture(flat, camera, board).tobytes()
+            if name == damaged:
+                image.data = image.data[1:]
             self.publishers[name].publish(image)
 
     def test_the_board_is_waved_until_it_suffices(self):
@@ -111,7 +114,8 @@ class CalibrateLive(unittest.TestCase):
             end = rospy.get_time() + 200
             while tool.poll() is None and rospy.get_time() < end:
                 # At first it is held still, and then the cameras pause.
-                self.publish(flat, on_floor() if self.enough.is_set() else board_at(max(0, k - HELD)))
+                self.publish(flat, on_floor() if self.enough.is_set() else board_at(max(0, k - HELD)),
+                             damaged='right' if k < DAMAGED or k % 7 == 0 else None)
                 k += 1
                 rospy.sleep(PAUSE if k == HELD else 0.25)
             reader.join(10)
@@ -120,6 +124,8 @@ class CalibrateLive(unittest.TestCase):
                 tool.kill()
         self.assertEqual(tool.returncode, 0, self.said)
         self.assertIn('left needs ', self.said)
+        self.assertRegex(self.said, r'waiting for images of right \(.*bytes')
+        self.assertEqual(self.said.count('right: images are left out: '), 1, self.said)
         tables = re.findall(r'^left .*\nright .*', self.said, re.MULTILINE)
         self.assertEqual(len(tables), len(set(tables)), self.said)
         self.assertEqual(self.said.count('no images come any more'), 1, self.said)

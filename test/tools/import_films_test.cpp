@@ -1,5 +1,6 @@
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -112,6 +113,23 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
   }
   EXPECT_EQ(result.warnings.at(result.warnings.size() - 3),
             "cam1: 4 frames used, 13.0 ms from their frame sets on average, 13.0 ms at most");
+}
+
+TEST_F(ImportFilms, FramesWithoutATimeInTheTableAreToldAndLeftOut) {
+  std::vector<std::vector<double>> times(4);
+  for (size_t i = 0; i < 4; ++i) {
+    writeImages("cam" + std::to_string(i), 6);
+    for (int k = 0; k < (i == 1 ? 4 : 6); ++k) times[i].push_back(5.0 + 0.1 * k);
+  }
+  writeTimes(times);
+  input_.times = path("timestamps.csv");
+  const ImportResult result = import();
+  const std::string told = "cam1 has 6 frames, " + path("timestamps.csv") +
+                           " has times of the first 4: the others are left out";
+  EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), told), 1);
+  const auto frame_sets = written();
+  ASSERT_EQ(frame_sets.size(), 6u);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(numberOf(frame_sets[k].frames[1].image), k < 4 ? k : -1);
 }
 
 TEST_F(ImportFilms, ATableBesideTheFilmsIsUsedUnaskedAndTold) {

@@ -111,7 +111,11 @@ std::map<std::string, std::string> registeredServices() {
 
 MasterWatch::MasterWatch(const std::vector<std::string>& namespaces)
     : namespaces_(namespaces), services_(registeredServices()) {
-  keepParameters();
+  std::vector<std::string> kept = namespaces;
+  if (!namespaces.empty())
+    for (const char* stage : kStages)
+      kept.push_back(ros::names::parentNamespace(namespaces[0]) + "/" + stage);
+  keepParameters(kept);
   diagnostics_ = ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
   thread_ = std::thread([this] { run(); });
 }
@@ -122,16 +126,19 @@ MasterWatch::~MasterWatch() {
 }
 
 bool MasterWatch::sleep(double seconds) const {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!stopping_ && ros::ok() && ros::WallTime::now() < end) ros::WallDuration(0.1).sleep();
+  const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(seconds);
+  while (!stopping_ && ros::ok() && ros::SteadyTime::now() < end) ros::WallDuration(0.1).sleep();
   return !stopping_ && ros::ok();
 }
 
 void MasterWatch::run() {
   while (sleep(kInterval)) {
-    if (ros::WallTime::now() < told_until_) tell("roscore", kRegisteredAgain);
+    if (ros::SteadyTime::now() < told_until_) tell("roscore", kRegisteredAgain);
     if (const std::string shortage = shortageOfFiles(); !shortage.empty()) tell("limits", shortage);
-    if (isKnownToMaster()) continue;
+    if (isKnownToMaster()) {
+      keepParameters(namespaces_);  // settings may have changed
+      continue;
+    }
     if (!ros::master::check())
       tell("roscore", "roscore cannot be reached; this node goes on with those that it knows");
     else if (!isKnownToMaster())
@@ -149,12 +156,8 @@ void MasterWatch::tell(const std::string& about, const std::string& message) con
   diagnostics_.publish(array);
 }
 
-void MasterWatch::keepParameters() {
-  std::vector<std::string> kept = namespaces_;
-  if (!namespaces_.empty())
-    for (const char* stage : kStages)
-      kept.push_back(ros::names::parentNamespace(namespaces_[0]) + "/" + stage);
-  for (const std::string& name : kept) {
+void MasterWatch::keepParameters(const std::vector<std::string>& namespaces) {
+  for (const std::string& name : namespaces) {
     XmlRpcValue values;
     if (askMaster("getParam", {ros::this_node::getName(), ros::names::clean(name)}, &values))
       parameters_[ros::names::clean(name)] = values;
@@ -171,7 +174,7 @@ void MasterWatch::setParameters() const {
 
 void MasterWatch::registerAgain() {
   ROS_ERROR_STREAM(ros::this_node::getName() << ": " << kRegisteredAgain);
-  told_until_ = ros::WallTime::now() + ros::WallDuration(kTold);
+  told_until_ = ros::SteadyTime::now() + ros::WallDuration(kTold);
   setParameters();
   registerPublishers();
   XmlRpcValue ignored;

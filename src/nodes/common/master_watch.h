@@ -28,7 +28,7 @@ class MasterWatch {
  private:
   void run();
   bool sleep(double seconds) const;
-  void keepParameters();
+  void keepParameters(const std::vector<std::string>& namespaces);
   void setParameters() const;
   void registerAgain();
   void tell(const std::string& about, const std::string& message) const;
@@ -37,7 +37,7 @@ class MasterWatch {
   std::map<std::string, XmlRpc::XmlRpcValue> parameters_;  ///< by namespace
   std::map<std::string, std::string> services_;            ///< address by name
   ros::Publisher diagnostics_;
-  ros::WallTime told_until_;
+  ros::SteadyTime told_until_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

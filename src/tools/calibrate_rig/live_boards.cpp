@@ -32,8 +32,19 @@ struct Arrival {
   sensor_msgs::CompressedImage::ConstPtr compressed;
 };
 
-cv::Mat decoded(const Arrival& arrival) {
-  return arrival.raw ? matFromMessage(*arrival.raw) : matFromMessage(*arrival.compressed);
+struct Decoded {
+  cv::Mat image;        ///< empty if there is none
+  std::string problem;  ///< why it cannot be used
+};
+
+Decoded decoded(const Arrival& arrival) {
+  try {
+    if (arrival.raw) return {matFromMessage(*arrival.raw), ""};
+    if (arrival.compressed) return {matFromMessage(*arrival.compressed), ""};
+  } catch (const std::invalid_argument& error) {
+    return {{}, error.what()};
+  }
+  return {};
 }
 
 template <class Message>
@@ -59,10 +70,9 @@ class LiveImages {
     }
   }
 
-  bool isComplete() const {
-    return std::none_of(buffers_.begin(), buffers_.end(), [](const auto& b) { return b.empty(); });
+  Arrival newest(size_t camera) const {
+    return buffers_[camera].empty() ? Arrival() : buffers_[camera].back();
   }
-  const std::deque<Arrival>& of(size_t camera) const { return buffers_[camera]; }
 
   /// The newest time that all cameras have reached, but for those that are silent.
   double commonTime() const {
@@ -130,7 +140,7 @@ class Watcher {
   LiveBoards run() {
     waitForAll();
     say("Wave the board before the cameras. Ctrl-C ends this, and calibrates with what was seen.");
-    for (double last = -INFINITY; !watch_.interrupted() && !isDone();) {
+    for (double last = -INFINITY; !watch_.interrupted() && ros::ok() && !isDone();) {
       receive();
       const double time = images_.commonTime();
       if (time < last) last = -INFINITY;  // a bag began anew
@@ -157,27 +167,36 @@ class Watcher {
 
   static void receive() { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02)); }
 
-  void waitForAll() {
-    for (ros::WallTime said; !images_.isComplete(); receive()) {
+  /// The first image of each camera that can be used.
+  std::vector<cv::Mat> firstImages() {
+    std::vector<cv::Mat> images(watch_.cameras.size());
+    for (ros::WallTime said;; receive()) {
+      std::string lacking;
+      for (size_t i = 0; i < images.size(); ++i) {
+        if (!images[i].empty()) continue;
+        const Decoded newest = decoded(images_.newest(i));
+        images[i] = newest.image;
+        if (!newest.image.empty()) continue;
+        lacking += (lacking.empty() ? "" : ", ") + watch_.cameras[i];
+        if (!newest.problem.empty()) lacking += " (" + newest.problem + ")";
+      }
+      if (lacking.empty()) return images;
       if (watch_.interrupted() || !ros::ok())
-        throw std::runtime_error("no images came from " + silent());
+        throw std::runtime_error("no images came from " + lacking);
       if ((ros::WallTime::now() - said).toSec() < kSayEvery) continue;
       said = ros::WallTime::now();
-      say("waiting for images of " + silent());
+      say("waiting for images of " + lacking);
     }
-    for (size_t i = 0; i < watch_.cameras.size(); ++i) {
-      const cv::Mat image = decoded(images_.of(i).back());
-      found_.boards.cameras.push_back({watch_.cameras[i], image.cols, image.rows, {}});
-      found_.boards.images.push_back(0);
-    }
-    coverage_.emplace(detector_.board(), found_.boards.cameras, watch_.goals);
   }
 
-  std::string silent() const {
-    std::string names;
-    for (size_t i = 0; i < watch_.cameras.size(); ++i)
-      if (images_.of(i).empty()) names += (names.empty() ? "" : ", ") + watch_.cameras[i];
-    return names;
+  void waitForAll() {
+    const std::vector<cv::Mat> images = firstImages();
+    for (size_t i = 0; i < images.size(); ++i) {
+      found_.boards.cameras.push_back({watch_.cameras[i], images[i].cols, images[i].rows, {}});
+      found_.boards.images.push_back(0);
+    }
+    damaged_.resize(images.size());
+    coverage_.emplace(detector_.board(), found_.boards.cameras, watch_.goals);
   }
 
   void search(double time) {
@@ -185,17 +204,22 @@ class Watcher {
     std::vector<cv::Mat> images(count);
     std::vector<BoardCorners> corners(count);
     std::vector<double> times(count);
+    std::vector<std::string> problems(count);
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
       const Arrival arrival = images_.nearest(i, time);
-      if (!arrival.raw && !arrival.compressed) return;
       times[i] = arrival.time;
-      images[i] = decoded(arrival);
+      Decoded now = decoded(arrival);
+      images[i] = now.image;
+      problems[i] = std::move(now.problem);
+      if (images[i].empty()) return;
       const CameraToCalibrate& camera = found_.boards.cameras[i];
       if (images[i].cols != camera.width || images[i].rows != camera.height) return;
       if (auto seen = detector_.detect(images[i])) corners[i] = std::move(*seen);
     });
     std::vector<BoardView> views;
     for (size_t i = 0; i < count; ++i) {
+      if (!problems[i].empty() && ++damaged_[i] == 1)
+        say(watch_.cameras[i] + ": images are left out: " + problems[i]);
       found_.boards.images[i] += !images[i].empty();
       if (!corners[i].ids.empty()) views.push_back({i, times[i], false, corners[i]});
     }
@@ -270,6 +294,7 @@ class Watcher {
   ros::Publisher picture_;
   std::optional<BoardCoverage> coverage_;
   LiveBoards found_;
+  std::vector<int> damaged_;  ///< images that cannot be used, by camera
   FloorWatch floor_;
   std::optional<double> told_;  ///< s: when the board was asked onto the floor
   ros::WallTime said_, searched_ = ros::WallTime::now();

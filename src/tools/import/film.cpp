@@ -117,10 +117,7 @@ std::optional<FilmFrame> Film::next() {
   FilmFrame frame;
   frame.image = source_->read(next_);
   if (frame.image.empty()) return std::nullopt;
-  if (times_ && next_ >= times_->size()) {
-    ++without_time_;
-    return std::nullopt;
-  }
+  if (times_ && next_ >= times_->size()) return std::nullopt;
   frame.time = times_ ? (*times_)[next_] : ownTime();
   if (masks_) {
     frame.mask = masks_->read(next_);

@@ -39,8 +39,6 @@ class Film {
   void addMasks(const std::string& path);
   /// Replaces the times of the frames; frames beyond the last are left out.
   void setTimes(std::vector<double> times);
-  /// Number of frames that had no time so far.
-  int framesWithoutTime() const { return without_time_; }
 
   /// The same film from its beginning, turned and with masks as this one, with its own times.
   Film again() const;
@@ -62,7 +60,6 @@ class Film {
   std::optional<std::vector<double>> times_;
   size_t next_ = 0;
   double last_time_ = 0.0;
-  int without_time_ = 0;
 };
 
 /// A film and its name, that of the file or of the camera's folder without ending.

@@ -66,10 +66,19 @@ struct Cast {
   std::vector<double> offsets;   ///< s
 };
 
-void setTimes(const std::string& table, const std::vector<NamedFilm>& films, Cast* cast) {
+void setTimes(const std::string& table, const std::vector<NamedFilm>& films, Cast* cast,
+              std::vector<std::string>* notes) {
   if (table.empty()) return;
   const FrameTimes times = readFrameTimes(table, namesOf(films));
-  for (size_t i = 0; i < films.size(); ++i) cast->films[i].setTimes(times.at(films[i].name));
+  for (size_t i = 0; i < films.size(); ++i) {
+    Film& film = cast->films[i];
+    const std::vector<double>& of_film = times.at(films[i].name);
+    if (film.frames() > int(of_film.size()))
+      notes->push_back(films[i].name + " has " + std::to_string(film.frames()) + " frames, " +
+                       table + " has times of the first " + std::to_string(of_film.size()) +
+                       ": the others are left out");
+    film.setTimes(of_film);
+  }
 }
 
 void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast* cast) {
@@ -126,7 +135,7 @@ Cast castOf(const FilmsInput& input, const ImportOptions& options, ImportResult*
   }
   if (!input.masks.empty()) addMasks(input, films, &cast);
   addEmptyRoom(input, films, fps, &cast);
-  setTimes(input.times, films, &cast);
+  setTimes(input.times, films, &cast, &result->warnings);
   return cast;
 }
 
