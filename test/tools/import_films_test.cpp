@@ -128,8 +128,8 @@ TEST_F(ImportFilms, FramesWithoutATimeInTheTableAreToldAndLeftOut) {
                            " has times of the first 4: the others are left out";
   EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), told), 1);
   const auto frame_sets = written();
-  ASSERT_EQ(frame_sets.size(), 6u);
-  for (int k = 0; k < 6; ++k) EXPECT_EQ(numberOf(frame_sets[k].frames[1].image), k < 4 ? k : -1);
+  ASSERT_EQ(frame_sets.size(), 4u);  // as long as all cameras have frames
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(numberOf(frame_sets[k].frames[1].image), k);
 }
 
 TEST_F(ImportFilms, ATableBesideTheFilmsIsUsedUnaskedAndTold) {
