@@ -77,7 +77,7 @@ std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs,
     if (!fs::exists(input)) throw std::runtime_error("there is no file or folder " + input);
     if (fs::is_directory(input))
       found = filmsOfFolder(input, video);
-    else if (fs::path(input).extension() == ".bag")
+    else if (isCalledBag(input))
       found = filmsOfBag(input);
     else
       found = {{fs::path(input).stem().string(), input, ""}};

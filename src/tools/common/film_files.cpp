@@ -32,6 +32,10 @@ bool isPicture(const fs::path& path) {
   return fs::is_regular_file(path) && hasEnding(path, endings);
 }
 
+bool isCalledBag(const fs::path& path) {
+  return hasEnding(path, {".bag"});
+}
+
 std::vector<fs::path> entriesOf(const fs::path& folder,
                                 const std::function<bool(const fs::path&)>& accepts) {
   std::vector<fs::path> entries;

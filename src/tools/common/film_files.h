@@ -13,6 +13,9 @@ bool isVideo(const std::filesystem::path& path);
 /// Whether a path is a file that is called like a picture.
 bool isPicture(const std::filesystem::path& path);
 
+/// Whether a path is called like a bag.
+bool isCalledBag(const std::filesystem::path& path);
+
 /// What a folder holds, in the order of names; numbers in them count as numbers ("9" before "10").
 /// Throws std::runtime_error if the folder cannot be read.
 std::vector<std::filesystem::path> entriesOf(
