@@ -36,7 +36,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/src/contour/fit/ray_match.cpp 
 mocap_room(hsiao DEPENDS tracking optimisation LIBRARIES TBB::tbb)
 mocap_room(fleischmann DEPENDS tracking optimisation LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE evaluation)
-mocap_room(checks DEPENDS camera products LIBRARIES opencv_calib3d opencv_core opencv_imgproc opencv_video
+mocap_room(checks DEPENDS camera numerics products LIBRARIES opencv_calib3d opencv_core opencv_imgproc opencv_video
   TESTS_USE capture)
 mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao fleischmann
   TESTS_USE evaluation)
@@ -46,7 +46,7 @@ mocap_room(character DEPENDS motion options
   LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp nlohmann_json::nlohmann_json)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)
-mocap_room(evaluation DEPENDS body camera LIBRARIES opencv_core opencv_imgproc)
+mocap_room(evaluation DEPENDS body camera numerics LIBRARIES opencv_core opencv_imgproc)
 mocap_room(exports DEPENDS body character evaluation files motion numerics text
   LIBRARIES nlohmann_json::nlohmann_json TESTS_USE capture)
 

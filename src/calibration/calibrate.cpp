@@ -11,11 +11,11 @@
 #include "calibration/adjust/uncertainty.h"
 #include "calibration/check/findings.h"
 #include "calibration/check/loose_cameras.h"
-#include "calibration/check/median.h"
 #include "calibration/origin/world_frame.h"
 #include "calibration/start/pose_graph.h"
 #include "calibration/time/instants.h"
 #include "calibration/time/offset_search.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -246,7 +246,7 @@ class Calibrator {
     std::vector<double> errors;
     for (const BoardPose& pose : poses_)
       if (std::isfinite(pose.rms)) errors.push_back(pose.rms);
-    return medianOf(std::move(errors));
+    return errors.empty() ? 0.0 : medianAmong(errors);
   }
 
   RigCalibration result() const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -25,9 +27,7 @@ double restHeight(const JointTrack& both) {
     for (Eigen::Index side = 0; side < points.cols(); ++side)
       if (std::isfinite(points(2, side))) heights.push_back(points(2, side));
   if (heights.empty()) return NAN;
-  const auto place = heights.begin() + std::ptrdiff_t(kFloorFraction * double(heights.size()));
-  std::nth_element(heights.begin(), place, heights.end());
-  return *place;
+  return quantileAmong(heights, kFloorFraction);
 }
 
 /// Speed over up to half of kContactSpan_s to either side, as far as the point is known; NaN if it

@@ -5,20 +5,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr double kMillimetres = 1e3;  // per metre
 constexpr double kSwapGain =
     0.7;  // a frame counts as swapped if exchanging sides lowers D below this fraction
-
-/// Linear interpolation between the sorted samples, as in most statistics programs.
-double percentile(const std::vector<double>& sorted, double fraction) {
-  const double at = fraction * double(sorted.size() - 1);
-  const size_t below = size_t(at);
-  const size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
-}
 
 double meanOfFinite(const std::vector<double>& values) {
   double sum = 0.0;
@@ -143,8 +137,8 @@ SummaryStatistics summaryStatistics(const std::vector<double>& values) {
   return {sorted.size(),
           mean,
           std::sqrt(squares / double(sorted.size())),
-          percentile(sorted, 0.5),
-          percentile(sorted, 0.95),
+          interpolatedQuantile(sorted, 0.5),
+          interpolatedQuantile(sorted, 0.95),
           sorted.back()};
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 
 int JointTrack::indexOf(const std::string& name) const {
@@ -46,9 +48,7 @@ int64_t frameTime(const std::vector<int64_t>& stamps_ns) {
   if (stamps_ns.size() < 2) return 0;
   std::vector<int64_t> steps;
   for (size_t i = 1; i < stamps_ns.size(); ++i) steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
-  const auto middle = steps.begin() + steps.size() / 2;
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return medianAmong(steps);
 }
 
 std::vector<int> matchStamps(const std::vector<int64_t>& wanted_ns,

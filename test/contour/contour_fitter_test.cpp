@@ -190,8 +190,16 @@ TEST_F(ContourFitterTest, FindsTheDrawnPose) {
 TEST_F(ContourFitterTest, FollowsFromThePredictedPose) {
   const ContourPose start = disturbed(stride(), 0.04, 0.01, 2);
   const ContourFit fit =
-      fitter.fit(seen, body, start, ContourPrediction{start, 1.0 / 30}, fitter.schedule());
+      fitter.fit(seen, body, start, ContourPrediction{start, 1.0 / 30}, fitter.schedule(1.0 / 30));
   EXPECT_LT(error(fit.pose), 0.008);
+}
+
+TEST_F(ContourFitterTest, TakesFewerStepsFromARecentPose) {
+  ASSERT_EQ(options.iterations, 8);
+  EXPECT_EQ(fitter.schedule(1.0 / 10).iterations, 8);
+  EXPECT_EQ(fitter.schedule(1.0 / 20).iterations, 6);
+  EXPECT_EQ(fitter.schedule(1.0 / 30).iterations, 4);
+  EXPECT_EQ(fitter.schedule(1.0 / 100).iterations, 4);
 }
 
 TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
@@ -200,8 +208,10 @@ TEST_F(ContourFitterTest, TellsOfALimbThatTheMasksDoNotShow) {
   stump[BodyLength::kForearm] = stump[BodyLength::kHand] = 0.01;
   const ContourObservation cut =
       ContourObserver(rig, options).observe(drawnMasks(rig, ContourBody(stump), stride()));
-  const ContourFit whole = fitter.fit(seen, body, stride(), std::nullopt, fitter.schedule());
-  const ContourFit lacking = fitter.fit(cut, body, stride(), std::nullopt, fitter.schedule());
+  const ContourFit whole =
+      fitter.fit(seen, body, stride(), std::nullopt, fitter.schedule(1.0 / 15));
+  const ContourFit lacking =
+      fitter.fit(cut, body, stride(), std::nullopt, fitter.schedule(1.0 / 15));
   for (const int arm : {ContourLimb::kLeftArm, ContourLimb::kRightArm})
     EXPECT_LT(lacking.limbs[size_t(arm)].rays, 0.75 * whole.limbs[size_t(arm)].rays);
   EXPECT_LT(lacking.overlap, whole.overlap - 0.01);
@@ -227,7 +237,8 @@ TEST_F(ContourFitterTest, NeedsTwoUsableViews) {
   masks[2] = drawn[2];
   const ContourObserver observer(rig, options);
   const auto statusOf = [&] {
-    return fitter.fit(observer.observe(masks), body, stride(), std::nullopt, fitter.schedule())
+    return fitter
+        .fit(observer.observe(masks), body, stride(), std::nullopt, fitter.schedule(1.0 / 15))
         .status;
   };
   EXPECT_EQ(statusOf(), ContourFitStatus::kTooFewViews);
@@ -238,13 +249,16 @@ TEST_F(ContourFitterTest, NeedsTwoUsableViews) {
 TEST_F(ContourFitterTest, RefusesWhatIsNotFiniteOrOfAnotherRig) {
   ContourPose bad = stride();
   bad.position.y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(fitter.fit(seen, body, bad, std::nullopt, fitter.schedule()), std::invalid_argument);
-  EXPECT_THROW(fitter.fit(seen, body, stride(), ContourPrediction{bad, 0.1}, fitter.schedule()),
+  EXPECT_THROW(fitter.fit(seen, body, bad, std::nullopt, fitter.schedule(1.0 / 15)),
                std::invalid_argument);
-  EXPECT_THROW(fitter.fit(seen, body, stride(), ContourPrediction{stride(), 0}, fitter.schedule()),
-               std::invalid_argument);
+  EXPECT_THROW(
+      fitter.fit(seen, body, stride(), ContourPrediction{bad, 0.1}, fitter.schedule(1.0 / 15)),
+      std::invalid_argument);
+  EXPECT_THROW(
+      fitter.fit(seen, body, stride(), ContourPrediction{stride(), 0}, fitter.schedule(1.0 / 15)),
+      std::invalid_argument);
   EXPECT_THROW(ContourFitter(drawnRig(3), options)
-                   .fit(seen, body, stride(), std::nullopt, fitter.schedule()),
+                   .fit(seen, body, stride(), std::nullopt, fitter.schedule(1.0 / 15)),
                std::invalid_argument);
 }
 

@@ -104,7 +104,7 @@ TEST_F(ContourTrackerTest, FindsAnArmAgainThatWasLost) {
   const ContourPose jumped = withArmElsewhere(at(0));  // between two instants
   const ContourObservation seen = see(jumped);
   const ContourFit alone = tracker.fitter().fit(
-      seen, body, at(0), ContourPrediction{at(0), 1.0 / 30}, tracker.fitter().schedule());
+      seen, body, at(0), ContourPrediction{at(0), 1.0 / 30}, tracker.fitter().schedule(1.0 / 30));
   ASSERT_GT((body.points(alone.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.2)
       << "the fit alone must fail for this test to tell anything";
   const ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body);
@@ -135,8 +135,9 @@ TEST_F(ContourTrackerTest, LegsThatHavePassedEachOtherInALongStepAreNotExchanged
   const auto off = [&](const ContourPose& pose, Eigen::Index ankle) {
     return (body.points(pose) - body.points(passed)).col(ankle).norm();
   };
-  const ContourFit alone = tracker.fitter().fit(
-      seen, body, at(0), ContourPrediction{at(0), 1e-9 * kStep_ns}, tracker.fitter().schedule());
+  const ContourFit alone =
+      tracker.fitter().fit(seen, body, at(0), ContourPrediction{at(0), 1e-9 * kStep_ns},
+                           tracker.fitter().schedule(1.0 / 30));
   ASSERT_GT(off(alone.pose, kLeftAnkle), 0.2)
       << "the fit alone must fail for this test to tell anything";
   const ContourFit fit = tracker.update(2 * kStep_ns, seen, body).fit;
@@ -184,7 +185,7 @@ TEST_F(ContourTrackerTest, AnArmLostFromTheStartOnIsLookedForNowAndThen) {
   const ContourPose truth = withArmElsewhere(at(0));
   const ContourObservation seen = see(truth);
   const ContourFit fit =
-      tracker.fitter().fit(seen, body, at(0), std::nullopt, tracker.fitter().schedule());
+      tracker.fitter().fit(seen, body, at(0), std::nullopt, tracker.fitter().schedule(1.0 / 30));
   const auto arm_off = [&](const ContourFit& of) {
     return (body.points(of.pose) - body.points(truth)).col(kLeftWrist).norm();
   };

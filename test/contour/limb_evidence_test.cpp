@@ -35,7 +35,7 @@ class LimbEvidenceTest : public ::testing::Test {
   Deviations expected(const ContourBody& body, const std::vector<cv::Mat>& masks,
                       const std::optional<ContourPrediction>& prediction = std::nullopt) const {
     const ContourFit fit = fitter.fit(ContourObserver(rig, options).observe(masks), body, pose,
-                                      prediction, fitter.schedule());
+                                      prediction, fitter.schedule(1.0 / 15));
     EXPECT_EQ(fit.status, ContourFitStatus::kFitted);
     Deviations deviations;
     for (size_t i = 0; i < deviations.size(); ++i) deviations[i] = fit.limbs[i].deviation;

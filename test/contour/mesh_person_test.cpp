@@ -103,7 +103,8 @@ TEST_F(MeshPersonTest, PosesAreFoundFromAFarStartAndFromANearOne) {
     far += errorFrom(disturbed(sight.pose, 0.1, 0.03, unsigned(i) + 1), RobustSchedule::wide()) /
            kPoses;
     near +=
-        errorFrom(disturbed(sight.pose, 0.04, 0.01, unsigned(i) + 1), fitter.schedule()) / kPoses;
+        errorFrom(disturbed(sight.pose, 0.04, 0.01, unsigned(i) + 1), fitter.schedule(1.0 / 15)) /
+        kPoses;
   }
   EXPECT_LT(far, kMaxFitJointError);
   EXPECT_LT(near, kMaxFitJointError);

@@ -9,6 +9,7 @@
 
 #include "calibration/adjust/corner_cost.h"
 #include "calibration/adjust/lens_prior.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -147,8 +148,7 @@ double robustSigma(const Board& board, const RigState& state) {
     if (r.allFinite()) sizes.insert(sizes.end(), {std::abs(r.x()), std::abs(r.y())});
   });
   if (sizes.empty()) return 0.0;
-  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
-  return 1.4826 * sizes[sizes.size() / 2];
+  return 1.4826 * medianAmong(sizes);
 }
 
 int markOutliers(const Board& board, double limit, RigState* state) {

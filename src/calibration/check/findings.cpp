@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "calibration/check/median.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {

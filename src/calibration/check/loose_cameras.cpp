@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/check/median.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {

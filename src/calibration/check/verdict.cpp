@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "calibration/check/findings.h"
-#include "calibration/check/median.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "calibration/origin/person_cloud.h"
+#include "numerics/order_statistics.h"
 #include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
@@ -16,12 +17,6 @@ constexpr double kSlender = 2.0;       // length by width of a person who stands
 constexpr double kAxisSigma = 0.05;    // rad, of the mean axis of a walking person
 constexpr double kSoleScatter = 0.01;  // m
 constexpr int kLeastSteps = 10;
-
-double quantileOf(std::vector<double> values, double part) {
-  const auto at = values.begin() + std::ptrdiff_t(part * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// Mean of axes whose signs mean nothing, without those more than 25 degrees off.
 Eigen::Vector3d meanAxis(const std::vector<PersonCloud>& people) {

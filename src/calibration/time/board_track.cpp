@@ -7,6 +7,7 @@
 #include <set>
 
 #include "calibration/time/instants.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -50,11 +51,6 @@ CommonPlaces commonPlaces(const BoardTrack& a, const BoardTrack& b, double shift
   }
   common.steps = int(steps.size());
   return common;
-}
-
-double medianOf(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 BoardPlace ofViews(const BoardPlace& all, Eigen::Index points, const std::vector<size_t>& views) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -87,8 +89,7 @@ double viewInterval(const std::vector<BoardView>& views, size_t camera) {
   for (size_t i = 1; i < film.size(); ++i)
     gaps.push_back(views[film[i]].time - views[film[i - 1]].time);
   if (gaps.empty()) return 0.0;
-  std::nth_element(gaps.begin(), gaps.begin() + gaps.size() / 2, gaps.end());
-  return gaps[gaps.size() / 2];
+  return medianAmong(gaps);
 }
 
 std::vector<std::vector<CornerMotion>> cornerMotions(const std::vector<BoardView>& views,

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "calibration/check/median.h"
 #include "calibration/start/spanning_tree.h"
 #include "calibration/time/board_track.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {

@@ -5,6 +5,7 @@
 #include "checks/pictures/check_pictures.h"
 #include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -49,9 +50,7 @@ cv::Mat stillPicture(const std::vector<SeenPicture>& pictures) {
   for (size_t v = 0; v < still.total(); ++v) {
     column.clear();
     for (const SeenPicture& picture : pictures) column.push_back(picture.grey.data[v]);
-    const auto middle = column.begin() + std::ptrdiff_t(column.size() / 2);
-    std::nth_element(column.begin(), middle, column.end());
-    still.data[v] = *middle;
+    still.data[v] = medianAmong(column);
   }
   return still;
 }

@@ -1,8 +1,7 @@
 #include "checks/pictures/light_gain_track.h"
 
-#include <algorithm>
-
 #include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,9 +20,7 @@ cv::Mat usualColors(const Pixels& pictures) {
   for (size_t v = 0; v < values; ++v) {
     column.clear();
     for (size_t i = 0; i < pictures.size(); i += step) column.push_back(pictures[i]->data[v]);
-    const auto middle = column.begin() + std::ptrdiff_t(column.size() / 2);
-    std::nth_element(column.begin(), middle, column.end());
-    usual.data[v] = *middle;
+    usual.data[v] = medianAmong(column);
   }
   return usual;
 }

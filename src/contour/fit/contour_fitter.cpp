@@ -19,6 +19,9 @@ constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kRelativeDamping = 1e
 
 constexpr double kMaxStep = 0.35;  // rad or metres
 
+// The longer ago the last pose, the farther off is its prediction, and the more steps are needed.
+constexpr double kAllIterations_s = 1.0 / 15;
+
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
 void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
@@ -72,8 +75,10 @@ ContourFitter::ContourFitter(const CameraRig& rig, const ContourOptions& options
   options.validate();
 }
 
-RobustSchedule ContourFitter::schedule() const {
-  return {options_.iterations, options_.robust_scale_initial, options_.robust_scale_final};
+RobustSchedule ContourFitter::schedule(double seconds) const {
+  const int all = options_.iterations, fewest = (all + 1) / 2;
+  const int iterations = int(std::lround(all * std::min(1.0, seconds / kAllIterations_s)));
+  return {std::max(fewest, iterations), options_.robust_scale_initial, options_.robust_scale_final};
 }
 
 ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody& body,

@@ -75,8 +75,8 @@ class ContourFitter {
   /// Throws std::invalid_argument if an option is out of range.
   ContourFitter(const CameraRig& rig, const ContourOptions& options);
   const ContourOptions& options() const { return options_; }
-  /// For a start pose that was predicted from the last one.
-  RobustSchedule schedule() const;
+  /// For a start pose that was predicted over a time, in seconds.
+  RobustSchedule schedule(double seconds) const;
 
   /// \param prediction empty without previous frames
   /// \param schedule number of steps and robust scales

@@ -9,7 +9,9 @@ void ContourOptions::visit(OptionVisitor& v) {
   v.field("rays", rays, 100, 20000,
           "number of points on the borders of the silhouettes, over all cameras, that the body is "
           "fitted to");
-  v.field("iterations", iterations, 1, 100, "Levenberg-Marquardt steps per frame");
+  v.field("iterations", iterations, 1, 100,
+          "Levenberg-Marquardt steps per frame at 15 Hz and less; down to half of them at higher "
+          "rates");
   v.field("ray_sigma", ray_sigma, 0.001, 0.1,
           "standard deviation of the distance between viewing ray and body, m");
   v.field("effective_rays", effective_rays, 1, 1e5,

@@ -273,7 +273,8 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
     return {};
   }
   const ContourPrediction& prediction = *predicted;
-  ContourFit fit = fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule());
+  ContourFit fit =
+      fitter_.fit(seen, body, prediction.pose, prediction, fitter_.schedule(prediction.seconds));
   ContourTrackingStatus status = ContourTrackingStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted && any(suspicious(fit))) {
     const bool search = stamp_ns >= next_search_ns_;

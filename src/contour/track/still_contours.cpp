@@ -8,6 +8,7 @@
 
 #include "contour/fit/ray_match.h"
 #include "contour/track/search_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -45,12 +46,11 @@ cv::Mat brightnessOf(const cv::Mat& image, int step) {
   return out;
 }
 
-float medianOf(const cv::Mat& values) {
+float medianOfMost(const cv::Mat& values) {
   std::vector<float> some;
   for (int y = 0; y < values.rows; y += 4)
     for (int x = 0; x < values.cols; x += 4) some.push_back(values.at<float>(y, x));
-  std::nth_element(some.begin(), some.begin() + long(some.size() / 2), some.end());
-  return some[some.size() / 2];
+  return medianAmong(some);
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) cons
   view.mean += rate * off;
   view.variance = (1.0 - rate) * (view.variance + rate * off.mul(off));
   const double moving =
-      std::max(kMinMoving, kMovingFactor * std::sqrt(double(medianOf(view.variance))));
+      std::max(kMinMoving, kMovingFactor * std::sqrt(double(medianOfMost(view.variance))));
   cv::Mat still = view.variance < moving * moving;
   cv::erode(still, view.still, cv::Mat::ones(2 * kNear + 1, 2 * kNear + 1, CV_8U));
 }

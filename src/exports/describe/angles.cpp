@@ -4,6 +4,7 @@
 #include "body/rotations.h"
 #include "exports/motion_description.h"
 #include "exports/point_names.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,9 +18,7 @@ constexpr double kShortestLever_m = 0.05;  // below, a limb's end says nothing a
 double percentile(std::vector<double> values, double fraction) {
   if (values.empty()) return NAN;
   std::sort(values.begin(), values.end());
-  const double place = fraction * double(values.size() - 1);
-  const size_t below = size_t(place), above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - double(below)) * (values[above] - values[below]);
+  return interpolatedQuantile(values, fraction);
 }
 
 /// The end of the part that a joint moves: its expected error is known.

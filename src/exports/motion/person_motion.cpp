@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -22,8 +24,7 @@ int64_t medianStep(const std::vector<PersonFrame>& frames) {
   for (size_t f = 1; f < frames.size(); ++f)
     steps.push_back(frames[f].stamp_ns - frames[f - 1].stamp_ns);
   if (steps.empty()) return 0;
-  std::nth_element(steps.begin(), steps.begin() + std::ptrdiff_t(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
+  return medianAmong(steps);
 }
 
 void checkFrames(const std::vector<PersonFrame>& frames, size_t links) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -134,9 +136,7 @@ double FaultyCameraFinder::unexplained(const std::vector<VoxelComponent>& compon
   cameras.resize(std::min(cameras.size(), size_t(max_cameras)));
   std::vector<double> fractions;
   for (const size_t c : cameras) fractions.push_back(unexplainedIn(c, components, how));
-  const auto middle = fractions.begin() + int(fractions.size() / 2);
-  std::nth_element(fractions.begin(), middle, fractions.end());
-  return *middle;
+  return medianAmong(fractions);
 }
 
 double FaultyCameraFinder::unexplainedIn(size_t camera,

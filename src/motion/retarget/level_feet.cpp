@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/order_statistics.h"
+
 #include "motion/retarget.h"
 
 namespace markerless_mocap {
@@ -12,12 +14,6 @@ using Eigen::Vector3d;
 constexpr double kMaxTurn = 0.7;
 // Fraction of the stature: balls up to this height above the minimum may stand.
 constexpr double kLow = 0.03;
-
-double quantile(std::vector<double> values, double fraction) {
-  const auto nth = values.begin() + long(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
 
 struct FootPath {
   std::vector<Vector3d> ankle, ball;
@@ -59,7 +55,7 @@ std::vector<size_t> standingFrames(const FootPath& path, double floor, double st
   }
   std::vector<size_t> frames;
   if (low_steps.empty()) return frames;
-  const double slow = quantile(low_steps, 0.5), down = quantile(low_ankles, 0.6);
+  const double slow = quantileOf(low_steps, 0.5), down = quantileOf(low_ankles, 0.6);
   for (size_t f = 0; f < ball.size(); ++f)
     if (ball[f] <= floor + kLow * stature && step[f] <= slow && ankle[f] <= down)
       frames.push_back(f);
@@ -73,8 +69,8 @@ void levelBone(MotionClip& clip, const std::vector<size_t>& frames, Bone bone) {
     pitch.push_back(std::asin(std::clamp(R(2, 0), -1.0, 1.0)));
     roll.push_back(std::asin(std::clamp(R(2, 1), -1.0, 1.0)));
   }
-  const double down = std::clamp(quantile(pitch, 0.5), -kMaxTurn, kMaxTurn);
-  const double side = std::clamp(quantile(roll, 0.5), -kMaxTurn, kMaxTurn);
+  const double down = std::clamp(quantileOf(pitch, 0.5), -kMaxTurn, kMaxTurn);
+  const double side = std::clamp(quantileOf(roll, 0.5), -kMaxTurn, kMaxTurn);
   const Eigen::Quaterniond fix = Eigen::Quaterniond(Eigen::AngleAxisd(down, Vector3d::UnitY())) *
                                  Eigen::Quaterniond(Eigen::AngleAxisd(-side, Vector3d::UnitX()));
   for (HumanPose& pose : clip.poses) pose[bone] = pose[bone] * fix;
@@ -88,7 +84,7 @@ void levelFeet(MotionClip& clip, const HumanSkeleton& skeleton) {
   std::vector<double> balls = heights(left.ball);
   for (double z : heights(right.ball)) balls.push_back(z);
   if (balls.empty()) return;
-  const double floor = quantile(balls, 0.05);
+  const double floor = quantileOf(balls, 0.05);
   for (const auto& [path, foot] :
        {std::make_pair(&left, Bone::kLeftFoot), std::make_pair(&right, Bone::kRightFoot)}) {
     const std::vector<size_t> frames = standingFrames(*path, floor, skeleton.stature);

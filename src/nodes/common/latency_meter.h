@@ -6,6 +6,8 @@
 #include <deque>
 #include <vector>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 
 /// Quantiles of the durations of the last ten seconds.
@@ -23,11 +25,9 @@ class LatencyMeter {
   /// Quantile in milliseconds; 0 without data. \param fraction 0.5 for the median
   uint64_t milliseconds(double fraction) const {
     if (last_.empty()) return 0;
-    std::vector<double> sorted;
-    for (const Entry& entry : last_) sorted.push_back(entry.duration);
-    const auto at = sorted.begin() + std::ptrdiff_t(fraction * double(sorted.size() - 1));
-    std::nth_element(sorted.begin(), at, sorted.end());
-    return uint64_t(std::max(0.0, 1e3 * *at + 0.5));
+    std::vector<double> durations;
+    for (const Entry& entry : last_) durations.push_back(entry.duration);
+    return uint64_t(std::max(0.0, 1e3 * quantileAmong(durations, fraction) + 0.5));
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "numerics/order_statistics.h"
 #include "silhouette/background/row_kernels.h"
 
 namespace markerless_mocap {
@@ -88,8 +89,7 @@ void Background::setThreshold(double threshold_sigmas, double min_sigma) {
         sample.push_back(sigma(mode, y)[x]);
     }
   if (sample.empty()) sample.push_back(0);
-  std::nth_element(sample.begin(), sample.begin() + sample.size() / 2, sample.end());
-  noise_ = std::max(min_sigma, sample[sample.size() / 2] / double(kMeanScale));
+  noise_ = std::max(min_sigma, medianAmong(sample) / double(kMeanScale));
 }
 
 void Background::save(const std::string& path) const {

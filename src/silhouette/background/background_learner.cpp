@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numerics/large_memory.h"
+#include "numerics/order_statistics.h"
 #include "silhouette/background/color_modes.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/one_color_row.h"
@@ -58,9 +59,7 @@ Background BackgroundLearner::learn(int modes, double min_sigma) const {
   const cv::Mat& first = kept_.front();
   const int channels = first.channels(), n = int(kept_.size());
   // The background gets the median light of all kept images, not the light of the first.
-  std::vector<float> sorted = gains_;
-  std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-  const float expected = sorted[n / 2];
+  const float expected = medianOf(gains_);
   Background background(first.size(), channels, modes);
   OneColorRow row(first.cols, channels, colorReach(float(min_sigma), channels));
   std::vector<float> samples(size_t(n) * channels);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -73,11 +75,10 @@ class Samples {
   float noise() const {
     std::vector<float> steps;
     for (int i = 1; i < count(); ++i) steps.push_back(squaredDistance(at(i), at(i - 1), channels_));
-    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
     // Median of chi squared with n degrees of degrees_of_freedom: about n (1 - 2 / (9 n))^3; a step
     // has twice the variance of a sample.
     const float n = float(channels_), shrink = 1 - 2 / (9 * n);
-    return std::sqrt(steps[steps.size() / 2] / (2 * n * shrink * shrink * shrink));
+    return std::sqrt(medianAmong(steps) / (2 * n * shrink * shrink * shrink));
   }
 
  private:

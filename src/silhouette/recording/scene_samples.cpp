@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "numerics/order_statistics.h"
 #include "silhouette/background/light_gain.h"
 
 namespace markerless_mocap {
@@ -49,8 +50,7 @@ cv::Mat medianOf(const std::vector<cv::Mat>& all) {
   for (int y = 0; y < median.rows; ++y)
     for (int x = 0; x < 3 * median.cols; ++x) {
       for (size_t i = 0; i < images.size(); ++i) values[i] = images[i].ptr(y)[x];
-      std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-      median.ptr(y)[x] = values[values.size() / 2];
+      median.ptr(y)[x] = medianAmong(values);
     }
   return median;
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "files/text_file.h"
+#include "numerics/order_statistics.h"
 #include "tools/common/film_files.h"
 
 namespace markerless_mocap {
@@ -99,9 +100,7 @@ void Film::setTimes(std::vector<double> times) {
   std::vector<double> intervals;
   for (size_t i = 1; i < times_->size(); ++i) intervals.push_back((*times_)[i] - (*times_)[i - 1]);
   if (intervals.empty()) return;
-  const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  if (*middle > 0.0) fps_ = 1.0 / *middle;
+  if (const double interval = medianAmong(intervals); interval > 0.0) fps_ = 1.0 / interval;
 }
 
 double Film::ownTime() {

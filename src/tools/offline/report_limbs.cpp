@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/order_statistics.h"
 #include "ros/pose_conversions.h"
 #include "tools/common/number_format.h"
 #include "tools/offline/reason_counts.h"
@@ -40,9 +41,7 @@ std::string errorCell(const ReportContent& content, size_t part, Sight wanted) {
     if (sights[f] == wanted && std::isfinite(content.frames[f].part_sigma_m[part]))
       errors.push_back(100 * content.frames[f].part_sigma_m[part]);
   if (errors.empty()) return "";
-  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return formatNumber("%.1f", *middle);
+  return formatNumber("%.1f", medianAmong(errors));
 }
 
 std::vector<std::string> tableRow(const ReportContent& content, size_t part) {
