@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "numerics/disjoint_sets.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -20,11 +22,6 @@ uint32_t lowestVoxel(const VoxelComponent& component, const VoxelLattice& lattic
 
 }  // namespace
 
-uint32_t ComponentFinder::root(uint32_t part) {
-  while (parent_[part] != part) part = parent_[part] = parent_[parent_[part]];
-  return part;
-}
-
 void ComponentFinder::listParts(const BrickVolume& volume) {
   parts_.clear();
   first_part_.resize(volume.count());
@@ -33,16 +30,16 @@ void ComponentFinder::listParts(const BrickVolume& volume) {
     for (uint64_t left = volume.word(brick); left != 0; left &= ~parts_.back().voxels)
       parts_.push_back({uint32_t(brick), brick_words::firstComponent(left)});
   });
-  parent_.resize(parts_.size());
-  std::iota(parent_.begin(), parent_.end(), 0u);
+  parents_.resize(parts_.size());
+  std::iota(parents_.begin(), parents_.end(), 0u);
 }
 
 void ComponentFinder::joinTouching(uint32_t brick, uint32_t other, const int (&step)[3]) {
   for (uint32_t a = first_part_[brick]; a < parts_.size() && parts_[a].brick == brick; ++a)
     for (uint32_t b = first_part_[other]; parts_[b].brick == other; ++b) {
-      const uint32_t of_a = root(a), of_b = root(b);
+      const uint32_t of_a = rootOf(&parents_, a), of_b = rootOf(&parents_, b);
       if (of_a != of_b && (brick_words::touched(parts_[a].voxels, step) & parts_[b].voxels) != 0)
-        parent_[std::max(of_a, of_b)] = std::min(of_a, of_b);
+        joinSets(&parents_, of_a, of_b);
     }
 }
 
@@ -70,7 +67,7 @@ std::vector<VoxelComponent> ComponentFinder::find(const BrickVolume& volume,
   std::vector<VoxelComponent> components;
   component_of_.resize(parts_.size());
   for (uint32_t part = 0; part < parts_.size(); ++part) {
-    const uint32_t first = root(part);
+    const uint32_t first = rootOf(&parents_, part);
     if (first == part) {
       component_of_[part] = uint32_t(components.size());
       components.emplace_back();

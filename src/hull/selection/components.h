@@ -18,10 +18,9 @@ class ComponentFinder {
   /// Joins the parts of a brick with those of the neighbours that come before it.
   void joinBackwards(const BrickVolume& volume, const Eigen::Vector3i& at, size_t brick);
   void joinTouching(uint32_t brick, uint32_t other, const int (&step)[3]);
-  uint32_t root(uint32_t part);
 
   std::vector<BrickVoxels> parts_;      ///< connected within their brick, in the order of bricks
-  std::vector<uint32_t> parent_;        ///< per part
+  std::vector<uint32_t> parents_;       ///< per part
   std::vector<uint32_t> first_part_;    ///< per brick that holds voxels; other entries are not read
   std::vector<uint32_t> component_of_;  ///< per part that is a root of the union-find forest
 };

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "segmentation/eigenmap/disjoint_sets.h"
+#include "numerics/disjoint_sets.h"
 
 namespace markerless_mocap {
 namespace {

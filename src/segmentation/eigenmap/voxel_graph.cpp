@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "segmentation/eigenmap/disjoint_sets.h"
+#include "numerics/disjoint_sets.h"
 #include "segmentation/limbs/bridges.h"
 
 namespace markerless_mocap {

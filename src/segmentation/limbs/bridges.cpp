@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "segmentation/eigenmap/disjoint_sets.h"
+#include "numerics/disjoint_sets.h"
 
 namespace markerless_mocap {
 

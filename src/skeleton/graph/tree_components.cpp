@@ -3,30 +3,23 @@
 #include <algorithm>
 #include <numeric>
 
+#include "numerics/disjoint_sets.h"
+
 namespace markerless_mocap {
 namespace {
 
 constexpr size_t kMaxComponents = 8;  // the others are specks
 
-int32_t rootOf(int32_t node, std::vector<int32_t>* set) {
-  while ((*set)[size_t(node)] != node)
-    node = (*set)[size_t(node)] = (*set)[size_t((*set)[size_t(node)])];
-  return node;
-}
-
 /// Nodes of each of the largest components, the largest first.
 std::vector<std::vector<int32_t>> largestComponents(size_t nodes,
                                                     const std::vector<TreeLinks::Edge>& edges) {
-  std::vector<int32_t> set(nodes);
-  std::iota(set.begin(), set.end(), 0);
-  for (const TreeLinks::Edge& edge : edges) {
-    const int32_t a = rootOf(edge.a, &set), b = rootOf(edge.b, &set);
-    set[size_t(std::max(a, b))] = std::min(a, b);
-  }
+  std::vector<uint32_t> parents(nodes);
+  std::iota(parents.begin(), parents.end(), 0u);
+  for (const TreeLinks::Edge& edge : edges) joinSets(&parents, uint32_t(edge.a), uint32_t(edge.b));
   std::vector<int32_t> number(nodes, -1);
   std::vector<std::vector<int32_t>> components;
   for (size_t node = 0; node < nodes; ++node) {
-    int32_t& n = number[size_t(rootOf(int32_t(node), &set))];
+    int32_t& n = number[rootOf(&parents, uint32_t(node))];
     if (n < 0) {
       n = int32_t(components.size());
       components.emplace_back();
