@@ -3,7 +3,6 @@
 #include <ros/console.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -19,11 +18,6 @@ constexpr size_t kMaxRemarks = 64, kShownRemarks = 3;
 constexpr double kStartTime = 5.0;        // s until every camera should have sent
 constexpr double kLongestLatency = 60.0;  // s; more is a stamp of another time, as of a recording
 constexpr double kResultTime = 3.0;  // s that one frame set may take, as a search for a person does
-
-double steadySeconds() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 /// For example "for 14.2 s, since 11:20:05".
 std::string spanText(double seconds) {
@@ -76,11 +70,11 @@ void StageStatus::remark(const std::string& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (Remark& known : remarks_) {
     if (known.message != message) continue;
-    known.until = steadySeconds() + kRemarkTime;
+    known.until = ros::SteadyTime::now().toSec() + kRemarkTime;
     return;
   }
   ROS_WARN_STREAM(stage_ << ": " << message);
-  remarks_.push_back({message, steadySeconds() + kRemarkTime});
+  remarks_.push_back({message, ros::SteadyTime::now().toSec() + kRemarkTime});
   if (remarks_.size() > kMaxRemarks) remarks_.pop_front();
   last_problem_ = message;
 }
@@ -99,25 +93,25 @@ void StageStatus::sent(const ros::Time& stamp) {
   if (!ros::Time::isSystemTime()) return;
   const double latency = (ros::Time::now() - stamp).toSec();
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (std::abs(latency) < kLongestLatency) latencies_.add(steadySeconds(), latency);
+  if (std::abs(latency) < kLongestLatency) latencies_.add(ros::SteadyTime::now().toSec(), latency);
 }
 
 size_t StageStatus::watch(const std::string& input, Loss loss) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  inputs_.push_back({input, loss, steadySeconds(), {}});
+  inputs_.push_back({input, loss, ros::SteadyTime::now().toSec(), {}});
   return inputs_.size() - 1;
 }
 
 void StageStatus::arrived(size_t input) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  inputs_.at(input).watch.arrived(steadySeconds());
+  inputs_.at(input).watch.arrived(ros::SteadyTime::now().toSec());
 }
 
 void StageStatus::enter(uint8_t level, const std::string& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   level_ = level;
   message_ = message;
-  results_.arrived(steadySeconds());
+  results_.arrived(ros::SteadyTime::now().toSec());
   if (level != DiagnosticStatus::OK) last_problem_ = message;
 }
 
@@ -185,17 +179,17 @@ StageStatus::Summary StageStatus::summaryNow(double now) {
 
 StageStatus::Summary StageStatus::summary() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return summaryNow(steadySeconds());
+  return summaryNow(ros::SteadyTime::now().toSec());
 }
 
 void StageStatus::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Summary now = summaryNow(steadySeconds());
+  const Summary now = summaryNow(ros::SteadyTime::now().toSec());
   if (now.level == DiagnosticStatus::ERROR && level_ != DiagnosticStatus::ERROR)
     ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << now.message);
   status.summary(now.level, now.message);
   for (const auto& [name, count] : counts_) status.add(name, count);
-  latencies_.forget(steadySeconds());
+  latencies_.forget(ros::SteadyTime::now().toSec());
   if (!latencies_.empty()) {
     status.add("camera to message, median ms", latencies_.milliseconds(0.5));
     status.add("camera to message, 99 % within ms", latencies_.milliseconds(0.99));

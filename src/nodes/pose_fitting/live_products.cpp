@@ -14,10 +14,6 @@ constexpr int64_t kMaxAge_ns = 500'000'000;     // of the newest hull
 constexpr double kKeptSubscribed = 3.0;         // s after a tracker asked last
 constexpr std::chrono::milliseconds kLook{20};  // while waiting
 
-double steadyNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 LiveProducts::LiveProducts(StageInputs* inputs, StageStatus* status, int64_t tolerance_ns,
@@ -54,14 +50,15 @@ template <class MessageT>
 ros::Subscriber LiveProducts::listen(const char* topic, RecentMessages<MessageT>* recent) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    recent->expect(steadyNow());
+    recent->expect(ros::SteadyTime::now().toSec());
   }
   return inputs_->subscribe<MessageT>(
       topic, kQueue, always_ ? StageInputs::kRequired : StageInputs::kOptional,
       [this, recent](const boost::shared_ptr<const MessageT>& message) {
         {
           const std::lock_guard<std::mutex> lock(mutex_);
-          recent->add(nanosecondsOf(message->header.stamp), message, steadyNow());
+          recent->add(nanosecondsOf(message->header.stamp), message,
+                      ros::SteadyTime::now().toSec());
           changed_.notify_all();
         }
         if constexpr (std::is_same_v<MessageT, sensor_msgs::PointCloud2>)
@@ -83,7 +80,7 @@ void LiveProducts::ask(Asked what) {
   const std::lock_guard<std::mutex> subscribing(subscribing_);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    asked_for_hulls_ = steadyNow();
+    asked_for_hulls_ = ros::SteadyTime::now().toSec();
     if (what == kAll) asked_for_others_ = asked_for_hulls_;
   }
   const bool others = what == kAll && other_subscribers_.empty();
@@ -99,8 +96,8 @@ void LiveProducts::rest() {
   double hulls, others;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    hulls = steadyNow() - asked_for_hulls_;
-    others = steadyNow() - asked_for_others_;
+    hulls = ros::SteadyTime::now().toSec() - asked_for_hulls_;
+    others = ros::SteadyTime::now().toSec() - asked_for_others_;
   }
   if (hulls > kKeptSubscribed) hull_subscriber_.shutdown();
   if (others > kKeptSubscribed) other_subscribers_.clear();
@@ -111,7 +108,7 @@ LiveProducts::Messages LiveProducts::wait(int64_t stamp_ns) {
   Messages found;
   const auto look = [&](const auto& recent, auto* message) {
     *message = recent.at(stamp_ns, tolerance_ns_);
-    return *message || !recent.mayCome(stamp_ns, steadyNow());
+    return *message || !recent.mayCome(stamp_ns, ros::SteadyTime::now().toSec());
   };
   const auto complete = [&] {
     const bool done[] = {look(hulls_, &found.hull), look(parts_, &found.parts),

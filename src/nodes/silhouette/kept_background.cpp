@@ -1,7 +1,8 @@
 #include "nodes/silhouette/kept_background.h"
 
+#include <ros/time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -18,11 +19,6 @@ constexpr double kMostChanged = 0.5;     // of the image; a person covers less
 constexpr double kMostGain = 1.6;        // with another exposure, colours are no longer the same
 constexpr double kSaveInterval = 600.0;  // s; the background follows the light of the day
 constexpr double kSettled = 5.0;         // s without a new piece of background before it is saved
-
-double steadySeconds() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 std::string fileOf(std::string camera, const SilhouetteNodeOptions& options) {
   if (options.input != "image" || options.background_folder.empty()) return "";
@@ -98,7 +94,7 @@ void KeptBackground::relearn() {
 }
 
 void KeptBackground::keep(const SilhouetteResult& result) {
-  const double now = steadySeconds();
+  const double now = ros::SteadyTime::now().toSec();
   if (result.uncovered_fraction > 0) saved_at_ = now - kSaveInterval + kSettled;
   const bool is_due = !saved_at_ || now - *saved_at_ > kSaveInterval;
   if (!is_due || result.state != SilhouetteState::kReady || result.unknown_fraction > 0.0 ||

@@ -1,6 +1,5 @@
 #include "nodes/silhouette/silhouette_camera.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -20,11 +19,6 @@ namespace {
 constexpr double kSomebody = 0.005;
 constexpr int kDuplicatesTold = 5;  // images in a row
 constexpr uint32_t kQueue = 16;     // images that wait while all cameras compute their backgrounds
-
-int64_t steadyNanoseconds() {
-  using namespace std::chrono;
-  return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
-}
 
 bool isSame(const CameraImage& a, const CameraImage& b) {
   if (a.raw && b.raw)
@@ -84,7 +78,8 @@ bool SilhouetteCamera::isUsable(const CameraImage& image) {
 // The background has nothing to do with the clock: it stays when the clock is set.
 bool SilhouetteCamera::isInOrder(const ros::Time& stamp) {
   using Verdict = StampOrder::Verdict;
-  const StampOrder::Judgement found = order_.judge(nanosecondsOf(stamp), steadyNanoseconds());
+  const StampOrder::Judgement found =
+      order_.judge(nanosecondsOf(stamp), int64_t(ros::SteadyTime::now().toNSec()));
   if (found.verdict == Verdict::kZero)
     status_.error(
         "the stamps of " + camera_ + "'s images are zero, its driver has to set them" +

@@ -98,81 +98,133 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
          << "its stature is set to " << stature << '\n';
 }
 
-RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
-  RunSummary summary(!options.poses_only);
-  checkFiles(options);
-  Recording recording(options.input, options.recording);
-  BagWriter bag(options.output);  // first, because what follows may take minutes
-  if (!options.report_folder.empty()) makeReportFolder(options.report_folder);
-  PersonResources resources =
-      readPersonResources(options.body_id, options.urdf_template, options.body_file);
-  PipelineOptions stages = options.pipeline;
-  const Preparation prepared =
-      options.prepared.empty()
-          ? prepare(options, resources, &stages, notes, terminal)
-          : readPreparation(options, options.prepared, recording.cameras().size(), &stages);
-  resources.known_shape = prepared.shape;
-  Pipeline pipeline(recording.rig(), resources, stages);
-  pipeline.useBackgrounds(prepared.backgrounds);
-  if (!options.prepared.empty() && options.recording.start > 0.0)
-    settleBackgrounds(options, prepared, &pipeline);
-  if (options.poses_only) pipeline.makePartsOnDemand();
-  const std::shared_ptr<const TrackedBody> body = pipeline.body();
-  ResultFigures figures;
+namespace {
 
-  ResultWriter writer(&bag, *body->model, options.recording.world_frame,
-                      makePoseFilter(body->model, stages.fitting.filter));
-  Progress progress("mocap_offline", notes, terminal);
-  std::optional<RunReport> report;
-  if (!options.report_folder.empty())
-    report.emplace(options.report_folder, *body->model, pipeline.rig(),
-                   makePoseFilter(body->model, stages.fitting.filter), options.report_images);
-  std::optional<CalibrationCheck> calibration;
-  if (options.check_calibration) calibration.emplace(pipeline, stages.fitting);
-  const auto write = [&](const FrameSet& frame_set, const PipelineResult& result) {
-    if (summary.frame_sets() == 0) {
-      writer.writeStaticTransforms(frame_set.stamp_ns, recording.staticTransforms());
-      writer.writeDescription(frame_set.stamp_ns, body->urdf);
-    }
-    summary.add(result);
-    if (options.masks_out) writer.writeMasks(frame_set.stamp_ns, recording.cameras(), result.masks);
-    if (result.learning) return;
-    figures.add(frame_set.stamp_ns, result.pose.status, result.pose.silhouette_overlap,
-                result.pose.part_sigma_m);
-    if (options.poses_only)
-      writer.writePose(frame_set.stamp_ns, result.pose);
-    else
-      writer.write(frame_set.stamp_ns, result);
-    if (calibration) calibration->add(frame_set, result);
-    if (report) summary.addOverlaps(report->add(frame_set, result));
-  };
-  summary.endPreparation();
-  pipeline.setStageWatch([&](const char* stage, const auto& work) { summary.timed(stage, work); });
-  pipeline.processStream(
-      [&] {
-        std::optional<FrameSet> frame_set;
-        summary.timed(RunSummary::kReading, [&] { frame_set = nextFrameSet(options, &recording); });
-        progress.update(recording.fractionRead());
-        return frame_set;
-      },
-      [&](const FrameSet& frame_set, const PipelineResult& result) {
-        summary.timed(RunSummary::kWriting, [&] { write(frame_set, result); });
-      });
-  progress.finish();
-  checkOutcome(summary, recording);
-  bag.commit();
-  std::vector<std::string> remarks = options.remarks;
-  if (calibration) summary.setCalibrationFinding(calibration->finding());
-  if (!summary.calibrationFinding().empty()) remarks.push_back(summary.calibrationFinding());
-  if (report) {
-    report->addBackgrounds(prepared.backgrounds, pipeline.backgrounds());
-    report->write(options.input, remarks);
+/// One recording from its first frame set to its outputs.
+class OfflineRun {
+ public:
+  /// Learns the backgrounds and measures the person, which may take minutes.
+  OfflineRun(const OfflineOptions& options, std::ostream* notes, bool terminal)
+      : options_(checked(options)),
+        notes_(notes),
+        terminal_(terminal),
+        summary_(!options.poses_only),
+        recording_(options.input, options.recording),
+        bag_(options.output) {  // first, because what follows may take minutes
+    if (!options_.report_folder.empty()) makeReportFolder(options_.report_folder);
+    prepareBody();
+    pipeline_.emplace(recording_.rig(), resources_, stages_);
+    pipeline_->useBackgrounds(prepared_.backgrounds);
+    if (!options_.prepared.empty() && options_.recording.start > 0.0)
+      settleBackgrounds(options_, prepared_, &*pipeline_);
+    if (options_.poses_only) pipeline_->makePartsOnDemand();
+    body_ = pipeline_->body();
+    writer_.emplace(&bag_, *body_->model, options_.recording.world_frame, makeFilter());
+    if (!options_.report_folder.empty())
+      report_.emplace(options_.report_folder, *body_->model, pipeline_->rig(), makeFilter(),
+                      options_.report_images);
+    if (options_.check_calibration) calibration_.emplace(*pipeline_, stages_.fitting);
+    summary_.endPreparation();
   }
-  if (!options.save_body.empty()) saveBody(options, *body);
-  figures.setCalibrationFinding(summary.calibrationFinding());
-  if (!options.figures.empty()) writeWholeFile(options.figures, figures.json());
-  if (notes) remarkOn(recording, *notes);
-  return summary;
+
+  RunSummary run() {
+    follow();
+    checkOutcome(summary_, recording_);
+    bag_.commit();
+    if (calibration_) summary_.setCalibrationFinding(calibration_->finding());
+    if (report_) writeReport();
+    if (!options_.save_body.empty()) saveBody(options_, *body_);
+    figures_.setCalibrationFinding(summary_.calibrationFinding());
+    if (!options_.figures.empty()) writeWholeFile(options_.figures, figures_.json());
+    if (notes_) remarkOn(recording_, *notes_);
+    return std::move(summary_);
+  }
+
+ private:
+  static const OfflineOptions& checked(const OfflineOptions& options) {
+    checkFiles(options);
+    return options;
+  }
+
+  void prepareBody() {
+    resources_ = readPersonResources(options_.body_id, options_.urdf_template, options_.body_file);
+    stages_ = options_.pipeline;
+    prepared_ =
+        options_.prepared.empty()
+            ? prepare(options_, resources_, &stages_, notes_, terminal_)
+            : readPreparation(options_, options_.prepared, recording_.cameras().size(), &stages_);
+    resources_.known_shape = prepared_.shape;
+  }
+
+  std::optional<PoseFilter> makeFilter() const {
+    return makePoseFilter(body_->model, stages_.fitting.filter);
+  }
+
+  void follow() {
+    Progress progress("mocap_offline", notes_, terminal_);
+    pipeline_->setStageWatch(
+        [this](const char* stage, const auto& work) { summary_.timed(stage, work); });
+    pipeline_->processStream(
+        [&] {
+          std::optional<FrameSet> frame_set;
+          summary_.timed(RunSummary::kReading,
+                         [&] { frame_set = nextFrameSet(options_, &recording_); });
+          progress.update(recording_.fractionRead());
+          return frame_set;
+        },
+        [this](const FrameSet& frame_set, const PipelineResult& result) {
+          summary_.timed(RunSummary::kWriting, [&] { write(frame_set, result); });
+        });
+    progress.finish();
+  }
+
+  void write(const FrameSet& frame_set, const PipelineResult& result) {
+    const int64_t stamp_ns = frame_set.stamp_ns;
+    if (summary_.frame_sets() == 0) {
+      writer_->writeStaticTransforms(stamp_ns, recording_.staticTransforms());
+      writer_->writeDescription(stamp_ns, body_->urdf);
+    }
+    summary_.add(result);
+    if (options_.masks_out) writer_->writeMasks(stamp_ns, recording_.cameras(), result.masks);
+    if (result.learning) return;
+    figures_.add(stamp_ns, result.pose.status, result.pose.silhouette_overlap,
+                 result.pose.part_sigma_m);
+    if (options_.poses_only)
+      writer_->writePose(stamp_ns, result.pose);
+    else
+      writer_->write(stamp_ns, result);
+    if (calibration_) calibration_->add(frame_set, result);
+    if (report_) summary_.addOverlaps(report_->add(frame_set, result));
+  }
+
+  void writeReport() {
+    std::vector<std::string> remarks = options_.remarks;
+    if (!summary_.calibrationFinding().empty()) remarks.push_back(summary_.calibrationFinding());
+    report_->addBackgrounds(prepared_.backgrounds, pipeline_->backgrounds());
+    report_->write(options_.input, remarks);
+  }
+
+  const OfflineOptions& options_;
+  std::ostream* notes_;
+  bool terminal_;
+  RunSummary summary_;
+  Recording recording_;
+  BagWriter bag_;
+  PersonResources resources_;
+  PipelineOptions stages_;
+  Preparation prepared_;
+  std::optional<Pipeline> pipeline_;
+  std::shared_ptr<const TrackedBody> body_;
+  ResultFigures figures_;
+  std::optional<ResultWriter> writer_;
+  std::optional<RunReport> report_;
+  std::optional<CalibrationCheck> calibration_;
+};
+
+}  // namespace
+
+RunSummary runOffline(const OfflineOptions& options, std::ostream* notes, bool terminal) {
+  return OfflineRun(options, notes, terminal).run();
 }
 
 }  // namespace markerless_mocap
