@@ -1,6 +1,7 @@
 /// How the background is learned, kept and followed.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -130,7 +131,7 @@ TEST_P(OwnModel, LearnsFromAStreamThatAPersonCrosses) {
 }
 
 TEST_P(OwnModel, SavedBackgroundGivesTheSameMasks) {
-  const std::string path = testing::TempDir() + "/cam0.background";
+  const std::string path = testing::TempDir() + std::to_string(getpid()) + ".background";
   const cv::Mat scene = makeScene(3), image = withNoise(withPerson(scene), 100);
   SilhouetteExtractor first = learned(scene, ofModel(GetParam()));
   first.saveBackground(path);
@@ -243,7 +244,7 @@ long peakMemory_MB() {
 }
 
 TEST(BackgroundFile, UnusableOnesAreRefusedInOneSentence) {
-  const std::string path = testing::TempDir() + "/bad.background";
+  const std::string path = testing::TempDir() + std::to_string(getpid()) + "_bad.background";
   SilhouetteExtractor extractor(ofModel("gaussian"));
   EXPECT_EQ(refusal([&] { extractor.loadBackground("/no/such/file"); }),
             "the background file /no/such/file cannot be opened");

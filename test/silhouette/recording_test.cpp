@@ -1,5 +1,6 @@
 /// Backgrounds of recordings in which nobody leaves the scene.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -327,7 +328,7 @@ TEST(SilhouetteExtractor, LiveBackgroundIsLearnedAgainBesideTheImages) {
 }
 
 TEST(SilhouetteExtractor, UnknownPixelsAreSavedWithTheBackground) {
-  const std::string path = testing::TempDir() + "/unknown.background";
+  const std::string path = testing::TempDir() + std::to_string(getpid()) + ".background";
   const cv::Mat scene = makeScene(3), image = withNoise(withPerson(scene), 100);
   SilhouetteExtractor first = withBackground(watched(scene, swayer).learn());
   first.saveBackground(path);
