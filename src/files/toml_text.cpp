@@ -7,7 +7,8 @@ namespace markerless_mocap {
 namespace {
 
 constexpr const char* kNoValue =
-    "a value is none: allowed are numbers, texts in quotes, true and false, lists in [ ] and tables "
+    "a value is none: allowed are numbers, texts in quotes, true and false, lists in [ ] and "
+    "tables "
     "in { }";
 
 /// In plain words, what the library says in those of its parser. The first that it holds counts.
@@ -39,8 +40,9 @@ toml::table tomlFrom(const std::string& text, const std::string& where) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& fault) {
-    throw std::invalid_argument(where + ", line " + std::to_string(fault.source().begin.line) +
-                                ": this is no TOML: " + plainWords(std::string(fault.description())));
+    throw std::invalid_argument(
+        where + ", line " + std::to_string(fault.source().begin.line) +
+        ": this is no TOML: " + plainWords(std::string(fault.description())));
   }
 }
 

@@ -62,9 +62,10 @@ TEST_F(BadCalibration, TwoFormatsInOneFolderAreTold) {
 }
 
 TEST_F(BadCalibration, TomlThatIsBrokenOrWrongIsToldWithTheCamera) {
-  EXPECT_EQ(of("a.toml", replaced(kAnipose, "\"A\"", "\"A")),
-            "a.toml, line 2: this is no TOML: a text in quotes has no end, or signs that it may not "
-            "hold");
+  EXPECT_EQ(
+      of("a.toml", replaced(kAnipose, "\"A\"", "\"A")),
+      "a.toml, line 2: this is no TOML: a text in quotes has no end, or signs that it may not "
+      "hold");
   EXPECT_EQ(
       of("a.toml", replaced(kAnipose, "500.0, 240.0", "-500.0, 240.0")),
       "a.toml, camera cam_0: the camera matrix is 500, 0, 320, 0, -500, 240, 0, 0, 1, allowed "

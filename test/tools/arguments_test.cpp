@@ -34,9 +34,8 @@ Refusal refusal(std::vector<std::string> words) {
 }
 
 TEST(Arguments, ThatCanBeUsedAreTaken) {
-  const Refusal taken =
-      refusal({"--length", "1e-3", "--steps=-2", "--threads", "3", "--name", "nan", "cut",
-               "--part", "-.5"});
+  const Refusal taken = refusal({"--length", "1e-3", "--steps=-2", "--threads", "3", "--name",
+                                 "nan", "cut", "--part", "-.5"});
   EXPECT_EQ(taken.code, std::nullopt);
   EXPECT_EQ(taken.text, "");
 }

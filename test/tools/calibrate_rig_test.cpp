@@ -203,8 +203,8 @@ TEST_F(CalibrateRig, OtherInputsAreReadBeforeTheFilms) {
     CalibrateRigArguments arguments = arguments_;
     change(&arguments, value);
     std::ostringstream notes;
-    const std::string text = errorTextOf<std::exception>(
-        [&] { calibrateFilms(arguments, &notes, false); });
+    const std::string text =
+        errorTextOf<std::exception>([&] { calibrateFilms(arguments, &notes, false); });
     EXPECT_EQ(notes.str(), "") << "the films were searched first";
     return text;
   };
@@ -219,17 +219,17 @@ TEST_F(CalibrateRig, OtherInputsAreReadBeforeTheFilms) {
             "there is no file or folder " + path("none"));
   EXPECT_EQ(refusal([](A* a, const std::string& v) { a->lens_pictures = {v}; }, path("none")),
             "there is no file or folder " + path("none"));
-  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->lens = v; }, "k9").rfind(
-                "there is no lens model 'k9', allowed are ", 0),
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->lens = v; }, "k9")
+                .rfind("there is no lens model 'k9', allowed are ", 0),
             0u);
   writeText("a_file", "");
-  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->output = v; }, path("a_file/out")),
-            "cannot write the folder " + path("a_file/out") + ": " + path("a_file") +
-                " is no folder");
+  EXPECT_EQ(
+      refusal([](A* a, const std::string& v) { a->output = v; }, path("a_file/out")),
+      "cannot write the folder " + path("a_file/out") + ": " + path("a_file") + " is no folder");
   writeRig(path("rig.yaml"), {pair()[0]});
-  EXPECT_NE(refusal([](A* a, const std::string& v) { a->lenses = v; }, path("rig.yaml"))
-                .find("right"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal([](A* a, const std::string& v) { a->lenses = v; }, path("rig.yaml")).find("right"),
+      std::string::npos);
 }
 
 TEST_F(CalibrateRig, APipeIsNoVideo) {
@@ -280,14 +280,17 @@ TEST_F(CalibrateRig, PointsNameTheirCameras) {
               readKnownPoints(path("points.yaml"), {{"left", 480, 360, {}}});
             }),
             path("points.yaml") + " names the camera right, of which there is no film");
-  writeText("points.yaml", "points:\n- {name: a, position: [1, 2, .nan], pixels: {left: [4, 5]}}\n");
+  writeText("points.yaml",
+            "points:\n- {name: a, position: [1, 2, .nan], pixels: {left: [4, 5]}}\n");
   EXPECT_EQ(errorTextOf<std::exception>([&] { readKnownPoints(path("points.yaml"), cameras); }),
             path("points.yaml") +
-                ": position of point a is missing or no list of finite numbers, allowed is [x, y, z] in metres");
+                ": position of point a is missing or no list of finite numbers, allowed is [x, y, "
+                "z] in metres");
   writeText("points.yaml", "points:\n- {name: a, position: [1, 2, 3], pixels: {left: 4}}\n");
   EXPECT_EQ(errorTextOf<std::exception>([&] { readKnownPoints(path("points.yaml"), cameras); }),
             path("points.yaml") +
-                ": a pixel of point a is missing or no list of finite numbers, allowed is CAMERA: [u, v]");
+                ": a pixel of point a is missing or no list of finite numbers, allowed is CAMERA: "
+                "[u, v]");
 }
 
 TEST(CameraInfoText, HasFiveOrEightCoefficients) {

@@ -30,8 +30,7 @@ TEST(RunTool, AFileThatMayNotGrowFailsToBeWritten) {
       {
         const rlimit none{0, 0};
         setrlimit(RLIMIT_FSIZE, &none);
-        const std::string file =
-            ::testing::TempDir() + "run_tool_test_" + std::to_string(getpid());
+        const std::string file = ::testing::TempDir() + "run_tool_test_" + std::to_string(getpid());
         const int code = runTool("tool", [&] { writeWholeFile(file, "text"); });
         std::_Exit(code + (std::filesystem::exists(file) ? 2 : 0));
       },

@@ -11,8 +11,8 @@ bool isMatrix(const cv::FileNode& node) {
   return node.isMap() && !node["rows"].empty() && !node["cols"].empty() && !node["data"].empty();
 }
 
-/// Throws std::invalid_argument if what is meant as a matrix is none: OpenCV would stop at it with a
-/// sentence about its own code.
+/// Throws std::invalid_argument if what is meant as a matrix is none: OpenCV would stop at it with
+/// a sentence about its own code.
 std::optional<cv::Mat> matrixIn(const cv::FileNode& node, const std::string& where) {
   if (!isMatrix(node)) return std::nullopt;
   cv::Mat matrix, as_double;

@@ -22,7 +22,9 @@ std::vector<double> numbersIn(const YAML::Node& node, size_t count, const std::s
   bool good = node.IsDefined() && YAML::convert<std::vector<double>>::decode(node, numbers) &&
               numbers.size() == count;
   for (const double number : numbers) good = good && std::isfinite(number);
-  if (!good) throw std::invalid_argument(what + " is missing or no list of finite numbers, allowed is " + allowed);
+  if (!good)
+    throw std::invalid_argument(what + " is missing or no list of finite numbers, allowed is " +
+                                allowed);
   return numbers;
 }
 
@@ -30,8 +32,9 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
                    const std::string& path) {
   KnownPoint point;
   if (!node.IsMap())
-    throw std::invalid_argument(path + ": a point is no map, allowed are the keys name, position, "
-                                       "pixels and sigma");
+    throw std::invalid_argument(path +
+                                ": a point is no map, allowed are the keys name, position, "
+                                "pixels and sigma");
   point.name = node["name"] ? node["name"].as<std::string>() : "";
   const auto position = numbersIn(node["position"], 3, path + ": position of point " + point.name,
                                   "[x, y, z] in metres");
@@ -43,8 +46,8 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
                                   " is not between 0 and 1000 pixels");
   }
   for (const auto& entry : node["pixels"]) {
-    const auto pixel = numbersIn(entry.second, 2, path + ": a pixel of point " + point.name,
-                                 "CAMERA: [u, v]");
+    const auto pixel =
+        numbersIn(entry.second, 2, path + ": a pixel of point " + point.name, "CAMERA: [u, v]");
     point.pixels.emplace_back(cameraNamed(entry.first.as<std::string>(), cameras, path),
                               Eigen::Vector2d(pixel[0], pixel[1]));
   }
@@ -64,7 +67,8 @@ std::vector<KnownPoint> readKnownPoints(const std::string& path,
     throw std::invalid_argument(path + ": " + sentenceOf(error));
   }
   if (points.empty())
-    throw std::invalid_argument(path + " has no list `points` with a name, position and pixels each");
+    throw std::invalid_argument(path +
+                                " has no list `points` with a name, position and pixels each");
   return points;
 }
 
