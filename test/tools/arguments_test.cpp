@@ -42,10 +42,10 @@ TEST(Arguments, ThatCanBeUsedAreTaken) {
 
 TEST(Arguments, NumbersThatAreNoneAreToldWithWhatIsAllowed) {
   const Refusal word = refusal({"--length", "long"});
-  EXPECT_EQ(word.text, "tool: --length is 'long', allowed are finite numbers");
+  EXPECT_EQ(word.text, "tool: --length is 'long', allowed are finite numbers (POSITIVE)");
   EXPECT_NE(word.code.value_or(0), 0);
   EXPECT_EQ(refusal({"--steps", "1.5"}).text,
-            "tool: --steps is '1.5', allowed are whole numbers from -2147483648 to 2147483647");
+            "tool: --steps is '1.5', allowed are whole numbers of up to nine digits");
   EXPECT_EQ(refusal({"--threads=-1"}).text,
             "tool: --threads is '-1', allowed are whole numbers from 0");
 }
@@ -53,7 +53,7 @@ TEST(Arguments, NumbersThatAreNoneAreToldWithWhatIsAllowed) {
 TEST(Arguments, NumbersThatAreNotFiniteAreRefused) {
   for (const std::string text : {"nan", "inf", "-inf", "1e999"}) {
     EXPECT_EQ(refusal({"--length=" + text}).text,
-              "tool: --length is '" + text + "', allowed are finite numbers");
+              "tool: --length is '" + text + "', allowed are finite numbers (POSITIVE)");
     EXPECT_NE(refusal({"cut", "--part=" + text}).code.value_or(0), 0) << text;
   }
 }

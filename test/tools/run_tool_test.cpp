@@ -28,10 +28,11 @@ TEST(RunTool, WhatStoodInADamagedFileIsShownSafely) {
 TEST(RunTool, AFileThatMayNotGrowFailsToBeWritten) {
   EXPECT_EXIT(
       {
-        const rlimit none{0, 0};
-        setrlimit(RLIMIT_FSIZE, &none);
+        rlimit size{};
+        size.rlim_cur = size.rlim_max = 4096;
+        setrlimit(RLIMIT_FSIZE, &size);
         const std::string file = ::testing::TempDir() + "run_tool_test_" + std::to_string(getpid());
-        const int code = runTool("tool", [&] { writeWholeFile(file, "text"); });
+        const int code = runTool("tool", [&] { writeWholeFile(file, std::string(9000, 'x')); });
         std::_Exit(code + (std::filesystem::exists(file) ? 2 : 0));
       },
       testing::ExitedWithCode(1), "^tool: cannot write ");

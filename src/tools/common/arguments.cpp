@@ -28,12 +28,14 @@ bool isWhole(const std::string& text, long long least, long long most) {
 
 /// What an option of numbers takes if this is not among it; empty if it is, or for other options.
 std::string allowedInPlaceOf(const std::string& text, const CLI::Option& option) {
-  const std::string type = option.get_type_name();  // may go on with what is checked
-  const auto is = [&](const char* name) { return type.rfind(name, 0) == 0; };
-  if (is("FLOAT") && !isFinite(text)) return "finite numbers";
-  if (is("UINT") && !isWhole(text, 0, LLONG_MAX)) return "whole numbers from 0";
-  if (is("INT") && !isWhole(text, INT_MIN, INT_MAX))
-    return "whole numbers from " + std::to_string(INT_MIN) + " to " + std::to_string(INT_MAX);
+  const std::string type = option.get_type_name();  // such as INT, or INT:INT in [5 - 100]
+  const size_t colon = type.find(':');
+  const std::string kind = type.substr(0, colon);
+  const std::string check = colon == std::string::npos ? "" : " (" + type.substr(colon + 1) + ")";
+  if (kind == "FLOAT" && !isFinite(text)) return "finite numbers" + check;
+  if (kind == "UINT" && !isWhole(text, 0, LLONG_MAX)) return "whole numbers from 0" + check;
+  if (kind == "INT" && !isWhole(text, INT_MIN, INT_MAX))
+    return "whole numbers of up to nine digits" + check;
   return "";
 }
 
