@@ -65,8 +65,9 @@ TEST_F(ProcessLimits, FilesThatMayNotGrowAreToldAndDoNotEndTheProcess) {
         const std::string cut = raiseFileSizeLimit();
         std::FILE* file = std::tmpfile();
         const std::string bytes(9000, 'x');
-        const bool written =
-            file && std::fwrite(bytes.data(), 1, bytes.size(), file) && std::fflush(file) == 0;
+        const bool written = file &&
+                             std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
+                             std::fflush(file) == 0;
         tellAndExit(written ? "written" : cut);
       },
       testing::ExitedWithCode(1), "may write files of 4 kB only, .*ulimit -f");
