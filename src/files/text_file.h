@@ -19,7 +19,8 @@ inline void checkRegularFile(const std::string& path, const std::string& subject
                              uintmax_t max_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw std::runtime_error("cannot read " + subject);
+  if (!std::filesystem::exists(status))
+    throw std::runtime_error("cannot read " + subject + ": there is no such file");
   if (!std::filesystem::is_regular_file(status))
     throw std::runtime_error("cannot read " + subject +
                              ": it is a folder, pipe or device, allowed are files");
@@ -34,6 +35,7 @@ inline void checkRegularFile(const std::string& path, const std::string& subject
 inline std::string readTextFile(const std::string& path, const std::string& subject) {
   checkRegularFile(path, subject, kMaxTextBytes);
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + subject + ": this user may not");
   std::string text;
   char block[1 << 14];
   // Counted again: files of /proc say that they are empty.

@@ -3,12 +3,20 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
 namespace markerless_mocap {
+
+/// Why the last write failed, to be put behind "cannot write FILE"; empty if it is not known.
+inline std::string reasonOfFailedWrite(int error) {
+  if (error == ENOSPC || error == EDQUOT) return ": the disk is full";
+  if (error == EFBIG) return ": files may not become that large (ulimit -f)";
+  return "";
+}
 
 /// Lets `write` fill a file beside <path> and renames it to <path>: the file is complete or as it
 /// was. Throws std::runtime_error if the path is no regular file or cannot be written.
@@ -26,6 +34,7 @@ void writeWholeFileBy(const std::string& path, const Write& write) {
     throw std::runtime_error("cannot write " + path +
                              ": its folder is missing or may not be written");
   error.clear();
+  errno = 0;
   bool written = false;
   std::error_code ignored;
   try {
@@ -34,10 +43,11 @@ void writeWholeFileBy(const std::string& path, const Write& write) {
     std::filesystem::remove(active, ignored);
     throw;
   }
+  const std::string reason = reasonOfFailedWrite(errno);
   if (written) std::filesystem::rename(active, path, error);
   if (written && !error) return;
   std::filesystem::remove(active, ignored);
-  throw std::runtime_error("cannot write " + path + (error ? ": " + error.message() : ""));
+  throw std::runtime_error("cannot write " + path + (error ? ": " + error.message() : reason));
 }
 
 /// The same with the bytes of the file.

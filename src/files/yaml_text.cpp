@@ -42,4 +42,12 @@ YAML::Node yamlFrom(const std::string& text, const std::string& where) {
   }
 }
 
+std::vector<YAML::Node> yamlDocumentsFrom(const std::string& text, const std::string& where) {
+  try {
+    return YAML::LoadAll(text);
+  } catch (const YAML::Exception& fault) {
+    throw std::invalid_argument(where + " is no YAML: " + sentenceOf(fault));
+  }
+}
+
 }  // namespace markerless_mocap

@@ -17,7 +17,7 @@ TEST(UrdfReaderTest, garbageIsRefused) {
   EXPECT_EQ(refusal("<robot name=\"a\">\n<link name=\"b\">\n</joint></robot>"),
             no_xml + "2 on: a tag has no end, or that of another");
   EXPECT_EQ(refusal("<robot name=\"a\">\n<link name=\"b/></robot>"),
-            no_xml + "2 on: a tag or attribute is not complete");
+            no_xml + "2 on: an attribute is not NAME=\"VALUE\", or stands twice");
   EXPECT_EQ(refusal("<robot name=\"a\"/>").rfind("URDF of the body: the text is XML, but no", 0),
             0u);
 }

@@ -31,7 +31,7 @@ TEST_F(TextFileTest, BytesComeAsTheyAre) {
 }
 
 TEST_F(TextFileTest, WhatIsNoFileIsRefusedAndDoesNotBlock) {
-  EXPECT_EQ(refusal(path("nothing")), "cannot read the text");
+  EXPECT_EQ(refusal(path("nothing")), "cannot read the text: there is no such file");
   ASSERT_EQ(mkfifo(path("fifo").c_str(), 0600), 0);
   const std::string sentence =
       "cannot read the text: it is a folder, pipe or device, allowed are files";

@@ -22,6 +22,12 @@ TEST(YamlText, IsRead) {
   EXPECT_TRUE(yamlFrom("", "a.yaml").IsNull());
 }
 
+TEST(YamlText, FaultsOfALaterDocumentAreTold) {
+  EXPECT_EQ(yamlDocumentsFrom("a: 1\n---\nb: 2", "a.yaml").size(), 2u);
+  EXPECT_EQ(errorTextOf([] { yamlDocumentsFrom("a: 1\n---\nb: [1", "a.yaml"); }).substr(0, 18),
+            "a.yaml is no YAML:");
+}
+
 TEST(YamlText, ThatNestsTooDeepIsToldSo) {
   const std::string sentence = "a.yaml is no YAML: it nests deeper than the 500 levels";
   EXPECT_EQ(refusal("a: " + nested(100000, "[") + nested(100000, "]")).rfind(sentence, 0), 0u);

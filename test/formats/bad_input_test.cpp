@@ -36,7 +36,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 TEST_F(BadCalibration, WhatIsNoneIsTold) {
-  EXPECT_EQ(refusal({path("none.xml")}), "cannot read none.xml");
+  EXPECT_EQ(refusal({path("none.xml")}), "cannot read none.xml: there is no such file");
   EXPECT_EQ(of("a.txt", "1 2 3"),
             std::string("a.txt: this is no calibration of a known format, ") + kAll);
   EXPECT_EQ(of("a.txt", "1 2 3 4 5 6 7 8 9 10 11 twelve").substr(0, 27),
@@ -62,8 +62,10 @@ TEST_F(BadCalibration, TwoFormatsInOneFolderAreTold) {
 }
 
 TEST_F(BadCalibration, TomlThatIsBrokenOrWrongIsToldWithTheCamera) {
-  EXPECT_EQ(of("a.toml", replaced(kAnipose, "\"A\"", "\"A")).substr(0, 34),
-            "a.toml, line 2: this is no TOML: E");
+  EXPECT_EQ(
+      of("a.toml", replaced(kAnipose, "\"A\"", "\"A")),
+      "a.toml, line 2: this is no TOML: a text in quotes has no end, or signs that it may not "
+      "hold");
   EXPECT_EQ(
       of("a.toml", replaced(kAnipose, "500.0, 240.0", "-500.0, 240.0")),
       "a.toml, camera cam_0: the camera matrix is 500, 0, 320, 0, -500, 240, 0, 0, 1, allowed "
@@ -148,12 +150,11 @@ TEST_F(BadCalibration, ColmapLensesThatAreUnknownAreTold) {
   const std::string images = write("images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n");
   EXPECT_EQ(
       refusal({write("cameras.txt", "1 THIN_PRISM_FISHEYE 9 9 5 5 3 2 0 0 0 0 0 0 0 0\n"), images}),
-      "cameras.txt, line '1 THIN_PRISM_FISHEYE 9 9 5 5 3 2 0 0 0 0 0 0 0 0': the camera model is "
+      "cameras.txt, line 1: the camera model is "
       "THIN_PRISM_FISHEYE, allowed are FULL_OPENCV, OPENCV, OPENCV_FISHEYE, PINHOLE, RADIAL, "
       "SIMPLE_PINHOLE, SIMPLE_RADIAL");
   EXPECT_EQ(refusal({write("cameras.txt", "1 PINHOLE 640 480 500 500 320\n"), images}),
-            "cameras.txt, line '1 PINHOLE 640 480 500 500 320': PINHOLE has 3 numbers, allowed are "
-            "4");
+            "cameras.txt, line 1: PINHOLE has 3 numbers, allowed are 4");
   EXPECT_EQ(refusal({write("cameras.txt", "2 PINHOLE 640 480 500 500 320 240\n"), images}),
             "images.txt, image 'a.png': camera 1 is not in cameras.txt");
 }
@@ -163,8 +164,69 @@ TEST_F(BadCalibration, QualisysWithoutAnElementIsTold) {
                "<calibration><cameras><camera serial=\"7\"><intrinsic focalLengthU=\"1\"/></camera>"
                "</cameras></calibration>"),
             "c.qca.txt, camera '7': there is no element <fov_video>");
-  EXPECT_EQ(of("c.qca.txt", "<calibration><cameras focalLengthU").substr(0, 29),
-            "c.qca.txt: this is no XML: Er");
+}
+
+TEST_F(BadCalibration, BrokenXmlIsToldWithItsLine) {
+  EXPECT_EQ(of("c.qca.txt", "<calibration>\n<cameras focalLengthU"),
+            "c.qca.txt: the text is no XML from line 2 on: an attribute is not NAME=\"VALUE\", or "
+            "stands twice");
+  EXPECT_EQ(of("tf.launch", "<launch>\n<node type=\"static_transform_publisher\"></launch>"),
+            "tf.launch: the text is no XML from line 2 on: a tag has no end, or that of another");
+}
+
+TEST_F(BadCalibration, XmlThatIsACommentAloneIsTold) {
+  EXPECT_EQ(of("c.qca.txt", "<!-- <calibration focalLengthU -->"),
+            "c.qca.txt: the text is empty or has no tags");
+  EXPECT_EQ(of("tf.launch", "<!-- <launch static_transform_publisher -->"),
+            "tf.launch: the text is empty or has no tags");
+}
+
+TEST_F(BadCalibration, ColmapLinesThatAreNoneAreToldWithTheirNumber) {
+  const std::string images = write("images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n");
+  const std::string good = "# comment\n1 PINHOLE 640 480 500 500 320 240\n";
+  const auto cameras = [&](const std::string& line) {
+    return refusal({write("cameras.txt", good + line), images});
+  };
+  EXPECT_EQ(cameras("2 PINHOLE 640 480 500 500 320 24O\n"),
+            "cameras.txt, line 3: behind WIDTH HEIGHT is something that is no number");
+  EXPECT_EQ(cameras("2 PINHOLE 640x480 500 500 320 240\n"),
+            "cameras.txt, line 3: it is not CAMERA_ID MODEL WIDTH HEIGHT PARAMS");
+  EXPECT_EQ(cameras("2 PINHOLE 0 480 500 500 320 240\n"),
+            "cameras.txt, line 3: 'WIDTH' is 0, allowed are whole numbers from 1 to 65536");
+  const std::string lens = write("cameras.txt", good);
+  EXPECT_EQ(refusal({lens, write("images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n2 1 0 0\n\n")}),
+            "images.txt, line 3: it is not ID QW QX QY QZ TX TY TZ CAMERA_ID NAME; every second "
+            "line lists points, and may be empty");
+}
+
+/// A camera in OpenCV's XML with other rows or another width.
+std::string openCvCamera(const std::string& rows, const std::string& width) {
+  return "<?xml version=\"1.0\"?>\n<opencv_storage><image_width>" + width +
+         "</image_width><image_height>480</image_height><CameraMatrix "
+         "type_id=\"opencv-matrix\"><rows>" +
+         rows +
+         "</rows><cols>3</cols><dt>d</dt><data>500. 0. 320. 0. 500. 240. 0. 0. 1.</data>"
+         "</CameraMatrix><Rotation type_id=\"opencv-matrix\"><rows>3</rows><cols>1</cols>"
+         "<dt>d</dt><data>0. 0. 0.</data></Rotation><Translation type_id=\"opencv-matrix\">"
+         "<rows>3</rows><cols>1</cols><dt>d</dt><data>0. 0. 1.</data></Translation>"
+         "</opencv_storage>";
+}
+
+TEST_F(BadCalibration, OpenCvMatricesThatAreNoneAreTold) {
+  EXPECT_EQ(refusal({write("a.xml", openCvCamera("3", "640"))}), "");
+  EXPECT_EQ(of("a.xml", openCvCamera("4", "640")),
+            "a.xml: 'CameraMatrix' is no matrix: allowed are rows, cols, dt d or f, and data with "
+            "rows x cols numbers");
+  EXPECT_EQ(of("a.xml", openCvCamera("3", "wide")),
+            "a.xml: 'image_width' is no number, allowed is one");
+  EXPECT_EQ(of("a.xml", openCvCamera("3", "1e30")),
+            "a.xml: 'image_width' is 1e+30, allowed are whole numbers from 1 to 65536");
+}
+
+TEST_F(BadCalibration, ASecondDocumentThatIsNoYamlIsTold) {
+  const std::string info = write("front.yaml", kInfo);
+  EXPECT_EQ(refusal({info, write("tf.yaml", "child_frame_id: a\n---\na: [\n")}).substr(0, 19),
+            "tf.yaml is no YAML:");
 }
 
 TEST(WorldGuess, MillimetresAndAnAxisThatPointsDownAreFound) {

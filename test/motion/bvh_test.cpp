@@ -219,7 +219,8 @@ TEST(Bvh, aDeepHierarchyEndsInASentence) {
 
 TEST(Bvh, aFileThatCannotBeReadIsNamed) {
   const auto fault = [](const std::string& path) { return errorTextOf([&] { readBvh(path); }); };
-  EXPECT_EQ(fault("/nowhere/walk.bvh"), "cannot read the BVH file /nowhere/walk.bvh");
+  EXPECT_EQ(fault("/nowhere/walk.bvh"),
+            "cannot read the BVH file /nowhere/walk.bvh: there is no such file");
   EXPECT_EQ(fault("/"),
             "cannot read the BVH file /: it is a folder, pipe or device, allowed are files");
 }

@@ -87,7 +87,7 @@ TEST(MotionScript, saysWhatIsWrongWithFeet) {
 TEST(MotionScript, saysWhatIsWrongWithFiles) {
   EXPECT_EQ(faultOf("a: [1\nb: 2\n").rfind("m.yaml is no YAML: ", 0), 0u);
   EXPECT_EQ(errorTextOf([] { readMotionScript("/nowhere/dance.yaml"); }),
-            "cannot read the motion /nowhere/dance.yaml");
+            "cannot read the motion /nowhere/dance.yaml: there is no such file");
   EXPECT_EQ(errorTextOf([] { readMotionScript("/"); }),
             "cannot read the motion /: it is a folder, pipe or device, allowed are files");
 }

@@ -58,6 +58,30 @@ TEST_F(ProcessLimits, TooLittleMemoryIsTold) {
       "may use 700 MB of addresses, allowed are 1000 MB and more.*ulimit -v");
 }
 
+TEST_F(ProcessLimits, FilesThatMayNotGrowAreToldAndDoNotEndTheProcess) {
+  EXPECT_EXIT(
+      {
+        limit(RLIMIT_FSIZE, 4096, 4096);
+        const std::string cut = raiseFileSizeLimit();
+        std::FILE* file = std::tmpfile();
+        const std::string bytes(9000, 'x');
+        const bool written = file &&
+                             std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
+                             std::fflush(file) == 0;
+        tellAndExit(written ? "written" : cut);
+      },
+      testing::ExitedWithCode(1), "may write files of 4 kB only, .*ulimit -f");
+}
+
+TEST_F(ProcessLimits, FilesThatMayGrowFurtherAreAllowedTo) {
+  EXPECT_EXIT(
+      {
+        limit(RLIMIT_FSIZE, 4096, RLIM_INFINITY);
+        tellAndExit(raiseFileSizeLimit());
+      },
+      testing::ExitedWithCode(0), "^$");
+}
+
 TEST_F(ProcessLimits, AShortageOfFilesIsTold) {
   EXPECT_EXIT(
       {

@@ -87,7 +87,7 @@ TEST_F(RigFromFile, CamerasThatAreLackingOrLeftOverAreNamed) {
             file_ + " also has a, c, which is not used");
   EXPECT_EQ(RigCollector({"c", "b", "a"}, "world", file_).unusedCameras(), "");
   EXPECT_EQ(errorTextOf<std::runtime_error>([] { RigCollector({"a"}, "world", "/no/such/file"); }),
-            "cannot read the rig /no/such/file");
+            "cannot read the rig /no/such/file: there is no such file");
 }
 
 TEST(RigCollector, AFirstCalibrationOfNoCameraIsReplacedAtOnce) {

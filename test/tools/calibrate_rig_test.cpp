@@ -5,6 +5,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 #include "calibration/board_drawing.h"
 #include "markerless_mocap/camera/rig_file.h"
@@ -194,6 +195,43 @@ TEST_F(CalibrateRig, WhatIsMissingIsTold) {
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
+/// Of calibrateFilms(), without having searched a film.
+TEST_F(CalibrateRig, OtherInputsAreReadBeforeTheFilms) {
+  writePictures();
+  const auto refusal = [&](void (*change)(CalibrateRigArguments*, const std::string&),
+                           const std::string& value) {
+    CalibrateRigArguments arguments = arguments_;
+    change(&arguments, value);
+    std::ostringstream notes;
+    const std::string text =
+        errorTextOf<std::exception>([&] { calibrateFilms(arguments, &notes, false); });
+    EXPECT_EQ(notes.str(), "") << "the films were searched first";
+    return text;
+  };
+  using A = CalibrateRigArguments;
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->points = v; }, path("none.yaml")),
+            "cannot read the points in " + path("none.yaml") + ": there is no such file");
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->floor = v; }, "left:nan"),
+            "--floor left:nan: after the colon comes a time in seconds");
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->floor = v; }, "middle:1"),
+            "--floor names the camera middle, there are left, right");
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->walk = {v}; }, path("none")),
+            "there is no file or folder " + path("none"));
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->lens_pictures = {v}; }, path("none")),
+            "there is no file or folder " + path("none"));
+  EXPECT_EQ(refusal([](A* a, const std::string& v) { a->lens = v; }, "k9")
+                .rfind("there is no lens model 'k9', allowed are ", 0),
+            0u);
+  writeText("a_file", "");
+  EXPECT_EQ(
+      refusal([](A* a, const std::string& v) { a->output = v; }, path("a_file/out")),
+      "cannot write the folder " + path("a_file/out") + ": " + path("a_file") + " is no folder");
+  writeRig(path("rig.yaml"), {pair()[0]});
+  EXPECT_NE(
+      refusal([](A* a, const std::string& v) { a->lenses = v; }, path("rig.yaml")).find("right"),
+      std::string::npos);
+}
+
 TEST_F(CalibrateRig, APipeIsNoVideo) {
   const std::string pipe = path("left.mp4");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -212,6 +250,9 @@ TEST_F(CalibrateRig, TimesOfEachCameraAreRead) {
   EXPECT_EQ(errorTextOf<std::exception>([&] { readFrameTimes(path("times.csv"), {"cam_10"}); }),
             "no camera of " + path("times.csv") +
                 " is called like the film cam_10, there are 0, 1 and the films cam_10");
+  writeText("times.csv", "");
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readFrameTimes(path("times.csv"), {"cam_10"}); }),
+            path("times.csv") + " is empty, wanted is a head line with cam_id and frame_time");
 }
 
 TEST_F(CalibrateRig, FilesBesideTheFilmsAreFound) {
@@ -239,6 +280,17 @@ TEST_F(CalibrateRig, PointsNameTheirCameras) {
               readKnownPoints(path("points.yaml"), {{"left", 480, 360, {}}});
             }),
             path("points.yaml") + " names the camera right, of which there is no film");
+  writeText("points.yaml",
+            "points:\n- {name: a, position: [1, 2, .nan], pixels: {left: [4, 5]}}\n");
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readKnownPoints(path("points.yaml"), cameras); }),
+            path("points.yaml") +
+                ": position of point a is missing or no list of finite numbers, allowed is [x, y, "
+                "z] in metres");
+  writeText("points.yaml", "points:\n- {name: a, position: [1, 2, 3], pixels: {left: 4}}\n");
+  EXPECT_EQ(errorTextOf<std::exception>([&] { readKnownPoints(path("points.yaml"), cameras); }),
+            path("points.yaml") +
+                ": a pixel of point a is missing or no list of finite numbers, allowed is CAMERA: "
+                "[u, v]");
 }
 
 TEST(CameraInfoText, HasFiveOrEightCoefficients) {

@@ -70,7 +70,7 @@ TEST_F(EvaluationTest, TheBodyIsDrawnWithTheRigOfTheRun) {
   EXPECT_EQ(meanOfMeans(judged().images.body_iou), 1.0);
   request_.rig = path("no_rig.yaml");
   EXPECT_EQ(errorTextOf<std::runtime_error>([&] { judged(); }),
-            "cannot read the rig " + request_.rig);
+            "cannot read the rig " + request_.rig + ": there is no such file");
 }
 
 TEST_F(EvaluationTest, AShiftComesBackAndCostsOverlapOfTheBodyOnly) {

@@ -56,6 +56,10 @@ TEST_F(ExportMotion, GapsAreToldInTheFileOrBesideIt) {
   notes();
   EXPECT_NE(bytesOf("a.bvh.gaps.csv").find("LeftForeArm,0.320000,0.400000,filled\n"),
             std::string::npos);
+  std::filesystem::create_directories(path("folder.bvh"));
+  what_.output = path("folder.bvh");
+  EXPECT_EQ(refusal(), "cannot write " + what_.output + ": it is a folder, pipe or device");
+  EXPECT_FALSE(std::filesystem::exists(path("folder.bvh.gaps.csv")));
 }
 
 TEST_F(ExportMotion, BadCallsAreRefusedAndLeaveNothing) {

@@ -146,7 +146,7 @@ TEST_F(ImportVideos, MissingPiecesAreToldAndLeaveNoBag) {
             "frames");
   std::filesystem::remove(path("cam1/config.xml"));
   EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
-            "cannot read " + path("cam1/config.xml"));
+            "cannot read " + path("cam1/config.xml") + ": there is no such file");
   std::filesystem::remove(path("cam1/background.avi"));
   EXPECT_EQ(errorTextOf<std::exception>([&] { import(); }),
             "there is no video " + path("cam1/background.avi"));

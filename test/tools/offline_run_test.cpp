@@ -200,7 +200,7 @@ TEST_F(OfflineRun, UnreadableBodyAndBadIdAreTold) {
   writeBag();
   options_.urdf_template = path("none.urdf");
   EXPECT_EQ(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }),
-            "cannot read " + options_.urdf_template);
+            "cannot read " + options_.urdf_template + ": there is no such file");
   writeText("broken.urdf", "<robot>");
   options_.urdf_template = path("broken.urdf");
   EXPECT_NE(errorTextOf<std::exception>([&] { runOffline(options_, nullptr, false); }), "");
@@ -322,7 +322,7 @@ TEST_F(OfflineRun, ConfigurationErrorsNameFileAndKey) {
             }).find(path("broken.yaml") + " is no YAML: "),
             0u);
   EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("none.yaml")); }),
-            "cannot read the configuration " + path("none.yaml"));
+            "cannot read the configuration " + path("none.yaml") + ": there is no such file");
   ASSERT_EQ(mkfifo(path("pipe.yaml").c_str(), 0600), 0);
   EXPECT_EQ(errorTextOf<std::exception>([&] { readConfiguration(path("pipe.yaml")); }),
             "cannot read the configuration " + path("pipe.yaml") +

@@ -1,10 +1,14 @@
 #include "tools/common/run_tool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "files/whole_file.h"
 
 namespace markerless_mocap {
 namespace {
@@ -19,6 +23,19 @@ TEST(RunTool, WhatStoodInADamagedFileIsShownSafely) {
   EXPECT_EQ(printable("a.yaml: 'x' holds \x1b[2J\x01\x7f, allowed are numbers\nand text"),
             "a.yaml: 'x' holds ?[2J??, allowed are numbers\nand text");
   EXPECT_EQ(printable(std::string(3000, 'a')), std::string(2000, 'a') + " ...");
+}
+
+TEST(RunTool, AFileThatMayNotGrowFailsToBeWritten) {
+  EXPECT_EXIT(
+      {
+        rlimit size{};
+        size.rlim_cur = size.rlim_max = 4096;
+        setrlimit(RLIMIT_FSIZE, &size);
+        const std::string file = ::testing::TempDir() + "run_tool_test_" + std::to_string(getpid());
+        const int code = runTool("tool", [&] { writeWholeFile(file, std::string(9000, 'x')); });
+        std::_Exit(code + (std::filesystem::exists(file) ? 2 : 0));
+      },
+      testing::ExitedWithCode(1), "^tool: cannot write .*: files may not become that large");
 }
 
 TEST(RunTool, IsSilentWhenAllIsWell) {

@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "files/xml_text.h"
+
 namespace markerless_mocap {
 namespace {
+
+constexpr const char* kSubject = "URDF of the body";  // of sentences
 
 enum class Kind { kFixed, kRevolute, kEither };
 
@@ -52,7 +56,7 @@ constexpr KnownJoint kKnownJoints[] = {{"waist", "waist", Kind::kRevolute, false
                                        {"r_ankle", "r_ankle", Kind::kEither, false}};
 
 [[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument("URDF of the body: " + message);
+  throw std::invalid_argument(std::string(kSubject) + ": " + message);
 }
 
 /// What is read afterwards recurses into tags and links, and its stack is limited.
@@ -65,15 +69,7 @@ void checkTags(const std::string& xml) {
 /// The URDF reader says of broken XML neither where nor what.
 void checkXml(const std::string& xml) {
   tinyxml2::XMLDocument document;
-  const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
-  if (error == tinyxml2::XML_SUCCESS) return;
-  if (error == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) refuse("the text is empty or has no tags");
-  const bool other_end = error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT;
-  refuse("the text is no XML from line " + std::to_string(document.ErrorLineNum()) + " on: " +
-         (other_end                                       ? "a tag has no end, or that of another"
-          : error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED ? "tags nest too deep"
-          : error == tinyxml2::XML_ERROR_PARSING_TEXT     ? "text stands where a tag belongs"
-                                                          : "a tag or attribute is not complete"));
+  readXml(xml, kSubject, &document);
 }
 
 std::string textOf(Kind kind) {

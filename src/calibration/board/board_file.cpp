@@ -1,11 +1,10 @@
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "calibration/board.h"
 #include "files/text_file.h"
+#include "files/toml_text.h"
 #include "files/yaml_text.h"
 
 namespace markerless_mocap {
@@ -33,8 +32,7 @@ double squareIn(const toml::table& table, const BoardOptions& board) {
 }
 
 /// The charuco.toml of caliscope.
-BoardOptions boardInToml(const std::string& text) {
-  const toml::table table = toml::parse(text);
+BoardOptions boardInToml(const toml::table& table) {
   BoardOptions board;
   board.columns = wanted<int>(table, "columns");
   board.rows = wanted<int>(table, "rows");
@@ -56,13 +54,13 @@ bool isToml(const std::string& path) {
 
 BoardOptions readBoard(const std::string& path) {
   const std::string text = readTextFile(path, "the board " + path);
-  const YAML::Node yaml = isToml(path) ? YAML::Node() : yamlFrom(text, path);
+  const bool is_toml = isToml(path);
+  const toml::table toml = is_toml ? tomlFrom(text, path) : toml::table();
+  const YAML::Node yaml = is_toml ? YAML::Node() : yamlFrom(text, path);
   try {
-    BoardOptions board = isToml(path) ? boardInToml(text) : loadOptions<BoardOptions>(yaml);
+    BoardOptions board = is_toml ? boardInToml(toml) : loadOptions<BoardOptions>(yaml);
     board.validate();
     return board;
-  } catch (const toml::parse_error& error) {
-    throw std::invalid_argument(path + ": this is no TOML: " + std::string(error.description()));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

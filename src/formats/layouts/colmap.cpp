@@ -34,11 +34,21 @@ const std::map<std::string, Model>& models() {
   return kModels;
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);)
-    if (line.empty() || line[0] != '#') lines.push_back(line);
+struct Line {
+  std::string text;
+  std::string where;  ///< of sentences about it
+
+  bool blank() const { return text.find_first_not_of(" \t\r") == std::string::npos; }
+};
+
+/// Without comments.
+std::vector<Line> linesOf(const TextFile& file) {
+  std::istringstream stream(file.text);
+  std::vector<Line> lines;
+  std::string text;
+  for (int number = 1; std::getline(stream, text); ++number)
+    if (text.empty() || text[0] != '#')
+      lines.push_back({text, file.path + ", line " + std::to_string(number)});
   return lines;
 }
 
@@ -88,11 +98,16 @@ bool isImages(const std::string& text) {
          std::abs(Eigen::Vector4d(image.q).norm() - 1.0) < kRounded;
 }
 
-CameraCalibration lensFrom(const std::string& line, const std::string& where, int* id) {
-  std::istringstream stream(line);
+CameraCalibration lensFrom(const Line& line, int* id) {
+  const std::string& where = line.where;
+  std::istringstream stream(line.text);
   std::string name, rest;
+  double width = 0.0, height = 0.0;
   CameraCalibration camera;
-  stream >> *id >> name >> camera.width >> camera.height;
+  if (!(stream >> *id >> name >> width >> height))
+    throwFormatError(where, "it is not CAMERA_ID MODEL WIDTH HEIGHT PARAMS");
+  camera.width = pixelsFrom(width, "WIDTH", where);
+  camera.height = pixelsFrom(height, "HEIGHT", where);
   std::getline(stream, rest);
   const auto model = models().find(name);
   if (model == models().end()) {
@@ -102,6 +117,7 @@ CameraCalibration lensFrom(const std::string& line, const std::string& where, in
   }
   const Model& m = model->second;
   const std::vector<double> p = numbersIn(rest);
+  if (p.empty()) throwFormatError(where, "behind WIDTH HEIGHT is something that is no number");
   checkNumbers(p, m.count, name, where);
   camera.K = cameraMatrixFrom(
       {p[m.fx], 0, p[m.cx] - kPixelCentre, 0, p[m.fy], p[m.cy] - kPixelCentre, 0, 0, 1}, where);
@@ -112,10 +128,10 @@ CameraCalibration lensFrom(const std::string& line, const std::string& where, in
 
 std::map<int, CameraCalibration> lensesIn(const TextFile& file) {
   std::map<int, CameraCalibration> lenses;
-  for (const std::string& line : linesOf(file.text)) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+  for (const Line& line : linesOf(file)) {
+    if (line.blank()) continue;
     int id = 0;
-    const CameraCalibration lens = lensFrom(line, file.path + ", line '" + line + "'", &id);
+    const CameraCalibration lens = lensFrom(line, &id);
     lenses[id] = lens;
   }
   return lenses;
@@ -184,13 +200,14 @@ CalibrationSet readColmapFiles(const std::vector<TextFile>& files) {
   const auto lenses = lensesIn(*cameras);
   std::vector<TextFile> names;
   CalibrationSet set;
-  const std::vector<std::string> lines = linesOf(images->text);
+  const std::vector<Line> lines = linesOf(*images);
   for (size_t i = 0; i < lines.size(); i += 2) {  // every second line lists points
-    if (lines[i].empty() && i + 1 == lines.size()) break;
+    if (lines[i].text.empty() && i + 1 == lines.size()) break;
     Image image;
-    if (!parseImage(lines[i], &image))
-      throwFormatError(images->path,
-                       "line '" + lines[i] + "' is not ID QW QX QY QZ TX TY TZ CAMERA_ID NAME");
+    if (!parseImage(lines[i].text, &image))
+      throwFormatError(lines[i].where,
+                       "it is not ID QW QX QY QZ TX TY TZ CAMERA_ID NAME; every second line lists "
+                       "points, and may be empty");
     set.cameras.push_back(cameraFrom(image, lenses, images->path));
     names.push_back({image.name, ""});
   }

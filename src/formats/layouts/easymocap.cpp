@@ -37,8 +37,11 @@ void readIntrinsics(const TextFile& file, CameraCalibration* camera) {
   const std::string lens = storageKeyAmong(storage, {"dist_" + camera->name, "D_" + camera->name});
   if (!lens.empty()) camera->D = storageNumbers(storage, lens, where);
   if (!storage["W_" + camera->name].empty() && !storage["H_" + camera->name].empty()) {
-    camera->width = int(storage["W_" + camera->name].real());
-    camera->height = int(storage["H_" + camera->name].real());
+    const auto pixels = [&](const std::string& key) {
+      return pixelsFrom(storageNumber(storage, key, where), key, where);
+    };
+    camera->width = pixels("W_" + camera->name);
+    camera->height = pixels("H_" + camera->name);
   }
 }
 

@@ -22,7 +22,7 @@ std::vector<double> numbersOutsideTags(const std::string& text) {
 
 Projection projectionIn(const TextFile& file) {
   if (isStorageText(file.text)) {
-    const auto matrix = projectionInStorage(openStorage(file));
+    const auto matrix = projectionInStorage(openStorage(file), file.path);
     if (matrix) return *matrix;
     throwFormatError(file.path, "there is no 3x4 matrix");
   }

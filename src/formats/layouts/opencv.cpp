@@ -48,9 +48,10 @@ std::vector<double> required(const cv::FileStorage& storage, const Keys& keys,
   return storageNumbers(storage, key, where);
 }
 
-int pixelsIn(const cv::FileStorage& storage, const Keys& keys) {
+/// 0 if the file leaves it open.
+int pixelsIn(const cv::FileStorage& storage, const Keys& keys, const std::string& where) {
   const std::string key = storageKeyAmong(storage, keys);
-  return key.empty() ? 0 : int(storage[key].real());
+  return key.empty() ? 0 : pixelsFrom(storageNumber(storage, key, where), key, where);
 }
 
 void readLens(const TextFile& file, CameraCalibration* camera) {
@@ -59,9 +60,10 @@ void readLens(const TextFile& file, CameraCalibration* camera) {
   const std::string lens = storageKeyAmong(storage, kDistortion);
   if (!lens.empty()) camera->D = storageNumbers(storage, lens, file.path);
   const std::string fisheye = storageKeyAmong(storage, kFisheye);
-  if (!fisheye.empty() && storage[fisheye].real() != 0) camera->lens = LensType::kFisheye;
-  camera->width = pixelsIn(storage, kWidth);
-  camera->height = pixelsIn(storage, kHeight);
+  if (!fisheye.empty() && storageNumber(storage, fisheye, file.path) != 0)
+    camera->lens = LensType::kFisheye;
+  camera->width = pixelsIn(storage, kWidth, file.path);
+  camera->height = pixelsIn(storage, kHeight, file.path);
 }
 
 void readPose(const TextFile& file, CameraCalibration* camera) {

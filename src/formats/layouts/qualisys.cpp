@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "files/xml_text.h"
 #include "formats/parts/camera_parts.h"
 #include "text/number_text.h"
 
@@ -41,8 +42,8 @@ Eigen::Matrix3d halfTurn() {
 void readLens(const XMLElement& element, const std::string& where, CameraCalibration* camera) {
   const XMLElement& view = child(element, "fov_video", where);
   const double left = number(view, "left", where), top = number(view, "top", where);
-  camera->width = int(number(view, "right", where) - left) + 1;
-  camera->height = int(number(view, "bottom", where) - top) + 1;
+  camera->width = pixelsFrom(number(view, "right", where) - left + 1, "right - left + 1", where);
+  camera->height = pixelsFrom(number(view, "bottom", where) - top + 1, "bottom - top + 1", where);
   const XMLElement& lens = child(element, "intrinsic", where);
   const auto pixels = [&](const char* name) { return number(lens, name, where) / kSubpixels; };
   camera->K =
@@ -131,8 +132,7 @@ CalibrationSet readQualisysFiles(const std::vector<TextFile>& files) {
     throwFormatError(files[1].path,
                      "this is a second calibration beside " + files[0].path + ", allowed is one");
   tinyxml2::XMLDocument document;
-  if (document.Parse(files[0].text.c_str()) != tinyxml2::XML_SUCCESS)
-    throwFormatError(files[0].path, std::string("this is no XML: ") + document.ErrorStr());
+  readXml(files[0].text, files[0].path, &document);
   CalibrationSet set;
   set.metres_per_unit = kMillimetre;
   const XMLElement& cameras = child(*document.RootElement(), "cameras", files[0].path);

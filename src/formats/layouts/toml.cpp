@@ -1,10 +1,9 @@
 // TOML of anipose, caliscope, FreeMoCap and Pose2Sim: a table per camera with size, matrix,
 // distortions, rotation (rotation vector, or a matrix in caliscope) and translation, world to
 // camera.
-#include <toml++/toml.h>
-
 #include <algorithm>
 
+#include "files/toml_text.h"
 #include "formats/parts/camera_parts.h"
 
 namespace markerless_mocap {
@@ -14,15 +13,6 @@ struct CameraTable {
   std::string key;
   const toml::table* table;
 };
-
-toml::table parsed(const TextFile& file) {
-  try {
-    return toml::parse(file.text, file.path);
-  } catch (const toml::parse_error& error) {
-    throwFormatError(file.path + ", line " + std::to_string(error.source().begin.line),
-                     "this is no TOML: " + std::string(error.description()));
-  }
-}
 
 /// Tables with a camera matrix, at the top or in [cameras], in the order of the file.
 std::vector<CameraTable> cameraTables(const toml::table& root) {
@@ -75,8 +65,8 @@ CameraCalibration cameraIn(const CameraTable& entry, bool caliscope, const std::
   const auto size = numbersOf(table, "size", where);
   if (!size.empty()) {
     checkNumbers(size, 2, "'size'", where);
-    camera.width = int(size[0]);
-    camera.height = int(size[1]);
+    camera.width = pixelsFrom(size[0], "size", where);
+    camera.height = pixelsFrom(size[1], "size", where);
   }
   camera.K = cameraMatrixFrom(numbersOf(table, "matrix", where), where);
   camera.D = numbersOf(table, "distortions", where);
@@ -138,7 +128,7 @@ CalibrationSet readTomlFiles(const std::vector<TextFile>& files) {
   if (files.size() != 1)
     throwFormatError(files[1].path,
                      "this is a second calibration beside " + files[0].path + ", allowed is one");
-  const toml::table root = parsed(files[0]);
+  const toml::table root = tomlFrom(files[0].text, files[0].path);
   CalibrationSet set;
   set.format = formatOf(root);
   setUnit(&set);

@@ -24,6 +24,13 @@ void checkNumbers(const std::vector<double>& values, size_t wanted, const std::s
     if (!std::isfinite(value)) throwFormatError(where, what + " has a value that is not finite");
 }
 
+int pixelsFrom(double value, const std::string& key, const std::string& where) {
+  if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
+    throwFormatError(where, "'" + key + "' is " + numberText(value) +
+                                ", allowed are whole numbers from 1 to 65536");
+  return int(value);
+}
+
 Eigen::Matrix3d cameraMatrixFrom(const std::vector<double>& values, const std::string& where) {
   checkNumbers(values, 9, "the camera matrix", where);
   const Eigen::Matrix3d K =

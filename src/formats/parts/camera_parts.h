@@ -30,6 +30,9 @@ Eigen::Isometry3d poseFromWorldToCamera(const Eigen::Matrix3d& rotation,
 void checkNumbers(const std::vector<double>& values, size_t wanted, const std::string& what,
                   const std::string& where);
 
+/// A side of an image; throws unless it is a whole number from 1 to 65536.
+int pixelsFrom(double value, const std::string& key, const std::string& where);
+
 /// The lens as 4, 5 or 8 coefficients of OpenCV; trailing zeros beyond `wanted` are dropped. Throws
 /// if the lens has more, or is a fisheye.
 std::vector<double> distortionOfLength(const CameraCalibration& camera, size_t wanted,

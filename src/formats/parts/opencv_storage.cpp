@@ -11,11 +11,19 @@ bool isMatrix(const cv::FileNode& node) {
   return node.isMap() && !node["rows"].empty() && !node["cols"].empty() && !node["data"].empty();
 }
 
-std::optional<cv::Mat> matrixIn(const cv::FileNode& node) {
+/// Throws std::invalid_argument if what is meant as a matrix is none: OpenCV would stop at it with
+/// a sentence about its own code.
+std::optional<cv::Mat> matrixIn(const cv::FileNode& node, const std::string& where) {
   if (!isMatrix(node)) return std::nullopt;
   cv::Mat matrix, as_double;
-  node >> matrix;
-  matrix.convertTo(as_double, CV_64F);
+  try {
+    node >> matrix;
+    matrix.convertTo(as_double, CV_64F);
+  } catch (const cv::Exception&) {
+    throwFormatError(where, "'" + node.name() +
+                                "' is no matrix: allowed are rows, cols, dt d or f, and data with "
+                                "rows x cols numbers");
+  }
   return as_double;
 }
 
@@ -63,7 +71,7 @@ std::vector<double> storageNumbers(const cv::FileStorage& storage, const std::st
     checkNumbers(values, values.size(), "'" + key + "'", where);
     return values;
   }
-  const auto matrix = matrixIn(node);
+  const auto matrix = matrixIn(node, where);
   if (!matrix || matrix->empty()) throwFormatError(where, "there is no matrix '" + key + "'");
   const cv::Mat row = matrix->reshape(1, 1);
   const std::vector<double> values(row.begin<double>(), row.end<double>());
@@ -71,9 +79,18 @@ std::vector<double> storageNumbers(const cv::FileStorage& storage, const std::st
   return values;
 }
 
-std::optional<Eigen::Matrix<double, 3, 4>> projectionInStorage(const cv::FileStorage& storage) {
+double storageNumber(const cv::FileStorage& storage, const std::string& key,
+                     const std::string& where) {
+  const cv::FileNode node = storage[key];
+  if (!node.isReal() && !node.isInt())
+    throwFormatError(where, "'" + key + "' is no number, allowed is one");
+  return node.real();
+}
+
+std::optional<Eigen::Matrix<double, 3, 4>> projectionInStorage(const cv::FileStorage& storage,
+                                                               const std::string& where) {
   for (const cv::FileNode& node : storage.root()) {
-    const auto matrix = matrixIn(node);
+    const auto matrix = matrixIn(node, where);
     if (!matrix || matrix->rows != 3 || matrix->cols != 4) continue;
     return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(matrix->ptr<double>());
   }
@@ -82,7 +99,7 @@ std::optional<Eigen::Matrix<double, 3, 4>> projectionInStorage(const cv::FileSto
 
 bool storageHasProjection(const std::string& text) {
   try {
-    return bool(projectionInStorage(openStorage({"", text})));
+    return bool(projectionInStorage(openStorage({"", text}), ""));
   } catch (const std::exception&) {
     return false;
   }

@@ -24,8 +24,12 @@ std::string storageKeyAmong(const cv::FileStorage& storage, const std::vector<st
 /// Numbers of a matrix or a list, row by row; throws if it has other content.
 std::vector<double> storageNumbers(const cv::FileStorage& storage, const std::string& key,
                                    const std::string& where);
-/// The first 3x4 matrix.
-std::optional<Eigen::Matrix<double, 3, 4>> projectionInStorage(const cv::FileStorage& storage);
+/// One number; throws if it has other content.
+double storageNumber(const cv::FileStorage& storage, const std::string& key,
+                     const std::string& where);
+/// The first 3x4 matrix. Throws if what is meant as a matrix is none.
+std::optional<Eigen::Matrix<double, 3, 4>> projectionInStorage(const cv::FileStorage& storage,
+                                                               const std::string& where);
 bool storageHasProjection(const std::string& text);
 
 /// A matrix as OpenCV stores it.

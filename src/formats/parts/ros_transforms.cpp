@@ -6,6 +6,8 @@
 #include <functional>
 #include <sstream>
 
+#include "files/xml_text.h"
+#include "files/yaml_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
 #include "text/number_text.h"
@@ -103,8 +105,7 @@ void StaticTransforms::addLink(const std::string& parent, const std::string& chi
 
 void StaticTransforms::addLaunch(const TextFile& file) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(file.text.c_str()) != tinyxml2::XML_SUCCESS)
-    throwFormatError(file.path, std::string("this is no XML: ") + document.ErrorStr());
+  readXml(file.text, file.path, &document);
   forEachPublisher(*document.RootElement(), [&](const XMLElement& node) {
     const std::string where = file.path + ", line " + std::to_string(node.GetLineNum());
     std::vector<std::string> words = wordsOf(attribute(node, "args"));
@@ -124,7 +125,7 @@ void StaticTransforms::addLaunch(const TextFile& file) {
 }
 
 void StaticTransforms::addYaml(const TextFile& file) {
-  for (const YAML::Node& document : YAML::LoadAll(file.text))
+  for (const YAML::Node& document : yamlDocumentsFrom(file.text, file.path))
     forEachTransform(document, [&](const YAML::Node& node) {
       const std::string child = node["child_frame_id"].as<std::string>("");
       const std::string where = file.path + ", frame " + child;

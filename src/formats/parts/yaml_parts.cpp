@@ -50,11 +50,7 @@ std::vector<double> yamlNumbers(const YAML::Node& node, const std::string& key,
 }
 
 int yamlPixels(const YAML::Node& node, const std::string& key, const std::string& where) {
-  const double value = yamlNumber(node, key, where);
-  if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
-    throwFormatError(where, "'" + key + "' is " + numberText(value) +
-                                ", allowed are whole numbers from 1 to 65536");
-  return int(value);
+  return pixelsFrom(yamlNumber(node, key, where), key, where);
 }
 
 std::string yamlQuoted(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -45,6 +46,20 @@ inline std::string raiseProcessLimits() {
            " MB of addresses, allowed are " + std::to_string(kLeastMemory >> 20) +
            " MB and more (ulimit -v)";
   return "";
+}
+
+/// Raises how large the files of this process may become as far as its user may, and lets writing
+/// beyond it fail where the system would end the process without a word. Returns what is cut off;
+/// empty: nothing.
+inline std::string raiseFileSizeLimit() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return "";
+  const rlimit raised{limit.rlim_max, limit.rlim_max};
+  if (setrlimit(RLIMIT_FSIZE, &raised) == 0) limit = raised;
+  if (limit.rlim_cur == RLIM_INFINITY) return "";
+  return "this process may write files of " + std::to_string(limit.rlim_cur >> 10) +
+         " kB only, so that its log and kept backgrounds may be cut off or missing (ulimit -f)";
 }
 
 /// Tells if hardly any file or connection can be opened anymore; empty: enough can.

@@ -54,6 +54,8 @@ int runStages(const std::vector<HostedStage>& stages, const std::vector<std::str
   std::vector<std::string> rest = arguments;
   rest.erase(std::remove(rest.begin(), rest.end(), "--retry"), rest.end());
   const bool retries = rest.size() < arguments.size();
+  if (const std::string cut = raiseFileSizeLimit(); !cut.empty())
+    ROS_WARN_STREAM(ros::this_node::getName() << ": " << cut);
   if (const std::string lack = raiseProcessLimits(); !lack.empty()) {
     ROS_FATAL_STREAM(ros::this_node::getName() << ": " << lack);
     if (retries) ros::WallDuration(kRetryInterval).sleep();  // a launch file starts it again

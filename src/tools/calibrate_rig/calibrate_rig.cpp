@@ -11,6 +11,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
+#include "tools/calibrate_rig/input_check.h"
 #include "tools/calibrate_rig/live_boards.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/common/progress.h"
@@ -74,32 +75,16 @@ void searchTogether(const CalibrateRigArguments& a, const Board& board, const Fo
                     : "; " + hint));
 }
 
-size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
-                   const std::string& option) {
-  std::string known;
-  for (size_t i = 0; i < cameras.size(); ++i) {
-    if (cameras[i].name == name) return i;
-    known += (known.empty() ? "" : ", ") + cameras[i].name;
-  }
-  throw std::invalid_argument(option + " names the camera " + name + ", there are " + known);
-}
-
 /// The first view of the camera, or the time that is named.
 FloorView floorView(const CalibrateRigArguments& a, const FoundBoards& boards) {
-  const size_t colon = a.floor.rfind(':');
+  const FloorPlace place = floorPlaceIn(a.floor);
   FloorView floor;
-  floor.camera = cameraNamed(a.floor.substr(0, colon), boards.cameras, "--floor");
+  floor.camera = cameraNamed(place.camera, boards.cameras, "--floor");
   floor.thickness = a.floor_thickness;
-  double first = INFINITY;
+  floor.time = INFINITY;
   for (const BoardView& view : boards.views)
-    if (view.camera == floor.camera && !view.alone) first = std::min(first, view.time);
-  floor.time = first;
-  if (colon == std::string::npos) return floor;
-  char* end = nullptr;
-  const std::string seconds = a.floor.substr(colon + 1);
-  floor.time = std::strtod(seconds.c_str(), &end);
-  if (seconds.empty() || *end != 0)
-    throw std::invalid_argument("--floor " + a.floor + ": after the colon comes a time in seconds");
+    if (view.camera == floor.camera && !view.alone) floor.time = std::min(floor.time, view.time);
+  if (place.time) floor.time = *place.time;
   return floor;
 }
 
@@ -137,21 +122,6 @@ FilmStart startOf(const CalibrateRigArguments& a) {
   if (a.lens_only || a.separate) return FilmStart::kTogether;
   const bool known = !areFilms(a) || haveStamps(a);
   return a.start == FilmStart::kUnknown && known ? FilmStart::kTogether : a.start;
-}
-
-void checkOneWorld(const CalibrateRigArguments& a) {
-  if (int(!a.floor.empty()) + int(!a.points.empty()) + int(!a.walk.empty()) > 1)
-    throw std::invalid_argument(
-        "--floor, --points and --walk all say where the world is: choose one");
-}
-
-/// Said before the films are searched, which takes long.
-void checkSideInputs(const CalibrateRigArguments& a) {
-  if (!a.lenses.empty()) readRig(a.lenses);
-  if (a.separate && !a.lens_only && a.points.empty())
-    throw std::invalid_argument(
-        "with --separate no two cameras see the board at one time, so it cannot tell their places: "
-        "give --points (docs/calibration.md), or --lens-only for the lenses alone");
 }
 
 /// Whether the person walks in the films of the board.
@@ -217,8 +187,7 @@ void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
 
 RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* notes,
                               bool terminal) {
-  checkOneWorld(given);
-  checkSideInputs(given);
+  checkInputs(given);
   CalibrateRigArguments arguments = given;
   const Board board(arguments.board);
   const FoundBoards boards = arguments.live ? watchCameras(&arguments, board, notes)

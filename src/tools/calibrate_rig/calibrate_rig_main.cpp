@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "tools/calibrate_rig/calibrate_rig.h"
+#include "tools/common/arguments.h"
 #include "tools/common/board_arguments.h"
 #include "tools/common/film_times.h"
 #include "tools/common/progress.h"
@@ -115,7 +116,7 @@ int main(int argc, char** argv) {
   describeBoard(app, &board);
   describeMore(app, &arguments);
   app.add_flag("--quiet", quiet, "no progress and no summary");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("calibrate_rig", [&] {
     std::ostream* notes = quiet ? nullptr : &std::cerr;
     if (arguments.live)

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <stdexcept>
 
 #include "files/text_file.h"
@@ -14,13 +15,29 @@ size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>
   throw std::invalid_argument(where + " names the camera " + name + ", of which there is no film");
 }
 
+/// Throws unless the node is a list of `count` finite numbers.
+std::vector<double> numbersIn(const YAML::Node& node, size_t count, const std::string& what,
+                              const std::string& allowed) {
+  std::vector<double> numbers;
+  bool good = node.IsDefined() && YAML::convert<std::vector<double>>::decode(node, numbers) &&
+              numbers.size() == count;
+  for (const double number : numbers) good = good && std::isfinite(number);
+  if (!good)
+    throw std::invalid_argument(what + " is missing or no list of finite numbers, allowed is " +
+                                allowed);
+  return numbers;
+}
+
 KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>& cameras,
                    const std::string& path) {
   KnownPoint point;
+  if (!node.IsMap())
+    throw std::invalid_argument(path +
+                                ": a point is no map, allowed are the keys name, position, "
+                                "pixels and sigma");
   point.name = node["name"] ? node["name"].as<std::string>() : "";
-  const auto position = node["position"].as<std::vector<double>>();
-  if (position.size() != 3)
-    throw std::invalid_argument(path + ": position of point " + point.name + " is not x, y, z");
+  const auto position = numbersIn(node["position"], 3, path + ": position of point " + point.name,
+                                  "[x, y, z] in metres");
   point.position << position[0], position[1], position[2];
   if (node["sigma"]) {
     point.sigma = node["sigma"].as<double>();
@@ -29,9 +46,8 @@ KnownPoint pointIn(const YAML::Node& node, const std::vector<CameraToCalibrate>&
                                   " is not between 0 and 1000 pixels");
   }
   for (const auto& entry : node["pixels"]) {
-    const auto pixel = entry.second.as<std::vector<double>>();
-    if (pixel.size() != 2)
-      throw std::invalid_argument(path + ": a pixel of point " + point.name + " is not u, v");
+    const auto pixel =
+        numbersIn(entry.second, 2, path + ": a pixel of point " + point.name, "CAMERA: [u, v]");
     point.pixels.emplace_back(cameraNamed(entry.first.as<std::string>(), cameras, path),
                               Eigen::Vector2d(pixel[0], pixel[1]));
   }
@@ -50,7 +66,9 @@ std::vector<KnownPoint> readKnownPoints(const std::string& path,
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + sentenceOf(error));
   }
-  if (points.empty()) throw std::invalid_argument(path + " has no list `points`");
+  if (points.empty())
+    throw std::invalid_argument(path +
+                                " has no list `points` with a name, position and pixels each");
   return points;
 }
 

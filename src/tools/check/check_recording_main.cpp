@@ -6,6 +6,7 @@
 
 #include "files/whole_file.h"
 #include "tools/check/check_recording.h"
+#include "tools/common/arguments.h"
 #include "tools/common/configuration.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
@@ -84,11 +85,7 @@ int main(int argc, char** argv) {
       "may be found.");
   Arguments arguments;
   describe(app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadInput;
-  }
+  if (const auto code = parseArguments(app, argc, argv)) return *code == 0 ? 0 : kBadInput;
   bool fine = false;
   if (runTool("check_recording", [&] { fine = check(arguments); }) != 0) return kBadInput;
   return fine ? 0 : kSomethingWrong;

@@ -14,6 +14,7 @@
 namespace markerless_mocap {
 
 void openForReading(const std::string& path, rosbag::Bag& bag) {
+  if (path.empty()) throw std::runtime_error("the name of the bag to read is empty");
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) throw std::runtime_error("there is no bag " + path);
@@ -40,6 +41,7 @@ std::string activePathOf(const std::string& path) {
 }
 
 void checkTarget(const std::string& path) {
+  if (path.empty()) throw std::runtime_error("the name of the bag to write is empty");
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))

@@ -59,7 +59,9 @@ FrameTimes timesOfCameras(const std::string& path) {
   checkRegularFile(path, path, kMaxTableBytes);
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line)) throw std::runtime_error("cannot read " + path);
+  if (!file) throw std::runtime_error("cannot read " + path + ": this user may not");
+  if (!std::getline(file, line))
+    throw std::runtime_error(path + " is empty, wanted is a head line with cam_id and frame_time");
   const auto head = cellsOf(line);
   const size_t camera = columnAmong(head, {"cam_id", "port", "camera"}, path);
   const size_t time = columnAmong(head, {"frame_time"}, path);

@@ -28,6 +28,7 @@ std::string printable(const std::string& text) {
 }
 
 int runTool(const char* name, const std::function<void()>& work) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as any that cannot be written
   try {
     work();
   } catch (const std::exception& error) {

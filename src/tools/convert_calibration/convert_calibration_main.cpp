@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "tools/common/arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/convert_calibration/convert_calibration.h"
 
@@ -30,7 +31,7 @@ int main(int argc, char** argv) {
                  "image size such as 1280x720, for formats without one (3x4 matrices, OpenCV)");
   app.add_flag("--overwrite", options.overwrite, "replace files that exist");
   app.add_flag("--show", show, "read all paths and write nothing");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("convert_calibration", [&] {
     if (paths.size() > 1 && !show) {
       options.output = paths.back();

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "files/whole_file.h"
+#include "tools/common/arguments.h"
 #include "tools/common/description_text.h"
 #include "tools/common/person_motion_reader.h"
 #include "tools/common/run_tool.h"
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
   app.add_option("--id", id, "id of the body if the bag has several");
   app.add_option("--urdf", urdf, "URDF of the body if the bag has none");
   app.add_flag("--quiet", quiet, "no table");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("describe_motion", [&] {
     const MotionDescription motion = describe(readPersonMotion(input, id, urdf));
     if (!json.empty()) writeWholeFile(json, descriptionJson(motion));

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "files/whole_file.h"
+#include "tools/common/arguments.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/evaluate/evaluation.h"
@@ -82,6 +83,6 @@ int main(int argc, char** argv) {
       "evaluate");
   Arguments arguments;
   describe(app, &arguments);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("evaluate", [&] { run(&arguments); });
 }

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "tools/common/arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/export_hull/export_hull.h"
 
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_flag("--all", what.all, "export all hulls, one file each, with the stamp in the name");
   app.add_flag("--ascii", what.ascii, "text instead of binary numbers");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = markerless_mocap::parseArguments(app, argc, argv)) return *code;
   return markerless_mocap::runTool("export_hull", [&] {
     for (const std::string& file : markerless_mocap::exportHulls(what)) std::cout << file << '\n';
   });

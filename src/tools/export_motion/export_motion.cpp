@@ -129,9 +129,9 @@ void exportMotion(const MotionExportOptions& what, std::ostream& notes) {
       exportSkeleton(*motion.body, with_names.names.empty() ? usual : with_names.names);
   const std::vector<JointGap> gaps = jointGaps(motion, skeleton);
   const std::string content = format.write(motion, with_names);
+  writeWholeFile(what.output, content);
   if (!format.says_gaps && !gaps.empty())
     writeWholeFile(what.output + ".gaps.csv", gapsCsvOf(motion, skeleton));
-  writeWholeFile(what.output, content);
   remarkOn(motion, !format.points && *format.names != '\0', gaps, notes);
 }
 

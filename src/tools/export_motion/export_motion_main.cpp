@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "exports/point_names.h"
+#include "tools/common/arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/export_motion/export_motion.h"
 
@@ -25,6 +26,6 @@ int main(int argc, char** argv) {
   app.add_flag("--angles", what.angles, "angles of the URDF's joints instead of places (.csv)");
   app.add_option("--id", what.body_id, "id of the body if the bag has several");
   app.add_option("--urdf", what.urdf, "URDF of the body if the bag has none");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("export_motion", [&] { exportMotion(what, std::cerr); });
 }

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <string>
 
+#include "tools/common/arguments.h"
 #include "tools/common/configuration.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/run_tool.h"
@@ -26,6 +27,6 @@ int main(int argc, char** argv) {
   app.add_option("template", file, "URDF template, urdf/human.urdf.in")->required();
   app.add_option("--id", id, "suffix of links and joints");
   app.add_option("--config", config, "configuration; its pose_fitting/stature is used");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("human_urdf", [&] { std::cout << bodyUrdf(file, id, statureOf(config)); });
 }

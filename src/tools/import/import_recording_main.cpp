@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "markerless_mocap/camera/rig_file.h"
+#include "tools/common/arguments.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/import/import_recording.h"
@@ -137,7 +138,7 @@ int main(int argc, char** argv) {
   const CLI::App* matrices = describeMatrices(app, &arguments);
   const CLI::App* films = describeFilms(app, &arguments);
   describeVideos(app, &arguments);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("import_recording", [&] {
     catchInterruptions();
     std::ostream* notes = arguments.quiet ? nullptr : &std::cerr;

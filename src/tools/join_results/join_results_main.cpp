@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "tools/common/arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/join_results/join_results.h"
 
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
                  "how far the joints may be apart in an overlap, mm, mean over the joints")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   options.max_distance_m = 1e-3 * max_distance_mm;
   size_t disagreeing = 0;
   const int code = runTool("join_results", [&] {

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "files/whole_file.h"
+#include "tools/common/arguments.h"
 #include "tools/common/board_arguments.h"
 #include "tools/common/run_tool.h"
 #include "tools/make_board/board_pdf.h"
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
   app.add_option("--page", page, "A4, A3, A2, A1, A0, letter, or WIDTHxHEIGHT in mm")
       ->capture_default_str();
   describeBoard(app, &arguments);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("make_board", [&] {
     const Board board(boardOf(arguments));
     const std::string pdf = boardPdf(board, pageFor(board, page));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tools/common/arguments.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 #include "tools/offline/offline_run.h"
@@ -130,6 +131,6 @@ int main(int argc, char** argv) {
   CLI::App app("Runs all stages over a recorded bag; no frame is dropped.", "mocap_offline");
   Arguments arguments;
   describe(app, &arguments);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("mocap_offline", [&] { run(&arguments); });
 }

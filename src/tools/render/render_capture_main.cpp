@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "resources/resources.h"
+#include "tools/common/arguments.h"
 #include "tools/common/person_urdf.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
@@ -64,6 +65,6 @@ int main(int argc, char** argv) {
   CLI::App app("Renders a virtual person into a bag, with the ground truth.", "render_capture");
   Arguments arguments;
   describe(app, &arguments);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = parseArguments(app, argc, argv)) return *code;
   return runTool("render_capture", [&] { run(&arguments); });
 }
