@@ -4,6 +4,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calibration/board/dark_squares.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -35,6 +37,8 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
 /// A chessboard's inner corners by rows; empty if it is not there.
 Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
   Points found = findBySectors(grey, inner, 0);
+  if (found.empty() && thorough) found = cornersByDarkSquares(grey, inner);
+  if (!found.empty() && !isGrid(found, inner)) found.clear();
   if (found.empty() && thorough) found = findBySectors(grey, inner, cv::CALIB_CB_EXHAUSTIVE);
   if (!found.empty()) return found;
   const int fast = thorough ? 0 : cv::CALIB_CB_FAST_CHECK;

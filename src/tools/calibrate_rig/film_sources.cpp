@@ -28,9 +28,13 @@ FilmSource cameraFolder(const fs::path& folder, const std::string& video) {
     return source;
   }
   const std::vector<fs::path> videos = entriesOf(folder, isVideo);
-  if (videos.size() > 1)
-    throw std::runtime_error("the folder " + folder.string() + " has several videos, choose one: " +
-                             "--video " + videos[0].filename().string());
+  if (videos.size() > 1) {
+    std::string names;
+    for (const fs::path& one : videos)
+      names += (names.empty() ? "" : ", ") + one.filename().string();
+    throw std::runtime_error("the folder " + folder.string() + " has several videos (" + names +
+                             "): name that of the board, --video NAME");
+  }
   if (!videos.empty()) source.path = videos[0].string();
   return source;
 }
