@@ -52,17 +52,11 @@ struct Wanted {
   }
 };
 
-constexpr int kFew = 30;  // images that are worth a longer search
-
 Wanted evenly(const FilmSource& source, int most_images) {
+  constexpr int kFew = 30;  // images that are worth a longer search
   const int count = openFilm(source)->count();
   return {size_t(std::max(1, (count + most_images - 1) / most_images)), nullptr,
           count > 0 && std::min(count, most_images) <= kFew};
-}
-
-/// Every fifth, or so, of the images that were searched in vain.
-Wanted longer(const Wanted& wanted, int images) {
-  return {wanted.every * size_t(std::max(1, (images + kFew - 1) / kFew)), nullptr, true};
 }
 
 void checkSize(const cv::Mat& image, CameraToCalibrate* camera) {
@@ -113,16 +107,6 @@ FilmBoards searchFilm(const BoardDetector& detector, const FilmSource& source, c
   return found;
 }
 
-/// A board that is in no image may be small or slanted in all, as one on the floor is.
-FilmBoards searchLonger(const BoardDetector& detector, const FilmSource& source,
-                        const Wanted& wanted, const FrameTimes& times,
-                        const std::function<void(double)>& progress) {
-  FilmBoards found = searchFilm(detector, source, wanted, times, progress);
-  const bool marked = detector.board().options().kind != "chessboard";
-  if (!found.views.empty() || wanted.thorough || wanted.numbers || marked) return found;
-  return searchFilm(detector, source, longer(wanted, found.images), times, progress);
-}
-
 FoundBoards searchFilms(const BoardDetector& detector, const std::vector<FilmSource>& films,
                         const std::vector<Wanted>& wanted, const FrameTimes& times,
                         const std::function<void(double)>& progress) {
@@ -130,8 +114,8 @@ FoundBoards searchFilms(const BoardDetector& detector, const std::vector<FilmSou
   SharedProgress shared(films.size(), progress);
   const BagsInThreads bags;
   tbb::parallel_for(size_t(0), films.size(), [&](size_t i) {
-    found[i] = searchLonger(detector, films[i], wanted[i], times,
-                            [&](double part) { shared.update(i, part); });
+    found[i] = searchFilm(detector, films[i], wanted[i], times,
+                          [&](double part) { shared.update(i, part); });
   });
   FoundBoards all;
   for (size_t i = 0; i < films.size(); ++i) {
