@@ -35,9 +35,9 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
 }
 
 /// A chessboard's inner corners by rows; empty if it is not there.
-Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
+Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough, bool magnified = false) {
   Points found = findBySectors(grey, inner, 0);
-  if (found.empty() && thorough) found = cornersByDarkSquares(grey, inner);
+  if (found.empty() && thorough && !magnified) found = cornersByDarkSquares(grey, inner);
   if (!found.empty() && !isGrid(found, inner)) found.clear();
   if (found.empty() && thorough) found = findBySectors(grey, inner, cv::CALIB_CB_EXHAUSTIVE);
   if (!found.empty()) return found;
@@ -53,7 +53,7 @@ Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
 Points findMagnified(const cv::Mat& grey, cv::Size inner, int times) {
   cv::Mat large;
   cv::resize(grey, large, {}, times, times, cv::INTER_CUBIC);
-  Points found = findRows(large, inner, true);
+  Points found = findRows(large, inner, true, true);
   for (cv::Point2f& p : found) p = (p + cv::Point2f(0.5f, 0.5f)) / times - cv::Point2f(0.5f, 0.5f);
   return found;
 }

@@ -84,7 +84,7 @@ std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs,
     else if (isCalledBag(input))
       found = filmsOfBag(input);
     else
-      found = {{fs::path(input).stem().string(), input, ""}};
+      found = {{cameraOfFilm(input, inputs), input, ""}};
     films.insert(films.end(), found.begin(), found.end());
   }
   std::set<std::string> names;
