@@ -270,7 +270,7 @@ class Calibrator {
     if (offsets_free_ && input_.clocks_last) keepOffsets(&result);
     if (input_.locate && input_.walk && !input_.floor && state_.points.empty())
       putFloorUnderWalk(input_, &result);
-    result.turned_guessed = board_.looksSameTurned() && !boardMoved();
+    result.turned_guessed = board_.looksSameTurned() && !boardMoved() && !input_.turns_known;
     writeVerdict(input_, &result);
     return result;
   }

@@ -42,6 +42,8 @@ struct CalibrationInput {
   /// The clocks are those of later recordings, too, as stamps of a bag are: offsets that are found
   /// become part of the calibrations.
   bool clocks_last = false;
+  /// The board looks the same turned, but all views show it the same way round.
+  bool turns_known = false;
   bool locate = true;  ///< false: intrinsics only
   int threads = 2;
 };

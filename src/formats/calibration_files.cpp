@@ -150,6 +150,20 @@ void check(const std::vector<CameraCalibration>& cameras, const std::string& whe
   }
 }
 
+CalibrationSet readFiles(const std::vector<std::string>& paths, bool with_poses) {
+  if (paths.empty()) throw std::invalid_argument("no calibration is given");
+  Found found;
+  for (const std::string& path : paths)
+    fs::is_directory(path) ? addFolder(path, &found) : addFile(path, &found);
+  const CalibrationLayout& layout = *found.layout;
+  CalibrationSet set = !with_poses && layout.read_lenses ? layout.read_lenses(found.files)
+                                                         : layout.read(found.files);
+  if (set.format == CalibrationFormat::kRig) set.format = found.layout->format;
+  for (CameraCalibration& camera : set.cameras) tidyLens(&camera);
+  check(set.cameras, paths.front());
+  return set;
+}
+
 }  // namespace
 
 const char* nameOf(CalibrationFormat format) {
@@ -171,15 +185,11 @@ CalibrationFormat calibrationFormatNamed(const std::string& name) {
 }
 
 CalibrationSet readCalibration(const std::vector<std::string>& paths) {
-  if (paths.empty()) throw std::invalid_argument("no calibration is given");
-  Found found;
-  for (const std::string& path : paths)
-    fs::is_directory(path) ? addFolder(path, &found) : addFile(path, &found);
-  CalibrationSet set = found.layout->read(found.files);
-  if (set.format == CalibrationFormat::kRig) set.format = found.layout->format;
-  for (CameraCalibration& camera : set.cameras) tidyLens(&camera);
-  check(set.cameras, paths.front());
-  return set;
+  return readFiles(paths, true);
+}
+
+CalibrationSet readLenses(const std::vector<std::string>& paths) {
+  return readFiles(paths, false);
 }
 
 CameraCalibration readCameraCalibration(const std::string& path) {

@@ -164,6 +164,49 @@ TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {
   EXPECT_LT(std::min(same, turned), 0.35);
 }
 
+/// As a camera of a room sees a board on the floor: far off, flat, on one of its corners, blurred.
+Picture pictureOnTheFloor(const Board& board) {
+  constexpr int kFine = 8;
+  const cv::Mat page = boardImage(board, 400, 0.1);
+  const cv::Mat fine_page = cv::getPerspectiveTransform(
+      std::vector<cv::Point2f>{{0, 0},
+                               {float(page.cols), 0},
+                               {float(page.cols), float(page.rows)},
+                               {0, float(page.rows)}},
+      std::vector<cv::Point2f>{{1600, 2790}, {2290, 2580}, {2840, 2720}, {2170, 2970}});
+  Picture picture;
+  cv::Mat fine(480 * kFine, 640 * kFine, CV_8UC1, cv::Scalar(110));
+  cv::warpPerspective(page, fine, fine_page, fine.size(), cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
+  cv::GaussianBlur(fine, fine, {}, 0.9 * kFine);
+  cv::resize(fine, picture.image, {640, 480}, 0, 0, cv::INTER_AREA);
+  const cv::Matx33d H = fine_page;
+  for (const Eigen::Vector2d& corner : board.corners()) {
+    const cv::Vec3d p = H * cv::Vec3d((0.1 + corner.x()) * 400 - 0.5,
+                                      (0.1 + board.size().y() - corner.y()) * 400 - 0.5, 1);
+    picture.corners.emplace_back((p[0] / p[2] + 0.5) / kFine - 0.5,
+                                 (p[1] / p[2] + 0.5) / kFine - 0.5);
+  }
+  return picture;
+}
+
+TEST(BoardDetector, ChessboardThatLiesFarOffOnTheFloor) {
+  BoardOptions options;
+  options.kind = "chessboard";
+  options.columns = 9;
+  options.rows = 6;
+  options.square = 0.1;
+  const Board board(options);
+  Picture picture = pictureOnTheFloor(board);
+  cv::Mat noise(picture.image.size(), CV_8SC1);
+  cv::theRNG().state = 4;
+  cv::randn(noise, 0, 2);
+  cv::add(picture.image, noise, picture.image, {}, CV_8U);
+  const auto found = BoardDetector(board).detect(picture.image, true);
+  ASSERT_TRUE(found);
+  for (size_t i = 0; i < found->ids.size(); ++i)
+    EXPECT_LT((found->pixels[i] - picture.corners[found->ids[i]]).norm(), 0.2) << "corner " << i;
+}
+
 /// Corners of 7 x 4 seen at a steep angle from near.
 std::vector<cv::Point2f> steepGrid() {
   std::vector<cv::Point2f> grid;

@@ -111,6 +111,24 @@ TEST_F(CalibrateRig, PicturesBecomeARig) {
   EXPECT_NE(bytesOf("out/report.html").find("Seen together"), std::string::npos);
 }
 
+TEST_F(CalibrateRig, ABoardThatLiesStillPlacesKnownLenses) {
+  for (const CameraCalibration& camera : pair()) {
+    std::filesystem::create_directories(folder_ / "films" / camera.name);
+    for (const char* file : {"/0.png", "/1.png", "/2.png"})
+      cv::imwrite(path("films/" + camera.name + file), pictureOf(camera, boardAt(3)));
+    writeText("lenses/" + camera.name + ".yaml", cameraInfoText(camera));
+  }
+  const auto run = [&] { calibrateFilms(arguments_, nullptr, false); };
+  EXPECT_EQ(errorTextOf(run).find("the board lies still in all films"), 0u);
+  arguments_.lenses = path("lenses");
+  arguments_.floor = "right";
+  run();
+  for (size_t i = 0; i < 2; ++i) {
+    const Eigen::Vector3d found = readRig(path("out/rig.yaml"))[i].T_world_camera.translation();
+    EXPECT_LT((found - boardAt(3).inverse() * pair()[i].T_world_camera.translation()).norm(), 0.03);
+  }
+}
+
 TEST_F(CalibrateRig, FloorIsTheBoardOfThePictureThatIsNamed) {
   writePictures();
   arguments_.floor = "left:3";

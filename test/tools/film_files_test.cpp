@@ -24,6 +24,20 @@ TEST_F(FilmFiles, PicturesComeInTheOrderOfTheirNumbers) {
             (std::vector<std::string>{"view9.JPG", "view10.png", "view100.webp"}));
 }
 
+/// As a shell writes them: cam*/video.avi.
+TEST_F(FilmFiles, FilmsOfOneNameAreOfTheCamerasOfTheirFolders) {
+  std::vector<std::string> films;
+  for (const char* camera : {"cam1", "cam2"}) {
+    writeText(std::string(camera) + "/video.avi", "");
+    films.push_back(path(std::string(camera) + "/video.avi"));
+  }
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(findFilms(films, "").at(i).camera, "cam" + std::to_string(i + 1));
+    EXPECT_EQ(filmsIn(films).at(i).name, "cam" + std::to_string(i + 1));
+  }
+  EXPECT_EQ(filmsIn({films[0]}).at(0).name, "video");
+}
+
 TEST_F(FilmFiles, ImportAndCalibrationFindTheSameFilms) {
   for (const char* name : {"films/cam9.mpeg", "films/cam10.MTS", "films/cam11.wmv",
                            "films/notes.txt", "cameras/cam12/1.pbm", "cameras/cam13/1.webp"})

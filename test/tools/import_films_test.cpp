@@ -229,7 +229,7 @@ TEST_F(ImportFilms, FilmsOfTheEmptyRoomComeFirst) {
     for (int k = 0; k < (i == 2 ? 2 : 5); ++k)
       cv::imwrite(path("empty/" + camera + "/" + std::to_string(k) + ".png"), frameOf(50 + k));
   }
-  input_.background = path("empty");
+  input_.background = {path("empty")};
   const ImportResult result = import();
   EXPECT_EQ(result.frame_sets, 5);  // the shortest film of the room has two frames
   EXPECT_NE(std::find(result.warnings.begin(), result.warnings.end(),

@@ -49,6 +49,9 @@ CalibrationFormat calibrationFormatNamed(const std::string& name);
 /// message says where and what is allowed.
 CalibrationSet readCalibration(const std::vector<std::string>& paths);
 
+/// As readCalibration(), but camera_info YAML and OpenCV's files need not tell the cameras' poses.
+CalibrationSet readLenses(const std::vector<std::string>& paths);
+
 /// As readCalibration(), for a file with exactly one camera.
 CameraCalibration readCameraCalibration(const std::string& path);
 

@@ -4,6 +4,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calibration/board/dark_squares.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -33,8 +35,10 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
 }
 
 /// A chessboard's inner corners by rows; empty if it is not there.
-Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
+Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough, bool magnified = false) {
   Points found = findBySectors(grey, inner, 0);
+  if (found.empty() && thorough && !magnified) found = cornersByDarkSquares(grey, inner);
+  if (!found.empty() && !isGrid(found, inner)) found.clear();
   if (found.empty() && thorough) found = findBySectors(grey, inner, cv::CALIB_CB_EXHAUSTIVE);
   if (!found.empty()) return found;
   const int fast = thorough ? 0 : cv::CALIB_CB_FAST_CHECK;
@@ -49,7 +53,7 @@ Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough) {
 Points findMagnified(const cv::Mat& grey, cv::Size inner, int times) {
   cv::Mat large;
   cv::resize(grey, large, {}, times, times, cv::INTER_CUBIC);
-  Points found = findRows(large, inner, true);
+  Points found = findRows(large, inner, true, true);
   for (cv::Point2f& p : found) p = (p + cv::Point2f(0.5f, 0.5f)) / times - cv::Point2f(0.5f, 0.5f);
   return found;
 }

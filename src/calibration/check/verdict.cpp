@@ -182,8 +182,9 @@ class Verdict {
           text("The known points are met to %.1f pixels.", result_.points_rms));
     if (result_.turned_guessed)
       doubt(
-          "The board looks the same turned by half a turn and was seen in one place only, so that "
-          "each camera may stand on the other side of it: move the board, or use one with an even "
+          "The board looks the same turned by half a turn and was seen in one place only, and the "
+          "floor around it does not tell how it lies, so that each camera may stand on the other "
+          "side of it: move the board, or use one with an even "
           "number of squares on one side and an odd number on the other.");
   }
 

@@ -102,6 +102,39 @@ CameraCalibration cameraFrom(const CameraFiles& files, const std::string& name) 
   return camera;
 }
 
+/// A file with the pose, too, is that of the rig; one without is another calibration of the lens.
+CameraCalibration lensFrom(const CameraFiles& files, const std::string& name) {
+  const auto& lenses = files.whole.empty() ? files.lens : files.whole;
+  if (lenses.size() != 1)
+    throwFormatError((lenses.empty() ? files.pose : lenses)[0]->path,
+                     "camera '" + name + "' has " + std::to_string(lenses.size()) +
+                         " camera matrices, allowed is one: name the file to read");
+  CameraCalibration camera;
+  camera.name = name;
+  readLens(*lenses[0], &camera);
+  return camera;
+}
+
+/// Files by cameras, in their order. \param camera reads those of one
+CalibrationSet camerasIn(const std::vector<TextFile>& files,
+                         CameraCalibration (*camera)(const CameraFiles&, const std::string&)) {
+  const std::vector<std::string> names = cameraNamesOf(files);
+  std::vector<std::string> order;
+  std::map<std::string, CameraFiles> by_name;
+  for (size_t i = 0; i < files.size(); ++i) {
+    const Content content = contentOf(files[i].text);
+    if (by_name.count(names[i]) == 0) order.push_back(names[i]);
+    CameraFiles& of_camera = by_name[names[i]];
+    (content.lens && content.pose ? of_camera.whole
+     : content.lens               ? of_camera.lens
+                                  : of_camera.pose)
+        .push_back(&files[i]);
+  }
+  CalibrationSet set;
+  for (const std::string& name : order) set.cameras.push_back(camera(by_name[name], name));
+  return set;
+}
+
 std::string storageText(const CameraCalibration& camera) {
   const Eigen::Isometry3d T = camera.T_world_camera.inverse();
   cv::FileStorage out("camera.xml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
@@ -123,21 +156,11 @@ bool isOpenCvText(const std::string& text) {
 }
 
 CalibrationSet readOpenCvFiles(const std::vector<TextFile>& files) {
-  const std::vector<std::string> names = cameraNamesOf(files);
-  std::vector<std::string> order;
-  std::map<std::string, CameraFiles> by_name;
-  for (size_t i = 0; i < files.size(); ++i) {
-    const Content content = contentOf(files[i].text);
-    if (by_name.count(names[i]) == 0) order.push_back(names[i]);
-    CameraFiles& camera = by_name[names[i]];
-    (content.lens && content.pose ? camera.whole
-     : content.lens               ? camera.lens
-                                  : camera.pose)
-        .push_back(&files[i]);
-  }
-  CalibrationSet set;
-  for (const std::string& name : order) set.cameras.push_back(cameraFrom(by_name[name], name));
-  return set;
+  return camerasIn(files, cameraFrom);
+}
+
+CalibrationSet readOpenCvLenses(const std::vector<TextFile>& files) {
+  return camerasIn(files, lensFrom);
 }
 
 std::vector<TextFile> writeOpenCvFiles(const std::vector<CameraCalibration>& rig) {

@@ -54,6 +54,15 @@ void giveNames(const std::vector<TextFile>& files, std::vector<CameraCalibration
   for (size_t i = 0; i < cameras->size(); ++i) (*cameras)[i].name = from_files[i];
 }
 
+std::vector<TextFile> cameraInfosAmong(const std::vector<TextFile>& files) {
+  std::vector<TextFile> infos;
+  for (const TextFile& file : files)
+    if (isCameraInfo(file.text)) infos.push_back(file);
+  if (infos.empty())
+    throwFormatError(files[0].path, "there are transforms but no camera_info YAML of a camera");
+  return infos;
+}
+
 std::string matrixText(const char* key, size_t rows, const std::vector<double>& values) {
   std::ostringstream out;
   out << key << ":\n  rows: " << rows << "\n  cols: " << values.size() / rows << "\n  data: ["
@@ -84,21 +93,21 @@ bool isRosText(const std::string& text) {
   return isCameraInfo(text) || holdsTransforms(text);
 }
 
-CalibrationSet readRosFiles(const std::vector<TextFile>& files) {
-  std::vector<TextFile> infos;
-  StaticTransforms transforms;
-  for (const TextFile& file : files) {
-    if (isCameraInfo(file.text))
-      infos.push_back(file);
-    else
-      transforms.add(file);
-  }
-  if (infos.empty())
-    throwFormatError(files[0].path, "there are transforms but no camera_info YAML of a camera");
+CalibrationSet readRosLenses(const std::vector<TextFile>& files) {
+  const std::vector<TextFile> infos = cameraInfosAmong(files);
   CalibrationSet set;
   set.metres_per_unit = 1.0;
   for (const TextFile& file : infos) set.cameras.push_back(cameraIn(file));
   giveNames(infos, &set.cameras);
+  return set;
+}
+
+CalibrationSet readRosFiles(const std::vector<TextFile>& files) {
+  StaticTransforms transforms;
+  for (const TextFile& file : files)
+    if (!isCameraInfo(file.text)) transforms.add(file);
+  const std::vector<TextFile> infos = cameraInfosAmong(files);
+  CalibrationSet set = readRosLenses(files);
   for (size_t i = 0; i < infos.size(); ++i)
     set.cameras[i].T_world_camera =
         transforms.poseOfCamera(set.cameras[i].name, infos[i].path, &set.remarks);

@@ -25,6 +25,8 @@ struct CalibrationLayout {
   CalibrationSet (*read)(const std::vector<TextFile>& files);
   /// Files with paths relative to the folder, or one with an empty path.
   std::vector<TextFile> (*write)(const std::vector<CameraCalibration>& rig);
+  /// As read, but without poses where the files have none; nullptr: this format always has poses.
+  CalibrationSet (*read_lenses)(const std::vector<TextFile>& files) = nullptr;
 };
 
 /// In the order in which they are tried.
@@ -36,6 +38,7 @@ std::vector<TextFile> writeRigFiles(const std::vector<CameraCalibration>& rig);
 
 bool isRosText(const std::string& text);
 CalibrationSet readRosFiles(const std::vector<TextFile>& files);
+CalibrationSet readRosLenses(const std::vector<TextFile>& files);
 std::vector<TextFile> writeRosFiles(const std::vector<CameraCalibration>& rig);
 
 bool isKalibrText(const std::string& text);
@@ -48,6 +51,7 @@ std::vector<TextFile> writeEasyMocapFiles(const std::vector<CameraCalibration>& 
 
 bool isOpenCvText(const std::string& text);
 CalibrationSet readOpenCvFiles(const std::vector<TextFile>& files);
+CalibrationSet readOpenCvLenses(const std::vector<TextFile>& files);
 std::vector<TextFile> writeOpenCvFiles(const std::vector<CameraCalibration>& rig);
 
 bool isMatrixText(const std::string& text);

@@ -13,12 +13,15 @@
 #include "tools/calibrate_rig/find_boards.h"
 #include "tools/calibrate_rig/input_check.h"
 #include "tools/calibrate_rig/live_boards.h"
+#include "tools/calibrate_rig/still_board.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
 #include "tools/common/progress.h"
 #include "tools/common/run_tool.h"
 
 namespace markerless_mocap {
 namespace {
+
+constexpr int kGlance = 5;  // images that show whether the board lies still
 
 FrameTimes timesOf(const CalibrateRigArguments& a, const std::vector<FilmSource>& films) {
   if (a.times.empty()) return {};
@@ -34,13 +37,22 @@ void addPicturesOfLenses(const CalibrateRigArguments& a, const BoardDetector& de
                   boards);
 }
 
+/// The places of the cameras come from images of the board that all may see at one time.
+bool isSeenTogether(const CalibrateRigArguments& a) {
+  return !a.live && !a.separate && !a.lens_only && a.lens_pictures.empty() && a.points.empty();
+}
+
 FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::ostream* notes,
                       bool terminal) {
   const BoardDetector detector(board);
   const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
   Progress progress("boards", notes, terminal);
-  FoundBoards boards = findBoards(detector, films, a.most_images, timesOf(a, films),
-                                  [&](double part) { progress.update(part); });
+  const auto search = [&](int most_images) {
+    return findBoards(detector, films, most_images, timesOf(a, films),
+                      [&](double part) { progress.update(part); });
+  };
+  FoundBoards boards = isSeenTogether(a) && !a.lenses.empty() ? search(kGlance) : FoundBoards();
+  if (!liesStill(board, boards)) boards = search(a.most_images);
   addPicturesOfLenses(a, detector, &boards);
   progress.finish();
   return boards;
@@ -89,9 +101,14 @@ FloorView floorView(const CalibrateRigArguments& a, const FoundBoards& boards) {
 }
 
 void useLenses(const std::string& path, std::vector<CameraToCalibrate>* cameras) {
-  const std::vector<CameraCalibration> rig = readRig(path);
-  for (CameraToCalibrate& camera : *cameras) {
-    const CameraCalibration given = camerasNamed({camera.name}, rig, path).front();
+  const std::vector<CameraCalibration> known = lensesOf(path, *cameras);
+  for (size_t i = 0; i < cameras->size(); ++i) {
+    CameraToCalibrate& camera = (*cameras)[i];
+    CameraCalibration given = known[i];
+    if (given.width == 0) {
+      given.width = camera.width;
+      given.height = camera.height;
+    }
     if (given.width != camera.width || given.height != camera.height)
       throw std::invalid_argument(path + ": " + camera.name + " is " + std::to_string(given.width) +
                                   " x " + std::to_string(given.height) + " pixels, its film " +
@@ -195,8 +212,12 @@ RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* 
   if (notes) sayWhatWasFound(boards, *notes);
   if (boards.views.empty() && !arguments.live) refuseFilms(arguments, board);
   CalibrationInput input = inputOf(arguments, boards);
-  const std::string remark = findStarts(startOf(arguments), &input);
-  if (areSparse(boards) && (input.clocks || (areFilms(arguments) && !haveOneRate(boards))))
+  std::string remark;
+  const bool still = isSeenTogether(arguments) &&
+                     useStillBoard(findFilms(arguments.inputs, arguments.video), &input, &remark);
+  if (!still) remark = findStarts(startOf(arguments), &input);
+  if (!still && areSparse(boards) &&
+      (input.clocks || (areFilms(arguments) && !haveOneRate(boards))))
     searchTogether(arguments, board, boards, &input, notes, terminal);
   Progress progress("adjustment", notes, terminal);
   RigCalibration result = calibrateRig(input, [&](double part) { progress.update(part); });

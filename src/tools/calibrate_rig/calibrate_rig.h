@@ -22,7 +22,7 @@ struct CalibrateRigArguments {
   std::string times;  ///< table of times, or empty
   FilmStart start = FilmStart::kUnknown;
   double largest_offset = kLargestFilmOffset;  ///< s
-  std::string lenses;                          ///< rig file whose intrinsics are kept, or empty
+  std::string lenses;  ///< as readLenses(): intrinsics that are kept, or empty
   std::string lens = "auto";
   std::string points;             ///< file of known points, or empty
   std::string floor;              ///< CAMERA or CAMERA:SECONDS, or empty

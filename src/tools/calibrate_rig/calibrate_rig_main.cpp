@@ -67,7 +67,10 @@ void describeMore(CLI::App& app, CalibrateRigArguments* a) {
                  "z up; may be those of the board");
   app.add_option("--points", a->points,
                  "YAML list of known points of the scene with their pixels: they give the world");
-  app.add_option("--lenses", a->lenses, "rig file whose intrinsics are kept");
+  app.add_option(
+      "--lenses", a->lenses,
+      "calibration whose intrinsics are kept: a rig file, a folder of camera_info YAML, or any "
+      "other format of docs/calibration_formats.md");
   app.add_option(
          "--lens", a->lens,
          "auto, none, 'k1', 'k1 k2', 'k1 k2 p1 p2', 'k1 k2 p1 p2 k3', fisheye or rational; auto: "

@@ -28,9 +28,13 @@ FilmSource cameraFolder(const fs::path& folder, const std::string& video) {
     return source;
   }
   const std::vector<fs::path> videos = entriesOf(folder, isVideo);
-  if (videos.size() > 1)
-    throw std::runtime_error("the folder " + folder.string() + " has several videos, choose one: " +
-                             "--video " + videos[0].filename().string());
+  if (videos.size() > 1) {
+    std::string names;
+    for (const fs::path& one : videos)
+      names += (names.empty() ? "" : ", ") + one.filename().string();
+    throw std::runtime_error("the folder " + folder.string() + " has several videos (" + names +
+                             "): name that of the board, --video NAME");
+  }
   if (!videos.empty()) source.path = videos[0].string();
   return source;
 }
@@ -80,7 +84,7 @@ std::vector<FilmSource> findFilms(const std::vector<std::string>& inputs,
     else if (isCalledBag(input))
       found = filmsOfBag(input);
     else
-      found = {{fs::path(input).stem().string(), input, ""}};
+      found = {{cameraOfFilm(input, inputs), input, ""}};
     films.insert(films.end(), found.begin(), found.end());
   }
   std::set<std::string> names;

@@ -6,7 +6,9 @@
 
 #include "files/output_folder.h"
 #include "markerless_mocap/camera/rig_file.h"
+#include "markerless_mocap/formats/calibration_files.h"
 #include "tools/calibrate_rig/find_boards.h"
+#include "tools/common/film_times.h"
 
 namespace markerless_mocap {
 namespace {
@@ -58,6 +60,15 @@ size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>
   throw std::invalid_argument(option + " names the camera " + name + ", there are " + known);
 }
 
+std::vector<CameraCalibration> lensesOf(const std::string& path,
+                                        const std::vector<CameraToCalibrate>& cameras) {
+  const std::vector<CameraCalibration> known = readLenses({path}).cameras;
+  std::vector<std::string> names, wanted;
+  for (const CameraCalibration& camera : known) names.push_back(camera.name);
+  for (const CameraToCalibrate& camera : cameras) wanted.push_back(camera.name);
+  return camerasNamed(matchNames(wanted, names, "camera of " + path), known, path);
+}
+
 void checkInputs(const CalibrateRigArguments& a) {
   checkChoices(a);
   checkOutputFolder(a.output);
@@ -67,10 +78,7 @@ void checkInputs(const CalibrateRigArguments& a) {
   if (!a.points.empty()) readKnownPoints(a.points, cameras);
   if (!a.walk.empty()) findFilms(a.walk, a.video);
   if (!a.lens_pictures.empty()) findFilms(a.lens_pictures, "");
-  if (a.lenses.empty()) return;
-  std::vector<std::string> names;
-  for (const CameraToCalibrate& camera : cameras) names.push_back(camera.name);
-  camerasNamed(names, readRig(a.lenses), a.lenses);
+  if (!a.lenses.empty()) lensesOf(a.lenses, cameras);
 }
 
 }  // namespace markerless_mocap

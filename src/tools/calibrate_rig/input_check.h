@@ -23,6 +23,11 @@ FloorPlace floorPlaceIn(const std::string& text);
 size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
                    const std::string& option);
 
+/// The calibrations of the cameras in a file or folder, as readLenses() and matchNames(), in the
+/// order of the cameras.
+std::vector<CameraCalibration> lensesOf(const std::string& path,
+                                        const std::vector<CameraToCalibrate>& cameras);
+
 /// Reads everything but the films once: these take long, and a fault of the rest is said before.
 /// Throws std::runtime_error or std::invalid_argument.
 void checkInputs(const CalibrateRigArguments& arguments);

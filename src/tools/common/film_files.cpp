@@ -36,6 +36,14 @@ bool isCalledBag(const fs::path& path) {
   return hasEnding(path, {".bag"});
 }
 
+std::string cameraOfFilm(const std::string& film, const std::vector<std::string>& films) {
+  const fs::path path = film;
+  const auto alike = std::count_if(films.begin(), films.end(), [&](const fs::path& other) {
+    return other.stem() == path.stem();
+  });
+  return (alike > 1 ? fs::absolute(path).parent_path().filename() : path.stem()).string();
+}
+
 std::vector<fs::path> entriesOf(const fs::path& folder,
                                 const std::function<bool(const fs::path&)>& accepts) {
   std::vector<fs::path> entries;

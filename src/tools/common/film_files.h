@@ -16,6 +16,10 @@ bool isPicture(const std::filesystem::path& path);
 /// Whether a path is called like a bag.
 bool isCalledBag(const std::filesystem::path& path);
 
+/// The camera of a film among others: named as the file, or as its folder if another film has a
+/// file of that name (cam1/video.avi, cam2/video.avi).
+std::string cameraOfFilm(const std::string& film, const std::vector<std::string>& films);
+
 /// What a folder holds, in the order of names; numbers in them count as numbers ("9" before "10").
 /// Throws std::runtime_error if the folder cannot be read.
 std::vector<std::filesystem::path> entriesOf(

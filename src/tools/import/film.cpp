@@ -135,9 +135,9 @@ std::string filmOfFolder(const fs::path& folder) {
   if (!entriesOf(folder, isPicture).empty()) return folder.string();
   const std::vector<fs::path> videos = entriesOf(folder, isVideo);
   if (videos.size() > 1)
-    throw std::runtime_error(
-        "the folder " + folder.string() +
-        " has several videos, name one film for each camera: " + videos[0].string() + " ...");
+    throw std::runtime_error("the folder " + folder.string() +
+                             " has several videos, name one film for each camera: " +
+                             (folder.parent_path() / "*" / videos[0].filename()).string());
   return videos.empty() ? "" : videos[0].string();
 }
 
@@ -162,7 +162,7 @@ std::vector<NamedFilm> filmsIn(const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     if (!fs::exists(input)) throw std::runtime_error("there is no file or folder " + input);
     if (fs::is_regular_file(input))
-      films.push_back({fs::path(input).stem().string(), input});
+      films.push_back({cameraOfFilm(input, inputs), input});
     else
       addFilmsOf(input, &films);
   }

@@ -90,7 +90,7 @@ void addMasks(const FilmsInput& input, const std::vector<NamedFilm>& films, Cast
 void addEmptyRoom(const FilmsInput& input, const std::vector<NamedFilm>& films, double fps,
                   Cast* cast) {
   if (input.background.empty()) return;
-  const std::vector<NamedFilm> rooms = filmsIn({input.background});
+  const std::vector<NamedFilm> rooms = filmsIn(input.background);
   const auto matched = matchNames(namesOf(films), namesOf(rooms), "film of the empty room");
   for (size_t i = 0; i < films.size(); ++i) {
     Film room(named(rooms, matched[i]).path, fps);

@@ -51,7 +51,7 @@ struct FilmsInput {
   std::vector<std::string> films;        ///< see filmsIn()
   std::vector<std::string> calibration;  ///< see readCalibration()
   std::string masks;                     ///< folder of films, black = background; or empty
-  std::string background;                ///< folder of films of the empty room; or empty
+  std::vector<std::string> background;   ///< films of the empty room, as `films`; or none
   int background_frames = 30;            ///< of these, that come before the others
   /// Table, see readFrameTimes(). Empty: kTimesBesideFilms in a folder of films unless the films
   /// began apart, or else the containers' times.

@@ -98,7 +98,7 @@ CLI::App* describeFilms(CLI::App& app, Arguments* arguments) {
                    "films belong together by name, or by the number in it")
       ->required();
   command->add_option("--background", input.background,
-                      "folder with a film of the empty room per camera, used first");
+                      "films of the empty room, a folder or a list as the others, used first");
   command
       ->add_option("--background-frames", input.background_frames,
                    "number of frames from the films of the empty room")
