@@ -8,12 +8,11 @@
 #include <sstream>
 
 #include "calibration/board_drawing.h"
+#include "formats/ros_texts.h"
 #include "markerless_mocap/camera/rig_file.h"
-#include "tools/calibrate_rig/calibration_files.h"
 #include "tools/calibrate_rig/film.h"
 #include "tools/calibrate_rig/find_boards.h"
 #include "tools/calibrate_rig/walk_silhouettes.h"
-#include "tools/make_board/board_pdf.h"
 #include "tools/tool_fixture.h"
 
 namespace markerless_mocap {
@@ -309,48 +308,6 @@ TEST_F(CalibrateRig, PointsNameTheirCameras) {
             path("points.yaml") +
                 ": a pixel of point a is missing or no list of finite numbers, allowed is CAMERA: "
                 "[u, v]");
-}
-
-TEST(CameraInfoText, HasFiveOrEightCoefficients) {
-  CameraCalibration camera;
-  camera.name = "cam";
-  camera.width = 640;
-  camera.height = 480;
-  camera.K << 500, 0, 320, 0, 501, 240, 0, 0, 1;
-  camera.D = {-0.1, 0.2, 0.001, 0.002};
-  const std::string text = cameraInfoText(camera);
-  EXPECT_NE(text.find("distortion_model: plumb_bob\n"), std::string::npos);
-  EXPECT_NE(text.find("data: [-0.1, 0.2, 0.001, 0.002, 0]"), std::string::npos);
-  EXPECT_NE(text.find("data: [500, 0, 320, 0, 0, 501, 240, 0, 0, 0, 1, 0]"), std::string::npos);
-  camera.D.resize(8, 0.5);
-  EXPECT_NE(cameraInfoText(camera).find("distortion_model: rational_polynomial\n"),
-            std::string::npos);
-}
-
-TEST(BoardPdf, HasTheBoardAtTrueSize) {
-  BoardOptions options;
-  const Board board(options);
-  const Page page = pageFor(board, "A4");
-  EXPECT_EQ(page.width, 297);
-  const std::string pdf = boardPdf(board, page);
-  EXPECT_EQ(pdf.substr(0, 8), "%PDF-1.4");
-  EXPECT_NE(pdf.find("/MediaBox [0 0 841.8898 595.2756]"), std::string::npos);
-  // A square of 35 mm is 99.2126 points.
-  EXPECT_NE(pdf.find("99.2126 99.2126 re"), std::string::npos);
-  const size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
-  EXPECT_EQ(pdf.substr(table, 4), "xref");
-}
-
-TEST(BoardPdf, PageThatIsTooSmallIsTold) {
-  BoardOptions options;
-  options.square = 0.06;
-  options.marker = 0.045;
-  const Board board(options);
-  EXPECT_EQ(errorTextOf([&] { pageFor(board, "A4"); }),
-            "the board needs 436 x 332 mm with its margin and ruler, A4 is 297 x 210 mm");
-  EXPECT_EQ(pageFor(board, "A2").width, 594);
-  EXPECT_NE(errorTextOf([&] { pageFor(board, "B7"); }).find("there is no page B7"),
-            std::string::npos);
 }
 
 }  // namespace

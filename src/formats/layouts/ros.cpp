@@ -7,6 +7,7 @@
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/ros_transforms.h"
 #include "formats/parts/yaml_parts.h"
+#include "formats/ros_texts.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -70,6 +71,8 @@ std::string matrixText(const char* key, size_t rows, const std::vector<double>& 
   return out.str();
 }
 
+}  // namespace
+
 std::string cameraInfoText(const CameraCalibration& camera) {
   const bool rational = camera.D.size() == 8, fisheye = camera.lens == LensType::kFisheye;
   const char* model = fisheye ? "equidistant" : rational ? "rational_polynomial" : "plumb_bob";
@@ -86,8 +89,6 @@ std::string cameraInfoText(const CameraCalibration& camera) {
       << matrixText("projection_matrix", 3, rowsOf(P));
   return out.str();
 }
-
-}  // namespace
 
 bool isRosText(const std::string& text) {
   return isCameraInfo(text) || holdsTransforms(text);
@@ -118,7 +119,7 @@ std::vector<TextFile> writeRosFiles(const std::vector<CameraCalibration>& rig) {
   std::vector<TextFile> files;
   for (const CameraCalibration& camera : rig)
     files.push_back({fileNameOf(camera) + ".yaml", cameraInfoText(camera)});
-  files.push_back({"tf_static.launch", transformsLaunchText(rig)});
+  files.push_back({"tf_static.launch", transformsLaunchText(rig, "world")});
   return files;
 }
 

@@ -10,6 +10,7 @@
 #include "files/yaml_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
+#include "formats/ros_texts.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -173,8 +174,11 @@ Eigen::Isometry3d StaticTransforms::poseOfCamera(const std::string& camera,
   return T;
 }
 
-std::string transformsLaunchText(const std::vector<CameraCalibration>& rig) {
+std::string transformsLaunchText(const std::vector<CameraCalibration>& rig,
+                                 const std::string& world_frame) {
   tinyxml2::XMLPrinter out;
+  out.PushComment(
+      " Where the cameras stand: world to optical frame; x y z (m), quaternion x y z w. ");
   out.OpenElement("launch");
   for (const CameraCalibration& camera : rig) {
     const Eigen::Vector3d& t = camera.T_world_camera.translation();
@@ -189,7 +193,7 @@ std::string transformsLaunchText(const std::vector<CameraCalibration>& rig) {
     out.PushAttribute("pkg", "tf2_ros");
     out.PushAttribute("type", "static_transform_publisher");
     out.PushAttribute("name", (name + "_pose").c_str());
-    out.PushAttribute("args", (args + "world " + camera.name + "_optical").c_str());
+    out.PushAttribute("args", (args + world_frame + ' ' + camera.name + "_optical").c_str());
     out.CloseElement();
   }
   out.CloseElement();

@@ -42,7 +42,4 @@ class StaticTransforms {
   std::string root_;
 };
 
-/// A launch file that publishes the cameras' poses.
-std::string transformsLaunchText(const std::vector<CameraCalibration>& rig);
-
 }  // namespace markerless_mocap

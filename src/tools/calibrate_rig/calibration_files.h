@@ -7,13 +7,6 @@
 
 namespace markerless_mocap {
 
-/// The intrinsics as camera_info_manager reads them (YAML).
-std::string cameraInfoText(const CameraCalibration& camera);
-
-/// A launch file that sends the static transforms world -> <camera>_optical.
-std::string transformsLaunchText(const std::vector<CameraCalibration>& cameras,
-                                 const std::string& world_frame);
-
 /// Writes rig.yaml, camera_info/<camera>.yaml, cameras.launch and report.html into a folder, which
 /// is made if it is not there. Throws std::runtime_error if a file cannot be written.
 void writeCalibration(const std::string& folder, const RigCalibration& result,
