@@ -105,7 +105,8 @@ TEST_F(CalibrateRig, PicturesBecomeARig) {
   EXPECT_NEAR(left_right.translation().norm(), 0.6, 0.01);
   EXPECT_NEAR(Eigen::AngleAxisd(left_right.linear()).angle(), 0.25, 0.01);
   EXPECT_NEAR(rig[0].K(0, 0), 420, 6);
-  EXPECT_NE(bytesOf("out/camera_info/right.yaml").find("camera_name: right"), std::string::npos);
+  EXPECT_NE(bytesOf("out/camera_info/right.yaml").find("camera_name: \"right\""),
+            std::string::npos);
   EXPECT_NE(bytesOf("out/cameras.launch").find("world left_optical"), std::string::npos);
   EXPECT_NE(bytesOf("out/report.html").find("Seen together"), std::string::npos);
 }
@@ -114,17 +115,17 @@ TEST_F(CalibrateRig, ABoardThatLiesStillPlacesKnownLenses) {
   for (const CameraCalibration& camera : pair()) {
     std::filesystem::create_directories(folder_ / "films" / camera.name);
     for (const char* file : {"/0.png", "/1.png", "/2.png"})
-      cv::imwrite(path("films/" + camera.name + file), pictureOf(camera, boardAt(3)));
+      cv::imwrite(path("films/" + camera.name + file), pictureOf(camera, boardAt(1)));
     writeText("lenses/" + camera.name + ".yaml", cameraInfoText(camera));
   }
   const auto run = [&] { calibrateFilms(arguments_, nullptr, false); };
-  EXPECT_EQ(errorTextOf(run).find("the board lies still in all films"), 0u);
+  EXPECT_EQ(errorTextOf(run).substr(0, 33), "the board lies still in all films");
   arguments_.lenses = path("lenses");
   arguments_.floor = "right";
   run();
   for (size_t i = 0; i < 2; ++i) {
     const Eigen::Vector3d found = readRig(path("out/rig.yaml"))[i].T_world_camera.translation();
-    EXPECT_LT((found - boardAt(3).inverse() * pair()[i].T_world_camera.translation()).norm(), 0.03);
+    EXPECT_LT((found - boardAt(1).inverse() * pair()[i].T_world_camera.translation()).norm(), 0.03);
   }
 }
 
