@@ -127,6 +127,10 @@ TEST_F(CalibrateRig, ABoardThatLiesStillPlacesKnownLenses) {
     const Eigen::Vector3d found = readRig(path("out/rig.yaml"))[i].T_world_camera.translation();
     EXPECT_LT((found - boardAt(1).inverse() * pair()[i].T_world_camera.translation()).norm(), 0.03);
   }
+  const std::string page = bytesOf("out/report.html");
+  EXPECT_NE(page.find("1 place of the board; 0 corners"), std::string::npos);
+  EXPECT_EQ(page.find("views left out"), std::string::npos);  // no lens was tried
+  EXPECT_EQ(page.find("Residuals of each view"), std::string::npos);
 }
 
 TEST_F(CalibrateRig, FloorIsTheBoardOfThePictureThatIsNamed) {

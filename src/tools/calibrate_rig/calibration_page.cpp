@@ -16,6 +16,10 @@ std::string plusMinus(const std::string& value, const char* format, double sigma
   return value + (value.empty() ? "± " : " ± ") + formatNumber(format, sigma);
 }
 
+std::string counted(int count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
 std::string triedLenses(const CalibratedCamera& camera) {
   std::string tried;
   for (const LensTry& one : camera.lens_trials)
@@ -42,7 +46,8 @@ void addCameras(const RigCalibration& result, Page* page) {
   std::vector<std::vector<std::string>> cameras, lenses;
   for (const CalibratedCamera& camera : result.cameras) {
     cameras.push_back(cameraRow(camera));
-    lenses.push_back({camera.calibration.name, triedLenses(camera)});
+    if (!camera.lens_trials.empty())
+      lenses.push_back({camera.calibration.name, triedLenses(camera)});
   }
   page->heading("Cameras");
   page->table({"camera", "#views", "#image covered", "#residual, px", "lens", "#focal, px",
@@ -50,8 +55,12 @@ void addCameras(const RigCalibration& result, Page* page) {
               cameras);
   page->text(
       "Uncertainties are one standard deviation; of place and direction, relative to all cameras "
-      "together. The lens model is the simplest one that predicts views that it was not estimated "
-      "from as well as the best one does:");
+      "together.");
+  if (lenses.empty()) return;  // they were given
+  page->text(
+      "The lens model is the simplest one that predicts views that it was not estimated from as "
+      "well "
+      "as the best one does:");
   page->table({"camera", "pixels on views left out, by lens model"}, lenses);
 }
 
@@ -60,6 +69,7 @@ void addResidualsOverTime(const RigCalibration& result, Page* page) {
   for (const CalibratedCamera& camera : result.cameras)
     for (const ViewError& view : camera.views) times.insert(view.instant);
   const std::vector<double> all(times.begin(), times.end());
+  if (all.size() < 2) return;
   std::vector<double> seconds;
   for (const double time : all) seconds.push_back(time - all.front());
   std::vector<PlotLine> lines;
@@ -136,8 +146,8 @@ void addPairs(const RigCalibration& result, Page* page) {
 std::string calibrationPage(const RigCalibration& result) {
   Page page("Calibration of the cameras");
   for (size_t i = 0; i < result.verdict.size(); ++i) page.text(result.verdict[i], i == 0);
-  page.text(std::to_string(result.instants) + " places of the board; " +
-            std::to_string(result.outliers) + " corners left out as outliers.");
+  page.text(counted(result.instants, "place", "places") + " of the board; " +
+            counted(result.outliers, "corner", "corners") + " left out as outliers.");
   addCameras(result, &page);
   addResidualsOverTime(result, &page);
   addResidualsOverImage(result, &page);
