@@ -97,7 +97,8 @@ void fit(benchmark::State& state) {
   const ContourPose start = boxPlus(scene().pose, step);
   for (auto _ : state)
     benchmark::DoNotOptimize(fitter.fit(scene().seen, scene().body, start,
-                                        ContourPrediction{start, 1.0 / 30}, fitter.schedule(1.0 / 30)));
+                                        ContourPrediction{start, 1.0 / 30},
+                                        fitter.schedule(1.0 / 30)));
 }
 BENCHMARK(fit)->Unit(benchmark::kMillisecond);
 
