@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -168,6 +169,21 @@ TEST(FrameSetAssembler, BurstOfOneSlowStreamIsNoJump) {
   for (int i = 0; i < 10; ++i) assembler.add(1, 10 * kSecond + i * 33 * kMs, 9);
   EXPECT_EQ(assembler.counts().time_jumps_back, 0u);
   EXPECT_EQ(assembler.counts().late, 10u);
+}
+
+// Each item is a frame set of its own, and more of them wait than the queue holds before the
+// deadline: whoever reads them must be able to tell what lacks.
+TEST(FrameSetAssembler, StreamsThatAreNotInStepStillGiveFrameSets) {
+  AssemblerOptions options;
+  options.min_streams = 1;
+  options.deadline = 0.5;
+  Assembler assembler(4, options);
+  size_t lone = 0;
+  for (int frame = 0; frame < 15; ++frame)
+    for (int stream = 0; stream < 4; ++stream)
+      for (const auto& frame_set : assembler.add(stream, (66 * frame + 16 * stream) * kMs, 1))
+        lone += std::count(frame_set.present.begin(), frame_set.present.end(), true) == 1;
+  EXPECT_EQ(lone, size_t(4 * 15 - options.max_pending));
 }
 
 TEST(FrameSetAssembler, QueueIsBounded) {

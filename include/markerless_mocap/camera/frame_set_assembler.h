@@ -16,7 +16,7 @@ struct AssemblerCounts {
   uint64_t duplicate = 0;   ///< items whose stream already had an item in this frame set
   uint64_t late = 0;        ///< items older than the last returned frame set or than the deadline
   uint64_t far_future = 0;  ///< items more than `max_jump` ahead of the newest
-  uint64_t overflow = 0;    ///< pending frame sets dropped because the queue was full
+  uint64_t overflow = 0;    ///< frame sets closed before the deadline, as too many waited
   uint64_t time_jumps_back = 0;  ///< restarts because time went backwards
 };
 
@@ -26,7 +26,7 @@ struct AssemblerOptions {
   double deadline = 0.1;     ///< a frame set older than the newest stamp by this is closed
   double max_jump = 5.0;     ///< a stamp further ahead than this is not accepted at first
   int min_streams = 2;
-  int max_pending = 16;  ///< maximum number of frame sets that wait
+  int max_pending = 16;  ///< number of frame sets that wait; the oldest of more are closed
   /// Added to the stamps of each stream, for streams with other clocks; empty: nothing.
   std::vector<double> offsets;
   /// Lags up to this are followed, as of clocks that drift; 0: they are measured, no more.

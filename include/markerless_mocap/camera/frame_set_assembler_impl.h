@@ -168,7 +168,7 @@ auto FrameSetAssembler<Item>::takeReady() -> std::vector<FrameSet> {
   while (!pending_.empty() && *newest_ns_ - pending_.begin()->first > deadline_ns_)
     closeOldest(&out);
   while (pending_.size() > size_t(options_.max_pending)) {
-    pending_.erase(pending_.begin());
+    closeOldest(&out);  // as at its deadline; dropping all of them would tell nobody why
     ++counts_.overflow;
   }
   return out;

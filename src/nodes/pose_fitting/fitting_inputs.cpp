@@ -258,7 +258,7 @@ void FittingInputs::reportCounts() {
   const AssemblerCounts& counts = assembler_.counts();
   status_->set("frame sets", counts.complete + counts.incomplete);
   status_->set("incomplete frame sets", counts.incomplete);
-  status_->set("abandoned frame sets", counts.abandoned + counts.overflow);
+  status_->set("abandoned frame sets", counts.abandoned);
   status_->set("duplicate or late", counts.duplicate + counts.late);
   status_->set("time went back", counts.time_jumps_back);
 }

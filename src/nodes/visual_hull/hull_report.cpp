@@ -83,7 +83,7 @@ void HullStage::reportCounts() {
   status_.set("duplicate masks", counts.duplicate);
   status_.set("late masks", counts.late);
   status_.set("masks far in the future", counts.far_future);
-  status_.set("frame sets dropped from a full queue", counts.overflow);
+  status_.set("frame sets closed early, as too many waited", counts.overflow);
   status_.set("time went back", counts.time_jumps_back);
   for (size_t i = 0; i < node_options_.cameras.size(); ++i)
     status_.set("frame sets without the mask of " + node_options_.cameras[i],
