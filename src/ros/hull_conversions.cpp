@@ -10,6 +10,7 @@
 #include "ros/aligned_points.h"
 #include "ros/message_limits.h"
 #include "ros/point_cloud_reader.h"
+#include "text/printable.h"
 
 namespace markerless_mocap {
 namespace {
@@ -22,8 +23,8 @@ constexpr const char* kByteFields[7] = {"views",      "votes_x",    "votes_y",  
 
 void checkFrame(const sensor_msgs::PointCloud2& cloud, const VoxelGrid& grid) {
   if (cloud.header.frame_id != grid.header.frame_id)
-    throw std::invalid_argument("hull cloud is in the frame \"" + cloud.header.frame_id +
-                                "\", allowed is the grid's \"" + grid.header.frame_id + "\"");
+    throw std::invalid_argument("hull cloud is in the frame " + quoted(cloud.header.frame_id) +
+                                ", allowed is the grid's " + quoted(grid.header.frame_id));
 }
 
 /// Linear index of the voxel with this centre.

@@ -8,6 +8,7 @@
 
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "ros/png_head.h"
+#include "text/printable.h"
 
 namespace markerless_mocap {
 
@@ -30,15 +31,19 @@ const std::string& usableEncoding(const sensor_msgs::Image& message) {
                       isBayer8(message.encoding);
   if (!usable)
     throw std::invalid_argument(
-        "image of frame \"" + message.header.frame_id + "\" has the encoding \"" +
-        message.encoding +
-        "\", allowed are mono8, bgr8, rgb8, bayer_....8 and encodings that convert to them");
+        "image of frame " + quoted(message.header.frame_id) + " has the encoding " +
+        quoted(message.encoding) +
+        ", allowed are mono8, bgr8, rgb8, bayer_....8 and encodings that convert to them");
   return encodings::isMono(message.encoding) ? encodings::MONO8 : encodings::BGR8;
 }
 
 /// Throws if the data are not those of the size and encoding. cv_bridge multiplies in 32 bits, so
-/// it takes images of 2^32 bytes more than there are.
+/// it takes images of 2^32 bytes more than there are; what is big-endian it takes for bytes.
 void checkLayout(const sensor_msgs::Image& message) {
+  if (message.is_bigendian && encodings::bitDepth(message.encoding) > 8)
+    throw std::invalid_argument("its pixels of " +
+                                std::to_string(encodings::bitDepth(message.encoding)) +
+                                " bits are big-endian, allowed is little-endian");
   const uint64_t pixel = uint64_t(encodings::bitDepth(message.encoding) / 8 *
                                   encodings::numChannels(message.encoding));
   const uint64_t pixels = uint64_t(message.width) * message.height;
@@ -58,8 +63,8 @@ cv::Mat sharedPixels(const sensor_msgs::Image& message, const std::string& encod
     checkLayout(message);
     return cv_bridge::toCvShare(message, nullptr, encoding)->image;
   } catch (const std::exception& error) {  // from cv_bridge or OpenCV
-    throw std::invalid_argument("image of frame \"" + message.header.frame_id +
-                                "\" cannot be read: " + error.what());
+    throw std::invalid_argument("image of frame " + quoted(message.header.frame_id) +
+                                " cannot be read: " + error.what());
   }
 }
 
@@ -82,7 +87,7 @@ cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message) {
 
 cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const ReductionRule& rule,
                        cv::Size* whole) {
-  const std::string subject = "compressed image of frame \"" + message.header.frame_id + "\"";
+  const std::string subject = "compressed image of frame " + quoted(message.header.frame_id);
   cv::Mat image;
   try {
     if (isJpeg(message.data)) {
@@ -97,8 +102,8 @@ cv::Mat matFromMessage(const sensor_msgs::CompressedImage& message, const Reduct
     throw std::invalid_argument(subject + " cannot be decoded: " + error.what());
   }
   if (image.empty())
-    throw std::invalid_argument(subject + " with format \"" + message.format +
-                                "\" cannot be decoded, allowed are whole JPEG and PNG files");
+    throw std::invalid_argument(subject + " with format " + quoted(message.format) +
+                                " cannot be decoded, allowed are whole JPEG and PNG files");
   return image;
 }
 
@@ -113,9 +118,9 @@ bool hasUnknownBackground(const sensor_msgs::Image& message) {
 
 cv::Mat maskFromMessage(const sensor_msgs::Image& message) {
   if (!isMask(message))
-    throw std::invalid_argument("silhouette of frame \"" + message.header.frame_id +
-                                "\" has the encoding \"" + message.encoding +
-                                "\", allowed is mono8");
+    throw std::invalid_argument("silhouette of frame " + quoted(message.header.frame_id) +
+                                " has the encoding " + quoted(message.encoding) +
+                                ", allowed is mono8");
   return maskOfThreeValues(sharedPixels(message, ""));
 }
 

@@ -12,6 +12,7 @@
 
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "ros/png_head.h"
+#include "text/printable.h"
 
 namespace markerless_mocap {
 namespace {
@@ -92,8 +93,8 @@ sensor_msgs::ImagePtr maskFromCompressed(const sensor_msgs::CompressedImage& mes
   std::string refusal = faultOfHead(message.data);
   if (refusal.empty()) refusal = faultWhileReading(message.data, mask.get());
   if (!refusal.empty())
-    throw std::invalid_argument("compressed mask of frame \"" + message.header.frame_id +
-                                "\" cannot be read: " + refusal);
+    throw std::invalid_argument("compressed mask of frame " + quoted(message.header.frame_id) +
+                                " cannot be read: " + refusal);
   mask->header = message.header;
   return mask;
 }

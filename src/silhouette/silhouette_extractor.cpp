@@ -204,11 +204,14 @@ class SilhouetteExtractor::Impl {
 void SilhouetteExtractor::Impl::checkImage(const cv::Mat& image) const {
   if (image.empty()) throw std::invalid_argument("silhouette: the image is empty");
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3)
-    throw std::invalid_argument("silhouette: the image must be 8 bit grey or BGR");
+    throw std::invalid_argument(
+        "silhouette: the image has pixels of " + std::to_string(image.channels()) + " x " +
+        std::to_string(8 * image.elemSize1()) + " bits, allowed is 8 bit grey or BGR");
   if (type_ >= 0 && (image.size() != size_ || image.type() != type_))
     throw std::invalid_argument(
-        "silhouette: the image is " + described(image.size(), image.type()) +
-        (learns() ? ", the background is " : ", the first one was ") + described(size_, type_));
+        "silhouette: the image is " + described(image.size(), image.type()) + ", allowed is " +
+        described(size_, type_) +
+        (learns() ? ", as its background is, or to learn that anew" : ", as the first one was"));
 }
 
 SilhouetteState SilhouetteExtractor::Impl::stateAfter(const Extraction& found) {

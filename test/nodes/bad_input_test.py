@@ -94,6 +94,12 @@ class Hull(HullNode):
         self.expect('has the encoding "8SC1", allowed is mono8',
                     [info('a_optical'), info('b_optical')], encoding='8SC1')
 
+    def test_words_of_others_are_told_in_one_short_line(self):
+        self.expect('has the encoding "mo no8?[31mqqq',
+                    [info('a_optical'), info('b_optical')], encoding='mo\nno8\x1b[31m' + 5000 * 'q')
+        told = [text for text in self.sentences if 'no8' in text]
+        self.assertFalse([text for text in told if '\n' in text or len(text) > 1000])
+
     def test_too_few_cameras(self):
         send_infos = self.sender([info('a_optical'), info('b_optical')])
         self.masks[1].unregister()

@@ -61,6 +61,29 @@ TEST(ImageConversions, UnknownEncodingIsNamedWithTheCamera) {
       << sentence;
 }
 
+TEST(ImageConversions, WordsOfAMessageAreQuotedShortAndInOneLine) {
+  sensor_msgs::Image message = messageFromMat(colorPixels(), header());
+  message.encoding = "bg\nr8\x1b[31m" + std::string(100000, 'q');
+  const std::string sentence = errorTextOf([&] { matFromMessage(message); });
+  EXPECT_NE(sentence.find("the encoding \"bg r8?[31mqq"), std::string::npos) << sentence;
+  EXPECT_LT(sentence.size(), 300u);
+}
+
+TEST(ImageConversions, BigEndianPixelsOf16BitsAreRefused) {
+  sensor_msgs::Image message;
+  message.width = message.height = 2;
+  message.encoding = "mono16";
+  message.step = 4;
+  message.data.assign(8, 1);
+  message.is_bigendian = 1;
+  const std::string sentence = errorTextOf([&] { matFromMessage(message); });
+  EXPECT_NE(sentence.find("its pixels of 16 bits are big-endian, allowed is little-endian"),
+            std::string::npos)
+      << sentence;
+  message.is_bigendian = 0;
+  EXPECT_EQ(matFromMessage(message).at<uchar>(1, 1), 1);
+}
+
 /// A picture of one colour as a sensor behind that pattern of filters sees it.
 sensor_msgs::Image mosaic(const std::string& encoding, const std::string& filters) {
   cv::Mat raw(8, 8, CV_8UC1);

@@ -104,9 +104,11 @@ TEST(SilhouetteExtractor, WrongImagesAreRefusedInOneSentence) {
   SilhouetteExtractor extractor = learned(makeScene(3));
   EXPECT_EQ(refusal(&extractor, cv::Mat()), "silhouette: the image is empty");
   EXPECT_EQ(refusal(&extractor, cv::Mat::zeros(kSize, CV_16UC1)),
-            "silhouette: the image must be 8 bit grey or BGR");
-  EXPECT_EQ(refusal(&extractor, makeScene(1)),
-            "silhouette: the image is 160 x 120 grey, the background is 160 x 120 BGR");
+            "silhouette: the image has pixels of 1 x 16 bits, allowed is 8 bit grey or BGR");
+  EXPECT_EQ(
+      refusal(&extractor, makeScene(1)),
+      "silhouette: the image is 160 x 120 grey, allowed is 160 x 120 BGR, as its background is, "
+      "or to learn that anew");
   EXPECT_NE(refusal(&extractor, cv::Mat::zeros(60, 80, CV_8UC3)), "");
 }
 

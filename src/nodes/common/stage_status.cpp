@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "text/printable.h"
+
 namespace markerless_mocap {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -45,28 +47,32 @@ StageStatus::StageStatus(const ros::NodeHandle& handle, const ros::NodeHandle& p
       gate_.guarded([this](const ros::WallTimerEvent&) { updater_.force_update(); }));
 }
 
-void StageStatus::ok(const std::string& message) {
-  enter(DiagnosticStatus::OK, message);
+void StageStatus::ok(const std::string& text) {
+  enter(DiagnosticStatus::OK, printableLine(text));
 }
 
-void StageStatus::waiting(const std::string& message) {
+void StageStatus::waiting(const std::string& text) {
+  const std::string message = printableLine(text);
   enter(DiagnosticStatus::WARN, message);
   ROS_WARN_STREAM_THROTTLE(5.0, stage_ << ": " << message);
 }
 
-void StageStatus::problem(const std::string& message) {
+void StageStatus::problem(const std::string& text) {
+  const std::string message = printableLine(text);
   enter(DiagnosticStatus::WARN, message);
   count("problems");
   ROS_WARN_STREAM_THROTTLE(5.0, stage_ << ": " << message);
 }
 
-void StageStatus::error(const std::string& message) {
+void StageStatus::error(const std::string& text) {
+  const std::string message = printableLine(text);
   enter(DiagnosticStatus::ERROR, message);
   count("problems");
   ROS_ERROR_STREAM_THROTTLE(5.0, stage_ << ": " << message);
 }
 
-void StageStatus::remark(const std::string& message) {
+void StageStatus::remark(const std::string& text) {
+  const std::string message = printableLine(text);
   const std::lock_guard<std::mutex> lock(mutex_);
   for (Remark& known : remarks_) {
     if (known.message != message) continue;

@@ -37,16 +37,16 @@ class StageStatus {
               const std::string& stage);
 
   /// The last frame set was processed successfully.
-  void ok(const std::string& message);
+  void ok(const std::string& text);
   /// There is no error, but no output either.
-  void waiting(const std::string& message);
-  /// A frame set could not be used; `message` gives the reason.
-  void problem(const std::string& message);
+  void waiting(const std::string& text);
+  /// A frame set could not be used; `text` gives the reason.
+  void problem(const std::string& text);
   /// Nothing can be used until somebody acts.
-  void error(const std::string& message);
+  void error(const std::string& text);
   /// Something has happened that matters beyond this frame set: it is logged once, and a
   /// warning until ten seconds after it was last said.
-  void remark(const std::string& message);
+  void remark(const std::string& text);
   /// Sets a counter that /diagnostics shows.
   void set(const std::string& name, uint64_t count);
   void count(const std::string& name);

@@ -107,7 +107,8 @@ void Background::save(const std::string& path) const {
 Background Background::load(const std::string& path) {
   if (std::error_code ignored;
       std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    throw std::invalid_argument("the background file " + path + " is a folder, pipe or device");
+    throw std::invalid_argument("the background file " + path +
+                                " is a folder, pipe or device, allowed are files");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::invalid_argument("the background file " + path + " cannot be opened");
   FileHead head;

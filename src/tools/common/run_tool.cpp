@@ -6,6 +6,8 @@
 #include <iostream>
 #include <string>
 
+#include "text/printable.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -17,15 +19,6 @@ void interrupt(int signal) {
 }
 
 }  // namespace
-
-std::string printable(const std::string& text) {
-  constexpr size_t kLongest = 2000;
-  std::string shown = text.substr(0, kLongest);
-  for (char& letter : shown)
-    if ((static_cast<unsigned char>(letter) < ' ' && letter != '\n') || letter == '\x7f')
-      letter = '?';
-  return shown + (text.size() > kLongest ? " ..." : "");
-}
 
 int runTool(const char* name, const std::function<void()>& work) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as any that cannot be written

@@ -5,10 +5,6 @@
 
 namespace markerless_mocap {
 
-/// A sentence that may hold what stood in a damaged file: without control characters, which would
-/// change a terminal, and not too long for one.
-std::string printable(const std::string& text);
-
 /// Runs the work of a program. An exception is printed to the error stream. Returns the exit code.
 int runTool(const char* name, const std::function<void()>& work);
 
