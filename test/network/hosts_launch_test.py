@@ -100,10 +100,29 @@ class HostsLaunch(unittest.TestCase):
         self.assertIn('privacy is \'maybe\'', self.refusal(lambda rig: rig.update(privacy='maybe')))
         self.assertIn('hosts is no list', self.refusal(lambda rig: rig.update(hosts={})))
         for text, sentence in (('central: {address: a}\ncentral: {address: b}\n', 'comes twice'),
-                               ('[1, 2]', 'has no keys'), ('hosts: [', 'cannot be read')):
+                               ('[1, 2]', 'has no keys'), ('hosts: [', 'is no YAML')):
             made = self.run_with(text)
             self.assertEqual(1, made.returncode)
             self.assertIn(sentence, made.stderr)
+
+    def test_what_is_no_file_is_told_and_does_not_block(self):
+        folder = self.folder.name
+        pipe = os.path.join(folder, 'pipe')
+        os.mkfifo(pipe)
+        no_file = 'it is a folder, pipe or device, allowed are files'
+        for hosts, launch, sentence in (
+                (pipe, self.launch, f'cannot read {pipe}: {no_file}'),
+                ('/dev/zero', self.launch, f'cannot read /dev/zero: {no_file}'),
+                ('', self.launch, 'cannot read a file: its name is empty'),
+                (sys.executable, self.launch, f'{sys.executable} is no text'),
+                (EXAMPLE, pipe, f'cannot write {pipe}: {no_file}'),
+                (EXAMPLE, folder + '/none/a', f'cannot write {folder}/none/a: No such file')):
+            made = subprocess.run([sys.executable, str(PROGRAM), str(hosts), str(launch)], check=False,
+                                  capture_output=True, text=True, timeout=60)
+            self.assertEqual(1, made.returncode)
+            self.assertIn('hosts_launch: ' + sentence, made.stderr)
+            self.assertEqual(1, made.stderr.count('\n'), made.stderr)
+        self.assertEqual(['pipe'], os.listdir(folder))
 
     def test_a_camera_that_the_rig_does_not_have_is_refused(self):
         rig = pathlib.Path(self.folder.name, 'rig.yaml')

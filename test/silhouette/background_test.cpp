@@ -272,7 +272,8 @@ TEST(BackgroundFile, UnusableOnesAreRefusedInOneSentence) {
   Background({64, 48}, 3, 1).save(path);
   extractor.loadBackground(path);
   EXPECT_EQ(refusal([&] { extractor.update(makeScene(3)); }),
-            "silhouette: the image is 160 x 120 BGR, the background is 64 x 48 BGR");
+            "silhouette: the image is 160 x 120 BGR, allowed is 64 x 48 BGR, as its background is, "
+            "or to learn that anew");
   std::remove(path.c_str());
 }
 
