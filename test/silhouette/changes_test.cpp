@@ -1,6 +1,8 @@
 /// Light, reflections and objects that change the scene are no person.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "silhouette/background/background_learner.h"
 #include "silhouette/changes/kept_texture.h"
@@ -138,6 +140,24 @@ TEST(ChangedLight, SwitchedLampIsNoPersonAndIsRememberedWhenSwitchedBack) {
     if (i < 15) continue;
     EXPECT_NEAR(found.light_gain, 1, 0.03) << i;
   }
+}
+
+/// Bands of light that move through the image, as of lamps that flicker.
+cv::Mat inBands(const cv::Mat& scene, int i) {
+  cv::Mat lit = scene.clone();
+  for (int y = 0; y < lit.rows; ++y) lit.row(y) *= 1.0 + 0.4 * std::sin(y / 20.0 + i);
+  return lit;
+}
+
+TEST(ChangedLight, LightThatChangesAgainAndAgainLeavesTheBackgroundAsItWas) {
+  const cv::Mat floor = makeFloor();
+  SilhouetteExtractor extractor = learned(floor);
+  const auto update = [&](const cv::Mat& scene, int i) {
+    return extractor.update(withNoise(withWalker(scene, i), 100 + i)).mask;
+  };
+  for (int i = 0; i < 5; ++i) update(floor, i);
+  for (int i = 5; i < 65; ++i) update(inBands(floor, i), i);
+  for (int i = 65; i < 75; ++i) EXPECT_GT(overlap(update(floor, i), walkerAt(i)), 0.93) << i;
 }
 
 TEST(ChangedLight, TurnedCameraIsNoChangeOfLight) {

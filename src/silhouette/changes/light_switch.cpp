@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "silhouette/bits/bit_morphology.h"
 
@@ -13,7 +14,8 @@ namespace {
 constexpr double kDrop = 0.12;
 /// How fast the usual fraction follows, per image.
 constexpr double kFollow = 0.05;
-constexpr int kSide = 16;  ///< of a block, px
+constexpr int kSoon = 300;  ///< images; changes less apart belong together
+constexpr int kSide = 16;   ///< of a block, px
 /// The person may have moved this far since the mask, px.
 constexpr int kMoved = 12;
 constexpr int kFewestPixels = 64;
@@ -170,25 +172,49 @@ bool LightSwitch::update(const cv::Mat& image, const LightGain& light, const Bit
                          Background* background) {
   const double agreeing = light.inlier_fraction;
   if (usual_ < 0) usual_ = agreeing;
-  if (agreeing > usual_ - kDrop || person.rows() == 0) {
+  const bool has_dropped = agreeing <= usual_ - kDrop && person.rows() > 0;
+  if (++unchanged_ > kSoon) first_.reset();
+  if ((has_dropped || unchanged_ <= kSoon) && takeBack(image, agreeing, background)) return true;
+  if (!has_dropped) {
     usual_ += kFollow * (agreeing - usual_);
     return false;
   }
-  bool is_changed = useOtherLight(image, background);
-  if (!is_changed) {
-    Background before = *background;
-    is_changed = relight(image, light.gain, person, background);
-    if (is_changed) other_ = std::move(before);
-  }
+  Background before = *background;
+  const bool is_changed = relight(image, light.gain, person, background);
+  if (is_changed) remember(std::move(before), usual_);
   usual_ = is_changed ? estimateLightGain(image, *background).inlier_fraction : agreeing;
   return is_changed;
 }
 
-bool LightSwitch::useOtherLight(const cv::Mat& image, Background* background) {
-  if (!other_) return false;
-  if (estimateLightGain(image, *other_).inlier_fraction < usual_ - kDrop / 2) return false;
-  std::swap(*other_, *background);
+bool LightSwitch::takeBack(const cv::Mat& image, double agreeing, Background* background) {
+  if (isShown(image, first_, agreeing)) {
+    exchange(&*first_, background);
+    other_ = std::move(first_);
+    first_.reset();
+    return true;
+  }
+  if (!isShown(image, other_, agreeing)) return false;
+  exchange(&*other_, background);
   return true;
+}
+
+bool LightSwitch::isShown(const cv::Mat& image, const std::optional<Light>& light,
+                          double agreeing) const {
+  if (!light) return false;
+  const double agrees = estimateLightGain(image, light->background).inlier_fraction;
+  return agrees >= light->usual - kDrop / 2 && agrees >= agreeing + kDrop / 2;
+}
+
+void LightSwitch::exchange(Light* light, Background* background) {
+  std::swap(light->background, *background);
+  std::swap(light->usual, usual_);
+  unchanged_ = 0;
+}
+
+void LightSwitch::remember(Background before, double usual) {
+  if (unchanged_ <= kSoon && other_ && !first_) first_ = std::move(other_);
+  other_ = Light{std::move(before), usual};
+  unchanged_ = 0;
 }
 
 }  // namespace markerless_mocap

@@ -11,7 +11,9 @@ namespace markerless_mocap {
 
 /// Notices that a lamp was switched: many pixels change from one image to the next, each place by a
 /// factor of its own. The background is then lit anew. The light before is remembered, as lamps are
-/// also switched back.
+/// also switched back; and where one change follows another, as when a camera sees bands of light
+/// or looks for its focus, that before all of them. They are taken back as soon as the image shows
+/// them.
 class LightSwitch {
  public:
   /// \param light of the image relative to the background
@@ -21,10 +23,21 @@ class LightSwitch {
               Background* background);
 
  private:
-  bool useOtherLight(const cv::Mat& image, Background* background);
+  /// A background, and the fraction of pixels that one gain explained while it held.
+  struct Light {
+    Background background;
+    double usual;
+  };
+
+  bool takeBack(const cv::Mat& image, double agreeing, Background* background);
+  bool isShown(const cv::Mat& image, const std::optional<Light>& light, double agreeing) const;
+  void exchange(Light* light, Background* background);
+  void remember(Background before, double usual);
 
   double usual_ = -1;  ///< fraction of pixels that one gain explains; below 0: no image yet
-  std::optional<Background> other_;  ///< in the light before
+  int unchanged_ = 0;  ///< images since the last change
+  std::optional<Light> other_;  ///< before the last change
+  std::optional<Light> first_;  ///< before the changes that came soon after one another
 };
 
 /// The background in the light of an image. Its light is estimated in blocks; nearby blocks give it
