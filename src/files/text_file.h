@@ -19,6 +19,7 @@ inline void checkRegularFile(const std::string& path, const std::string& subject
                              uintmax_t max_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
+  if (path.empty()) throw std::runtime_error("cannot read a file: its name is empty");
   if (!std::filesystem::exists(status))
     throw std::runtime_error("cannot read " + subject + ": there is no such file");
   if (!std::filesystem::is_regular_file(status))

@@ -8,6 +8,8 @@
 
 #include "files/text_file.h"
 #include "files/whole_file.h"
+#include "markerless_mocap/body/body_model.h"
+#include "markerless_mocap/body/body_urdf.h"
 #include "markerless_mocap/tracking/shape_file.h"
 
 namespace markerless_mocap {
@@ -33,11 +35,23 @@ void writeText(const std::string& path, const std::string& text) {
   writeWholeFile(path, text);
 }
 
+std::string readUrdfTemplate(const std::string& path, const std::string& body_id) {
+  constexpr double kAnyStature = 1.75;  // metres
+  std::string text = readText(path);
+  try {
+    BodyModel::fromUrdf(fillUrdfTemplate(text, body_id, BodyProportions::fromStature(kAnyStature)),
+                        body_id);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+  return text;
+}
+
 PersonResources readPersonResources(const std::string& body_id, const std::string& urdf_template,
                                     const std::string& body_file) {
   PersonResources resources = PersonResources::standard();
   resources.body_id = body_id;
-  if (!urdf_template.empty()) resources.urdf_template = readText(urdf_template);
+  if (!urdf_template.empty()) resources.urdf_template = readUrdfTemplate(urdf_template, body_id);
   if (!body_file.empty()) resources.known_shape = shapeFromYaml(readText(body_file), body_file);
   return resources;
 }

@@ -17,6 +17,10 @@ std::string readText(const std::string& path);
 /// Throws std::runtime_error if the file cannot be written.
 void writeText(const std::string& path, const std::string& text);
 
+/// Text of a URDF template. Throws as readText(), or std::invalid_argument with the path if it is
+/// none of a body.
+std::string readUrdfTemplate(const std::string& path, const std::string& body_id);
+
 /// Prior knowledge about the person. Throws std::runtime_error if a file cannot be read,
 /// std::invalid_argument if its content is invalid.
 /// \param urdf_template empty: the template of this package

@@ -38,6 +38,7 @@ TEST_F(TextFileTest, WhatIsNoFileIsRefusedAndDoesNotBlock) {
   EXPECT_EQ(refusal(path("fifo")), sentence);
   EXPECT_EQ(refusal("/dev/zero"), sentence);
   EXPECT_EQ(refusal(folder_.string()), sentence);
+  EXPECT_EQ(refusal(""), "cannot read a file: its name is empty");
 }
 
 TEST_F(TextFileTest, LargeFilesAreRefusedUnread) {

@@ -76,8 +76,11 @@ TEST_F(WholeFile, ALockThatAKilledProgramLeftBehindHoldsNothing) {
 }
 
 TEST_F(WholeFile, WhatIsNoFileIsTold) {
-  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { writeWholeFile(folder_.string(), "x"); }),
-            "cannot write " + folder_.string() + ": it is a folder, pipe or device");
+  EXPECT_EQ(
+      errorTextOf<std::runtime_error>([&] { writeWholeFile(folder_.string(), "x"); }),
+      "cannot write " + folder_.string() + ": it is a folder, pipe or device, allowed are files");
+  EXPECT_EQ(errorTextOf<std::runtime_error>([&] { writeWholeFile("", "x"); }),
+            "the name of the file to write is empty");
   EXPECT_EQ(errorTextOf<std::runtime_error>([&] { writeWholeFile(path("no/a"), "x"); }),
             "cannot write " + path("no/a") + ": its folder is missing or may not be written");
 }

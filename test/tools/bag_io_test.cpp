@@ -51,14 +51,16 @@ TEST_F(BagIo, AFullDiskIsASentenceAndLeavesNoFile) {
           bag.commit();
         }));
       },
-      testing::ExitedWithCode(1), "tool: cannot write .*out.bag: File too large");
+      testing::ExitedWithCode(1), "tool: cannot write .*out.bag: files may not become that large");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 TEST_F(BagIo, OutputsThatAreNoFilesAreRefusedAtOnce) {
-  EXPECT_EQ(refusal(folder_.string()),
-            "cannot write " + folder_.string() + ": it is a folder, pipe or device");
-  EXPECT_EQ(refusal("/dev/null"), "cannot write /dev/null: it is a folder, pipe or device");
+  EXPECT_EQ(refusal(folder_.string()), "cannot write " + folder_.string() +
+                                           ": it is a folder, pipe or device, allowed are files");
+  EXPECT_EQ(refusal(""), "the name of the file to write is empty");
+  EXPECT_EQ(refusal("/dev/null"),
+            "cannot write /dev/null: it is a folder, pipe or device, allowed are files");
   EXPECT_EQ(refusal(path("none/out.bag")), "cannot write " + path("none/out.bag") +
                                                ": its folder is missing or may not be written");
 }

@@ -28,6 +28,8 @@ TEST(BoardPdf, PageThatIsTooSmallIsTold) {
   const Board board(options);
   EXPECT_EQ(errorTextOf([&] { pageFor(board, "A4"); }),
             "the board needs 436 x 332 mm with its margin and ruler, A4 is 297 x 210 mm");
+  EXPECT_EQ(errorTextOf([&] { pageFor(board, "100x-1"); }),
+            "the board needs 436 x 332 mm with its margin and ruler, the page is 100 x -1 mm");
   EXPECT_EQ(pageFor(board, "A2").width, 594);
   EXPECT_NE(errorTextOf([&] { pageFor(board, "B7"); }).find("there is no page B7"),
             std::string::npos);

@@ -74,9 +74,11 @@ TEST_F(ExportHull, BadCallsAreRefused) {
   EXPECT_EQ(refused([](HullExportOptions& w) { w.output = "hull.obj"; }),
             "output is hull.obj, allowed are names that end in .pcd or .ply");
   EXPECT_EQ(refused([](HullExportOptions& w) { w.at = 3; }),
-            "the bag has no hull with voxels on /hull/points from that time on");
+            what_.input + " has no hull with voxels on /hull/points from that time on");
   EXPECT_EQ(refused([](HullExportOptions& w) { w.topic = "/other/points"; }),
-            "the bag has no /other/grid");
+            what_.input +
+                " has no point clouds on the topic \"/other/points\", it has them on "
+                "/hull/points");
   EXPECT_EQ(refused([&](HullExportOptions& w) { w.output = path("no/such/folder.ply"); }),
             "cannot write " + path("no/such/folder.ply") +
                 ": its folder is missing or may not be written");

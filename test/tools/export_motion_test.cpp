@@ -31,6 +31,7 @@ TEST_F(ExportMotion, EveryFormatIsWrittenWithoutARemarkIfAllIsSeen) {
   writeResults(nothing);
   for (const char* name : {"a.bvh", "a.glb", "a.trc", "a.c3d", "a.mot", "a.csv"}) {
     what_.output = path(name);
+    writeText(std::string(name) + ".gaps.csv", "of an earlier file");
     EXPECT_EQ(notes(), "") << name;
     EXPECT_GT(bytesOf(name).size(), 1000u) << name;
     EXPECT_FALSE(std::filesystem::exists(path(std::string(name) + ".gaps.csv")));
@@ -58,7 +59,8 @@ TEST_F(ExportMotion, GapsAreToldInTheFileOrBesideIt) {
             std::string::npos);
   std::filesystem::create_directories(path("folder.bvh"));
   what_.output = path("folder.bvh");
-  EXPECT_EQ(refusal(), "cannot write " + what_.output + ": it is a folder, pipe or device");
+  EXPECT_EQ(refusal(),
+            "cannot write " + what_.output + ": it is a folder, pipe or device, allowed are files");
   EXPECT_FALSE(std::filesystem::exists(path("folder.bvh.gaps.csv")));
 }
 
@@ -92,8 +94,9 @@ TEST_F(ExportMotion, BadCallsAreRefusedAndLeaveNothing) {
   EXPECT_EQ(refused([](Options& w) { w.body_id = "person7"; }),
             what_.input + " has no body person7, it has person1");
   std::filesystem::create_directory(path("folder.csv"));
-  EXPECT_EQ(refused([&](Options& w) { w.output = path("folder.csv"); }),
-            "cannot write " + path("folder.csv") + ": it is a folder, pipe or device");
+  EXPECT_EQ(
+      refused([&](Options& w) { w.output = path("folder.csv"); }),
+      "cannot write " + path("folder.csv") + ": it is a folder, pipe or device, allowed are files");
   EXPECT_FALSE(std::filesystem::exists(path("out.csv")));
   EXPECT_FALSE(hasUnfinished());
 }
@@ -122,6 +125,8 @@ TEST_F(ExportMotion, SecondPersonIsAskedFor) {
                            " has no URDF of the body ben: give it by --urdf (rosparam get "
                            "/human_description_ben prints it while the nodes run)");
   what_.urdf = path("ben.urdf");
+  writeText("ben.urdf", "no XML");
+  EXPECT_EQ(refusal().find("--urdf: URDF of the body: "), 0u) << refusal();
   writeText("ben.urdf",
             fillUrdfTemplate(humanTemplate(), "ben", BodyProportions::fromStature(1.75)));
   EXPECT_EQ(notes(), "");

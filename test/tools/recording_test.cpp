@@ -50,7 +50,7 @@ TEST_F(RecordingTest, StartAndDurationAreSecondsAfterTheFirstImage) {
   options.start = 5.0;
   Recording late(path("in.bag"), options);
   EXPECT_EQ(errorTextOf<std::exception>([&] { allOf(late); }),
-            "the start lies after the end of the recording");
+            "the start is 5 s, after the end of the recording, which has 0.9 s");
 }
 
 TEST_F(RecordingTest, ChosenCamerasKeepTheirOrder) {

@@ -4,9 +4,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "files/whole_file.h"
 
@@ -23,6 +26,27 @@ TEST(RunTool, WhatStoodInADamagedFileIsShownSafely) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(runTool("tool", [] { throw std::runtime_error("'x' holds \x1b[2J"); }), 1);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "tool: 'x' holds ?[2J\n");
+}
+
+TEST(RunTool, TooLittleMemoryAndThreadsAreTold) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(runTool("tool", [] { throw std::bad_alloc(); }), 1);
+  EXPECT_EQ(runTool("tool", [] { throw std::system_error(EAGAIN, std::generic_category()); }), 1);
+  EXPECT_EQ(
+      testing::internal::GetCapturedStderr(),
+      "tool: there is not enough memory, or this process may not use it (ulimit -v)\n"
+      "tool: no further thread can be started (ulimit -u): Resource temporarily unavailable\n");
+}
+
+TEST(RunTool, TooFewOpenFilesAreTold) {
+  EXPECT_EXIT(
+      {
+        rlimit few{};
+        few.rlim_cur = few.rlim_max = 8;
+        setrlimit(RLIMIT_NOFILE, &few);
+        std::_Exit(runTool("tool", [] {}));
+      },
+      testing::ExitedWithCode(1), "^tool: this process may open 8 files, allowed are 16 and more");
 }
 
 TEST(RunTool, AFileThatMayNotGrowFailsToBeWritten) {

@@ -22,7 +22,8 @@ namespace {
 constexpr int64_t kClockStart = 1000'000'000'000;  // nanoseconds
 
 StudioFiles filesFor(const StudioNodeOptions& options) {
-  return {options.urdf_template.empty() ? humanUrdfTemplate() : readText(options.urdf_template),
+  return {options.urdf_template.empty() ? humanUrdfTemplate()
+                                        : readUrdfTemplate(options.urdf_template, options.body_id),
           packageFile("config/motions")};
 }
 

@@ -160,7 +160,7 @@ void readImages(const CheckArguments& arguments, const SilhouetteOptions& silhou
                 const std::vector<RecordedCamera>& cameras, rosbag::Bag& bag,
                 std::vector<CameraRecorder>* recorders, std::ostream* notes, bool terminal) {
   ImageReader reader(bag, cameras);
-  if (reader.empty()) throw std::runtime_error("the bag has no images");
+  if (reader.empty()) throw std::runtime_error(bag.getFileName() + " has no images");
   const std::string foreign = foreignTopic<sensor_msgs::Image, sensor_msgs::CompressedImage>(bag);
   if (!foreign.empty()) throw std::runtime_error("not all images can be read" + foreign);
   MessageLoader loader;

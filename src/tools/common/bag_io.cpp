@@ -1,13 +1,11 @@
 #include "tools/common/bag_io.h"
 
-#include <unistd.h>
-
-#include <atomic>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include "files/whole_file.h"
 #include "tools/common/bag_records.h"
 #include "tools/common/run_tool.h"
 
@@ -31,24 +29,6 @@ void openForReading(const std::string& path, rosbag::Bag& bag) {
     throw std::runtime_error(path + " is not a bag or was cut off");
   }
 }
-
-namespace {
-
-/// Files of their own, where two runs with one output cannot be told apart by a lock.
-std::string activePathOf(const std::string& path) {
-  static std::atomic<int> count{0};
-  return path + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".active";
-}
-
-void checkTarget(const std::string& path) {
-  if (path.empty()) throw std::runtime_error("the name of the bag to write is empty");
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw std::runtime_error("cannot write " + path + ": it is a folder, pipe or device");
-}
-
-}  // namespace
 
 BagWriter::BagWriter(std::string path, rosbag::CompressionType compression)
     : path_(std::move(path)),
@@ -87,8 +67,10 @@ void BagWriter::abandon() {
 
 void BagWriter::fail(int error) {
   abandon();
-  throw std::runtime_error("cannot write " + path_ +
-                           (error ? std::string(": ") + std::strerror(error) : ""));
+  const std::string reason = reasonOfFailedWrite(error);
+  throw std::runtime_error(
+      "cannot write " + path_ +
+      (reason.empty() && error ? ": " + std::string(std::strerror(error)) : reason));
 }
 
 void BagWriter::check(const std::string& topic, const ros::Time& stamp) const {

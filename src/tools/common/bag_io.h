@@ -32,7 +32,7 @@ template <class Message>
 Message firstMessage(const rosbag::Bag& bag, const std::string& topic) {
   for (const rosbag::MessageInstance& entry : rosbag::View(bag, rosbag::TopicQuery(topic)))
     if (const auto message = messageOf<Message>(entry)) return *message;
-  throw std::runtime_error("the bag has no " + topic);
+  throw std::runtime_error(bag.getFileName() + " has no " + topic);
 }
 
 /// Writes a bag to a file of its own beside <path>; commit() renames it to <path>. Without commit()

@@ -12,6 +12,7 @@
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "ros/rig_collector.h"
+#include "text/number_text.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/recorded_transforms.h"
 #include "tools/common/reused_image.h"
@@ -127,10 +128,13 @@ void Recording::startReading() {
     stream_of_topic_[streams_[i].topic] = i;
   }
   rosbag::View all(bag_, rosbag::TopicQuery(topics));
-  if (all.size() == 0) throw std::runtime_error("the bag has no images");
+  if (all.size() == 0) throw std::runtime_error(bag_.getFileName() + " has no images");
   const ros::Time first = all.getBeginTime() + ros::Duration(options_.start);
   const double seconds = std::min(options_.duration, (all.getEndTime() - first).toSec() + 1.0);
-  if (seconds < 0.0) throw std::runtime_error("the start lies after the end of the recording");
+  if (seconds < 0.0)
+    throw std::runtime_error("the start is " + numberText(options_.start) +
+                             " s, after the end of the recording, which has " +
+                             numberText((all.getEndTime() - all.getBeginTime()).toSec()) + " s");
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topics), first,
                                          first + ros::Duration(seconds));
   message_ = view_->begin();

@@ -70,7 +70,11 @@ void readBody(rosbag::Bag& bag, std::string urdf, ResultRecord* results) {
     if (const auto text = messageOf<std_msgs::String>(entry); text && !is_given) urdf = text->data;
   results->has_description = !urdf.empty();
   if (urdf.empty()) urdf = bodyUrdf("", results->body_id, kDefaultStature);
-  results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
+  try {
+    results->body = std::make_shared<const BodyModel>(BodyModel::fromUrdf(urdf, results->body_id));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument((is_given ? "--urdf" : bag.getFileName()) + ": " + error.what());
+  }
 }
 
 FrameStatus statusOf(const BodyPoseMsg& pose) {

@@ -7,9 +7,13 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "clouds/cloud_file.h"
 #include "ros/hull_conversions.h"
+#include "text/joined.h"
+#include "text/printable.h"
 #include "tools/common/bag_io.h"
 
 namespace markerless_mocap {
@@ -22,6 +26,19 @@ std::string withStamp(const std::filesystem::path& path, const ros::Time& stamp)
   return (path.parent_path() / name.str()).string();
 }
 
+/// Throws std::runtime_error with those that there are if the topic is not one of them.
+void checkTopic(const rosbag::Bag& bag, const std::string& topic) {
+  rosbag::View clouds(bag, rosbag::TypeQuery("sensor_msgs/PointCloud2"));
+  std::vector<std::string> topics;
+  for (const rosbag::ConnectionInfo* cloud : clouds.getConnections()) {
+    if (cloud->topic == topic) return;
+    topics.push_back(cloud->topic);
+  }
+  throw std::runtime_error(
+      bag.getFileName() + " has no point clouds on the topic " + quoted(topic) +
+      (topics.empty() ? ", and none on others" : ", it has them on " + joined(topics)));
+}
+
 }  // namespace
 
 std::vector<std::string> exportHulls(const HullExportOptions& what) {
@@ -31,6 +48,7 @@ std::vector<std::string> exportHulls(const HullExportOptions& what) {
                                 ", allowed are names that end in .pcd or .ply");
   rosbag::Bag bag;
   openForReading(what.input, bag);
+  checkTopic(bag, what.topic);
   const std::string grid_topic = std::filesystem::path(what.topic).parent_path() / "grid";
   const VoxelGrid grid = firstMessage<VoxelGrid>(bag, grid_topic);
   std::vector<std::string> files;
@@ -47,7 +65,7 @@ std::vector<std::string> exportHulls(const HullExportOptions& what) {
     if (!what.all) break;
   }
   if (files.empty())
-    throw std::runtime_error("the bag has no hull with voxels on " + what.topic +
+    throw std::runtime_error(what.input + " has no hull with voxels on " + what.topic +
                              (what.at > 0 ? " from that time on" : ""));
   return files;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <system_error>
 
 #include "exports/export_formats.h"
 #include "files/whole_file.h"
@@ -130,8 +131,12 @@ void exportMotion(const MotionExportOptions& what, std::ostream& notes) {
   const std::vector<JointGap> gaps = jointGaps(motion, skeleton);
   const std::string content = format.write(motion, with_names);
   writeWholeFile(what.output, content);
+  const std::string table = what.output + ".gaps.csv";
+  std::error_code ignored;
   if (!format.says_gaps && !gaps.empty())
-    writeWholeFile(what.output + ".gaps.csv", gapsCsvOf(motion, skeleton));
+    writeWholeFile(table, gapsCsvOf(motion, skeleton));
+  else
+    std::filesystem::remove(table, ignored);  // of an earlier file of this name
   remarkOn(motion, !format.points && *format.names != '\0', gaps, notes);
 }
 

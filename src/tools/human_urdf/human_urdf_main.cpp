@@ -22,7 +22,7 @@ double statureOf(const std::string& config) {
 // Writes the URDF of a person to standard output.
 int main(int argc, char** argv) {
   using namespace markerless_mocap;
-  CLI::App app("Writes the URDF of a person with the stature of a configuration.");
+  CLI::App app("Writes the URDF of a person with the stature of a configuration.", "human_urdf");
   std::string file, id = "person1", config;
   app.add_option("template", file, "URDF template, urdf/human.urdf.in")->required();
   app.add_option("--id", id, "suffix of links and joints");

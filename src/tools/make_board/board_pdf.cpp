@@ -119,7 +119,8 @@ Page pageFor(const Board& board, const std::string& name) {
   if (!fits(board, own)) {
     const Eigen::Vector2d needed = neededSize(board);
     throw std::invalid_argument(
-        text("the board needs %.0f x %.0f mm with its margin and ruler", needed.x(), needed.y()));
+        text("the board needs %.0f x %.0f mm with its margin and ruler, the page is %g x %g mm",
+             needed.x(), needed.y(), own.width, own.height));
   }
   return own;
 }

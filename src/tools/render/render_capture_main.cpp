@@ -51,7 +51,8 @@ void run(Arguments* arguments) {
   if (!arguments->motion.empty()) render.studio.motion = arguments->motion;
   if (!arguments->rig.empty()) render.studio.rig = arguments->rig;
   const std::string& urdf = arguments->urdf_template;
-  render.files.urdf_template = urdf.empty() ? humanUrdfTemplate() : readText(urdf);
+  render.files.urdf_template =
+      urdf.empty() ? humanUrdfTemplate() : readUrdfTemplate(urdf, render.body_id);
   render.files.motions_folder = packageFile("config/motions");
   render.interrupted = catchInterruptions();
   std::ostream* notes = arguments->quiet ? nullptr : &std::cerr;
