@@ -11,6 +11,8 @@ namespace {
 
 using Points = std::vector<cv::Point2f>;
 
+constexpr double kRefinedSide = 8;  // pixels; edges of smaller squares are too short
+
 /// Of a square, pixels.
 double leastSide(const Points& found, cv::Size inner) {
   double side = 1e9;
@@ -25,7 +27,8 @@ double leastSide(const Points& found, cv::Size inner) {
 
 /// To a fraction of a pixel, by the edges that meet in each corner.
 void refine(const cv::Mat& grey, cv::Size inner, Points* found) {
-  const int window = std::clamp(int(leastSide(*found, inner) / 3), 2, 20);
+  const double side = leastSide(*found, inner);
+  const int window = std::clamp(int(side / 3), side < kRefinedSide ? 2 : 3, 30);
   cv::cornerSubPix(grey, *found, {window, window}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
 }
@@ -40,8 +43,7 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
   Points found;
   const int flags = cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY | more;
   if (!cv::findChessboardCornersSB(grey, inner, found, flags) || !isGrid(found, inner)) return {};
-  constexpr double kLarge = 16;  // pixels; edges of smaller squares are too short
-  if (leastSide(found, inner) >= kLarge) refine(grey, inner, &found);
+  if (leastSide(found, inner) >= kRefinedSide) refine(grey, inner, &found);
   return found;
 }
 
@@ -64,18 +66,26 @@ Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough, bool magnifi
   return findByQuadrangles(grey, inner, thorough ? 0 : cv::CALIB_CB_FAST_CHECK);
 }
 
+/// Part of an image about corners.
+/// \param margin on each side, in the longer side of the corners' box
+cv::Rect partAbout(const Points& corners, double margin, const cv::Mat& grey) {
+  const cv::Rect box = cv::boundingRect(corners);
+  const int by = int(margin * std::max(box.width, box.height));
+  return cv::Rect(box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by) &
+         cv::Rect(0, 0, grey.cols, grey.rows);
+}
+
 /// In the part of the image about corners that are not far off.
 Points findAbout(const Points& corners, const cv::Mat& grey, cv::Size inner) {
-  constexpr double kMargin = 1.5;  // of the longer side of the corners' box
-  const cv::Rect box = cv::boundingRect(corners);
-  const int by = int(kMargin * std::max(box.width, box.height));
-  const cv::Rect part = cv::Rect(box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by) &
-                        cv::Rect(0, 0, grey.cols, grey.rows);
+  constexpr double kMoves = 1.5, kWhole = 0.7;  // where the part ends, corners are not exact
+  const cv::Rect part = partAbout(corners, kMoves, grey);
   if (part.empty()) return {};
   Points found = findByQuadrangles(grey(part), inner, cv::CALIB_CB_FAST_CHECK);
   if (found.empty()) found = findBySectors(grey(part), inner, 0);
   for (cv::Point2f& p : found) p += cv::Point2f(part.tl());
-  return found;
+  if (found.empty()) return {};
+  const cv::Rect whole = partAbout(found, kWhole, grey);
+  return (whole & part) == whole ? found : Points();
 }
 
 /// A board that is not small is seen at once; one that is small stays near where it was.
