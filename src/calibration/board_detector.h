@@ -20,7 +20,7 @@ class BoardDetector {
   /// Corners in an image (CV_8UC1 or CV_8UC3); empty if there are fewer than six or if they lie on
   /// one line. A chessboard that looks the same turned may be found turned by half a turn.
   /// \param thorough look longer for a plain chessboard that is small or seen at a slant
-  /// \param before corners in the image before, of which most boards are not far: markers are found
+  /// \param before corners in the image before, of which most boards are not far: they are found
   ///   sooner then; nullptr: not known
   std::optional<BoardCorners> detect(const cv::Mat& image, bool thorough = false,
                                      const BoardCorners* before = nullptr) const;

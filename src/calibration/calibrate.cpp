@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 
@@ -43,8 +44,7 @@ class Calibrator {
 
   RigCalibration run() {
     checkViews();
-    startLenses();
-    done(0.4);
+    startLenses(0.4);
     if (board_.looksSameTurned())
       keepTurns(int(board_.corners().size()), state_.cameras.size(), &views_);
     estimatePosesOfViews();
@@ -92,8 +92,15 @@ class Calibrator {
     for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
   }
 
-  void startLenses() {
-    tbb::parallel_for(size_t(0), state_.cameras.size(), [&](size_t i) { startLens(i); });
+  /// The longest step where there are many views, so each camera is told.
+  void startLenses(double part) {
+    std::mutex mutex;
+    size_t ready = 0;
+    tbb::parallel_for(size_t(0), state_.cameras.size(), [&](size_t i) {
+      startLens(i);
+      const std::lock_guard<std::mutex> lock(mutex);
+      done(part * double(++ready) / double(state_.cameras.size()));
+    });
   }
 
   void estimatePosesOfViews() {

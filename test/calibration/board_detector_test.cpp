@@ -124,6 +124,30 @@ TEST(BoardDetector, FormerPlaceChangesNothing) {
   }
 }
 
+TEST(BoardDetector, FormerPlaceOfAChessboardChangesNothing) {
+  BoardOptions options;
+  options.kind = "chessboard";
+  options.columns = 8;
+  options.rows = 5;
+  const BoardDetector detector{Board(options)};
+  const Picture picture = pictureOf(detector.board());
+  cv::Mat wide(1600, 1920, CV_8UC1, cv::Scalar(190)), small;
+  picture.image.copyTo(wide(cv::Rect(500, 400, picture.image.cols, picture.image.rows)));
+  cv::resize(wide, small, {}, 0.3, 0.3, cv::INTER_AREA);  // squares of some ten pixels
+  for (const cv::Mat& image : {wide, small}) {
+    const auto whole = detector.detect(image);
+    ASSERT_TRUE(whole);
+    for (const double moved : {0.0, 0.1, -0.15, 0.9}) {
+      BoardCorners before = *whole;
+      for (Eigen::Vector2d& pixel : before.pixels) pixel.x() += moved * image.cols;
+      const auto found = detector.detect(image, false, &before);
+      ASSERT_TRUE(found) << moved;
+      for (size_t i = 0; i < found->ids.size(); ++i)
+        EXPECT_LT((found->pixels[i] - whole->pixels[i]).norm(), 0.1) << moved;
+    }
+  }
+}
+
 TEST(BoardDetector, AprilTagGrid) {
   BoardOptions options;
   options.kind = "markers";
@@ -142,7 +166,7 @@ TEST(BoardDetector, ChessboardLiesAsItsColoursTell) {
   options.kind = "chessboard";
   options.columns = 8;
   options.rows = 5;
-  for (const double turn : {0.0, 20.0, 100.0, 180.0, 250.0}) expectFound(options, 28, turn, 0.45);
+  for (const double turn : {0.0, 20.0, 100.0, 180.0, 250.0}) expectFound(options, 28, turn, 0.12);
 }
 
 TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {

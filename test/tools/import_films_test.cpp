@@ -115,6 +115,23 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
             "cam1: 4 frames used, 13.0 ms from their frame sets on average, 13.0 ms at most");
 }
 
+TEST_F(ImportFilms, AFilmHalfAnIntervalOutOfStepLosesNoFrames) {
+  for (int i = 0; i < 4; ++i) writeImages("cam" + std::to_string(i), 12);
+  std::vector<std::vector<double>> times(4);
+  for (int k = 0; k < 12; ++k)
+    for (int i = 0; i < 4; ++i)
+      times[i].push_back(5.0 + 0.1 * k + (i == 2 ? 0.05 + 0.004 * (k % 3 - 1) : 0.0));
+  writeTimes(times);
+  input_.times = path("timestamps.csv");
+  import();
+  const auto frame_sets = written();
+  ASSERT_GE(frame_sets.size(), 10u);
+  for (const FrameSet& set : frame_sets) {
+    ASSERT_FALSE(set.frames[2].image.empty());
+    EXPECT_NEAR(numberOf(set.frames[2].image), numberOf(set.frames[0].image) - 0.5, 0.6);
+  }
+}
+
 TEST_F(ImportFilms, FramesWithoutATimeInTheTableAreToldAndLeftOut) {
   std::vector<std::vector<double>> times(4);
   for (size_t i = 0; i < 4; ++i) {

@@ -57,7 +57,7 @@ std::optional<BoardCorners> BoardDetector::detect(const cv::Mat& image, bool tho
   const cv::Mat grey = darkPattern(image, board_.options().inverted);
   BoardCorners corners;
   if (!markers_) {
-    corners = chessboardCorners(board_, grey, thorough);
+    corners = chessboardCorners(board_, grey, thorough, before);
   } else {
     const FoundMarkers markers = findMarkers(board_, markers_->dictionary, grey, before);
     corners = board_.options().kind == "markers" ? refinedMarkerCorners(markers, grey)

@@ -11,12 +11,24 @@ namespace {
 
 using Points = std::vector<cv::Point2f>;
 
+constexpr double kRefinedSide = 8;  // pixels; edges of smaller squares are too short
+
+/// Of a square, pixels.
+double leastSide(const Points& found, cv::Size inner) {
+  double side = 1e9;
+  for (int y = 0; y < inner.height; ++y)
+    for (int x = 0; x < inner.width; ++x) {
+      const cv::Point2f* const p = &found[y * inner.width + x];
+      if (x > 0) side = std::min(side, cv::norm(p[0] - p[-1]));
+      if (y > 0) side = std::min(side, cv::norm(p[0] - p[-inner.width]));
+    }
+  return side;
+}
+
 /// To a fraction of a pixel, by the edges that meet in each corner.
 void refine(const cv::Mat& grey, cv::Size inner, Points* found) {
-  double side = 1e9;
-  for (size_t i = 1; i < size_t(inner.width); ++i)
-    side = std::min(side, cv::norm((*found)[i] - (*found)[i - 1]));
-  const int window = std::clamp(int(side / 3), 2, 8);
+  const double side = leastSide(*found, inner);
+  const int window = std::clamp(int(side / 3), side < kRefinedSide ? 2 : 3, 30);
   cv::cornerSubPix(grey, *found, {window, window}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
 }
@@ -31,7 +43,17 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
   Points found;
   const int flags = cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY | more;
   if (!cv::findChessboardCornersSB(grey, inner, found, flags) || !isGrid(found, inner)) return {};
+  if (leastSide(found, inner) >= kRefinedSide) refine(grey, inner, &found);
   return found;
+}
+
+/// By the quadrangles between the corners: sooner, but small ones are missed.
+Points findByQuadrangles(const cv::Mat& grey, cv::Size inner, int more) {
+  Points found;
+  const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | more;
+  if (!cv::findChessboardCorners(grey, inner, found, flags)) return {};
+  refine(grey, inner, &found);
+  return isGrid(found, inner) ? found : Points();
 }
 
 /// A chessboard's inner corners by rows; empty if it is not there.
@@ -41,12 +63,35 @@ Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough, bool magnifi
   if (!found.empty() && !isGrid(found, inner)) found.clear();
   if (found.empty() && thorough) found = findBySectors(grey, inner, cv::CALIB_CB_EXHAUSTIVE);
   if (!found.empty()) return found;
-  const int fast = thorough ? 0 : cv::CALIB_CB_FAST_CHECK;
-  if (!cv::findChessboardCorners(
-          grey, inner, found, cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | fast))
-    return {};
-  refine(grey, inner, &found);
-  return isGrid(found, inner) ? found : Points();
+  return findByQuadrangles(grey, inner, thorough ? 0 : cv::CALIB_CB_FAST_CHECK);
+}
+
+/// Part of an image about corners.
+/// \param margin on each side, in the longer side of the corners' box
+cv::Rect partAbout(const Points& corners, double margin, const cv::Mat& grey) {
+  const cv::Rect box = cv::boundingRect(corners);
+  const int by = int(margin * std::max(box.width, box.height));
+  return cv::Rect(box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by) &
+         cv::Rect(0, 0, grey.cols, grey.rows);
+}
+
+/// In the part of the image about corners that are not far off.
+Points findAbout(const Points& corners, const cv::Mat& grey, cv::Size inner) {
+  constexpr double kMoves = 1.5, kWhole = 0.7;  // where the part ends, corners are not exact
+  const cv::Rect part = partAbout(corners, kMoves, grey);
+  if (part.empty()) return {};
+  Points found = findByQuadrangles(grey(part), inner, cv::CALIB_CB_FAST_CHECK);
+  if (found.empty()) found = findBySectors(grey(part), inner, 0);
+  for (cv::Point2f& p : found) p += cv::Point2f(part.tl());
+  if (found.empty()) return {};
+  const cv::Rect whole = partAbout(found, kWhole, grey);
+  return (whole & part) == whole ? found : Points();
+}
+
+/// A board that is not small is seen at once; one that is small stays near where it was.
+Points findSoon(const cv::Mat& grey, cv::Size inner, const Points& before) {
+  const Points found = before.empty() ? Points() : findAbout(before, grey, inner);
+  return found.empty() ? findByQuadrangles(grey, inner, cv::CALIB_CB_FAST_CHECK) : found;
 }
 
 /// As findRows() in a magnified image.
@@ -115,10 +160,15 @@ bool isGrid(const std::vector<cv::Point2f>& found, cv::Size inner) {
   return left == 0 || right == 0;
 }
 
-BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough) {
+BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough,
+                               const BoardCorners* before) {
   const cv::Size inner(board.options().columns - 1, board.options().rows - 1);
   constexpr int kSmall = 1000;  // pixels across
-  Points found = findRows(grey, inner, thorough);
+  Points former;
+  if (before && before->pixels.size() == size_t(inner.area()))
+    for (const Eigen::Vector2d& p : before->pixels) former.emplace_back(float(p.x()), float(p.y()));
+  Points found = findSoon(grey, inner, former);
+  if (found.empty()) found = findRows(grey, inner, thorough);
   for (int times = 2; thorough && found.empty() && grey.cols < kSmall && times <= 3; ++times)
     found = findMagnified(grey, inner, times);
   if (found.empty()) return {};

@@ -170,9 +170,8 @@ class Verdict {
     if (!result_.floor_known)
       result_.verdict.push_back(
           "Nothing tells where the floor is: up is the cameras' mean upward direction and z = 0 "
-          "the "
-          "lowest place of the board. Lay the board on the floor and name that picture, or film a "
-          "person who walks.");
+          "the lowest place of the board. Lay the board on the floor and name that picture "
+          "(--floor), or film a person who walks (--walk).");
     if (result_.walk) judgeWalk(*result_.walk);
     if (result_.points_rms > 5.0)
       doubt(text("The known points are met only to %.1f pixels: are their places and pixels right?",

@@ -9,6 +9,13 @@ namespace {
 
 constexpr double kSlower = 0.98;  // rates that differ by less are the same
 
+/// How far a frame may be from its frame set, s. Frames of a film that is half an interval out of
+/// step are a little nearer now, a little farther then.
+double slopOf(const Film& film, double frame_sets_per_second) {
+  constexpr double kOutOfStep = 0.75;  // of the film's own interval
+  return std::max(0.5 / frame_sets_per_second, kOutOfStep / film.fps());
+}
+
 }  // namespace
 
 void FilmJoin::Reader::advance() {
@@ -53,7 +60,7 @@ std::optional<double> FilmJoin::nextTime() {
 FilmFrame FilmJoin::nearest(size_t film, double time) {
   Reader& reader = readers_[film];
   JoinStatistics& counts = statistics_[film];
-  const double slop = 0.5 / fps_;
+  const double slop = slopOf(reader.film, fps_);
   std::optional<FilmFrame> best;
   while (reader.ahead && reader.ahead->time <= time + slop) {
     if (best && std::abs(reader.ahead->time - time) > std::abs(best->time - time)) break;

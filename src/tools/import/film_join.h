@@ -15,7 +15,8 @@ struct JoinStatistics {
 };
 
 /// Joins films of any rates to frame sets at the times of the slowest one: of each other film the
-/// frame nearest in time, if it is within half the slowest film's interval. No frame is used twice.
+/// frame nearest in time, if it is within half the slowest film's interval or three quarters of its
+/// own. No frame is used twice.
 class FilmJoin {
  public:
   /// \param offsets s, added to the times of each film
