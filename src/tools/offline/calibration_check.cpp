@@ -46,7 +46,7 @@ std::string CalibrationCheck::finding() const {
   if (!sampler_) return "";
   const std::string scale = scaleFinding(statureOf(body_->shape()));
   const std::string turns =
-      calibrationFinding(refineCameraOrientations(rig_, options_, *body_, sampler_->samples(), {}));
+      calibrationFinding(refineCameraOrientations(rig_, options_, *body_, sampler_->samples()));
   return scale.empty() || turns.empty() ? scale + turns : scale + '\n' + turns;
 }
 
