@@ -32,12 +32,6 @@ double toSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const E
 
 }  // namespace
 
-const std::array<const char*, kTruePartCount>& truePartNames() {
-  static const std::array<const char*, kTruePartCount> names{"torso",     "head",     "left_arm",
-                                                             "right_arm", "left_leg", "right_leg"};
-  return names;
-}
-
 const std::vector<std::string>& partTruthNames() {
   static const std::vector<std::string> names{
       "pelvis",     "thorax",     "head",   "head_top", "l_shoulder", "l_elbow",    "l_wrist",
@@ -56,11 +50,11 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
   const auto add = [&](int a, int b, double radius, int part, bool distal, bool axis) {
     bones_.push_back({points.col(a), points.col(b), radius * leg, uint8_t(part), distal, axis});
   };
-  add(kPelvis, kThorax, 0.14, 0, false, true);
-  add(kThorax, kHeadTop, 0.09, 1, false, true);
+  add(kPelvis, kThorax, 0.14, TruePart::kTorso, false, true);
+  add(kThorax, kHeadTop, 0.09, TruePart::kHead, false, true);
   for (const int side : {0, 1}) {
-    const int p = side * kSided, arm = 2 + side, legs = 4 + side;
-    add(kHip + p, kShoulder + p, 0.11, 0, false, false);
+    const int p = side * kSided, arm = TruePart::kLeftArm + side, legs = TruePart::kLeftLeg + side;
+    add(kHip + p, kShoulder + p, 0.11, TruePart::kTorso, false, false);
     add(kShoulder + p, kElbow + p, 0.06, arm, false, true);
     add(kElbow + p, kWrist + p, 0.05, arm, true, true);
     add(kWrist + p, kHandTip + p, 0.045, arm, true, true);

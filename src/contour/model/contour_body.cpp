@@ -77,10 +77,6 @@ ContourLimb::Id limbOfCone(int cone) {
   return contourKinematicTree().cones[size_t(cone)].limb;
 }
 
-BodyCone::Kind kindOfCone(int cone) {
-  return contourKinematicTree().cones[size_t(cone)].kind;
-}
-
 const std::vector<std::string>& contourPointNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> out = markerNames();
