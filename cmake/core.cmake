@@ -11,7 +11,7 @@ mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 mocap_room(text)
 mocap_room(options DEPENDS text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics LIBRARIES Eigen3::Eigen)
-mocap_room(files LIBRARIES yaml-cpp $<LINK_ONLY:tinyxml2::tinyxml2>)
+mocap_room(files DEPENDS text LIBRARIES yaml-cpp $<LINK_ONLY:tinyxml2::tinyxml2>)
 mocap_room(camera DEPENDS files numerics text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(formats DEPENDS camera files numerics text LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
 mocap_room(calibration DEPENDS camera files numerics options text
@@ -22,7 +22,7 @@ mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS files numerics options products
   LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video TBB::tbb)
 mocap_room(hull DEPENDS camera numerics options products LIBRARIES opencv_core TBB::tbb)
-mocap_room(skeleton DEPENDS numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
+mocap_room(skeleton DEPENDS files numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 

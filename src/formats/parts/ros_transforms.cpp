@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "files/xml_text.h"
+#include "files/yaml_map.h"
 #include "files/yaml_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
@@ -82,7 +83,7 @@ std::vector<double> fieldsOf(const YAML::Node& map, const std::vector<const char
                              const std::string& where) {
   std::vector<double> values;
   for (const char* key : keys)
-    values.push_back(yamlNumber(yamlRequired(map, key, where), key, where));
+    values.push_back(finiteYamlNumber(yamlRequired(map, key, where), key, where));
   return values;
 }
 

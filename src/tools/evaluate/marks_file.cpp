@@ -8,6 +8,7 @@
 
 #include "evaluation/body_points.h"
 #include "files/text_file.h"
+#include "files/yaml_map.h"
 #include "files/yaml_text.h"
 #include "text/joined.h"
 #include "tools/common/number_format.h"
@@ -17,70 +18,42 @@ namespace {
 
 constexpr double kAgrees = 4.0;  // a mark agrees within so many standard deviations
 
-[[noreturn]] void throwError(const std::string& where, const std::string& what) {
-  throw std::invalid_argument(where + ": " + what);
-}
-
-double numberOf(const YAML::Node& node, const std::string& where, const std::string& key) {
-  double value = NAN;
-  if (node && node.IsScalar() && YAML::convert<double>::decode(node, value) && std::isfinite(value))
-    return value;
-  throwError(where, key + " is missing or no number");
-}
-
-std::string nameOf(const YAML::Node& key, const std::string& where) {
-  if (!key.IsScalar()) throwError(where, "has a key that is no name");
-  return key.Scalar();
-}
-
-void allowOnly(const YAML::Node& map, const std::vector<std::string>& keys,
-               const std::string& where) {
-  if (!map.IsMap()) throwError(where, "is no map; allowed are the keys " + joined(keys));
-  for (const auto& entry : map)
-    if (const std::string key = nameOf(entry.first, where);
-        std::find(keys.begin(), keys.end(), key) == keys.end())
-      throwError(where, "unknown key " + key + ", allowed are " + joined(keys));
-}
-
-void addCamera(const std::string& camera, const YAML::Node& marks, const std::string& where,
-               MarkedFrame* frame) {
-  const std::vector<std::string> names = bodyPointNames();
-  allowOnly(marks, names, where);
-  for (const auto& mark : marks) {
-    const auto name = mark.first.as<std::string>();
-    if (!mark.second.IsSequence() || mark.second.size() != 2)
-      throwError(where, name + " is not [u, v] in pixels");
-    frame->points[name][camera] = {numberOf(mark.second[0], where, name),
-                                   numberOf(mark.second[1], where, name)};
+void addCamera(const std::string& camera, YamlMap* marks, MarkedFrame* frame) {
+  for (const std::string& name : bodyPointNames()) {
+    if (!marks->optional(name)) continue;
+    const std::vector<double> pixel = marks->numbers(name, 2, "[u, v] in pixels");
+    frame->points[name][camera] = {pixel[0], pixel[1]};
   }
+  marks->finish();
 }
 
 MarkedFrame frameOf(const YAML::Node& node, const std::string& where) {
-  allowOnly(node, {"time", "marks"}, where);
+  YamlMap map(node, where);
   MarkedFrame frame;
-  frame.time_s = numberOf(node["time"], where, "time");
-  if (!node["marks"] || !node["marks"].IsMap())
-    throwError(where, "marks is missing or no map of cameras");
-  for (const auto& camera : node["marks"]) {
-    const std::string name = nameOf(camera.first, where);
-    addCamera(name, camera.second, where + ", " + name, &frame);
+  frame.time_s = map.number("time");
+  YamlMap cameras = map.map("marks");
+  for (const std::string& name : cameras.keys()) {
+    YamlMap marks = cameras.map(name);
+    addCamera(name, &marks, &frame);
   }
+  map.finish();
   return frame;
 }
 
 MarksFile marksOf(const YAML::Node& root, const std::string& path) {
-  allowOnly(root, {"start", "sigma_px", "frames"}, path);
+  YamlMap map(root, path);
   MarksFile marks;
-  if (root["start"]) marks.start_s = numberOf(root["start"], path, "start");
-  if (root["sigma_px"]) marks.sigma_px = numberOf(root["sigma_px"], path, "sigma_px");
-  if (marks.sigma_px <= 0.0) throwError(path, "sigma_px is not above 0");
-  if (!root["frames"] || !root["frames"].IsSequence() || root["frames"].size() == 0)
-    throwError(path, "has no frames");
-  for (size_t f = 0; f < root["frames"].size(); ++f) {
+  if (map.optional("start")) marks.start_s = map.number("start");
+  if (map.optional("sigma_px")) marks.sigma_px = map.number("sigma_px");
+  if (marks.sigma_px <= 0.0) map.fail("sigma_px is not above 0");
+  const YAML::Node frames = map.optional("frames");
+  map.finish();
+  if (!frames || !frames.IsSequence() || frames.size() == 0) map.fail("this has no frames");
+  for (size_t f = 0; f < frames.size(); ++f) {
     const std::string where = path + ", frame " + std::to_string(f + 1);
-    marks.frames.push_back(frameOf(root["frames"][f], where));
+    marks.frames.push_back(frameOf(frames[f], where));
     if (f > 0 && marks.frames[f].time_s <= marks.frames[f - 1].time_s)
-      throwError(where, "its time is not after the one before");
+      throw std::invalid_argument(where + ": its time is not after the one before");
   }
   return marks;
 }
@@ -181,11 +154,7 @@ std::vector<Ray> raysOf(const std::string& name,
 
 MarksFile readMarks(const std::string& path) {
   const std::string text = readTextFile(path, "the marks " + path);
-  try {
-    return marksOf(yamlFrom(text, path), path);
-  } catch (const YAML::Exception& error) {
-    throwError(path, sentenceOf(error));
-  }
+  return marksOf(yamlFrom(text, path), path);
 }
 
 MarkedTrack triangulated(const MarksFile& marks, const CameraRig& rig, int64_t start_ns) {
