@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -22,13 +24,6 @@ enum Point {
   kFootTip,  // left; the right's follow
 };
 constexpr int kSided = 8;
-
-double toSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const double length = (b - a).squaredNorm();
-  const double fraction =
-      length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
-  return (point - a - fraction * (b - a)).norm();
-}
 
 }  // namespace
 
@@ -68,7 +63,7 @@ const PartTruth::Bone& PartTruth::nearestBone(const Eigen::Vector3d& point) cons
   const Bone* nearest = nullptr;
   double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_) {
-    const double distance = toSegment(point, bone.a, bone.b) - bone.radius;
+    const double distance = distanceToSegment(point, bone.a, bone.b) - bone.radius;
     if (distance >= min_distance) continue;
     min_distance = distance;
     nearest = &bone;
@@ -88,7 +83,7 @@ double PartTruth::toAxis(const Eigen::Vector3d& point, int part) const {
   double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_)
     if (bone.part == part && bone.axis)
-      min_distance = std::min(min_distance, toSegment(point, bone.a, bone.b));
+      min_distance = std::min(min_distance, distanceToSegment(point, bone.a, bone.b));
   return min_distance;
 }
 

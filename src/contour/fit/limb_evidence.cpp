@@ -6,6 +6,7 @@
 
 #include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
+#include "numerics/segment.h"
 
 namespace markerless_mocap {
 namespace {
@@ -152,7 +153,7 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
 
 bool isInside(const Eigen::Vector3d& point, const ContourWorldCone& cone) {
   const Eigen::Vector3d axis = cone.b - cone.a;
-  const double along = std::clamp(axis.dot(point - cone.a) / axis.squaredNorm(), 0.0, 1.0);
+  const double along = nearestFraction(point, cone.a, axis);
   const double radius = cone.radius_a + along * (cone.radius_b - cone.radius_a);
   return (point - cone.a - along * axis).norm() < radius;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -53,7 +55,7 @@ std::vector<BonePlace> nearestPlaces(const std::vector<HsiaoSegmentPoint>& bones
     double min_distance = HUGE_VAL;
     for (int n = 0; n + 1 < int(bones.size()); ++n) {
       const Vector3d a = bones[n].inWorld(frames), ab = bones[n + 1].inWorld(frames) - a;
-      const double fraction = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
+      const double fraction = nearestFraction(point, a, ab);
       const double distance = (a + fraction * ab - point).squaredNorm();
       if (distance >= min_distance) continue;
       min_distance = distance;

@@ -4,6 +4,8 @@
 #include <array>
 #include <unordered_map>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -21,8 +23,7 @@ constexpr Limb kLimbs[] = {{0.35, {"l_elbow", "l_wrist", "l_hand_tip"}, 0.07},
 
 double distanceTo(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p) {
   const Eigen::Vector3d step = b - a;
-  const double along = step.dot(p - a) / std::max(step.squaredNorm(), 1e-12);
-  return (a + std::clamp(along, 0.0, 1.0) * step - p).norm();
+  return (a + nearestFraction(p, a, step) * step - p).norm();
 }
 
 /// The voxels of the largest 6-connected component.

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -30,8 +32,7 @@ Foot footOn(const NodePath& path, const Vector3d& point) {
   double length = 0.0;
   for (size_t i = 1; i < path.size(); ++i) {
     const Vector3d step = path[i] - path[i - 1];
-    const double along =
-        std::clamp(step.dot(point - path[i - 1]) / std::max(step.squaredNorm(), 1e-12), 0.0, 1.0);
+    const double along = nearestFraction(point, path[i - 1], step);
     const Vector3d at = path[i - 1] + along * step;
     if ((at - point).norm() < (best.position - point).norm())
       best = {length + along * step.norm(), at};
