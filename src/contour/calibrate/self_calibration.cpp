@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "contour/calibrate/self_calibration_equations.h"
+#include "contour/fit/geman_mcclure.h"
 
 namespace markerless_mocap {
 namespace {
@@ -157,10 +158,7 @@ struct ValidationFit {
 
 double limitedDistance(const PoseProblem& problem, double limit) {
   double sum = 0.0;
-  for (const RayMatch& match : problem.matches()) {
-    const double square = double(match.residual) * match.residual;
-    sum += square / (1.0 + square / (limit * limit));
-  }
+  for (const RayMatch& match : problem.matches()) sum += gemanMcClureLoss(match.residual, limit);
   return std::sqrt(sum / std::max(1.0, double(problem.matches().size())));
 }
 
