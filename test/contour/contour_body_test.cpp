@@ -45,6 +45,15 @@ TEST(ContourBody, StandsAsTheUrdfDoes) {
     EXPECT_LT((points.col(Eigen::Index(i)) - markers[i]).norm(), 0.002) << markerNames()[i];
 }
 
+TEST(ContourBody, LimbsEndAtTheirLastJoints) {
+  const auto name = [](ContourLimb::Id limb) { return contourPointNames()[endOfLimb(limb)]; };
+  EXPECT_EQ(name(ContourLimb::kHead), "head");
+  EXPECT_EQ(name(ContourLimb::kLeftArm), "l_wrist");
+  EXPECT_EQ(name(ContourLimb::kRightArm), "r_wrist");
+  EXPECT_EQ(name(ContourLimb::kLeftLeg), "l_ankle");
+  EXPECT_EQ(name(ContourLimb::kRightLeg), "r_ankle");
+}
+
 TEST(ContourBody, MirrorsRightFromLeft) {
   ContourFrames frames;
   ContourWorldCones cones;

@@ -142,9 +142,7 @@ Square information(const ContourObservation& seen, const ContourOptions& options
 /// Standard deviation of the position of a limb's end, metres.
 double endDeviation(const ContourBody& body, const ContourFrames& frames,
                     const Eigen::LLT<Square>& inverse, int limb) {
-  // Per limb: base of the neck, head, wrists and ankles in contourPointNames().
-  constexpr int kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
-  const AttachedPoint& end = contourKinematicTree().points[size_t(kEnds[limb])];
+  const AttachedPoint& end = contourKinematicTree().points[endOfLimb(ContourLimb::Id(limb))];
   Eigen::Matrix<double, 3, kContourDof> J;
   poseJacobian(frames, end.segment,
                frames.t[end.segment] + frames.R[end.segment] * end.local.at(body.shape()), J);

@@ -87,6 +87,11 @@ const std::vector<std::string>& contourPointNames() {
   return names;
 }
 
+size_t endOfLimb(ContourLimb::Id limb) {
+  constexpr size_t kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
+  return kEnds[limb];
+}
+
 void poseJacobian(const ContourFrames& frames, int segment, const Vector3d& at,
                   Eigen::Ref<Eigen::Matrix<double, 3, kContourDof>, 0, Eigen::OuterStride<>> J) {
   const uint64_t dof_mask = contourKinematicTree().segments[size_t(segment)].dof_mask;

@@ -82,5 +82,7 @@ ContourLimb::Id limbOfCone(int cone);
 
 /// The 15 names of markerNames(), then l_hand_tip, r_hand_tip, l_foot_tip, r_foot_tip, head_top.
 const std::vector<std::string>& contourPointNames();
+/// A limb's end among them: of the trunk the base of the neck, the head, a wrist or an ankle.
+size_t endOfLimb(ContourLimb::Id limb);
 
 }  // namespace markerless_mocap
