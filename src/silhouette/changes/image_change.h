@@ -41,6 +41,6 @@ struct StillImages {
 /// Removes a place from the mask.
 /// \param blur an image spreads the place over so many pixels around
 /// \returns the place and what the blur reaches of what is not in the mask
-BitMask takeOut(BitMask place, int blur, BitMask* mask);
+BitMask takeOut(const BitMask& place, int blur, BitMask* mask);
 
 }  // namespace markerless_mocap
