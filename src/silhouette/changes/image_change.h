@@ -34,7 +34,7 @@ struct StillImages {
   uint16_t mean(int x, int y, int channel) const {
     const int at = x * now.channels() + channel;
     const double seen = (now.ptr(y)[at] / gain + then.ptr(y)[at] / gain_then) / 2;
-    return uint16_t(std::min(255.0, seen) * Background::kMeanScale + 0.5);
+    return toMeanScale(seen);
   }
 };
 
