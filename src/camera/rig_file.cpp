@@ -11,6 +11,7 @@
 #include "files/whole_file.h"
 #include "files/yaml_map.h"
 #include "files/yaml_text.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -180,7 +181,7 @@ std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& name
                                             const std::vector<CameraCalibration>& rig,
                                             const std::string& where) {
   std::vector<CameraCalibration> chosen;
-  std::string lacking, known;
+  std::string lacking;
   for (const std::string& name : names) {
     const auto found = std::find_if(rig.begin(), rig.end(), [&](const CameraCalibration& camera) {
       return camera.name == name;
@@ -188,11 +189,11 @@ std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& name
     if (found != rig.end())
       chosen.push_back(*found);
     else
-      lacking += (lacking.empty() ? "" : ", ") + name;
+      addWord(&lacking, name);
   }
-  for (const CameraCalibration& camera : rig) known += (known.empty() ? "" : ", ") + camera.name;
   if (!lacking.empty())
-    throwError(where, "the rig lacks " + lacking + ", its cameras are " + known);
+    throwError(where, "the rig lacks " + lacking + ", its cameras are " +
+                          joined(rig, [](const CameraCalibration& one) { return one.name; }));
   return chosen;
 }
 

@@ -12,6 +12,7 @@
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
 #include "formats/ros_texts.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -152,7 +153,7 @@ std::string StaticTransforms::frameOfCamera(const std::string& camera, const std
     return name;
   }
   std::string known;
-  for (const auto& [child, link] : links_) known += (known.empty() ? "" : ", ") + child;
+  for (const auto& [child, link] : links_) addWord(&known, child);
   throwFormatError(where, "no static transform leads to frame " + name + "_optical, " +
                               (known.empty() ? "give the launch file or YAML of tf_static, too"
                                              : "the frames are " + known));

@@ -1,5 +1,6 @@
 #include "tools/evaluate/evaluation_parts_text.h"
 
+#include "text/joined.h"
 #include "tools/common/number_format.h"
 
 namespace markerless_mocap {
@@ -32,7 +33,7 @@ std::vector<NamedCurve> curvesOf(const PartErrors& errors) {
 std::string statusText(const PartsEvaluation& parts) {
   std::string text;
   for (const auto& [status, count] : parts.status_counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + status;
+    addWord(&text, std::to_string(count) + ' ' + status);
   return text;
 }
 
@@ -64,10 +65,9 @@ void printParts(const PartsEvaluation& parts, std::ostream& out) {
            formatPercent(parts.errors.fraction_valid) + "   (" + statusText(parts) + ")");
   for (const NamedFigures& kind : figuresOf(parts.errors))
     printRow(out, kind.words, figuresText(kind.figures));
-  std::string curves;
-  for (const NamedCurve& curve : curvesOf(parts.errors))
-    curves += (curves.empty() ? "" : ", ") + std::string(curve.name) +
-              formatNumber(" %.0f", curve.distance_mm.mean);
+  const std::string curves = joined(curvesOf(parts.errors), [](const NamedCurve& curve) {
+    return std::string(curve.name) + formatNumber(" %.0f", curve.distance_mm.mean);
+  });
   printRow(out, "curves, mm", curves + "   (from the bones' axes)");
 }
 

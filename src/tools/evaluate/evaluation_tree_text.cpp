@@ -1,5 +1,6 @@
 #include "tools/evaluate/evaluation_tree_text.h"
 
+#include "text/joined.h"
 #include "tools/common/number_format.h"
 
 namespace markerless_mocap {
@@ -14,7 +15,7 @@ std::string extremityText(const SummaryStatistics& valid, const SummaryStatistic
 std::string statusText(const TreeEvaluation& trees) {
   std::string text;
   for (const auto& [status, count] : trees.status_counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + status;
+    addWord(&text, std::to_string(count) + ' ' + status);
   return text;
 }
 

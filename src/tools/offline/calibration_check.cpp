@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "markerless_mocap/tracking/shape_file.h"
+#include "text/joined.h"
 #include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
@@ -54,7 +55,7 @@ std::string calibrationFinding(const OrientationRefinement& estimate) {
   if (estimate.status != OrientationRefinementStatus::kCorrected) return "";
   std::string cameras;
   for (const OrientationCorrection& camera : estimate.corrections)
-    if (isRotated(camera)) cameras += (cameras.empty() ? "" : ", ") + amountOf(camera);
+    if (isRotated(camera)) addWord(&cameras, amountOf(camera));
   if (cameras.empty()) return "";
   return "the calibration looks wrong: the person fits better if these cameras are rotated: " +
          cameras +
