@@ -13,13 +13,6 @@ using Eigen::Vector3d;
 constexpr double kStraight = 0.06;   // of a limb's end, which gives its direction, metres
 constexpr double kMostBeyond = 0.2;  // from a leaf to the surface, metres
 
-NodePath pathUp(const PoseTree& tree, int32_t node) {
-  NodePath path;
-  for (; node >= 0; node = tree.nodes[size_t(node)].parent)
-    path.push_back(tree.nodes[size_t(node)].position);
-  return path;
-}
-
 /// Where the foot of the perpendicular from a point lies on a line of points: path length from its
 /// beginning, metres, and position.
 struct Foot {

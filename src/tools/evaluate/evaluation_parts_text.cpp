@@ -30,13 +30,6 @@ std::vector<NamedCurve> curvesOf(const PartErrors& errors) {
           {"legs", errors.legs_mm}};
 }
 
-std::string statusText(const PartsEvaluation& parts) {
-  std::string text;
-  for (const auto& [status, count] : parts.status_counts)
-    addWord(&text, std::to_string(count) + ' ' + status);
-  return text;
-}
-
 std::string figuresText(const PartStatistics& figures) {
   return formatPercent(figures.fraction_correct) + " of the voxels (worst " +
          formatPercent(figures.worst_correct) + ", " +
@@ -62,7 +55,8 @@ Band bandOf(const PartsEvaluation& parts) {
 void printParts(const PartsEvaluation& parts, std::ostream& out) {
   out << "Body parts\n";
   printRow(out, "valid",
-           formatPercent(parts.errors.fraction_valid) + "   (" + statusText(parts) + ")");
+           formatPercent(parts.errors.fraction_valid) + "   (" + formatCounts(parts.status_counts) +
+               ")");
   for (const NamedFigures& kind : figuresOf(parts.errors))
     printRow(out, kind.words, figuresText(kind.figures));
   const std::string curves = joined(curvesOf(parts.errors), [](const NamedCurve& curve) {
@@ -88,7 +82,8 @@ Json partsJson(const PartsEvaluation& parts) {
 
 void addParts(const PartsEvaluation& parts, Page* page) {
   page->heading("Body parts");
-  page->text(formatPercent(parts.errors.fraction_valid) + " valid (" + statusText(parts) + ")");
+  page->text(formatPercent(parts.errors.fraction_valid) + " valid (" +
+             formatCounts(parts.status_counts) + ")");
   page->bands({{"valid, six parts correct", "#2a9d5c"},
                {"valid and wrong", "#c0392b"},
                {"invalid, all six correct", "#a8d5ba"},

@@ -61,8 +61,7 @@ void addErrorCurves(const Results& results, Page* page) {
       lines.push_back({std::to_string(edge) + " voxels", withGaps(seconds, found.curve(), NAN)});
     }
     if (lines.empty()) continue;
-    for (const BakkenVariant& one : bakkenVariants())
-      if (one.id == variant) page->text(one.name + ":");
+    page->text(bakkenVariant(variant).name + ":");
     page->lines(withGaps(seconds, seconds, kShort), "s", lines, "mm", 150.0);
   }
 }
@@ -145,9 +144,7 @@ void addTimes(const Results& results, Page* page) {
 void addPruningTable(const Results& results, Page* page) {
   Rows rows;
   for (const char* id : {"published", "prune20", "prune16", "prune12", "prune08", "prune05"}) {
-    std::vector<std::string> row;
-    for (const BakkenVariant& variant : bakkenVariants())
-      if (variant.id == id) row.push_back(variant.name);
+    std::vector<std::string> row{bakkenVariant(id).name};
     for (const int edge : {64, 128}) {
       const LabelResult one(results, "whirl", edge, id);
       row.push_back(percent(one.rightWhere(false)));
@@ -241,8 +238,7 @@ void addPeople(const Results& results, Page* page) {
   std::vector<std::string> head{""};
   Rows rows;
   for (const std::string& id : variants)
-    for (const BakkenVariant& variant : bakkenVariants())
-      if (variant.id == id) head.insert(head.end(), {"#" + variant.name + ", 64", "#128"});
+    head.insert(head.end(), {"#" + bakkenVariant(id).name + ", 64", "#128"});
   std::vector<double> sums(head.size() - 1, 0.0);
   for (const std::string& capture : people) {
     rows.push_back({capture});
