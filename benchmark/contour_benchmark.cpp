@@ -110,7 +110,7 @@ void estimateShapeOfThirty(benchmark::State& state) {
   const std::vector<ShapeSample> instants(30, {scene().seen, scene().pose, {}});
   for (auto _ : state)
     benchmark::DoNotOptimize(estimateShape(scene().rig, scene().options, prior,
-                                           prior.shape_statistics.meanShape(1.7), instants, {}));
+                                           prior.shape_statistics.meanShape(1.7), instants));
 }
 BENCHMARK(estimateShapeOfThirty)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 

@@ -11,18 +11,18 @@ mocap_room(resources SOURCES ${MOCAP_RESOURCE_SOURCES})
 mocap_room(text)
 mocap_room(options DEPENDS text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(numerics LIBRARIES Eigen3::Eigen)
-mocap_room(files LIBRARIES yaml-cpp $<LINK_ONLY:tinyxml2::tinyxml2>)
+mocap_room(files DEPENDS text LIBRARIES yaml-cpp $<LINK_ONLY:tinyxml2::tinyxml2>)
 mocap_room(camera DEPENDS files numerics text LIBRARIES Eigen3::Eigen yaml-cpp)
 mocap_room(formats DEPENDS camera files numerics text LIBRARIES opencv_core tinyxml2::tinyxml2 TESTS_USE capture)
 mocap_room(calibration DEPENDS camera files numerics options text
   LIBRARIES Ceres::ceres opencv_aruco opencv_calib3d opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
-mocap_room(body DEPENDS files LIBRARIES Eigen3::Eigen $<LINK_ONLY:tinyxml2::tinyxml2> urdfdom_model)
+mocap_room(body DEPENDS files numerics LIBRARIES Eigen3::Eigen $<LINK_ONLY:tinyxml2::tinyxml2> urdfdom_model)
 mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS files numerics options products
   LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video TBB::tbb)
 mocap_room(hull DEPENDS camera numerics options products LIBRARIES opencv_core TBB::tbb)
-mocap_room(skeleton DEPENDS numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
+mocap_room(skeleton DEPENDS files numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
@@ -42,7 +42,7 @@ mocap_room(pipeline DEPENDS silhouette hull skeleton segmentation contour hsiao 
   TESTS_USE evaluation)
 
 mocap_room(motion DEPENDS files numerics text LIBRARIES Eigen3::Eigen yaml-cpp)
-mocap_room(character DEPENDS motion options
+mocap_room(character DEPENDS motion numerics options
   LIBRARIES opencv_core opencv_imgcodecs TBB::tbb assimp::assimp nlohmann_json::nlohmann_json)
 mocap_room(capture DEPENDS character body camera numerics options
   LIBRARIES opencv_core opencv_imgproc TBB::tbb)

@@ -17,6 +17,7 @@
 #include "calibration/time/instants.h"
 #include "calibration/time/offset_search.h"
 #include "numerics/order_statistics.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -119,8 +120,7 @@ class Calibrator {
     std::string lacking;
     for (size_t i = 0; i < state_.cameras.size(); ++i) {
       state_.cameras[i].time_offset = clocks_->offsets[i];
-      if (!std::isfinite(clocks_->offsets[i]))
-        lacking += (lacking.empty() ? "" : ", ") + input_.cameras[i].name;
+      if (!std::isfinite(clocks_->offsets[i])) addWord(&lacking, input_.cameras[i].name);
     }
     if (!lacking.empty())
       throw std::invalid_argument(
@@ -151,7 +151,7 @@ class Calibrator {
     std::string apart, joined;
     for (size_t i = 0; i < groups_.size(); ++i) {
       std::string& list = state_.cameras[i].located ? joined : apart;
-      list += (list.empty() ? "" : ", ") + input_.cameras[i].name;
+      addWord(&list, input_.cameras[i].name);
     }
     if (apart.empty()) return;
     throw std::invalid_argument("no picture joins " + apart + " to " +

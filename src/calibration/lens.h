@@ -26,7 +26,7 @@ int coefficientsOf(LensModel model);
 inline LensType typeOf(LensModel model) {
   return model == LensModel::kFisheye ? LensType::kFisheye : LensType::kPolynomial;
 }
-/// The simplest model that holds the lens of a calibration.
+/// The model of a calibration with its type of lens and its length of D, whatever the values.
 LensModel modelOf(const CameraCalibration& calibration);
 
 /// fx fy cx cy (pixels) and OpenCV's k1 k2 p1 p2 k3 k4 k5 k6; of a fisheye k1 k2 k3 k4 and zeros.

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "files/text_file.h"
 #include "files/whole_file.h"
+#include "files/yaml_map.h"
 #include "files/yaml_text.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -73,90 +74,30 @@ std::string cameraText(const CameraCalibration& c) {
   return out.str();
 }
 
-/// A map of the file that rejects unknown keys: each key must be read.
-class StrictMap {
- public:
-  StrictMap(const YAML::Node& node, std::string where) : node_(node), where_(std::move(where)) {
-    if (!node_.IsMap()) throwError(where_, "this is no map of keys to values");
-    std::set<std::string> keys;
-    for (const auto& entry : node_)
-      if (!keys.insert(entry.first.as<std::string>("")).second)
-        throwError(where_, "key '" + entry.first.as<std::string>("") + "' is repeated");
-  }
-
-  const std::string& where() const { return where_; }
-  /// The value of a key; undefined if the key is missing.
-  YAML::Node optional(const std::string& key) {
-    known_.insert(key);
-    return node_[key];
-  }
-  YAML::Node required(const std::string& key) {
-    const YAML::Node value = optional(key);
-    if (!value) throwError(where_, "key '" + key + "' is missing");
-    return value;
-  }
-  double number(const std::string& key) { return numberIn(required(key), key); }
-  std::vector<double> numbers(const std::string& key, size_t wanted, const char* meaning) {
-    std::vector<double> values = numbers(key);
-    if (values.size() != wanted)
-      throwError(where_, "'" + key + "' has " + std::to_string(values.size()) +
-                             " numbers, wanted are " + std::to_string(wanted) + ": " + meaning);
-    return values;
-  }
-  std::vector<double> numbers(const std::string& key) {
-    const YAML::Node node = required(key);
-    if (!node.IsSequence()) throwError(where_, "'" + key + "' is no list of numbers");
-    std::vector<double> values;
-    for (const auto& entry : node) values.push_back(numberIn(entry, key));
-    return values;
-  }
-  double numberIn(const YAML::Node& node, const std::string& key) const {
-    double value = 0.0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-      throwError(where_, "'" + key + "' holds " +
-                             (node.IsScalar() ? node.Scalar() : "a list or map") +
-                             ", allowed are finite numbers");
-    return value;
-  }
-  /// Throws if there is a key that was not read.
-  void finish() const {
-    std::string known;
-    for (const std::string& key : known_) known += (known.empty() ? "" : ", ") + key;
-    for (const auto& entry : node_)
-      if (const auto key = entry.first.as<std::string>(""); known_.count(key) == 0)
-        throwError(where_, "key '" + key + "' is unknown, allowed are " + known);
-  }
-
- private:
-  YAML::Node node_;
-  std::string where_;
-  std::set<std::string> known_;
-};
-
-int pixelsOf(double value, const StrictMap& camera) {
+int pixelsOf(double value, const YamlMap& camera) {
   if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value)))
-    throwError(camera.where(),
-               "'size' holds " + numberText(value) + ", allowed are whole numbers from 1 to 65536");
+    camera.fail("'size' holds " + numberText(value) +
+                ", allowed are whole numbers from 1 to 65536");
   return int(value);
 }
 
-LensType lensIn(StrictMap& camera) {
+LensType lensIn(YamlMap& camera) {
   const YAML::Node node = camera.optional("lens");
   const std::string name = node ? node.as<std::string>("") : "polynomial";
   if (name != "polynomial" && name != "fisheye")
-    throwError(camera.where(), "'lens' is " + (name.empty() ? "no word" : name) +
-                                   ", allowed are polynomial and fisheye");
+    camera.fail("'lens' is " + (name.empty() ? "no word" : name) +
+                ", allowed are polynomial and fisheye");
   return name == "fisheye" ? LensType::kFisheye : LensType::kPolynomial;
 }
 
-Eigen::Quaterniond orientationIn(StrictMap& camera) {
+Eigen::Quaterniond orientationIn(YamlMap& camera) {
   constexpr double kTolerance = 1e-3;  // for quaternions that are written with few digits
   const auto v = camera.numbers("orientation", 4, "a quaternion x y z w");
   const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
   const double length = q.norm();
   if (!(std::abs(length - 1.0) <= kTolerance))
-    throwError(camera.where(), "'orientation' is a quaternion of length " + numberText(length) +
-                                   ", allowed are rotations, whose length is 1");
+    camera.fail("'orientation' is a quaternion of length " + numberText(length) +
+                ", allowed are rotations, whose length is 1");
   return q.normalized();
 }
 
@@ -168,14 +109,13 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
     throwError(place, "key 'name' is missing or empty, each camera needs a name");
   CameraCalibration c;
   c.name = name.Scalar();
-  StrictMap camera(node, where + ", camera '" + c.name + "'");
+  YamlMap camera(node, where + ", camera '" + c.name + "'");
   camera.required("name");
   const auto size = camera.numbers("size", 2, "width and height, pixels");
   c.width = pixelsOf(size[0], camera);
   c.height = pixelsOf(size[1], camera);
-  const YAML::Node skew = camera.optional("skew");
   // Read first: an exception inside of Eigen's comma initialiser ends in its assertion.
-  const double fx = camera.number("fx"), s = skew ? camera.numberIn(skew, "skew") : 0.0;
+  const double fx = camera.number("fx"), s = camera.optional("skew") ? camera.number("skew") : 0.0;
   const double cx = camera.number("cx"), fy = camera.number("fy"), cy = camera.number("cy");
   c.K << fx, s, cx, 0, fy, cy, 0, 0, 1;
   c.D = camera.numbers("distortion");
@@ -183,8 +123,7 @@ CameraCalibration cameraIn(const YAML::Node& node, size_t index, const std::stri
   const auto t = camera.numbers("position", 3, "x y z, m");
   c.T_world_camera.translation() << t[0], t[1], t[2];
   c.T_world_camera.linear() = orientationIn(camera).toRotationMatrix();
-  if (const YAML::Node offset = camera.optional("time_offset"))
-    c.time_offset = camera.numberIn(offset, "time_offset");
+  if (camera.optional("time_offset")) c.time_offset = camera.number("time_offset");
   camera.finish();
   return c;
 }
@@ -219,7 +158,7 @@ std::vector<CameraCalibration> rigFromText(const std::string& text, const std::s
   const YAML::Node root = yamlFrom(text, where);
   if (!root.IsMap())
     throwError(where, "the rig has no cameras, key 'cameras' must list at least one");
-  StrictMap top(root, where);
+  YamlMap top(root, where);
   const YAML::Node cameras = top.optional("cameras");
   top.finish();
   if (!cameras || !cameras.IsSequence()) checkRig({}, where);
@@ -242,7 +181,7 @@ std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& name
                                             const std::vector<CameraCalibration>& rig,
                                             const std::string& where) {
   std::vector<CameraCalibration> chosen;
-  std::string lacking, known;
+  std::string lacking;
   for (const std::string& name : names) {
     const auto found = std::find_if(rig.begin(), rig.end(), [&](const CameraCalibration& camera) {
       return camera.name == name;
@@ -250,11 +189,11 @@ std::vector<CameraCalibration> camerasNamed(const std::vector<std::string>& name
     if (found != rig.end())
       chosen.push_back(*found);
     else
-      lacking += (lacking.empty() ? "" : ", ") + name;
+      addWord(&lacking, name);
   }
-  for (const CameraCalibration& camera : rig) known += (known.empty() ? "" : ", ") + camera.name;
   if (!lacking.empty())
-    throwError(where, "the rig lacks " + lacking + ", its cameras are " + known);
+    throwError(where, "the rig lacks " + lacking + ", its cameras are " +
+                          joined(rig, [](const CameraCalibration& one) { return one.name; }));
   return chosen;
 }
 

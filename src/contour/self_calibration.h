@@ -16,19 +16,6 @@ struct OrientationSample {
   ContourPose start;
 };
 
-/// Settings of the refinement.
-struct OrientationRefinementOptions {
-  int iterations = 12;
-  double robust_scale_initial = 0.08, robust_scale_final = 0.03;  ///< metres
-  /// Prior standard deviation of the camera orientations, pixels: an orientation that the contours
-  /// do not determine stays unchanged.
-  double sigma_px = 2.0;
-  /// The correction is applied if the gain is this many times its standard error over the frames,
-  /// and if the distance of the rays from the body decreases by this fraction at least.
-  double min_significance = 4.0;
-  double min_gain = 0.03;
-};
-
 /// Rotation of one camera relative to its calibration.
 struct OrientationCorrection {
   std::string camera;
@@ -79,12 +66,11 @@ struct OrientationRefinement {
 /// rotation that all cameras have in common looks almost like another position of the person. Only
 /// perspective distinguishes the two, so it is determined less well than the relative orientations.
 /// The frames should therefore show many postures and positions. The result does not depend on the
-/// number of threads. Throws std::invalid_argument if an observation is of another rig, a start
-/// pose is not finite, or an option is out of range.
+/// number of threads. Throws std::invalid_argument if an observation is of another rig or a start
+/// pose is not finite.
 OrientationRefinement refineCameraOrientations(const CameraRig& rig, const ContourOptions& contour,
                                                const ContourBody& body,
-                                               const std::vector<OrientationSample>& samples,
-                                               const OrientationRefinementOptions& options);
+                                               const std::vector<OrientationSample>& samples);
 
 /// Alternates refineCameraOrientations() and estimateShape(), because a shape that was estimated
 /// with wrong orientations hides a part of their error. If the first refinement gives no gain, its
@@ -95,7 +81,6 @@ OrientationRefinement refineOrientationsAndShape(const CameraRig& rig,
                                                  const ContourOptions& contour,
                                                  const ShapePrior& prior,
                                                  const ShapeParameters& shape,
-                                                 const std::vector<OrientationSample>& samples,
-                                                 const OrientationRefinementOptions& options);
+                                                 const std::vector<OrientationSample>& samples);
 
 }  // namespace markerless_mocap

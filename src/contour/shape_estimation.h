@@ -23,13 +23,6 @@ struct ShapePrior {
   double deviation = 0.08;  ///< standard deviation of the stature, metres
 };
 
-/// Settings of the estimate.
-struct ShapeEstimationOptions {
-  int iterations = 15;
-  double robust_scale_initial = 0.06, robust_scale_final = 0.03;  ///< metres
-  double point_deviation = 0.004;  ///< standard deviation of known points, metres
-};
-
 /// Shape and poses that fit all frames.
 struct ShapeEstimate {
   ShapeParameters shape;
@@ -45,11 +38,10 @@ struct ShapeEstimate {
 /// which is estimated, too. The result does not depend on the number of threads.
 /// \param start initial shape
 /// Throws std::invalid_argument if no frame has two usable views, if an observation is of another
-/// rig, if a start pose is not finite, if the number of known points is wrong, or if an option is
-/// out of range.
+/// rig, if a start pose is not finite, if the number of known points is wrong, or if the prior's
+/// stature or deviation is not positive.
 ShapeEstimate estimateShape(const CameraRig& rig, const ContourOptions& contour,
                             const ShapePrior& prior, const ShapeParameters& start,
-                            const std::vector<ShapeSample>& samples,
-                            const ShapeEstimationOptions& options);
+                            const std::vector<ShapeSample>& samples);
 
 }  // namespace markerless_mocap

@@ -26,9 +26,9 @@ struct PartEvaluation {
   double fraction_correct = 0.0;
   double fraction_correct_inside =
       0.0;  ///< of the voxels further than 60 mm from a true border; NaN without any
-  std::array<double, kTruePartCount> overlap{};  ///< intersection over union, by truePartNames()
+  std::array<double, kTruePartCount> overlap{};  ///< intersection over union, by TruePart::Id
   bool all_six_correct = false;                  ///< all overlaps exceed 0.5
-  /// Mean distance of the curve's points from the true axis, mm, by truePartNames(); NaN if not
+  /// Mean distance of the curve's points from the true axis, mm, by TruePart::Id; NaN if not
   /// seen.
   std::array<double, kTruePartCount> curve_mm{};
 };

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -23,20 +25,7 @@ enum Point {
 };
 constexpr int kSided = 8;
 
-double toSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const double length = (b - a).squaredNorm();
-  const double fraction =
-      length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
-  return (point - a - fraction * (b - a)).norm();
-}
-
 }  // namespace
-
-const std::array<const char*, kTruePartCount>& truePartNames() {
-  static const std::array<const char*, kTruePartCount> names{"torso",     "head",     "left_arm",
-                                                             "right_arm", "left_leg", "right_leg"};
-  return names;
-}
 
 const std::vector<std::string>& partTruthNames() {
   static const std::vector<std::string> names{
@@ -56,11 +45,11 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
   const auto add = [&](int a, int b, double radius, int part, bool distal, bool axis) {
     bones_.push_back({points.col(a), points.col(b), radius * leg, uint8_t(part), distal, axis});
   };
-  add(kPelvis, kThorax, 0.14, 0, false, true);
-  add(kThorax, kHeadTop, 0.09, 1, false, true);
+  add(kPelvis, kThorax, 0.14, TruePart::kTorso, false, true);
+  add(kThorax, kHeadTop, 0.09, TruePart::kHead, false, true);
   for (const int side : {0, 1}) {
-    const int p = side * kSided, arm = 2 + side, legs = 4 + side;
-    add(kHip + p, kShoulder + p, 0.11, 0, false, false);
+    const int p = side * kSided, arm = TruePart::kLeftArm + side, legs = TruePart::kLeftLeg + side;
+    add(kHip + p, kShoulder + p, 0.11, TruePart::kTorso, false, false);
     add(kShoulder + p, kElbow + p, 0.06, arm, false, true);
     add(kElbow + p, kWrist + p, 0.05, arm, true, true);
     add(kWrist + p, kHandTip + p, 0.045, arm, true, true);
@@ -74,7 +63,7 @@ const PartTruth::Bone& PartTruth::nearestBone(const Eigen::Vector3d& point) cons
   const Bone* nearest = nullptr;
   double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_) {
-    const double distance = toSegment(point, bone.a, bone.b) - bone.radius;
+    const double distance = distanceToSegment(point, bone.a, bone.b) - bone.radius;
     if (distance >= min_distance) continue;
     min_distance = distance;
     nearest = &bone;
@@ -94,7 +83,7 @@ double PartTruth::toAxis(const Eigen::Vector3d& point, int part) const {
   double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_)
     if (bone.part == part && bone.axis)
-      min_distance = std::min(min_distance, toSegment(point, bone.a, bone.b));
+      min_distance = std::min(min_distance, distanceToSegment(point, bone.a, bone.b));
   return min_distance;
 }
 

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace markerless_mocap {
 
-/// Parts of a segmented body: torso, head, left_arm, right_arm, left_leg, right_leg.
+/// Parts of a segmented body.
+struct TruePart {
+  enum Id : uint8_t { kTorso, kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg };
+};
 constexpr int kTruePartCount = 6;
-const std::array<const char*, kTruePartCount>& truePartNames();
 
 /// Names of the points from which true parts are computed: the joints of the error measure,
 /// hand_tip and foot_tip of both sides, head_top.
@@ -25,7 +26,7 @@ class PartTruth {
   ///   not finite or the number of columns is wrong.
   explicit PartTruth(const Eigen::Matrix3Xd& points);
 
-  /// Part at a point (world metres), as an index into truePartNames().
+  /// Part at a point (world metres), as a TruePart::Id.
   uint8_t partAt(const Eigen::Vector3d& point) const;
   /// Whether a point lies in a forearm, hand, shank or foot.
   bool isDistal(const Eigen::Vector3d& point) const;

@@ -12,6 +12,7 @@
 #include "files/whole_file.h"
 #include "formats/parts/camera_parts.h"
 #include "markerless_mocap/camera/rig_file.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -27,10 +28,7 @@ const CalibrationLayout& layoutOf(CalibrationFormat format) {
 }
 
 std::string titles() {
-  std::string out;
-  for (const CalibrationLayout& layout : calibrationLayouts())
-    out += (out.empty() ? "" : ", ") + std::string(layout.title);
-  return out;
+  return joined(calibrationLayouts(), [](const CalibrationLayout& one) { return one.title; });
 }
 
 std::string textOf(const std::string& path) {
@@ -178,7 +176,7 @@ CalibrationFormat calibrationFormatNamed(const std::string& name) {
   std::string known;
   for (const CalibrationLayout& layout : calibrationLayouts()) {
     if (name == layout.name) return layout.format;
-    known += (known.empty() ? "" : ", ") + std::string(layout.name);
+    addWord(&known, layout.name);
   }
   throw std::invalid_argument("there is no calibration format '" + name + "', allowed are " +
                               known);

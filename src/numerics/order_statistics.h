@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +32,14 @@ T quantileOf(std::vector<T> values, double fraction) {
 template <typename T>
 T medianOf(std::vector<T> values) {
   return medianAmong(values);
+}
+
+/// As quantileOf(), but at fraction * (n - 1) rounded to the nearest; 0 if there are no values.
+inline double nearestQuantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + std::lround(fraction * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 /// Linear between the values, as in most statistics programs. \param sorted not empty

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ros/pose_conversions.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -147,8 +148,7 @@ std::string poseSummary(const BodyPose& pose) {
     text += ", error " + std::to_string(std::lround(1000 * error)) + " mm";
   std::string unseen;
   for (size_t part = 0; part < kPartCount; ++part)
-    if (!pose.part_seen[part])
-      unseen += (unseen.empty() ? "" : ", ") + std::string(toString(PartLabel(part)));
+    if (!pose.part_seen[part]) addWord(&unseen, std::string(toString(PartLabel(part))));
   return unseen.empty() ? text : text + "\nnot seen: " + unseen;
 }
 

@@ -10,6 +10,7 @@
 #include "markerless_mocap/camera/rig_file.h"
 #include "ros/calibration_change.h"
 #include "ros/camera_conversions.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -38,7 +39,7 @@ RigCollector::RigCollector(std::vector<std::string> cameras, std::string world_f
   std::string spare;
   for (const CameraCalibration& camera : rig)
     if (std::find(cameras_.begin(), cameras_.end(), camera.name) == cameras_.end())
-      spare += (spare.empty() ? "" : ", ") + camera.name;
+      addWord(&spare, camera.name);
   if (!spare.empty()) unused_cameras_ = rig_file + " also has " + spare + ", which is not used";
 }
 
@@ -257,8 +258,7 @@ std::string RigCollector::missing(const tf2::BufferCore& tf) const {
   if (file_) return "";
   std::string without_info;
   for (size_t i = 0; i < cameras_.size(); ++i)
-    if (!infos_[i] && !lacking_.isLeftOut(i))
-      without_info += (without_info.empty() ? "" : ", ") + cameras_[i];
+    if (!infos_[i] && !lacking_.isLeftOut(i)) addWord(&without_info, cameras_[i]);
   if (!without_info.empty()) return "no camera_info has been received from " + without_info;
   for (size_t i = 0; i < cameras_.size(); ++i) {
     if (placed_[i] || lacking_.isLeftOut(i)) continue;

@@ -51,7 +51,6 @@ class CameraRecorder {
 
   SeenCamera seen_;
   bool has_rig_file_ = false;
-  sensor_msgs::CameraInfo info_;  ///< the last
   SilhouetteExtractor extractor_;
   cv::Size mask_size_;
 };

@@ -38,7 +38,4 @@ class Thinner {
   std::unique_ptr<Workspace> workspace_;
 };
 
-/// Thins a single hull.
-CurveSkeleton thinToCurves(const VisualHull& hull);
-
 }  // namespace markerless_mocap

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,11 @@ inline std::string humanUrdf(
 
 inline BodyModel human(const BodyProportions& proportions = BodyProportions::fromStature(1.75)) {
   return BodyModel::fromUrdf(humanUrdf(proportions), "person1");
+}
+
+inline std::shared_ptr<const BodyModel> testBody() {
+  static const auto body = std::make_shared<const BodyModel>(human());
+  return body;
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "calibration/board/chessboard_corners.h"
-#include "calibration/board_drawing.h"
+#include "calibration/board_image.h"
 #include "error_text_of.h"
 
 namespace markerless_mocap {

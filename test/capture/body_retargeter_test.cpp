@@ -31,8 +31,16 @@ class DrivenBodyTest : public ::testing::Test {
     for (int i = 1; i < kBoneCount; ++i) pose[Bone(i)] = pose[parentOf(Bone(i))] * local[size_t(i)];
     return pose;
   }
+  /// Mean distance between the fifteen joints of the retargeted body and those of the person,
+  /// metres.
   double distance(const BodyState& state, const HumanPose& pose) const {
-    return meanJointDistance(*model_, state, skeleton_, pose);
+    LinkPoses T_world_link;
+    model_->forwardKinematics(state.T_world_body, state.angles, T_world_link);
+    const std::vector<Vector3d> driven = markerPositions(*model_, T_world_link);
+    const std::vector<Vector3d> points = groundTruthPoints(skeleton_, pose);
+    double sum = 0.0;
+    for (size_t i = 0; i < driven.size(); ++i) sum += (driven[i] - points[i]).norm();
+    return sum / double(driven.size());
   }
   double angle(const BodyState& state, const char* joint) const {
     return state.angles[model_->angleIndex(joint)];

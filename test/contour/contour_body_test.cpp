@@ -45,6 +45,15 @@ TEST(ContourBody, StandsAsTheUrdfDoes) {
     EXPECT_LT((points.col(Eigen::Index(i)) - markers[i]).norm(), 0.002) << markerNames()[i];
 }
 
+TEST(ContourBody, LimbsEndAtTheirLastJoints) {
+  const auto name = [](ContourLimb::Id limb) { return contourPointNames()[endOfLimb(limb)]; };
+  EXPECT_EQ(name(ContourLimb::kHead), "head");
+  EXPECT_EQ(name(ContourLimb::kLeftArm), "l_wrist");
+  EXPECT_EQ(name(ContourLimb::kRightArm), "r_wrist");
+  EXPECT_EQ(name(ContourLimb::kLeftLeg), "l_ankle");
+  EXPECT_EQ(name(ContourLimb::kRightLeg), "r_ankle");
+}
+
 TEST(ContourBody, MirrorsRightFromLeft) {
   ContourFrames frames;
   ContourWorldCones cones;
@@ -54,8 +63,9 @@ TEST(ContourBody, MirrorsRightFromLeft) {
   const ContourBody body(shape);
   body.place(ContourPose(), frames);
   body.place(frames, cones);
+  const auto& cone_facts = contourKinematicTree().cones;
   for (int c = 0; c + 1 < kContourCones; ++c) {
-    if (kindOfCone(c) != kindOfCone(c + 1)) continue;
+    if (cone_facts[size_t(c)].kind != cone_facts[size_t(c) + 1].kind) continue;
     const Eigen::Vector3d mirror(1, -1, 1);
     EXPECT_LT((cones[size_t(c)].a.cwiseProduct(mirror) - cones[size_t(c) + 1].a).norm(), 1e-12);
     EXPECT_LT((cones[size_t(c)].b.cwiseProduct(mirror) - cones[size_t(c) + 1].b).norm(), 1e-12);

@@ -111,7 +111,10 @@ TEST_F(ContourFitterTest, PriorDerivativesAreThoseOfDifferences) {
   addArmRestPrior(pose, equations);
   addMotionPrior(pose, expected, 0.2, 0.05, equations);
   const auto energyAt = [&](const ContourPose& at) {
-    return postureEnergy(at) + armRestEnergy(at) + motionPriorEnergy(at, expected, 0.2, 0.05);
+    const PoseIncrement away = boxMinus(at, expected);
+    return postureEnergy(at) + armRestEnergy(at) +
+           0.5 * away.head<3>().squaredNorm() / (0.05 * 0.05) +
+           0.5 * away.tail<kContourDof - 3>().squaredNorm() / (0.2 * 0.2);
   };
   for (int dof = 0; dof < kContourDof; ++dof) {
     const PoseIncrement step = 1e-5 * PoseIncrement::Unit(dof);
@@ -162,7 +165,7 @@ TEST_F(ContourFitterTest, ContainmentPullsABodyBackInside) {
   body.place(outside, frames);
   body.place(frames, cones);
   AllConeNormalEquations sums;
-  addContainment(seen, rig, cones, 1.0, sums);
+  addContainment(seen, rig, cones, 1.0, 0, rig.size(), sums);
   PoseNormalEquations equations;
   equations.clear();
   accumulatePoseEquations(sums, frames, cones, equations);

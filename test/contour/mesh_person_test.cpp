@@ -40,9 +40,9 @@ class MeshPersonTest : public testing::Test {
     ShapePrior prior;
     prior.shape_statistics = PersonResources::standard().shape_statistics;
     prior.stature = 1.75;
-    estimate_ = new ShapeEstimate(estimateShape(person_->rig(), ContourOptions(), prior,
-                                                prior.shape_statistics.meanShape(prior.stature),
-                                                samples, {}));
+    estimate_ =
+        new ShapeEstimate(estimateShape(person_->rig(), ContourOptions(), prior,
+                                        prior.shape_statistics.meanShape(prior.stature), samples));
   }
   static void TearDownTestSuite() {
     delete estimate_;

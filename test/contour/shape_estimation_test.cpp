@@ -33,7 +33,7 @@ class SizeEstimatorTest : public ::testing::Test {
   }
   ShapeEstimate estimate() const {
     return estimateShape(rig, options, prior, prior.shape_statistics.meanShape(prior.stature),
-                         instants, {});
+                         instants);
   }
 
   CameraRig rig;

@@ -74,12 +74,12 @@ void rename(SegmentedHull& hull, uint8_t a, uint8_t b) {
 TEST(PartTruth, putsPointsToTheNearestBonesFlesh) {
   const PartTruth truth(standing(true));
   const auto part = [&](double x, double y, double z) { return truth.partAt({x, y, z}); };
-  EXPECT_STREQ(truePartNames()[part(0.1, 0.05, 1.2)], "torso");
-  EXPECT_STREQ(truePartNames()[part(0.05, 0.0, 1.65)], "head");
-  EXPECT_STREQ(truePartNames()[part(0.0, 0.5, 1.42)], "left_arm");
-  EXPECT_STREQ(truePartNames()[part(0.0, -0.5, 1.42)], "right_arm");
-  EXPECT_STREQ(truePartNames()[part(0.15, 0.16, 0.05)], "left_leg");
-  EXPECT_STREQ(truePartNames()[part(0.0, -0.13, 0.7)], "right_leg");
+  EXPECT_EQ(part(0.1, 0.05, 1.2), TruePart::kTorso);
+  EXPECT_EQ(part(0.05, 0.0, 1.65), TruePart::kHead);
+  EXPECT_EQ(part(0.0, 0.5, 1.42), TruePart::kLeftArm);
+  EXPECT_EQ(part(0.0, -0.5, 1.42), TruePart::kRightArm);
+  EXPECT_EQ(part(0.15, 0.16, 0.05), TruePart::kLeftLeg);
+  EXPECT_EQ(part(0.0, -0.13, 0.7), TruePart::kRightLeg);
   EXPECT_TRUE(truth.isDistal({0.0, 0.6, 1.4}));
   EXPECT_FALSE(truth.isDistal({0.0, 0.3, 1.4})) << "an upper arm";
   EXPECT_FALSE(truth.isDistal({0.0, 0.0, 1.2}));

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "hsiao/synthetic_person.h"
+#include "body/body_fixture.h"
 
 namespace markerless_mocap {
 namespace {

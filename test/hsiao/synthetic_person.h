@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "body/body_fixture.h"
 #include "hsiao/fit/hsiao_skeleton_error.h"
 #include "hsiao/model/hsiao_body_model.h"
@@ -10,11 +8,6 @@
 #include "markerless_mocap/products/visual_hull.h"
 
 namespace markerless_mocap {
-
-inline std::shared_ptr<const BodyModel> testBody() {
-  static const auto body = std::make_shared<const BodyModel>(human());
-  return body;
-}
 
 inline double degrees(double value) {
   return value * M_PI / 180.0;

@@ -19,6 +19,13 @@ TEST(OrderStatisticsTest, QuantileIsAValueThatOccurs) {
   EXPECT_EQ(quantileOf(values, 1), 50);
 }
 
+TEST(OrderStatisticsTest, NearestQuantileRoundsThePlace) {
+  const std::vector<double> values{40, 10, 30, 20, 50};
+  EXPECT_EQ(nearestQuantile(values, 0.3), 20);
+  EXPECT_EQ(nearestQuantile(values, 0.4), 30);
+  EXPECT_EQ(nearestQuantile({}, 0.5), 0);
+}
+
 TEST(OrderStatisticsTest, InterpolatedQuantileLiesBetweenValues) {
   const std::vector<double> sorted{1, 2, 4, 8};
   EXPECT_DOUBLE_EQ(interpolatedQuantile(sorted, 0), 1);

@@ -41,6 +41,25 @@ TEST_P(BitMaskOfWidth, ComesBackAsItWas) {
   EXPECT_EQ(int(bits_.count()), cv::countNonZero(mask_));
 }
 
+TEST_P(BitMaskOfWidth, SetsAreJoinedCutAndTakenAway) {
+  const cv::Mat other = randomMask(GetParam(), GetParam() + 1);
+  const BitMask other_bits = BitMask::fromMat(other);
+  BitMask either = bits_, both = bits_, without = bits_;
+  either |= other_bits;
+  both &= other_bits;
+  without.remove(other_bits);
+  EXPECT_TRUE(same(either, mask_ | other));
+  EXPECT_TRUE(same(both, mask_ & other));
+  EXPECT_TRUE(same(without, mask_ & ~other));
+  either = without = bits_;
+  either |= BitMask();
+  both &= BitMask();
+  without.remove(BitMask());
+  EXPECT_TRUE(same(either, mask_));
+  EXPECT_EQ(both.count(), 0u);
+  EXPECT_TRUE(same(without, mask_));
+}
+
 TEST_P(BitMaskOfWidth, MorphologyIsOpenCvs) {
   for (const int radius : {1, 2, 3, 7, 20}) {
     cv::Mat expected;

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "silhouette/boundary/clean_mask.h"
 #include "silhouette/scene.h"
 
 namespace markerless_mocap {
@@ -118,11 +119,15 @@ TEST(SilhouetteExtractor, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(SilhouetteExtractor{options}, std::invalid_argument);
 }
 
+cv::Mat cleaned(const cv::Mat& mask, const SilhouetteOptions& options) {
+  return cleanBits(BitMask::fromMat(mask), options).toMat();
+}
+
 TEST(CleanMask, RemovesSpecksAndSmallBlobsOnly) {
   cv::Mat mask = exactMask();
   mask.at<uint8_t>(5, 5) = 255;
   mask(cv::Rect(120, 10, 10, 10)).setTo(255);
-  EXPECT_GT(iou(cleanMask(mask, {}), exactMask()), 0.99);
+  EXPECT_GT(iou(cleaned(mask, {}), exactMask()), 0.99);
 }
 
 TEST(CleanMask, FillsSmallHolesAndKeepsLargeOnes) {
@@ -132,10 +137,10 @@ TEST(CleanMask, FillsSmallHolesAndKeepsLargeOnes) {
   mask(large).setTo(0);
   SilhouetteOptions options;
   options.max_hole_px = 64;
-  const cv::Mat clean = cleanMask(mask, options);
+  const cv::Mat clean = cleaned(mask, options);
   EXPECT_EQ(cv::countNonZero(clean(small)), small.area());
   EXPECT_LT(cv::countNonZero(clean(large)), large.area() / 10);
-  EXPECT_LT(cv::countNonZero(cleanMask(mask, {})(small)), small.area() / 10)
+  EXPECT_LT(cv::countNonZero(cleaned(mask, {})(small)), small.area() / 10)
       << "64 pixels are more than usual";
 }
 
@@ -143,7 +148,7 @@ TEST(CleanMask, BackgroundCutOffByTheImageBorderIsNoHole) {
   cv::Mat mask(kSize, CV_8UC1, cv::Scalar(255));
   const cv::Rect corner(0, 0, 8, 8);
   mask(corner).setTo(0);
-  EXPECT_GT(cv::countNonZero(cleanMask(mask, {})(corner) == 0), corner.area() / 2);
+  EXPECT_GT(cv::countNonZero(cleaned(mask, {})(corner) == 0), corner.area() / 2);
 }
 
 }  // namespace

@@ -64,49 +64,51 @@ TEST(PoseTreeModel, BuilderLabelsByTheModelItIsGiven) {
 }
 
 TEST(PoseTreeModel, MissingKeysAreNamed) {
-  EXPECT_EQ(errorOfValidity("intercept: -6.02\n", ""),
-            "validity.yaml: intercept is missing, it must be a finite number");
+  EXPECT_EQ(errorOfValidity("intercept: -6.02\n", ""), "validity.yaml: key 'intercept' is missing");
   EXPECT_EQ(errorOfValidity("  head_below:", "  head_above:"),
-            "validity.yaml: curves/head_below is missing, it must be a map");
+            "validity.yaml, curves: key 'head_below' is missing");
   EXPECT_EQ(errorOfExtremities("  foot:", "  paw:"),
-            "ends.yaml: extremities/foot is missing, it must be a map");
+            "ends.yaml, extremities: key 'foot' is missing");
   EXPECT_EQ(errorOfExtremities("end_up: {low: 0, ", "end_up: {"),
-            "ends.yaml: extremities/head/curves/end_up/low is missing, it must be a finite number");
+            "ends.yaml, extremities, head, curves, end_up: key 'low' is missing");
   EXPECT_EQ(errorOfExtremities("no_body_log_odds: 1.86", "no_body: 1.86"),
-            "ends.yaml: body/no_body_log_odds is missing, it must be a finite number");
+            "ends.yaml, body: key 'no_body_log_odds' is missing");
 }
 
 TEST(PoseTreeModel, KeysThatNobodyKnowsAndDoubledOnesAreNamed) {
-  EXPECT_EQ(errorOfValidity("curves:\n", "curves:\n  tail: {low: 0, high: 1, knots: [0, 1]}\n"),
-            "validity.yaml: curves/tail is not a key of this file");
+  EXPECT_EQ(errorOfValidity("curves:\n", "curves:\n  tail: {low: 0, high: 1, knots: [0, 1]}\n")
+                .rfind("validity.yaml, curves: key 'tail' is unknown, allowed are ", 0),
+            0u);
   EXPECT_EQ(errorOfValidity("intercept: -6.02\n", "intercept: -6.02\nintercept: 1\n"),
-            "validity.yaml: intercept is given twice");
+            "validity.yaml: key 'intercept' is repeated");
   EXPECT_EQ(errorOfExtremities("end_cut: {low: 0, ", "end_cut: {low: 0, middle: 1, "),
-            "ends.yaml: extremities/head/curves/end_cut/middle is not a key of this file");
+            "ends.yaml, extremities, head, curves, end_cut: key 'middle' is unknown, allowed are "
+            "high, knots, low");
 }
 
 TEST(PoseTreeModel, NumbersMustBeFiniteAndEnough) {
-  const std::string knots =
-      "validity.yaml: curves/feet_are_one/knots must be at least two finite "
-      "numbers";
-  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26]"), knots);
-  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26, .nan]"), knots);
-  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26, much]"), knots);
-  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "1.26"), knots);
+  const std::string curve = "validity.yaml, curves, feet_are_one: ";
+  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26]"),
+            curve + "'knots' must be at least two numbers");
+  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26, .nan]"),
+            curve + "'knots' holds .nan, allowed are finite numbers");
+  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "[1.26, much]"),
+            curve + "'knots' holds much, allowed are finite numbers");
+  EXPECT_EQ(errorOfValidity("[1.26, -1.27]", "1.26"), curve + "'knots' is no list of numbers");
   EXPECT_EQ(errorOfValidity("intercept: -6.02", "intercept: .inf"),
-            "validity.yaml: intercept must be a finite number");
+            "validity.yaml: 'intercept' holds .inf, allowed are finite numbers");
   EXPECT_EQ(errorOfExtremities("constant: -5.59", "constant: .nan"),
-            "ends.yaml: extremities/foot/constant must be a finite number");
+            "ends.yaml, extremities, foot: 'constant' holds .nan, allowed are finite numbers");
   EXPECT_EQ(errorOfExtremities("end_cut: {low: 0, high: 1,", "end_cut: {low: 1, high: 1,"),
-            "ends.yaml: extremities/head/curves/end_cut/high must be above low");
+            "ends.yaml, extremities, head, curves, end_cut: 'high' must be above 'low'");
 }
 
 TEST(PoseTreeModel, WhatIsNoMapIsSaid) {
-  EXPECT_EQ(errorOf("3", poseTreeValidityYaml()), "ends.yaml must be a map");
-  EXPECT_EQ(errorOf("", poseTreeValidityYaml()), "ends.yaml must be a map");
-  EXPECT_EQ(errorOf("a: [", poseTreeValidityYaml()).find("ends.yaml is not YAML: "), 0u);
+  EXPECT_EQ(errorOf("3", poseTreeValidityYaml()), "ends.yaml: this is no map of keys to values");
+  EXPECT_EQ(errorOf("", poseTreeValidityYaml()), "ends.yaml: this is no map of keys to values");
+  EXPECT_EQ(errorOf("a: [", poseTreeValidityYaml()).find("ends.yaml is no YAML: "), 0u);
   EXPECT_EQ(errorOf(poseTreeExtremitiesYaml(), "intercept: 1\ncurves: 2\n"),
-            "validity.yaml: curves must be a map");
+            "validity.yaml, curves: this is no map of keys to values");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::string errorTextOf(const VoxelLattice& lattice, const std::vector<uint32_t>
 }
 
 TEST(ThinnerTest, NothingGivesNothing) {
-  EXPECT_TRUE(thinToCurves(VisualHull()).voxels.empty());
+  EXPECT_TRUE(Thinner().thin(VisualHull()).voxels.empty());
 }
 
 TEST(ThinnerTest, OneVoxelStays) {
@@ -183,7 +183,7 @@ VisualHull carvedPerson() {
 TEST(ThinnerTest, CarvedHullKeepsItsTunnelsAndThreadsDoNotMatter) {
   const VisualHull hull = carvedPerson();
   ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
-  const CurveSkeleton skeleton = thinToCurves(hull);
+  const CurveSkeleton skeleton = Thinner().thin(hull);
   const ThinVolume before(hull.lattice, indices(hull)), after(skeleton.lattice, skeleton.voxels);
   ASSERT_EQ(skeleton.components_dropped, 0u);
   EXPECT_EQ(after.tunnels(), before.tunnels());

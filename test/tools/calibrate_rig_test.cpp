@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "calibration/board_drawing.h"
+#include "calibration/board_image.h"
 #include "formats/ros_texts.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "tools/calibrate_rig/film.h"

@@ -131,15 +131,17 @@ TEST_F(EvaluationMarksTest, CamerasWithoutMarksAreNoLoss) {
 TEST_F(EvaluationMarksTest, BadFilesAreNamedInOneSentence) {
   writeResults(nothing);
   EXPECT_NE(errorOf("frames: []").find("has no frames"), std::string::npos);
-  EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {nose: [1, 2]}}}]").find("unknown key nose"),
+  EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {nose: [1, 2]}}}]")
+                .find("marks, c: key 'nose' is unknown"),
             std::string::npos);
-  EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {head: [1]}}}]").find("head is not [u, v]"),
+  EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {head: [1]}}}]")
+                .find("'head' has 1 numbers, wanted are 2: [u, v] in pixels"),
             std::string::npos);
   EXPECT_NE(errorOf("frames: [{time: 0, marks: {c: {head: [1, 2]}}}]").find("not in the rig"),
             std::string::npos);
   EXPECT_NE(errorOf("? [a, b]\n: 1").find("has a key that is no name"), std::string::npos);
   EXPECT_NE(errorOf("frames: [{time: 0, marks: {? [c] : {head: [1, 2]}}}]")
-                .find("frame 1: has a key that is no name"),
+                .find("frame 1, marks: this has a key that is no name"),
             std::string::npos);
   EXPECT_NE(errorOf("frames: [").find("is no YAML"), std::string::npos);
 }

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "body/body_fixture.h"
 #include "error_text_of.h"
-#include "hsiao/synthetic_person.h"
 
 namespace markerless_mocap {
 namespace {

@@ -84,9 +84,4 @@ class SilhouetteExtractor {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Cleans a mask: opening, closing, filling of holes of up to `max_hole_px` pixels, removal of
-/// blobs of less than `min_blob_px` pixels.
-/// \param mask CV_8UC1, non-zero = person; returns 0 | 255
-cv::Mat cleanMask(const cv::Mat& mask, const SilhouetteOptions& options);
-
 }  // namespace markerless_mocap

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "files/xml_text.h"
+#include "numerics/segment.h"
 
 namespace markerless_mocap {
 namespace {
@@ -134,9 +135,8 @@ void setMotion(const urdf::Joint& from, BodyJoint& joint) {
 bool within(const RoundCone& sphere, const RoundCone& capsule) {
   constexpr double kSlack = 1e-6;
   const Eigen::Vector3d along = capsule.b - capsule.a;
-  const double length_squared = along.squaredNorm();
-  if (length_squared == 0.0) return false;
-  const double s = std::clamp((sphere.a - capsule.a).dot(along) / length_squared, 0.0, 1.0);
+  if (along.isZero(0)) return false;
+  const double s = nearestFraction(sphere.a, capsule.a, along);
   const double distance = (capsule.a + s * along - sphere.a).norm();
   return distance + sphere.radius_a <= capsule.radius_a + kSlack;
 }

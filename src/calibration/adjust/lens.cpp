@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -28,7 +30,7 @@ LensModel lensModelNamed(const std::string& name) {
   std::string known;
   for (const LensModel model : kLensModels) {
     if (nameOf(model) == name) return model;
-    known += (known.empty() ? "" : ", ") + nameOf(model);
+    addWord(&known, nameOf(model));
   }
   throw std::invalid_argument("there is no lens model '" + name + "', allowed are " + known);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "numerics/face_parts.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -62,33 +64,6 @@ bool isInHull(const Eigen::Vector3d& place, const CameraRig& cameras,
   return inside >= 2;
 }
 
-/// The largest set of voxels that touch by their faces.
-std::vector<Eigen::Vector3i> largestPart(const std::vector<Eigen::Vector3i>& voxels, int side) {
-  std::vector<int> part(size_t(side) * side * side, -1);  // -1: empty, 0: not reached yet
-  const auto at = [&](const Eigen::Vector3i& v) -> int& {
-    return part[(size_t(v.z()) * side + v.y()) * side + v.x()];
-  };
-  for (const Eigen::Vector3i& v : voxels) at(v) = 0;
-  std::vector<Eigen::Vector3i> largest;
-  int number = 0;
-  for (const Eigen::Vector3i& seed : voxels) {
-    if (at(seed) != 0) continue;
-    std::vector<Eigen::Vector3i> members = {seed};
-    at(seed) = ++number;
-    for (size_t next = 0; next < members.size(); ++next)
-      for (int axis = 0; axis < 3; ++axis)
-        for (const int step : {-1, 1}) {
-          Eigen::Vector3i v = members[next];
-          v[axis] += step;
-          if (v[axis] < 0 || v[axis] >= side || at(v) != 0) continue;
-          at(v) = number;
-          members.push_back(v);
-        }
-    if (members.size() > largest.size()) largest.swap(members);
-  }
-  return largest;
-}
-
 }  // namespace
 
 Eigen::Matrix3Xd hullIn(const VoxelBox& box, const CameraRig& cameras,
@@ -121,15 +96,13 @@ std::optional<PersonCloud> personIn(const CameraRig& cameras, const SilhouetteSe
                          .array()
                          .round()
                          .cast<int>());
-  const std::vector<Eigen::Vector3i> body =
-      largestPart(voxels, int(std::lround(2 * kHalf / kVoxel)));
+  const std::vector<size_t> body = largestFacePart(voxels);
   constexpr size_t kLeast = 200;  // voxels: 13 litres
   if (body.size() < kLeast) return std::nullopt;
   PersonCloud person;
   person.points.resize(3, Eigen::Index(body.size()));
   for (size_t i = 0; i < body.size(); ++i)
-    person.points.col(Eigen::Index(i)) =
-        box.world_box * ((body[i].cast<double>().array() + 0.5).matrix() * kVoxel - box.half);
+    person.points.col(Eigen::Index(i)) = box.world_box * hull.col(Eigen::Index(body[i]));
   person.middle = person.points.rowwise().mean();
   const Eigen::Matrix3Xd from_middle = person.points.colwise() - person.middle;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> shape(from_middle * from_middle.transpose());

@@ -189,15 +189,4 @@ BodyState BodyRetargeter::follow(const HumanPose& pose) {
   return state;
 }
 
-double meanJointDistance(const BodyModel& model, const BodyState& state,
-                         const HumanSkeleton& skeleton, const HumanPose& pose) {
-  LinkPoses T_world_link;
-  model.forwardKinematics(state.T_world_body, state.angles, T_world_link);
-  const std::vector<Vector3d> driven = markerPositions(model, T_world_link);
-  const std::vector<Vector3d> points = groundTruthPoints(skeleton, pose);
-  double sum = 0.0;
-  for (size_t i = 0; i < driven.size(); ++i) sum += (driven[i] - points[i]).norm();
-  return sum / double(driven.size());
-}
-
 }  // namespace markerless_mocap

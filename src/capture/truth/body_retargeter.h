@@ -51,8 +51,4 @@ class BodyRetargeter {
   LinkPoses T_world_link_;
 };
 
-/// Mean distance between the fifteen joints of the retargeted body and those of the person, metres.
-double meanJointDistance(const BodyModel& model, const BodyState& state,
-                         const HumanSkeleton& skeleton, const HumanPose& pose);
-
 }  // namespace markerless_mocap

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 
 /// Smooth union of two signed distances; the seam is filled over about `reach` (quadratic
@@ -30,7 +32,7 @@ inline double ellipsoid(const Eigen::Vector3d& p, const Eigen::Vector3d& centre,
 inline double taperedCapsule(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                              const Eigen::Vector3d& b, double at_a, double at_b) {
   const Eigen::Vector3d ab = b - a;
-  const double t = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+  const double t = nearestFraction(p, a, ab);
   return (p - a - t * ab).norm() - (at_a + t * (at_b - at_a));
 }
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "checks/calibration/check_calibration.h"
-#include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -25,7 +25,7 @@ double usualDistance(const std::vector<Camera>& cameras) {
   for (size_t i = 0; i < cameras.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       distances.push_back((cameras[i].position() - cameras[j].position()).norm());
-  return quantile(distances, 0.5);
+  return nearestQuantile(distances, 0.5);
 }
 
 void checkUnits(double distance, Findings* findings) {
@@ -94,7 +94,7 @@ int shareWithOthers(const Camera& camera, const std::vector<Camera>& cameras, do
     others.push_back(double(std::count_if(cameras.begin(), cameras.end(), [&](const Camera& other) {
       return &other != &camera && other.projectInside(place).has_value();
     })));
-  return int(quantile(std::move(others), 1 - kShared));
+  return int(nearestQuantile(std::move(others), 1 - kShared));
 }
 
 /// A camera that looks out of the room still sees what those across the room see behind it, so
@@ -103,7 +103,8 @@ void checkCommonVolume(const std::vector<Camera>& cameras, double scale, Finding
   if (cameras.size() < 2 || scale <= 0) return;
   std::vector<double> shared;
   for (const Camera& camera : cameras) shared.push_back(shareWithOthers(camera, cameras, scale));
-  const int enough = std::max(cameras.size() > 3 ? 2 : 1, int(quantile(shared, 0.5)) / 2 + 1);
+  const int enough =
+      std::max(cameras.size() > 3 ? 2 : 1, int(nearestQuantile(shared, 0.5)) / 2 + 1);
   for (size_t i = 0; i < cameras.size(); ++i) {
     if (shared[i] >= enough) continue;
     findings->push_back(

@@ -8,6 +8,7 @@
 #include "checks/motion/walked.h"
 #include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -53,7 +54,7 @@ RigSight sightOf(const SeenRig& rig, const std::vector<size_t>& cameras) {
       }
     lasts.push_back(track.seconds.back());
   }
-  const double from = quantile(firsts, 0.5), to = quantile(lasts, 0.5);
+  const double from = nearestQuantile(firsts, 0.5), to = nearestQuantile(lasts, 0.5);
   for (size_t m = 0; m < kMoments && to > from; ++m)
     sight.moments.push_back(from + (to - from) * (double(m) + 0.5) / kMoments);
   return sight;
@@ -116,12 +117,12 @@ bool checkAgreement(const std::vector<CameraState>& left, Findings* findings) {
     losses.push_back(camera.loss.loss);
     residuals.push_back(camera.loss.residual);
   }
-  if (quantile(losses, 0.5) < kDisagree) return true;
+  if (nearestQuantile(losses, 0.5) < kDisagree) return true;
   findings->push_back(
       {"silhouettes_disagree", "", Severity::kWarning,
        sentence("the cameras see the person %.0f px (of 640) from where the others see him, and no "
                 "single mistake explains it",
-                quantile(residuals, 0.5)),
+                nearestQuantile(residuals, 0.5)),
        "look at the silhouettes first (mocap_offline --report): the empty room, furniture and "
        "other people spoil them. Whether the calibration holds, mocap_offline --self-calibrate "
        "tells also then, in degrees for each camera"});

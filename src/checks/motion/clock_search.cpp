@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -93,7 +93,7 @@ ClockSearch::Row ClockSearch::rowOf(double drift) const {
 double ClockSearch::sharpness() const {
   std::vector<double> means;
   for (const Sums& sums : rowOf(0)) means.push_back(sums.mean(kNone));
-  return quantile(means, 0.5) - means[leastOf(means)];
+  return nearestQuantile(means, 0.5) - means[leastOf(means)];
 }
 
 ClockError ClockSearch::best(const std::vector<Row>& rows, double drift_step,

@@ -1,7 +1,7 @@
 #include "checks/film_starts.h"
 
 #include "checks/motion/person_clocks.h"
-#include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -15,7 +15,7 @@ PersonTrack trackOf(const FilmedPerson& film) {
   std::vector<double> intervals;
   for (size_t i = 1; i < film.seconds.size(); ++i)
     intervals.push_back(film.seconds[i] - film.seconds[i - 1]);
-  track.period = quantile(intervals, 0.5);
+  track.period = nearestQuantile(intervals, 0.5);
   return track;
 }
 

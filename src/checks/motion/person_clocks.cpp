@@ -7,7 +7,7 @@
 
 #include "checks/motion/refined_clocks.h"
 #include "checks/motion/sight_grid.h"
-#include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -32,7 +32,7 @@ struct Curve {
     std::vector<double> known;
     for (size_t i = 0; i < mean.size(); ++i)
       if (count[i] > 0) known.push_back(mean[i]);
-    return known.empty() ? 1.0 : quantile(known, 0.5);
+    return known.empty() ? 1.0 : nearestQuantile(known, 0.5);
   }
   /// What speaks for each shift: how much less is lost than usually, in standard deviations but for
   /// a factor.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -122,7 +122,7 @@ CameraLoss lossOf(const Rays& rays, const std::vector<std::optional<Eigen::Vecto
   loss.rays = int(residuals.size());
   if (loss.rays == 0) return loss;
   loss.loss = sum / loss.rays;
-  loss.residual = quantile(residuals, 0.5);
+  loss.residual = nearestQuantile(residuals, 0.5);
   return loss;
 }
 

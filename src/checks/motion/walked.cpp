@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "checks/stamps/stream_times.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 
@@ -17,7 +17,8 @@ double walkedIn(const std::vector<CameraState>& states) {
     y.push_back(points[at]->y());
   }
   if (x.empty()) return 0;
-  return std::hypot(quantile(x, 0.9) - quantile(x, 0.1), quantile(y, 0.9) - quantile(y, 0.1));
+  return std::hypot(nearestQuantile(x, 0.9) - nearestQuantile(x, 0.1),
+                    nearestQuantile(y, 0.9) - nearestQuantile(y, 0.1));
 }
 
 }  // namespace markerless_mocap

@@ -3,8 +3,8 @@
 
 #include "checks/pictures/check_pictures.h"
 #include "checks/pictures/light_gain_track.h"
-#include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -26,14 +26,14 @@ std::vector<double> smoothed(const std::vector<double>& values) {
   for (size_t i = 0; i < values.size(); ++i) {
     const size_t low = i < kSmooth / 2 ? 0 : i - kSmooth / 2;
     const size_t high = std::min(values.size(), i + kSmooth / 2 + 1);
-    out.push_back(quantile(
+    out.push_back(nearestQuantile(
         {values.begin() + std::ptrdiff_t(low), values.begin() + std::ptrdiff_t(high)}, 0.5));
   }
   return out;
 }
 
 double rangeOf(const std::vector<double>& values) {
-  return quantile(values, 0.95) - quantile(values, 0.05);
+  return nearestQuantile(values, 0.95) - nearestQuantile(values, 0.05);
 }
 
 /// The strongest period, as the fraction of the variance that a sine of it explains.
@@ -42,7 +42,7 @@ struct Beat {
 };
 Beat strongestBeat(const std::vector<double>& seconds, const std::vector<double>& values) {
   const size_t n = values.size();
-  const double mean = quantile(values, 0.5);
+  const double mean = nearestQuantile(values, 0.5);
   const double length = seconds.back() - seconds.front(), rate = double(n - 1) / length;
   double variance = 0;
   for (const double value : values) variance += (value - mean) * (value - mean);
@@ -64,7 +64,7 @@ Beat strongestBeat(const std::vector<double>& seconds, const std::vector<double>
 double flickerOf(const std::vector<double>& values, const std::vector<double>& slow) {
   std::vector<double> fast;
   for (size_t i = 0; i < values.size(); ++i) fast.push_back(values[i] - slow[i]);
-  return (quantile(fast, 0.84) - quantile(fast, 0.16)) / 2;
+  return (nearestQuantile(fast, 0.84) - nearestQuantile(fast, 0.16)) / 2;
 }
 
 bool checkFlicker(const SeenCamera& camera, const std::vector<double>& seconds,

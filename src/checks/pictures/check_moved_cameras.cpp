@@ -5,8 +5,8 @@
 #include <opencv2/video/tracking.hpp>
 
 #include "checks/pictures/check_pictures.h"
-#include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -115,7 +115,7 @@ void checkCamera(const SeenCamera& camera, Findings* findings) {
   const Moved moved = movedFrom(pictures, kMoved * width);
   const size_t from = moved.from;
   if (from + 1 >= pictures.size() || isSeldomSeen(moved, pictures.size())) return;
-  const double shift = quantile(moved.shifts, 0.5);
+  const double shift = nearestQuantile(moved.shifts, 0.5);
   const double seconds = 1e-9 * double(pictures[from].stamp_ns - pictures.front().stamp_ns);
   const double before = 1e-9 * double(pictures[from - 1].stamp_ns - pictures.front().stamp_ns);
   const auto calibration = calibrationOf(camera);

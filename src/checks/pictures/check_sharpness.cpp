@@ -3,7 +3,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "checks/pictures/check_pictures.h"
-#include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
 #include "numerics/order_statistics.h"
 
@@ -120,7 +119,7 @@ void checkSharpness(const SeenRig& rig, Findings* findings) {
     all[i] = sharpnessOf(stillPicture(pictures));
     if (std::isfinite(all[i])) known.push_back(all[i]);
   }
-  const double usual = quantile(known, 0.5);
+  const double usual = nearestQuantile(known, 0.5);
   for (size_t i = 0; i < all.size(); ++i)
     if (all[i] < kVeryBlurred || (all[i] < kBlurred && all[i] < kAgainstOthers * usual))
       findings->push_back(

@@ -1,6 +1,5 @@
 #include "checks/pictures/light_gain_track.h"
 
-#include "checks/stamps/stream_times.h"
 #include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
@@ -33,7 +32,7 @@ std::array<double, 3> gainOf(const cv::Mat& picture, const cv::Mat& usual) {
     for (size_t v = channel; v < usual.total() * 3; v += 3)
       if (usual.data[v] > kDark && usual.data[v] < kBright)
         ratios.push_back(double(picture.data[v]) / usual.data[v]);
-    gain[channel] = ratios.size() < 20 ? 1.0 : quantile(ratios, 0.5);
+    gain[channel] = ratios.size() < 20 ? 1.0 : nearestQuantile(ratios, 0.5);
   }
   return gain;
 }

@@ -5,6 +5,7 @@
 
 #include "checks/stamps/stream_times.h"
 #include "checks/text/sentence.h"
+#include "numerics/order_statistics.h"
 
 namespace markerless_mocap {
 namespace {
@@ -98,7 +99,7 @@ double usualPeriod(const Streams& streams) {
   std::vector<double> periods;
   for (const StreamTimes& times : streams)
     if (times.period > 0) periods.push_back(times.period);
-  return quantile(periods, 0.5);
+  return nearestQuantile(periods, 0.5);
 }
 
 void checkRate(const SeenCamera& camera, const StreamTimes& times, double usual,
@@ -118,7 +119,7 @@ void checkCommonTime(const SeenRig& rig, const Streams& streams, Findings* findi
       firsts.push_back(1e-9 * double(times.first_ns));
       lasts.push_back(1e-9 * double(times.last_ns));
     }
-  const double first = quantile(firsts, 0.5), last = quantile(lasts, 0.5);
+  const double first = nearestQuantile(firsts, 0.5), last = nearestQuantile(lasts, 0.5);
   for (size_t i = 0; i < streams.size(); ++i) {
     if (streams[i].first_ns == 0) continue;
     const double from = 1e-9 * double(streams[i].first_ns), to = 1e-9 * double(streams[i].last_ns);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/order_statistics.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -51,25 +53,19 @@ double jitterOf(const std::vector<double>& intervals, double period) {
   for (size_t i = 1; i < intervals.size(); ++i)
     if (intervals[i] < kGap * period && intervals[i - 1] < kGap * period)
       bends.push_back(intervals[i] - intervals[i - 1]);
-  return (quantile(bends, 0.75) - quantile(bends, 0.25)) / kQuartilesToSigma / std::sqrt(6.0);
+  return (nearestQuantile(bends, 0.75) - nearestQuantile(bends, 0.25)) / kQuartilesToSigma /
+         std::sqrt(6.0);
 }
 
 void measureDelays(const std::vector<SeenImage>& images, StreamTimes* times) {
   std::vector<double> delays;
   for (const SeenImage& image : images)
     if (image.stamp_ns != 0) delays.push_back(1e-9 * double(image.received_ns - image.stamp_ns));
-  times->delay = quantile(delays, 0.5);
-  times->delay_spread = quantile(delays, 0.95) - quantile(delays, 0.05);
+  times->delay = nearestQuantile(delays, 0.5);
+  times->delay_spread = nearestQuantile(delays, 0.95) - nearestQuantile(delays, 0.05);
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0.0;
-  const auto at = values.begin() + std::lround(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 StreamTimes timesOf(const std::vector<SeenImage>& images) {
   StreamTimes times;
@@ -83,7 +79,7 @@ StreamTimes timesOf(const std::vector<SeenImage>& images) {
   measureDelays(images, &times);
   const std::vector<double> intervals = intervalsOf(images);
   if (intervals.size() < 2) return times;
-  times.period = quantile(intervals, 0.5);
+  times.period = nearestQuantile(intervals, 0.5);
   countGaps(intervals, &times);
   times.jitter = jitterOf(intervals, times.period);
   return times;

@@ -31,7 +31,4 @@ struct Repeats {
 };
 Repeats repeatsOf(const std::vector<SeenImage>& images);
 
-/// The value at a fraction of the sorted values, 0 to 1; 0 if there are none.
-double quantile(std::vector<double> values, double fraction);
-
 }  // namespace markerless_mocap

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "contour/calibrate/self_calibration_equations.h"
+#include "contour/fit/geman_mcclure.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,6 +18,15 @@ namespace {
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
 constexpr double kMaxTurn = 0.35;   // per step, rad or m
 constexpr double kMaxShift = 10.0;  // per step, pixels
+
+/// Of the refinement: outliers in metres.
+constexpr RobustSchedule kRefinement{12, 0.08, 0.03};
+/// Prior standard deviation of the camera orientations, pixels: an orientation that the contours do
+/// not determine stays unchanged.
+constexpr double kSigmaPx = 2.0;
+/// The correction is applied if the gain is this many times its standard error over the frames, and
+/// if the distance of the rays from the body decreases by this fraction at least.
+constexpr double kMinSignificance = 4.0, kMinGain = 0.03;
 
 constexpr int kMinSamples = 4;  // two for each half
 
@@ -39,20 +49,17 @@ struct ReducedOrientationSystem {
 class OrientationRefiner {
  public:
   OrientationRefiner(const CameraRig& rig, const ContourOptions& contour, const ContourBody& body,
-                     const Samples& samples, const OrientationRefinementOptions& options)
+                     const Samples& samples)
       : rig_(rig),
         contour_(contour),
         body_(body),
         samples_(samples),
-        options_(options),
         pixels_(ImageShifts::Zero(Eigen::Index(2 * rig.size()))) {
     for (const OrientationSample* sample : samples) poses_.push_back(sample->start);
   }
 
   void run() {
-    const RobustSchedule schedule{options_.iterations, options_.robust_scale_initial,
-                                  options_.robust_scale_final};
-    for (int i = 0; i < options_.iterations; ++i) step(robustScaleAt(schedule, i));
+    for (int i = 0; i < kRefinement.iterations; ++i) step(robustScaleAt(kRefinement, i));
   }
 
   const ImageShifts& pixels() const { return pixels_; }
@@ -63,8 +70,7 @@ class OrientationRefiner {
   std::vector<ReducedOrientationSystem> reducedSamples(double outlier) const;
   ReducedOrientationSystem reduced(const CameraRig& turned, size_t sample, double outlier) const;
   Eigen::MatrixXd prior() const {
-    return Eigen::MatrixXd::Identity(pixels_.size(), pixels_.size()) /
-           (options_.sigma_px * options_.sigma_px);
+    return Eigen::MatrixXd::Identity(pixels_.size(), pixels_.size()) / (kSigmaPx * kSigmaPx);
   }
   void step(double outlier);
 
@@ -72,7 +78,6 @@ class OrientationRefiner {
   const ContourOptions& contour_;
   const ContourBody& body_;
   const Samples& samples_;
-  const OrientationRefinementOptions& options_;
   ImageShifts pixels_;
   std::vector<ContourPose> poses_;
 };
@@ -125,7 +130,7 @@ std::vector<OrientationCorrection> OrientationRefiner::corrections(
     const ImageShifts& disagreement) const {
   Eigen::MatrixXd H = prior(), scatter = prior();
   std::vector<OrientationCorrection> out(rig_.size());
-  for (const ReducedOrientationSystem& part : reducedSamples(options_.robust_scale_final)) {
+  for (const ReducedOrientationSystem& part : reducedSamples(kRefinement.robust_scale_final)) {
     H += part.H;
     scatter += part.g * part.g.transpose();
     for (size_t c = 0; c < rig_.size(); ++c) out[c].rays += part.explained[c];
@@ -153,10 +158,7 @@ struct ValidationFit {
 
 double limitedDistance(const PoseProblem& problem, double limit) {
   double sum = 0.0;
-  for (const RayMatch& match : problem.matches()) {
-    const double square = double(match.residual) * match.residual;
-    sum += square / (1.0 + square / (limit * limit));
-  }
+  for (const RayMatch& match : problem.matches()) sum += gemanMcClureLoss(match.residual, limit);
   return std::sqrt(sum / std::max(1.0, double(problem.matches().size())));
 }
 
@@ -206,14 +208,7 @@ void compare(const std::vector<std::optional<ValidationFit>>& before,
   out->significance = gain / n / std::max(std::sqrt(variance), 1e-9);
 }
 
-void check(const CameraRig& rig, const std::vector<OrientationSample>& samples,
-           const OrientationRefinementOptions& options) {
-  if (options.iterations < 1 || !(options.robust_scale_final > 0) ||
-      !(options.robust_scale_initial >= options.robust_scale_final) || !(options.sigma_px > 0) ||
-      !(options.min_significance > 0) || !(options.min_gain >= 0))
-    throw std::invalid_argument(
-        "contour: the refinement of camera orientations needs at least one iteration, positive "
-        "deviations, and a robust scale that does not increase");
+void check(const CameraRig& rig, const std::vector<OrientationSample>& samples) {
   for (const OrientationSample& sample : samples) {
     if (sample.seen.views.size() != rig.size())
       throw std::invalid_argument(
@@ -226,15 +221,16 @@ void check(const CameraRig& rig, const std::vector<OrientationSample>& samples,
 
 /// Cross-validation: fits each half of the samples with the rotations that the other half gives.
 /// \param disagreement half the difference between the estimates of the two halves
-std::vector<std::optional<ValidationFit>> crossValidationFits(
-    const CameraRig& rig, const ContourOptions& contour, const ContourBody& body,
-    const Samples& samples, const OrientationRefinementOptions& options,
-    ImageShifts& disagreement) {
+std::vector<std::optional<ValidationFit>> crossValidationFits(const CameraRig& rig,
+                                                              const ContourOptions& contour,
+                                                              const ContourBody& body,
+                                                              const Samples& samples,
+                                                              ImageShifts& disagreement) {
   const auto middle = samples.begin() + std::ptrdiff_t(samples.size() / 2);
   const Samples halves[2] = {{samples.begin(), middle}, {middle, samples.end()}};
   ImageShifts estimated[2];
   for (int half = 0; half < 2; ++half) {
-    OrientationRefiner estimation(rig, contour, body, halves[half], options);
+    OrientationRefiner estimation(rig, contour, body, halves[half]);
     estimation.run();
     estimated[half] = estimation.pixels();
   }
@@ -250,10 +246,9 @@ std::vector<std::optional<ValidationFit>> crossValidationFits(
 
 OrientationRefinement refineCameraOrientations(const CameraRig& rig, const ContourOptions& contour,
                                                const ContourBody& body,
-                                               const std::vector<OrientationSample>& samples,
-                                               const OrientationRefinementOptions& options) {
+                                               const std::vector<OrientationSample>& samples) {
   contour.validate();
-  check(rig, samples, options);
+  check(rig, samples);
   OrientationRefinement out;
   out.rig = rig;
   Samples usable;
@@ -271,14 +266,14 @@ OrientationRefinement refineCameraOrientations(const CameraRig& rig, const Conto
   const auto before = validationFits(rig, contour, body, usable, none);
   out.samples_used = 0;
   ImageShifts disagreement;
-  compare(before, crossValidationFits(rig, contour, body, usable, options, disagreement), &out);
+  compare(before, crossValidationFits(rig, contour, body, usable, disagreement), &out);
   if (out.samples_used < kMinSamples) return out;
 
-  OrientationRefiner all(rig, contour, body, usable, options);
+  OrientationRefiner all(rig, contour, body, usable);
   all.run();
   out.corrections = all.corrections(disagreement);
-  const bool gains = out.significance >= options.min_significance &&
-                     out.after.distance <= (1.0 - options.min_gain) * out.before.distance &&
+  const bool gains = out.significance >= kMinSignificance &&
+                     out.after.distance <= (1.0 - kMinGain) * out.before.distance &&
                      out.after.overlap >= out.before.overlap;
   out.status =
       gains ? OrientationRefinementStatus::kCorrected : OrientationRefinementStatus::kNoGain;

@@ -17,7 +17,7 @@ ShapeParameters reestimatedShape(const CameraRig& rig, const ContourOptions& con
   for (size_t i = 0; i < samples.size(); ++i)
     seen.push_back(
         {rotatedObservation(samples[i].seen, rig, refinement.rig), refinement.poses[i], {}});
-  return estimateShape(refinement.rig, contour, prior, shape, seen, {}).shape;
+  return estimateShape(refinement.rig, contour, prior, shape, seen).shape;
 }
 
 }  // namespace
@@ -26,10 +26,8 @@ OrientationRefinement refineOrientationsAndShape(const CameraRig& rig,
                                                  const ContourOptions& contour,
                                                  const ShapePrior& prior,
                                                  const ShapeParameters& shape,
-                                                 const std::vector<OrientationSample>& samples,
-                                                 const OrientationRefinementOptions& options) {
-  OrientationRefinement best =
-      refineCameraOrientations(rig, contour, ContourBody(shape), samples, options);
+                                                 const std::vector<OrientationSample>& samples) {
+  OrientationRefinement best = refineCameraOrientations(rig, contour, ContourBody(shape), samples);
   const OrientationFit before = best.before;
   ShapeParameters estimated = shape;
   for (int round = 1; round < kRounds && best.status == OrientationRefinementStatus::kCorrected;
@@ -38,7 +36,7 @@ OrientationRefinement refineOrientationsAndShape(const CameraRig& rig,
     std::vector<OrientationSample> again = samples;
     for (size_t i = 0; i < again.size(); ++i) again[i].start = best.poses[i];
     OrientationRefinement next =
-        refineCameraOrientations(rig, contour, ContourBody(estimated), again, options);
+        refineCameraOrientations(rig, contour, ContourBody(estimated), again);
     if (next.status != OrientationRefinementStatus::kCorrected) break;
     best = std::move(next);
   }

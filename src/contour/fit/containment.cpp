@@ -96,12 +96,6 @@ void forEachViolation(const ContourObservation& seen, const CameraRig& rig, size
 }  // namespace
 
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
-                               const ContourWorldCones& cones, double weight,
-                               AllConeNormalEquations& sums) {
-  return addContainment(seen, rig, cones, weight, 0, rig.size(), sums);
-}
-
-SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight, size_t first,
                                size_t end, AllConeNormalEquations& sums) {
   SphereViolation max_outside{};

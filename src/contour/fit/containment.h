@@ -15,13 +15,9 @@ constexpr int kSpheresPerCone = 4;
 using SphereViolation = std::array<std::array<double, kSpheresPerCone>, kContourCones>;
 
 /// Adds one residual for each sphere and each usable mask that it leaves: the distance outside the
-/// mask, in metres at the depth of the sphere. A view is ignored if the centre of the sphere is not
-/// in its image. The derivatives neglect the variation of the lens distortion.
-/// \param weight of a residual before robust weighting, 1/m^2
-SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
-                               const ContourWorldCones& cones, double weight,
-                               AllConeNormalEquations& sums);
-/// The same of the views from `first` to before `end`.
+/// mask, in metres at the depth of the sphere, of the views from `first` to before `end`. A view is
+/// ignored if the centre of the sphere is not in its image. The derivatives neglect the variation
+/// of the lens distortion. \param weight of a residual before robust weighting, 1/m^2
 SphereViolation addContainment(const ContourObservation& seen, const CameraRig& rig,
                                const ContourWorldCones& cones, double weight, size_t first,
                                size_t end, AllConeNormalEquations& sums);

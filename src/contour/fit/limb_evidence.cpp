@@ -6,6 +6,7 @@
 
 #include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
+#include "numerics/segment.h"
 
 namespace markerless_mocap {
 namespace {
@@ -141,9 +142,7 @@ Square information(const ContourObservation& seen, const ContourOptions& options
 /// Standard deviation of the position of a limb's end, metres.
 double endDeviation(const ContourBody& body, const ContourFrames& frames,
                     const Eigen::LLT<Square>& inverse, int limb) {
-  // Per limb: base of the neck, head, wrists and ankles in contourPointNames().
-  constexpr int kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
-  const AttachedPoint& end = contourKinematicTree().points[size_t(kEnds[limb])];
+  const AttachedPoint& end = contourKinematicTree().points[endOfLimb(ContourLimb::Id(limb))];
   Eigen::Matrix<double, 3, kContourDof> J;
   poseJacobian(frames, end.segment,
                frames.t[end.segment] + frames.R[end.segment] * end.local.at(body.shape()), J);
@@ -152,7 +151,7 @@ double endDeviation(const ContourBody& body, const ContourFrames& frames,
 
 bool isInside(const Eigen::Vector3d& point, const ContourWorldCone& cone) {
   const Eigen::Vector3d axis = cone.b - cone.a;
-  const double along = std::clamp(axis.dot(point - cone.a) / axis.squaredNorm(), 0.0, 1.0);
+  const double along = nearestFraction(point, cone.a, axis);
   const double radius = cone.radius_a + along * (cone.radius_b - cone.radius_a);
   return (point - cone.a - along * axis).norm() < radius;
 }

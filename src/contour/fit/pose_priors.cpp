@@ -224,13 +224,6 @@ void addMotionPrior(const ContourPose& pose, const ContourPose& expected, double
   equations.g.tail<A::kCount>() += turn * away.tail<A::kCount>();
 }
 
-double motionPriorEnergy(const ContourPose& pose, const ContourPose& expected,
-                         double turn_deviation, double move_deviation) {
-  const PoseIncrement away = boxMinus(pose, expected);
-  return 0.5 * inverseSquare(move_deviation) * away.head<3>().squaredNorm() +
-         0.5 * inverseSquare(turn_deviation) * away.tail<kContourDof - 3>().squaredNorm();
-}
-
 double maxLimitViolation(const ContourPose& pose) {
   double worst = 0.0;
   for (size_t a = 0; a < A::kCount; ++a)

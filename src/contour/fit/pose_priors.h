@@ -22,8 +22,6 @@ void addMotionPrior(const ContourPose& pose, const ContourPose& expected, double
 /// Energy of each prior: half the weighted sum of squares; pseudo-Huber loss for arms at rest.
 double postureEnergy(const ContourPose& pose);
 double armRestEnergy(const ContourPose& pose);
-double motionPriorEnergy(const ContourPose& pose, const ContourPose& expected,
-                         double turn_deviation, double move_deviation);
 
 /// Maximum violation of the soft limits, radians (for directions: sine).
 double maxLimitViolation(const ContourPose& pose);

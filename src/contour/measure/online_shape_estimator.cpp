@@ -50,7 +50,7 @@ ShapeParameters estimated(const CameraRig& rig, const ContourOptions& contour, S
     prior.shape_statistics.deviation *= kStiffDeviation;
   ShapeParameters shape = prior.shape_statistics.meanShape(prior.stature);
   for (int round = 0; round < kRounds; ++round) {
-    const ShapeEstimate estimate = estimateShape(rig, contour, prior, shape, samples, {});
+    const ShapeEstimate estimate = estimateShape(rig, contour, prior, shape, samples);
     shape = estimate.shape;
     for (size_t i = 0; i < samples.size(); ++i) samples[i].start = estimate.poses[i];
   }

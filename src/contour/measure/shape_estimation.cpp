@@ -15,7 +15,9 @@ namespace {
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
 constexpr double kMaxTurn = 0.35, kMaxGrowth = 0.03;  // per step: rad or m, m
 
-constexpr double kMinSize = 0.004;  // minimum length and radius, metres
+constexpr RobustSchedule kSchedule{15, 0.06, 0.03};  // outliers in metres
+constexpr double kPointDeviation = 0.004;            // standard deviation of known points, metres
+constexpr double kMinSize = 0.004;                   // minimum length and radius, metres
 
 using Cholesky = Eigen::LLT<Eigen::MatrixXd>;
 
@@ -31,14 +33,8 @@ struct ReducedShapeSystem {
 class Estimation {
  public:
   Estimation(const CameraRig& rig, const ContourOptions& contour, const ShapePrior& prior,
-             const ShapeParameters& start, const std::vector<ShapeSample>& samples,
-             const ShapeEstimationOptions& options)
-      : rig_(rig),
-        contour_(contour),
-        prior_(prior),
-        options_(options),
-        shape_(start),
-        stature_(prior.stature) {
+             const ShapeParameters& start, const std::vector<ShapeSample>& samples)
+      : rig_(rig), contour_(contour), prior_(prior), shape_(start), stature_(prior.stature) {
     for (const ShapeSample& sample : samples) {
       poses_.push_back(sample.start);
       if (sample.seen.usableViews() >= 2)
@@ -55,9 +51,7 @@ class Estimation {
   }
 
   ShapeEstimate run() {
-    const RobustSchedule schedule{options_.iterations, options_.robust_scale_initial,
-                                  options_.robust_scale_final};
-    for (int i = 0; i < options_.iterations; ++i) step(robustScaleAt(schedule, i));
+    for (int i = 0; i < kSchedule.iterations; ++i) step(robustScaleAt(kSchedule, i));
     return {shape_, deviation_, stature_, poses_, usedCount()};
   }
 
@@ -69,7 +63,6 @@ class Estimation {
   const CameraRig& rig_;
   const ContourOptions& contour_;
   const ShapePrior& prior_;
-  const ShapeEstimationOptions& options_;
   std::vector<const ShapeSample*> used_;  ///< null if a sample has too few views
   std::vector<int> active_;               ///< parameters that are estimated
   ShapeParameters shape_, deviation_ = ShapeParameters::Zero();
@@ -79,8 +72,8 @@ class Estimation {
 
 ReducedShapeSystem Estimation::reduced(size_t sample, const ContourBody& body,
                                        double outlier) const {
-  ShapeNormalEquations all = shapeNormalEquations(
-      rig_, contour_, body, *used_[sample], poses_[sample], outlier, options_.point_deviation);
+  ShapeNormalEquations all = shapeNormalEquations(rig_, contour_, body, *used_[sample],
+                                                  poses_[sample], outlier, kPointDeviation);
   all.H.diagonal().head<3>().array() += kMoveDamping;
   all.H.diagonal().segment<kContourDof - 3>(3).array() += kTurnDamping;
   const Eigen::Index n = Eigen::Index(active_.size());
@@ -156,14 +149,10 @@ void Estimation::step(double outlier) {
   }
 }
 
-void check(const CameraRig& rig, const std::vector<ShapeSample>& samples, const ShapePrior& prior,
-           const ShapeEstimationOptions& options) {
-  if (options.iterations < 1 || !(options.robust_scale_final > 0) ||
-      !(options.robust_scale_initial >= options.robust_scale_final) ||
-      !(options.point_deviation > 0) || !(prior.deviation > 0) || !(prior.stature > 0))
+void check(const CameraRig& rig, const std::vector<ShapeSample>& samples, const ShapePrior& prior) {
+  if (!(prior.deviation > 0) || !(prior.stature > 0))
     throw std::invalid_argument(
-        "contour: the shape estimate needs at least one iteration, positive deviations, and a "
-        "robust scale that does not increase");
+        "contour: the prior of the shape estimate needs a positive stature and deviation");
   const Eigen::Index points = Eigen::Index(contourPointNames().size());
   for (const ShapeSample& sample : samples) {
     if (sample.seen.views.size() != rig.size())
@@ -179,11 +168,10 @@ void check(const CameraRig& rig, const std::vector<ShapeSample>& samples, const 
 
 ShapeEstimate estimateShape(const CameraRig& rig, const ContourOptions& contour,
                             const ShapePrior& prior, const ShapeParameters& start,
-                            const std::vector<ShapeSample>& samples,
-                            const ShapeEstimationOptions& options) {
+                            const std::vector<ShapeSample>& samples) {
   contour.validate();
-  check(rig, samples, prior, options);
-  Estimation estimation(rig, contour, prior, start, samples, options);
+  check(rig, samples, prior);
+  Estimation estimation(rig, contour, prior, start, samples);
   if (estimation.usedCount() == 0)
     throw std::invalid_argument("contour: no sample for the shape estimate has two usable masks");
   return estimation.run();

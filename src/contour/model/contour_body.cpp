@@ -77,10 +77,6 @@ ContourLimb::Id limbOfCone(int cone) {
   return contourKinematicTree().cones[size_t(cone)].limb;
 }
 
-BodyCone::Kind kindOfCone(int cone) {
-  return contourKinematicTree().cones[size_t(cone)].kind;
-}
-
 const std::vector<std::string>& contourPointNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> out = markerNames();
@@ -89,6 +85,11 @@ const std::vector<std::string>& contourPointNames() {
     return out;
   }();
   return names;
+}
+
+size_t endOfLimb(ContourLimb::Id limb) {
+  constexpr size_t kEnds[ContourLimb::kCount] = {1, 2, 5, 8, 11, 14};
+  return kEnds[limb];
 }
 
 void poseJacobian(const ContourFrames& frames, int segment, const Vector3d& at,

@@ -78,11 +78,11 @@ class ContourBody {
                                                                     ///< segment's frame
 };
 
-/// Limb and kind of a cone.
 ContourLimb::Id limbOfCone(int cone);
-BodyCone::Kind kindOfCone(int cone);
 
 /// The 15 names of markerNames(), then l_hand_tip, r_hand_tip, l_foot_tip, r_foot_tip, head_top.
 const std::vector<std::string>& contourPointNames();
+/// A limb's end among them: of the trunk the base of the neck, the head, a wrist or an ankle.
+size_t endOfLimb(ContourLimb::Id limb);
 
 }  // namespace markerless_mocap

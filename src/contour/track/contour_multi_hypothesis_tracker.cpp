@@ -158,8 +158,11 @@ void ContourMultiHypothesisTracker::proposeAlternative(int64_t stamp_ns,
 
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
   const Eigen::Matrix3Xd points = body.points(pose), others = body.points(other);
-  for (const Eigen::Index end : {5, 8, 11, 14})  // wrists and ankles of contourPointNames()
+  for (const auto limb : {ContourLimb::kLeftArm, ContourLimb::kRightArm, ContourLimb::kLeftLeg,
+                          ContourLimb::kRightLeg}) {
+    const Eigen::Index end = Eigen::Index(endOfLimb(limb));
     if ((points.col(end) - others.col(end)).norm() > kMaxLimbDistance) return true;
+  }
   return false;
 }
 

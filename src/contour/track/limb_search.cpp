@@ -30,17 +30,19 @@ constexpr double kRobustScales[] = {0.1, 0.25};
 constexpr size_t kCosts = 2;
 constexpr size_t kMaxRays = 120;  // maximum number of rays in the cost
 
-/// The sampled joints of a limb, and its end in contourPointNames().
+/// The sampled joints of a limb.
 struct LimbJoints {
-  int joint, hinge, end;
+  ContourLimb::Id limb;
+  int joint, hinge;
   double hinge_lower, hinge_upper;
 };
 LimbJoints jointsOf(ContourLimb::Id limb) {
   constexpr LimbJoints kJoints[] = {
-      {SphericalJoint::kLeftShoulder, RevoluteJoint::kLeftElbow, 5, 0.0, 2.6},
-      {SphericalJoint::kRightShoulder, RevoluteJoint::kRightElbow, 8, 0.0, 2.6},
-      {SphericalJoint::kLeftHip, RevoluteJoint::kLeftKnee, 11, -2.6, 0.0},
-      {SphericalJoint::kRightHip, RevoluteJoint::kRightKnee, 14, -2.6, 0.0}};
+      {ContourLimb::kLeftArm, SphericalJoint::kLeftShoulder, RevoluteJoint::kLeftElbow, 0.0, 2.6},
+      {ContourLimb::kRightArm, SphericalJoint::kRightShoulder, RevoluteJoint::kRightElbow, 0.0,
+       2.6},
+      {ContourLimb::kLeftLeg, SphericalJoint::kLeftHip, RevoluteJoint::kLeftKnee, -2.6, 0.0},
+      {ContourLimb::kRightLeg, SphericalJoint::kRightHip, RevoluteJoint::kRightKnee, -2.6, 0.0}};
   return kJoints[limb - ContourLimb::kLeftArm];
 }
 
@@ -151,14 +153,14 @@ class LimbPoseSampler {
 
   /// All samples so far, sorted by one of the costs.
   const std::vector<LimbPoseSample>& sortedBy(size_t cost) {
-    tbb::parallel_for(tbb::blocked_range<size_t>(evaluated_, samples_.size(), 16),
-                      [&](const auto& some) {
-                        for (size_t i = some.begin(); i < some.end(); ++i) {
-                          LimbPoseSample& sample = samples_[i];
-                          sample.energy = cost_.energy(body_, sample.pose);
-                          sample.end = body_.points(sample.pose).col(joints_.end);
-                        }
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(evaluated_, samples_.size(), 16), [&](const auto& some) {
+          for (size_t i = some.begin(); i < some.end(); ++i) {
+            LimbPoseSample& sample = samples_[i];
+            sample.energy = cost_.energy(body_, sample.pose);
+            sample.end = body_.points(sample.pose).col(Eigen::Index(endOfLimb(joints_.limb)));
+          }
+        });
     std::stable_sort(samples_.begin(), samples_.end(),
                      [&](const LimbPoseSample& a, const LimbPoseSample& b) {
                        return a.energy[cost] < b.energy[cost];

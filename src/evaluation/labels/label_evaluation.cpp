@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -57,8 +59,7 @@ double distanceTo(const Eigen::Matrix3Xd& line, const Eigen::Vector3d& point) {
   double nearest = (line.col(0) - point).norm();
   for (Eigen::Index i = 1; i < line.cols(); ++i) {
     const Eigen::Vector3d step = line.col(i) - line.col(i - 1);
-    const double along = step.dot(point - line.col(i - 1)) / std::max(step.squaredNorm(), 1e-12);
-    const double fraction = std::min(std::max(along, 0.0), 1.0);
+    const double fraction = nearestFraction(point, line.col(i - 1), step);
     nearest = std::min(nearest, (line.col(i - 1) + fraction * step - point).norm());
   }
   return kMillimetres * nearest;

@@ -15,6 +15,7 @@ namespace {
 constexpr float kMinDepth = 1e-3f;            // minimum depth, metres
 constexpr float kMinSquaredDistance = 1e-6f;  // minimum squared distance from a cone's axis,
                                               // relative to its half axes
+constexpr double kMaxRadiusSquared = 1e4;     // on the image plane: 89.4 degrees off the axis
 
 void setLane(ConeVectors& vectors, int lane, const Eigen::Vector3d& value) {
   for (int c = 0; c < 3; ++c) vectors[c][lane] = float(value[c]);
@@ -68,8 +69,8 @@ void findContour(const CameraPlaces& at, ContourLines& out) {
 /// One corner of all cones.
 struct CornerLanes {
   ConeFloats x, y;
-  ConeFloats depth;           ///< metres
-  ConeFloats radius_squared;  ///< on the image plane
+  ConeFloats depth;     ///< metres
+  ConeFloats off_axis;  ///< as Numbers::reach
 };
 
 /// Projects the point of an end's ellipse at (cosine, sine). No branches and no aliasing, so that
@@ -97,12 +98,12 @@ MOCAP_WIDEST void projectCorners(const FleischmannWorldCones& w, const ViewCamer
     out.x[i] = n.fx * u + n.skew * v + n.cx;
     out.y[i] = n.fy * v + n.cy;
     out.depth[i] = depth;
-    out.radius_squared[i] = r;
+    out.off_axis[i] = r;
   }
   result = out;
 }
 
-/// As projectCorners(). What a fisheye does not see has depth 0.
+/// As projectCorners(), for a fisheye.
 void projectFisheyeCorners(const FleischmannWorldCones& w, const ViewCamera::Numbers& n,
                            const ConeVectors& center, const ConeFloats& scale,
                            const ConeFloats& cosine, const ConeFloats& sine, CornerLanes& out) {
@@ -115,26 +116,9 @@ void projectFisheyeCorners(const FleischmannWorldCones& w, const ViewCamera::Num
     distortFisheye(n.k, p, plane);
     out.x[i] = n.fx * plane[0] + n.skew * plane[1] + n.cx;
     out.y[i] = n.fy * plane[1] + n.cy;
-    const bool seen = std::atan2(std::hypot(p[0], p[1]), p[2]) < n.max_angle;
-    out.depth[i] = seen ? std::hypot(p[0], p[1], p[2]) : 0.0f;
-    out.radius_squared[i] = 0.0f;
+    out.depth[i] = std::hypot(p[0], p[1], p[2]);
+    out.off_axis[i] = std::atan2(std::hypot(p[0], p[1]), p[2]);
   }
-}
-
-/// Camera has no accessor for this radius. It is found by bisection on whether a point is
-/// projected.
-double largestRadius(const Camera& camera) {
-  const auto projects = [&](double radius) {
-    const Eigen::Vector3d point(radius, 0, 1);
-    return camera.project(camera.calibration().T_world_camera * point).has_value();
-  };
-  double inside = 0.0, outside = 100.0;
-  if (projects(outside)) return outside;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (inside + outside) / 2;
-    (projects(middle) ? inside : outside) = middle;
-  }
-  return inside;
 }
 
 }  // namespace
@@ -199,9 +183,7 @@ ViewCamera::ViewCamera(const Camera& camera, int downsampling)
   std::fill(std::begin(numbers_.k), std::end(numbers_.k), 0.0f);
   std::copy(c.D.begin(), c.D.end(), numbers_.k);
   numbers_.fisheye = c.lens == LensType::kFisheye;
-  numbers_.max_angle = float(lensNumbersOf(c).reach);
-  const double radius = largestRadius(camera);
-  numbers_.max_radius_squared = float(radius * radius);
+  numbers_.reach = float(std::min(lensNumbersOf(c).reach, kMaxRadiusSquared));
 }
 
 void ViewCamera::outlines(const FleischmannWorldCones& cones, ConeCorners& out) const {
@@ -223,8 +205,7 @@ void ViewCamera::outlines(const FleischmannWorldCones& cones, ConeCorners& out) 
     out.x[at] = lanes.x;
     out.y[at] = lanes.y;
     for (int i = 0; i < kFleischmannConeCount; ++i)
-      out.seen[i] &= int(lanes.depth[i] > kMinDepth) &
-                     int(lanes.radius_squared[i] < numbers_.max_radius_squared);
+      out.seen[i] &= int(lanes.depth[i] > kMinDepth) & int(lanes.off_axis[i] < numbers_.reach);
   };
   corner(0, cones.a, whole, 0);
   corner(1, cones.b, cones.taper, 0);

@@ -64,9 +64,9 @@ class ViewCamera {
     float R[3][3], t[3];  ///< world to camera
     float position[3];
     float fx, skew, cx, fy, cy;
-    float k[8];                ///< OpenCV order
-    float max_radius_squared;  ///< maximum radius of undistorted image-plane points
-    float max_angle;           ///< of a fisheye, to the axis, rad
+    float k[8];   ///< OpenCV order
+    float reach;  ///< largest squared radius of undistorted image-plane points; of a fisheye the
+                  ///< largest angle to the axis, rad
     bool fisheye;
   };
 

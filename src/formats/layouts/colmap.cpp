@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "formats/parts/camera_parts.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -110,11 +111,9 @@ CameraCalibration lensFrom(const Line& line, int* id) {
   camera.height = pixelsFrom(height, "HEIGHT", where);
   std::getline(stream, rest);
   const auto model = models().find(name);
-  if (model == models().end()) {
-    std::string known;
-    for (const auto& entry : models()) known += (known.empty() ? "" : ", ") + entry.first;
-    throwFormatError(where, "the camera model is " + name + ", allowed are " + known);
-  }
+  if (model == models().end())
+    throwFormatError(where, "the camera model is " + name + ", allowed are " +
+                                joined(models(), [](const auto& entry) { return entry.first; }));
   const Model& m = model->second;
   const std::vector<double> p = numbersIn(rest);
   if (p.empty()) throwFormatError(where, "behind WIDTH HEIGHT is something that is no number");

@@ -7,10 +7,12 @@
 #include <sstream>
 
 #include "files/xml_text.h"
+#include "files/yaml_map.h"
 #include "files/yaml_text.h"
 #include "formats/parts/camera_parts.h"
 #include "formats/parts/yaml_parts.h"
 #include "formats/ros_texts.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace markerless_mocap {
@@ -82,7 +84,7 @@ std::vector<double> fieldsOf(const YAML::Node& map, const std::vector<const char
                              const std::string& where) {
   std::vector<double> values;
   for (const char* key : keys)
-    values.push_back(yamlNumber(yamlRequired(map, key, where), key, where));
+    values.push_back(finiteYamlNumber(yamlRequired(map, key, where), key, where));
   return values;
 }
 
@@ -151,7 +153,7 @@ std::string StaticTransforms::frameOfCamera(const std::string& camera, const std
     return name;
   }
   std::string known;
-  for (const auto& [child, link] : links_) known += (known.empty() ? "" : ", ") + child;
+  for (const auto& [child, link] : links_) addWord(&known, child);
   throwFormatError(where, "no static transform leads to frame " + name + "_optical, " +
                               (known.empty() ? "give the launch file or YAML of tf_static, too"
                                              : "the frames are " + known));

@@ -1,9 +1,7 @@
 #include "formats/parts/yaml_parts.h"
 
-#include <cmath>
-
+#include "files/yaml_map.h"
 #include "formats/parts/camera_parts.h"
-#include "text/number_text.h"
 
 namespace markerless_mocap {
 
@@ -27,15 +25,6 @@ YAML::Node yamlRequired(const YAML::Node& map, const char* key, const std::strin
   return value;
 }
 
-double yamlNumber(const YAML::Node& node, const std::string& key, const std::string& where) {
-  double value = 0.0;
-  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-    throwFormatError(where, "'" + key + "' holds " +
-                                (node.IsScalar() ? node.Scalar() : "a list or map") +
-                                ", allowed are finite numbers");
-  return value;
-}
-
 std::vector<double> yamlNumbers(const YAML::Node& node, const std::string& key,
                                 const std::string& where) {
   if (!node.IsSequence()) throwFormatError(where, "'" + key + "' is no list of numbers");
@@ -44,13 +33,13 @@ std::vector<double> yamlNumbers(const YAML::Node& node, const std::string& key,
     if (entry.IsSequence())
       for (const double value : yamlNumbers(entry, key, where)) values.push_back(value);
     else
-      values.push_back(yamlNumber(entry, key, where));
+      values.push_back(finiteYamlNumber(entry, key, where));
   }
   return values;
 }
 
 int yamlPixels(const YAML::Node& node, const std::string& key, const std::string& where) {
-  return pixelsFrom(yamlNumber(node, key, where), key, where);
+  return pixelsFrom(finiteYamlNumber(node, key, where), key, where);
 }
 
 std::string yamlQuoted(const std::string& text) {

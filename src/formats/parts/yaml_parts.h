@@ -13,8 +13,6 @@ std::optional<YAML::Node> yamlMap(const std::string& text);
 
 /// Value of a key; throws std::invalid_argument if it is missing.
 YAML::Node yamlRequired(const YAML::Node& map, const char* key, const std::string& where);
-/// A finite number.
-double yamlNumber(const YAML::Node& node, const std::string& key, const std::string& where);
 /// A list of numbers, or a list of lists row by row.
 std::vector<double> yamlNumbers(const YAML::Node& node, const std::string& key,
                                 const std::string& where);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -53,7 +55,7 @@ std::vector<BonePlace> nearestPlaces(const std::vector<HsiaoSegmentPoint>& bones
     double min_distance = HUGE_VAL;
     for (int n = 0; n + 1 < int(bones.size()); ++n) {
       const Vector3d a = bones[n].inWorld(frames), ab = bones[n + 1].inWorld(frames) - a;
-      const double fraction = std::clamp(ab.dot(point - a) / ab.squaredNorm(), 0.0, 1.0);
+      const double fraction = nearestFraction(point, a, ab);
       const double distance = (a + fraction * ab - point).squaredNorm();
       if (distance >= min_distance) continue;
       min_distance = distance;
@@ -102,9 +104,19 @@ HsiaoRefiner::HsiaoRefiner(const HsiaoBodyModel& body_model, const HsiaoBodyShap
     : body_model_(&body_model), shape_(&shape), settings_(settings) {}
 
 void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const {
-  const HsiaoRefinerData& data = *problem.data;
   problem.assignment =
-      assignParts(data.curves->matrix(frames, {true, true, true, true, true, true}));
+      assignParts(problem.data->curves->matrix(frames, {true, true, true, true, true, true}));
+  associateSurface(frames, problem);
+  problem.spheres.clear();
+  for (size_t i = 0; i < shape_->spheres().size(); i += kSphereStep)
+    if (shape_->spheres()[i].radius > kMinRadius * problem.data->hull->lattice.pitch)
+      problem.spheres.push_back(shape_->spheres()[i]);
+  problem.size = int(problem.surface.size() + problem.spheres.size());
+  for (int i = 0; i < kPartCount; ++i) associateCurve(frames, i, problem);
+}
+
+void HsiaoRefiner::associateSurface(const HsiaoFrames& frames, Problem& problem) const {
+  const HsiaoRefinerData& data = *problem.data;
   std::vector<HsiaoWorldCone> cones;
   shape_->inWorld(frames, cones);
   const std::vector<uint32_t>& surface = data.field->surface();
@@ -128,24 +140,21 @@ void HsiaoRefiner::associate(const HsiaoFrames& frames, Problem& problem) const 
     }
     problem.surface.push_back({point, nearest, cauchyWeight(distance, kSurfaceScale)});
   }
-  problem.spheres.clear();
-  for (size_t i = 0; i < shape_->spheres().size(); i += kSphereStep)
-    if (shape_->spheres()[i].radius > kMinRadius * data.hull->lattice.pitch)
-      problem.spheres.push_back(shape_->spheres()[i]);
-  problem.size = int(problem.surface.size() + problem.spheres.size());
+}
+
+void HsiaoRefiner::associateCurve(const HsiaoFrames& frames, int part, Problem& problem) const {
+  std::vector<double>& weights = problem.curve_weights[part];
+  weights.clear();
+  if (problem.assignment[part] < 0) return;
+  const std::vector<Vector3d>& samples = problem.data->curves->samples(PartLabel(part));
+  if (isArm(part))
+    problem.arm_places[part] =
+        nearestPlaces(body_model_->bones(PartLabel(problem.assignment[part])), frames, samples);
   std::vector<Vector3d> model;
-  for (int i = 0; i < kPartCount; ++i) {
-    problem.curve_weights[i].clear();
-    if (problem.assignment[i] < 0) continue;
-    const std::vector<Vector3d>& samples = data.curves->samples(PartLabel(i));
-    if (isArm(i))
-      problem.arm_places[i] =
-          nearestPlaces(body_model_->bones(PartLabel(problem.assignment[i])), frames, samples);
-    problem.modelPoints(*body_model_, frames, i, model);
-    for (size_t k = 0; k < model.size(); ++k)
-      problem.curve_weights[i].push_back(cauchyWeight((samples[k] - model[k]).norm(), kCurveScale));
-    problem.size += 3 * int(model.size());
-  }
+  problem.modelPoints(*body_model_, frames, part, model);
+  for (size_t k = 0; k < model.size(); ++k)
+    weights.push_back(cauchyWeight((samples[k] - model[k]).norm(), kCurveScale));
+  problem.size += 3 * int(model.size());
 }
 
 void HsiaoRefiner::residuals(const HsiaoVector& v, const Problem& problem, VectorXd& out) const {
@@ -175,6 +184,27 @@ void HsiaoRefiner::residuals(const HsiaoVector& v, const Problem& problem, Vecto
   }
 }
 
+MatrixXd HsiaoRefiner::slopes(const HsiaoVector& v, const Problem& problem,
+                              const VectorXd& here) const {
+  MatrixXd slope(here.size(), kHsiaoParameterCount);
+  VectorXd there;
+  for (int p = 0; p < kHsiaoParameterCount; ++p) {
+    HsiaoVector moved = v;
+    moved[p] += kStep;
+    residuals(moved, problem, there);
+    slope.col(p) = (there - here) / kStep;
+  }
+  return slope;
+}
+
+HsiaoVector HsiaoRefiner::inRange(const HsiaoVector& wanted, const HsiaoBounds& range) const {
+  HsiaoVector v = wanted.cwiseMax(range.lower).cwiseMin(range.upper);
+  const Vector3d center = v.segment<3>(kHsiaoCenter);
+  v.segment<3>(kHsiaoNeck) =
+      center + body_model_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
+  return v;
+}
+
 HsiaoRefinement HsiaoRefiner::refine(const HsiaoVector& start, const HsiaoBounds& range,
                                      const HsiaoRefinerData& data) const {
   HsiaoRefinement best{start, HUGE_VAL};
@@ -182,38 +212,27 @@ HsiaoRefinement HsiaoRefiner::refine(const HsiaoVector& start, const HsiaoBounds
   problem.data = &data;
   HsiaoFrames frames;
   VectorXd here, there;
-  MatrixXd slope;
   double damping = 1e-3;
-  for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+  bool improved = true;
+  for (int iteration = 0; iteration < settings_.iterations && improved; ++iteration) {
     body_model_->frames(best.v.data(), frames);
     associate(frames, problem);
     residuals(best.v, problem, here);
     best.cost = here.squaredNorm();
-    slope.resize(here.size(), kHsiaoParameterCount);
-    for (int p = 0; p < kHsiaoParameterCount; ++p) {
-      HsiaoVector moved = best.v;
-      moved[p] += kStep;
-      residuals(moved, problem, there);
-      slope.col(p) = (there - here) / kStep;
-    }
+    const MatrixXd slope = slopes(best.v, problem, here);
     const Eigen::Matrix<double, kHsiaoParameterCount, kHsiaoParameterCount> A =
         slope.transpose() * slope;
     const HsiaoVector b = slope.transpose() * here;
-    bool improved = false;
+    improved = false;
     for (int attempt = 0; attempt < 4 && !improved; ++attempt) {
       auto damped = A;
       damped.diagonal() += damping * A.diagonal() + HsiaoVector::Constant(1e-4);
-      HsiaoVector v = best.v - damped.ldlt().solve(b);
-      v = v.cwiseMax(range.lower).cwiseMin(range.upper);
-      const Vector3d center = v.segment<3>(kHsiaoCenter);
-      v.segment<3>(kHsiaoNeck) =
-          center + body_model_->halfTorso() * (v.segment<3>(kHsiaoNeck) - center).normalized();
+      const HsiaoVector v = inRange(best.v - damped.ldlt().solve(b), range);
       residuals(v, problem, there);
       improved = there.squaredNorm() < best.cost;
       damping *= improved ? 0.3 : 5.0;
       if (improved) best = {v, there.squaredNorm()};
     }
-    if (!improved) break;
   }
   return best;
 }

@@ -50,7 +50,14 @@ class HsiaoRefiner {
   };
   struct Problem;
   void associate(const HsiaoFrames& frames, Problem& problem) const;
+  void associateSurface(const HsiaoFrames& frames, Problem& problem) const;
+  void associateCurve(const HsiaoFrames& frames, int part, Problem& problem) const;
   void residuals(const HsiaoVector& v, const Problem& problem, Eigen::VectorXd& out) const;
+  /// Derivatives of the residuals by differences. \param here the residuals at v
+  Eigen::MatrixXd slopes(const HsiaoVector& v, const Problem& problem,
+                         const Eigen::VectorXd& here) const;
+  /// The vector within bounds, with the neck at its distance from the centre.
+  HsiaoVector inRange(const HsiaoVector& wanted, const HsiaoBounds& range) const;
 
   const HsiaoBodyModel* body_model_;
   const HsiaoBodyShape* shape_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "motion/gait/gait_swing.h"
+#include "numerics/segment.h"
 
 namespace markerless_mocap {
 namespace {
@@ -13,12 +14,6 @@ constexpr double kShoeWidth = 0.056;  // fraction of the stature
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-double toSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - fraction * along).norm();
 }
 
 }  // namespace
@@ -36,8 +31,8 @@ double FootClearance::gap(const GroundPose& foot, const GroundPose& other) const
   const bool crossing = cross(b - a, c - a) * cross(b - a, d - a) < 0.0 &&
                         cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
   if (crossing) return 0.0;
-  return std::min(std::min(toSegment(a, c, d), toSegment(b, c, d)),
-                  std::min(toSegment(c, a, b), toSegment(d, a, b)));
+  return std::min(std::min(distanceToSegment(a, c, d), distanceToSegment(b, c, d)),
+                  std::min(distanceToSegment(c, a, b), distanceToSegment(d, a, b)));
 }
 
 GroundPose FootClearance::beside(const GroundPose& place, const GroundPose& other) const {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "motion/retarget/joint_name.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -88,7 +89,7 @@ class Mapper {
     for (Bone left : {Bone::kLeftUpperArm, Bone::kLeftForearm, Bone::kLeftThigh, Bone::kLeftShank,
                       Bone::kLeftFoot})
       for (Bone bone : {left, mirrorOf(left)})
-        if (!map_.has(bone)) missing += (missing.empty() ? "" : ", ") + boneName(bone);
+        if (!map_.has(bone)) addWord(&missing, boneName(bone));
     if (missing.empty()) return;
     constexpr size_t kMaxNames = 60;
     for (size_t j = 0; j < std::min(joints_.size(), kMaxNames); ++j)

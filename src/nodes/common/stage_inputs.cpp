@@ -6,6 +6,7 @@
 
 #include "nodes/common/master_answers.h"
 #include "ros/mask_png.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -22,8 +23,7 @@ std::string silentTopic(const std::string& topic, const std::string& type) {
   std::string others, sent;
   for (const ros::master::TopicInfo& info : topics) {
     if (info.name == topic) sent = info.datatype;
-    if (info.datatype == type && info.name != topic)
-      others += (others.empty() ? "" : ", ") + info.name;
+    if (info.datatype == type && info.name != topic) addWord(&others, info.name);
   }
   return (sent.empty() || sent == type ? "" : "what is sent on " + topic + " is " + sent + "; ") +
          sentence + "are " + (others.empty() ? "none" : others);

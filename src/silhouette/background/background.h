@@ -91,4 +91,12 @@ class Background {
   BitMask unknown_;
 };
 
+/// A grey level as Background has it, limited to 0 to 255. In the loops of kernels, so that it must
+/// be part of each form of them.
+template <class Real>
+__attribute__((always_inline)) inline uint16_t toMeanScale(Real grey) {
+  const Real within = grey < 0 ? 0 : grey > 255 ? 255 : grey;
+  return uint16_t(int(within * Background::kMeanScale + Real(0.5)));
+}
+
 }  // namespace markerless_mocap

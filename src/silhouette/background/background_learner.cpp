@@ -21,17 +21,13 @@ int affordableImages(const cv::Mat& image, int frames) {
   return std::min({frames, kMaxKept, std::max(kMinKept, fitting)});
 }
 
-uint16_t fixed(double grey) {
-  return uint16_t(std::lround(std::clamp(grey, 0.0, 255.0) * Background::kMeanScale));
-}
-
 /// A pixel with fewer modes than the background has repeats its first.
 void store(const std::vector<ColorMode>& modes, int x, int y, Background* background) {
   for (int k = 0; k < background->modes(); ++k) {
     const ColorMode& mode = modes[size_t(k) < modes.size() ? k : 0];
     for (int c = 0; c < background->channels(); ++c)
-      background->mean(k, y, c)[x] = fixed(mode.mean[c]);
-    background->sigma(k, y)[x] = fixed(mode.sigma);
+      background->mean(k, y, c)[x] = toMeanScale(mode.mean[c]);
+    background->sigma(k, y)[x] = toMeanScale(mode.sigma);
   }
 }
 

@@ -46,21 +46,15 @@ MOCAP_VECTORISED void removeShift(const uint8_t* __restrict first, float light,
   }
 }
 
-/// Grey levels as Background has them.
-__attribute__((always_inline)) inline uint16_t fixed(float grey) {
-  const float within = grey < 0 ? 0 : grey > 255 ? 255 : grey;
-  return uint16_t(int(within * Background::kMeanScale + 0.5f));
-}
-
 MOCAP_VECTORISED void toFixed(const float* __restrict grey, int n, uint16_t* __restrict out) {
-  for (int i = 0; i < n; ++i) out[i] = fixed(grey[i]);
+  for (int i = 0; i < n; ++i) out[i] = toMeanScale(grey[i]);
 }
 
 MOCAP_VECTORISED void toDeviations(const float* __restrict squares, float degrees_of_freedom, int n,
                                    uint16_t* __restrict out) {
   for (int i = 0; i < n; ++i) {
     const float variance = squares[i] / degrees_of_freedom;
-    out[i] = fixed(std::sqrt(variance > 0 ? variance : 0));
+    out[i] = toMeanScale(std::sqrt(variance > 0 ? variance : 0));
   }
 }
 

@@ -58,8 +58,7 @@ PixelClasses& PixelTest::classify(const SilhouetteOptions& options, const cv::Ma
   classes_.changed = classes_.foreground.count();
   if (!options_.remove_shadows) return classes_;
   for (int row = 0; row < blocks_.rows(); ++row) findShadows(image, background, gain, row);
-  for (size_t i = 0; i < classes_.shadow.words().size(); ++i)
-    classes_.foreground.words()[i] &= ~classes_.shadow.words()[i];
+  classes_.foreground.remove(classes_.shadow);
   const BlockShadowThresholds limits = makeLimits(options_, background, gain);
   restoreFalseShadows(blocks_, limits, &classes_.shadow, &classes_.foreground);
   return classes_;

@@ -30,14 +30,6 @@ constexpr int kOddImages = kImageCycle;
 /// The boundary of the person is not refined this near unknown pixels, px.
 constexpr int kUnrefinedReach = 3;
 
-void add(const BitMask& more, BitMask* mask) {
-  for (size_t i = 0; i < more.words().size(); ++i) mask->words()[i] |= more.words()[i];
-}
-
-void remove(const BitMask& less, BitMask* mask) {
-  for (size_t i = 0; i < less.words().size(); ++i) mask->words()[i] &= ~less.words()[i];
-}
-
 class ModelSubtractor : public Subtractor {
  public:
   ModelSubtractor(const SilhouetteOptions& options, Background background)
@@ -135,9 +127,9 @@ double ModelSubtractor::followLight(const cv::Mat& image) {
 BitMask ModelSubtractor::cleaned(const BitMask& foreground) const {
   if (!background_.hasUnknown()) return openedAndClosed(foreground, options_);
   BitMask all = foreground;
-  add(background_.unknown(), &all);
+  all |= background_.unknown();
   all = openedAndClosed(all, options_);
-  remove(background_.unknown(), &all);
+  all.remove(background_.unknown());
   return all;
 }
 
@@ -145,14 +137,14 @@ BitMask ModelSubtractor::cleaned(const BitMask& foreground) const {
 BitMask ModelSubtractor::nearUnknown(const BitMask& mask) const {
   if (!background_.hasUnknown()) return {};
   BitMask near = mask;
-  for (size_t i = 0; i < near.words().size(); ++i) near.words()[i] &= near_unknown_.words()[i];
+  near &= near_unknown_;
   return near;
 }
 
 void ModelSubtractor::restoreUnknown(const BitMask& unrefined, Extraction* found) const {
-  remove(near_unknown_, &found->mask);
-  add(unrefined, &found->mask);
-  add(background_.unknown(), &found->mask);
+  found->mask.remove(near_unknown_);
+  found->mask |= unrefined;
+  found->mask |= background_.unknown();
   found->unknown = background_.unknown();
 }
 

@@ -87,6 +87,20 @@ void BitMask::resize(const cv::Size& size) {
   words_.assign(size_t(rows_) * row_words_, 0);
 }
 
+void BitMask::operator|=(const BitMask& other) {
+  for (size_t i = 0; i < other.words_.size(); ++i) words_[i] |= other.words_[i];
+}
+
+void BitMask::operator&=(const BitMask& other) {
+  if (other.words_.empty()) clear();
+  for (size_t i = 0; i < other.words_.size(); ++i) words_[i] &= other.words_[i];
+}
+
+void BitMask::remove(const BitMask& other) {
+  for (size_t i = 0; i < std::min(words_.size(), other.words_.size()); ++i)
+    words_[i] &= ~other.words_[i];
+}
+
 void BitMask::fill(int y, int first, int last, bool value) {
   for (int i = first >> 6; i <= last >> 6; ++i) {
     uint64_t bits = bitsUpTo(i == last >> 6 ? last & 63 : 63);

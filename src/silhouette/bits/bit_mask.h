@@ -30,6 +30,11 @@ class BitMask {
   bool at(int x, int y) const { return row(y)[x >> 6] >> (x & 63) & 1; }
   void set(int x, int y) { row(y)[x >> 6] |= uint64_t(1) << (x & 63); }
   void flip(int x, int y) { row(y)[x >> 6] ^= uint64_t(1) << (x & 63); }
+  /// With a mask of the same size, or an empty one, which holds nothing.
+  void operator|=(const BitMask& other);
+  void operator&=(const BitMask& other);
+  /// Clears the pixels that the other one holds.
+  void remove(const BitMask& other);
   /// Sets the pixels first..last of a row, both inclusive, to `value`.
   void fill(int y, int first, int last, bool value);
   /// The valid bits of a row's last word.

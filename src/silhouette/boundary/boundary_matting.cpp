@@ -72,9 +72,8 @@ void BoundaryMatting::refine(const cv::Mat& image, const Background& background,
   core_ = eroded(*mask, 1);
   // The band that is decided again is four pixels wide, the reach of blur and chroma subsampling.
   outer_ = dilated(dilated(*mask, 1), 1);
-  band_ = eroded(core_, 1);
-  for (size_t i = 0; i < band_.words().size(); ++i)
-    band_.words()[i] = outer_.words()[i] & ~band_.words()[i];
+  band_ = outer_;
+  band_.remove(eroded(core_, 1));
   findBlocks();
   for (const Block& block : blocks_) {
     sumBlock(scene, block.column, block.row);

@@ -1,6 +1,5 @@
 #include "silhouette/boundary/clean_mask.h"
 
-#include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "silhouette/bits/bit_morphology.h"
 #include "silhouette/bits/mask_runs.h"
 
@@ -16,10 +15,6 @@ BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options) {
   fillHoles(options.max_hole_px, &clean);
   removeBlobs(options.min_blob_px, &clean);
   return clean;
-}
-
-cv::Mat cleanMask(const cv::Mat& mask, const SilhouetteOptions& options) {
-  return cleanBits(BitMask::fromMat(mask), options).toMat();
 }
 
 }  // namespace markerless_mocap

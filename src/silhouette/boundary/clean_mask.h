@@ -7,7 +7,8 @@ namespace markerless_mocap {
 
 BitMask openedAndClosed(const BitMask& mask, const SilhouetteOptions& options);
 
-/// cleanMask() on bits.
+/// Opening, closing, filling of holes of up to `max_hole_px` pixels, removal of blobs of less than
+/// `min_blob_px` pixels.
 BitMask cleanBits(const BitMask& mask, const SilhouetteOptions& options);
 
 }  // namespace markerless_mocap

@@ -49,7 +49,7 @@ void fillFalseHoles(const cv::Mat& image, const Background& background, double g
     return sum.squares < kClear * kClear * sum.count;
   };
   BitMask gaps = eroded(dilated(*mask, kGapReach), kGapReach);
-  for (size_t i = 0; i < gaps.words().size(); ++i) gaps.words()[i] &= ~mask->words()[i];
+  gaps.remove(*mask);
   for (const std::vector<MaskRun>& gap : findBlobs(largest, gaps))
     if (is_false_hole(gap)) fillRuns(gap, mask);
   fillHoles(max_hole_px, largest, is_false_hole, mask);

@@ -4,11 +4,11 @@
 
 namespace markerless_mocap {
 
-BitMask takeOut(BitMask place, int blur, BitMask* mask) {
-  for (size_t i = 0; i < place.words().size(); ++i) mask->words()[i] &= ~place.words()[i];
-  place = dilated(place, blur);
-  for (size_t i = 0; i < place.words().size(); ++i) place.words()[i] &= ~mask->words()[i];
-  return place;
+BitMask takeOut(const BitMask& place, int blur, BitMask* mask) {
+  mask->remove(place);
+  BitMask blurred = dilated(place, blur);
+  blurred.remove(*mask);
+  return blurred;
 }
 
 }  // namespace markerless_mocap

@@ -34,13 +34,13 @@ struct StillImages {
   uint16_t mean(int x, int y, int channel) const {
     const int at = x * now.channels() + channel;
     const double seen = (now.ptr(y)[at] / gain + then.ptr(y)[at] / gain_then) / 2;
-    return uint16_t(std::min(255.0, seen) * Background::kMeanScale + 0.5);
+    return toMeanScale(seen);
   }
 };
 
 /// Removes a place from the mask.
 /// \param blur an image spreads the place over so many pixels around
 /// \returns the place and what the blur reaches of what is not in the mask
-BitMask takeOut(BitMask place, int blur, BitMask* mask);
+BitMask takeOut(const BitMask& place, int blur, BitMask* mask);
 
 }  // namespace markerless_mocap

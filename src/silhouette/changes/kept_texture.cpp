@@ -24,7 +24,9 @@ constexpr float kMinTexture = 2;
 constexpr float kMaxNoise = 1.5f, kMaxUnexplained = 0.12f;
 /// Contrast of the texture, relative to that of a change of light, and to the background's.
 constexpr float kMinContrast = 0.6f, kMaxContrast = 1.5f, kMaxMirrored = 1.15f;
-/// Distance of a pixel from its expected colour, in standard deviations of noise and relative.
+/// Distance of a pixel from its expected colour, in standard deviations of noise and relative, at
+/// most.
+constexpr float kNoiseDeviations = 4, kRelative = 0.06f;
 /// Brighter channels of a pixel are clipped, or near it.
 constexpr float kClipped = 248;
 /// Number of pixels, each counted in up to nine blocks, from which light is learned.
@@ -33,7 +35,6 @@ constexpr float kFewestLit = 1500;
 constexpr float kClearLight = 0.2f;
 /// A pixel's change of light, relative to the remembered mean, at most.
 constexpr float kStrongestLight = 1.3f;
-constexpr float kNoiseDeviations = 4, kRelative = 0.06f;
 
 }  // namespace
 

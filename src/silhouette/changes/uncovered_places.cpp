@@ -124,8 +124,7 @@ size_t UncoveredPlaces::update(const cv::Mat& image, double gain, Background* ba
       if (outlineOf(part, image, *background, *mask).isGhost()) fillRuns(part, &place);
     uncovered = place.count();
     if (uncovered > 0)
-      absorb(takeOut(std::move(place), kBlur, mask), {image, gain, previous_, previous_gain_},
-             background);
+      absorb(takeOut(place, kBlur, mask), {image, gain, previous_, previous_gain_}, background);
   }
   image.copyTo(previous_);
   previous_gain_ = gain;
@@ -148,12 +147,9 @@ BitMask UncoveredPlaces::stillPart(const cv::Mat& image, double gain, const Back
           moving.set(x, y);
       });
   }
-  BitMask still = dilated(moving, kBlur);
-  for (size_t i = 0; i < still.words().size(); ++i)
-    still.words()[i] = mask.words()[i] & ~still.words()[i];
-  if (background.hasUnknown())
-    for (size_t i = 0; i < still.words().size(); ++i)
-      still.words()[i] &= ~background.unknown().words()[i];
+  BitMask still = mask;
+  still.remove(dilated(moving, kBlur));
+  still.remove(background.unknown());
   return still;
 }
 

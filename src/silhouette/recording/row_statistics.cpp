@@ -48,11 +48,6 @@ MOCAP_VECTORISED void addGrey(const uint8_t* __restrict row, float gain, int n,
   }
 }
 
-/// \param grey at least 0
-inline uint16_t fixed(float grey) {
-  return uint16_t(int(std::min(grey, 255.0f) * Background::kMeanScale + 0.5f));
-}
-
 /// Adds the offset of the samples' mean to the expected colours of a channel, and its square to
 /// `shifts`.
 MOCAP_VECTORISED void meanOf(const float* __restrict expected, const float* __restrict sums,
@@ -60,7 +55,7 @@ MOCAP_VECTORISED void meanOf(const float* __restrict expected, const float* __re
                              uint16_t* __restrict mean) {
   for (int x = 0; x < n; ++x) {
     const float offset = sums[x] / std::max(1.f, counts[x]);
-    mean[x] = fixed(std::max(0.f, expected[x] + offset));
+    mean[x] = toMeanScale(std::max(0.f, expected[x] + offset));
     shifts[x] += offset * offset;
   }
 }
@@ -71,7 +66,7 @@ MOCAP_VECTORISED void sigmaOf(const float* __restrict squares, const float* __re
   for (int x = 0; x < n; ++x) {
     const float rest = std::max(0.0f, squares[x] - counts[x] * shifts[x]);
     const float measured = std::sqrt(rest / (channels * std::max(1.f, counts[x] - 1)));
-    sigma[x] = fixed(counts[x] < kFewSamples ? kUsualSigma : measured);
+    sigma[x] = toMeanScale(counts[x] < kFewSamples ? kUsualSigma : measured);
   }
 }
 

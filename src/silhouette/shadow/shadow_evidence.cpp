@@ -169,12 +169,10 @@ ShadowBlocks::Sums ShadowBlocks::around(int column, int row) const {
 
 BitMask enclosedBlocks(const BitMask& mask, int reach) {
   const BitMask blocks = blocksWithAny(mask);
-  const BitMask left = smearedSideways(blocks, reach, true);
-  const BitMask right = smearedSideways(blocks, reach, false);
-  const BitMask above = smearedVertically(blocks, reach, true);
-  BitMask enclosed = smearedVertically(blocks, reach, false);
-  for (size_t i = 0; i < enclosed.words().size(); ++i)
-    enclosed.words()[i] &= left.words()[i] | right.words()[i] | above.words()[i];
+  BitMask enclosed = smearedSideways(blocks, reach, true);
+  enclosed |= smearedSideways(blocks, reach, false);
+  enclosed |= smearedVertically(blocks, reach, true);
+  enclosed &= smearedVertically(blocks, reach, false);
   return enclosed;
 }
 

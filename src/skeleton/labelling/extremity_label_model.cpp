@@ -2,7 +2,8 @@
 
 #include <iterator>
 
-#include "skeleton/labelling/model_reader.h"
+#include "files/yaml_text.h"
+#include "skeleton/labelling/model_curves.h"
 
 namespace markerless_mocap {
 
@@ -44,19 +45,19 @@ ExtremityLabelModel ExtremityLabelModel::fromYaml(const std::string& yaml,
                                                   const std::string& where) {
   constexpr const char* kRoles[] = {"head", "hand", "foot"};
   ExtremityLabelModel model;
-  ModelReader file(yaml, where);
-  ModelReader extremities = file.map("extremities");
+  YamlMap file(yamlFrom(yaml, where), where);
+  YamlMap extremities = file.map("extremities");
   for (size_t role = 0; role < model.extremities.size(); ++role) {
-    ModelReader extremity = extremities.map(kRoles[role]);
+    YamlMap extremity = extremities.map(kRoles[role]);
     model.extremities[role].constant = extremity.number("constant");
     model.extremities[role].curves =
-        extremity.curves<ExtremityFeature, kExtremityFeatureCount>("curves");
+        curvesIn<ExtremityFeature, kExtremityFeatureCount>(extremity.map("curves"));
     extremity.finish();
   }
   extremities.finish();
-  ModelReader body = file.map("body");
+  YamlMap body = file.map("body");
   model.no_body_log_odds = body.number("no_body_log_odds");
-  model.body.curves = body.curves<BodyFeature, kBodyFeatureCount>("curves");
+  model.body.curves = curvesIn<BodyFeature, kBodyFeatureCount>(body.map("curves"));
   body.finish();
   file.finish();
   return model;

@@ -73,6 +73,13 @@ Eigen::Vector3d lineDirection(const NodePath& points) {
   return line.dot(points.back() - points.front()) < 0.0 ? Eigen::Vector3d(-line) : line;
 }
 
+NodePath pathUp(const PoseTree& tree, int32_t node) {
+  NodePath path;
+  for (; node >= 0; node = tree.nodes[size_t(node)].parent)
+    path.push_back(tree.nodes[size_t(node)].position);
+  return path;
+}
+
 NodePath pathSection(const NodePath& path, double from, double to) {
   NodePath out;
   double path_length = 0.0;

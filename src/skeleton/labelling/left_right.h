@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "markerless_mocap/products/pose_tree.h"
 #include "markerless_mocap/skeleton/pose_tree_options.h"
 #include "skeleton/graph/tree_parts.h"
 
@@ -25,6 +26,9 @@ BodyPaths bodyPaths(const RerootedTree& tree, double longest, const PoseTreeOpti
 /// Direction of the least-squares line through points, unit length, towards the last point; zero if
 /// there are fewer than two points.
 Eigen::Vector3d lineDirection(const NodePath& points);
+
+/// The path from a node of a labelled tree to its root.
+NodePath pathUp(const PoseTree& tree, int32_t node);
 
 /// The points of a path whose path lengths from its end are between two limits, metres.
 NodePath pathSection(const NodePath& path, double from, double to);

@@ -16,14 +16,6 @@ constexpr double kShouldersDown = 0.13, kHipsDown = 0.31;    // from the head's 
 constexpr double kShoulderOut = 0.069, kShoulderUp = 0.027;  // from the trunk's path
 constexpr double kHipOut = 0.0365, kHipUp = -0.0215;
 
-/// Positions of the nodes from `node` to the root.
-NodePath pathUp(const PoseTree& tree, int32_t node) {
-  NodePath path;
-  for (; node >= 0; node = tree.nodes[size_t(node)].parent)
-    path.push_back(tree.nodes[size_t(node)].position);
-  return path;
-}
-
 /// Path length from a path's end to its point nearest to `position`, metres.
 double pathLengthTo(const NodePath& path, const Eigen::Vector3d& position) {
   double nearest = (path.front() - position).squaredNorm(), path_length = 0.0, best = 0.0;

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "skeleton/labelling/model_reader.h"
+#include "files/yaml_text.h"
+#include "skeleton/labelling/model_curves.h"
 
 namespace markerless_mocap {
 
@@ -14,9 +15,9 @@ double ValidityModel::probability(const ValidityFeatures& features) const {
 
 ValidityModel ValidityModel::fromYaml(const std::string& yaml, const std::string& where) {
   ValidityModel model;
-  ModelReader file(yaml, where);
+  YamlMap file(yamlFrom(yaml, where), where);
   model.intercept = file.number("intercept");
-  model.curves = file.curves<ValidityFeature, kValidityFeatureCount>("curves");
+  model.curves = curvesIn<ValidityFeature, kValidityFeatureCount>(file.map("curves"));
   file.finish();
   return model;
 }

@@ -71,8 +71,4 @@ CurveSkeleton Thinner::thin(const VisualHull& hull) {
   return workspace_->thin(hull.lattice, voxels);
 }
 
-CurveSkeleton thinToCurves(const VisualHull& hull) {
-  return Thinner().thin(hull);
-}
-
 }  // namespace markerless_mocap

@@ -2,6 +2,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <stdexcept>
+
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "ros/package_files.h"
 
@@ -32,6 +34,12 @@ const std::vector<BakkenVariant>& bakkenVariants() {
        true},
   };
   return kVariants;
+}
+
+const BakkenVariant& bakkenVariant(const std::string& id) {
+  for (const BakkenVariant& one : bakkenVariants())
+    if (one.id == id) return one;
+  throw std::invalid_argument("there is no variant " + id);
 }
 
 std::string publishedBakkenYaml() {

@@ -15,6 +15,8 @@ struct BakkenVariant {
   bool product = false;    ///< changes of the defaults in place of the published options
 };
 const std::vector<BakkenVariant>& bakkenVariants();
+/// Throws std::invalid_argument if there is none with this id.
+const BakkenVariant& bakkenVariant(const std::string& id);
 
 /// Text of config/as_published/bakken.yaml.
 std::string publishedBakkenYaml();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
+
+#include "numerics/face_parts.h"
+#include "numerics/segment.h"
 
 namespace markerless_mocap {
 namespace {
@@ -21,42 +23,7 @@ constexpr Limb kLimbs[] = {{0.35, {"l_elbow", "l_wrist", "l_hand_tip"}, 0.07},
 
 double distanceTo(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p) {
   const Eigen::Vector3d step = b - a;
-  const double along = step.dot(p - a) / std::max(step.squaredNorm(), 1e-12);
-  return (a + std::clamp(along, 0.0, 1.0) * step - p).norm();
-}
-
-/// The voxels of the largest 6-connected component.
-std::vector<HullVoxel> largestComponent(const VisualHull& hull) {
-  std::unordered_map<uint32_t, int> component;
-  for (const HullVoxel& voxel : hull.voxels) component[voxel.index] = -1;
-  const uint32_t row = uint32_t(hull.lattice.size.x()),
-                 layer = row * uint32_t(hull.lattice.size.y());
-  std::vector<size_t> sizes;
-  for (const HullVoxel& seed : hull.voxels) {
-    if (component[seed.index] >= 0) continue;
-    const int number = int(sizes.size());
-    sizes.push_back(0);
-    std::vector<uint32_t> open{seed.index};
-    component[seed.index] = number;
-    while (!open.empty()) {
-      const uint32_t at = open.back();
-      open.pop_back();
-      ++sizes.back();
-      for (const uint32_t step : {1u, row, layer}) {
-        for (const uint32_t next : {at + step, at - step}) {
-          const auto found = component.find(next);
-          if (found == component.end() || found->second >= 0) continue;
-          found->second = number;
-          open.push_back(next);
-        }
-      }
-    }
-  }
-  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
-  std::vector<HullVoxel> kept;
-  for (const HullVoxel& voxel : hull.voxels)
-    if (component[voxel.index] == largest) kept.push_back(voxel);
-  return kept;
+  return (a + nearestFraction(p, a, step) * step - p).norm();
 }
 
 }  // namespace
@@ -73,15 +40,19 @@ VisualHull withLimbCut(const VisualHull& hull, const std::vector<std::string>& n
   const Eigen::Vector3d a = at(limb.path[0]), b = at(limb.path[1]), tip = at(limb.path[2]);
   const bool upper = place < 1.0;
   const Eigen::Vector3d from = upper ? a + place * (b - a) : b + (place - 1.0) * (tip - b);
-  VisualHull out = hull;
-  out.voxels.clear();
+  std::vector<HullVoxel> left;
+  std::vector<Eigen::Vector3i> cells;
   for (const HullVoxel& voxel : hull.voxels) {
     const Eigen::Vector3d p = hull.lattice.center(voxel.index);
     const double distance = std::min(upper ? distanceTo(from, b, p) : limb.radius,
                                      distanceTo(upper ? b : from, tip, p));
-    if (distance >= limb.radius) out.voxels.push_back(voxel);
+    if (distance < limb.radius) continue;
+    left.push_back(voxel);
+    cells.push_back(hull.lattice.coordinates(voxel.index));
   }
-  out.voxels = largestComponent(out);
+  VisualHull out = hull;
+  out.voxels.clear();
+  for (const size_t kept : largestFacePart(cells)) out.voxels.push_back(left[kept]);
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "numerics/segment.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -10,13 +12,6 @@ using Eigen::Vector3d;
 
 constexpr double kStraight = 0.06;   // of a limb's end, which gives its direction, metres
 constexpr double kMostBeyond = 0.2;  // from a leaf to the surface, metres
-
-NodePath pathUp(const PoseTree& tree, int32_t node) {
-  NodePath path;
-  for (; node >= 0; node = tree.nodes[size_t(node)].parent)
-    path.push_back(tree.nodes[size_t(node)].position);
-  return path;
-}
 
 /// Where the foot of the perpendicular from a point lies on a line of points: path length from its
 /// beginning, metres, and position.
@@ -30,8 +25,7 @@ Foot footOn(const NodePath& path, const Vector3d& point) {
   double length = 0.0;
   for (size_t i = 1; i < path.size(); ++i) {
     const Vector3d step = path[i] - path[i - 1];
-    const double along =
-        std::clamp(step.dot(point - path[i - 1]) / std::max(step.squaredNorm(), 1e-12), 0.0, 1.0);
+    const double along = nearestFraction(point, path[i - 1], step);
     const Vector3d at = path[i - 1] + along * step;
     if ((at - point).norm() < (best.position - point).norm())
       best = {length + along * step.norm(), at};

@@ -121,7 +121,7 @@ ShapeStatistics learnContourBody(const LearnOptions& options, std::ostream* note
     statures.push_back(exampleOf(person).stature);
     const ShapePrior prior = freePrior(statures.back());
     const ShapeEstimate estimate = estimateShape(
-        rig, contour, prior, prior.shape_statistics.meanShape(prior.stature), frame_sets, {});
+        rig, contour, prior, prior.shape_statistics.meanShape(prior.stature), frame_sets);
     shape.push_back(estimate.shape);
     if (notes)
       *notes << "person " << person + 1 << " of " << options.people << ": joints within "

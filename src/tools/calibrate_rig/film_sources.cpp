@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "text/joined.h"
 #include "tools/calibrate_rig/film.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/film_files.h"
@@ -28,13 +29,11 @@ FilmSource cameraFolder(const fs::path& folder, const std::string& video) {
     return source;
   }
   const std::vector<fs::path> videos = entriesOf(folder, isVideo);
-  if (videos.size() > 1) {
-    std::string names;
-    for (const fs::path& one : videos)
-      names += (names.empty() ? "" : ", ") + one.filename().string();
-    throw std::runtime_error("the folder " + folder.string() + " has several videos (" + names +
-                             "): name that of the board, --video NAME");
-  }
+  if (videos.size() > 1)
+    throw std::runtime_error(
+        "the folder " + folder.string() + " has several videos (" +
+        joined(videos, [](const fs::path& one) { return one.filename().string(); }) +
+        "): name that of the board, --video NAME");
   if (!videos.empty()) source.path = videos[0].string();
   return source;
 }

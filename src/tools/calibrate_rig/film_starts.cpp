@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -64,8 +66,7 @@ void addNeighbours(const std::vector<double>& times, double time, std::set<size_
 std::string uncertainFilms(const CalibrationInput& input, const FilmClocks& clocks) {
   std::string names;
   for (size_t i = 0; i < input.cameras.size(); ++i)
-    if (!(clocks.certainty[i] >= kCertainOffset))
-      names += (names.empty() ? "" : ", ") + input.cameras[i].name;
+    if (!(clocks.certainty[i] >= kCertainOffset)) addWord(&names, input.cameras[i].name);
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include "files/output_folder.h"
 #include "markerless_mocap/camera/rig_file.h"
 #include "markerless_mocap/formats/calibration_files.h"
+#include "text/joined.h"
 #include "tools/calibrate_rig/find_boards.h"
 #include "tools/common/film_times.h"
 
@@ -55,7 +56,7 @@ size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>
   std::string known;
   for (size_t i = 0; i < cameras.size(); ++i) {
     if (cameras[i].name == name) return i;
-    known += (known.empty() ? "" : ", ") + cameras[i].name;
+    addWord(&known, cameras[i].name);
   }
   throw std::invalid_argument(option + " names the camera " + name + ", there are " + known);
 }

@@ -13,6 +13,7 @@
 
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
+#include "text/joined.h"
 #include "tools/calibrate_rig/coverage_picture.h"
 
 namespace markerless_mocap {
@@ -177,7 +178,7 @@ class Watcher {
         const Decoded newest = decoded(images_.newest(i));
         images[i] = newest.image;
         if (!newest.image.empty()) continue;
-        lacking += (lacking.empty() ? "" : ", ") + watch_.cameras[i];
+        addWord(&lacking, watch_.cameras[i]);
         if (!newest.problem.empty()) lacking += " (" + newest.problem + ")";
       }
       if (lacking.empty()) return images;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "calibration/still_board.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 void checkLenses(const CalibrationInput& input) {
   std::string lacking;
   for (const CameraToCalibrate& camera : input.cameras)
-    if (!camera.given) lacking += (lacking.empty() ? "" : ", ") + camera.name;
+    if (!camera.given) addWord(&lacking, camera.name);
   if (!lacking.empty())
     throw std::invalid_argument(
         "the board lies still in all films, which tells where cameras stand whose lenses are "

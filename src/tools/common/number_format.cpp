@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 
 std::string formatNumber(const char* format, double value) {
@@ -15,6 +17,11 @@ std::string formatNumber(const char* format, double value) {
 
 std::string formatPercent(double fraction) {
   return formatNumber("%.1f %%", 100.0 * fraction);
+}
+
+std::string formatCounts(const std::map<std::string, size_t>& counts) {
+  return joined(counts,
+                [](const auto& one) { return std::to_string(one.second) + ' ' + one.first; });
 }
 
 void printRow(std::ostream& out, const std::string& name, const std::string& text) {

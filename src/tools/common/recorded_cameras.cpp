@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "text/joined.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -43,9 +45,7 @@ void noteTopic(const std::string& topic, const std::string& type, CamerasByName*
 }
 
 std::string namesOf(const CamerasByName& cameras) {
-  std::string names;
-  for (const auto& entry : cameras) names += (names.empty() ? "" : ", ") + entry.first;
-  return names;
+  return joined(cameras, [](const auto& entry) { return entry.first; });
 }
 
 void checkCamera(const RecordedCamera& camera, bool calibrated_elsewhere) {

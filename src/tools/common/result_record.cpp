@@ -14,6 +14,7 @@
 #include "evaluation/body_points.h"
 #include "markerless_mocap/ros/messages.h"
 #include "ros/camera_conversions.h"
+#include "text/joined.h"
 #include "tools/common/bag_io.h"
 #include "tools/common/foreign_topic.h"
 #include "tools/common/person_urdf.h"
@@ -50,8 +51,7 @@ std::set<std::string> bodiesIn(rosbag::Bag& bag, const StampedTransforms& transf
 
 std::string chooseBody(const std::set<std::string>& ids, const std::string& wanted,
                        const std::string& path, const rosbag::Bag& bag) {
-  std::string names;
-  for (const std::string& id : ids) names += (names.empty() ? "" : ", ") + id;
+  const std::string names = joined({ids.begin(), ids.end()});
   if (ids.empty())
     throw std::runtime_error(path + " has no results: neither a frame body_<id> in tf nor /pose" +
                              foreignTopic<tf2_msgs::TFMessage, BodyPoseMsg>(bag));

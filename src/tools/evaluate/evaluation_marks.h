@@ -8,7 +8,7 @@
 #include "evaluation/joint_error.h"
 #include "evaluation/label_error.h"
 #include "pages/page.h"
-#include "tools/evaluate/marks_file.h"
+#include "tools/evaluate/marked_track.h"
 
 namespace markerless_mocap {
 

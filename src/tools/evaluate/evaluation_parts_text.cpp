@@ -1,5 +1,6 @@
 #include "tools/evaluate/evaluation_parts_text.h"
 
+#include "text/joined.h"
 #include "tools/common/number_format.h"
 
 namespace markerless_mocap {
@@ -29,13 +30,6 @@ std::vector<NamedCurve> curvesOf(const PartErrors& errors) {
           {"legs", errors.legs_mm}};
 }
 
-std::string statusText(const PartsEvaluation& parts) {
-  std::string text;
-  for (const auto& [status, count] : parts.status_counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + status;
-  return text;
-}
-
 std::string figuresText(const PartStatistics& figures) {
   return formatPercent(figures.fraction_correct) + " of the voxels (worst " +
          formatPercent(figures.worst_correct) + ", " +
@@ -61,13 +55,13 @@ Band bandOf(const PartsEvaluation& parts) {
 void printParts(const PartsEvaluation& parts, std::ostream& out) {
   out << "Body parts\n";
   printRow(out, "valid",
-           formatPercent(parts.errors.fraction_valid) + "   (" + statusText(parts) + ")");
+           formatPercent(parts.errors.fraction_valid) + "   (" + formatCounts(parts.status_counts) +
+               ")");
   for (const NamedFigures& kind : figuresOf(parts.errors))
     printRow(out, kind.words, figuresText(kind.figures));
-  std::string curves;
-  for (const NamedCurve& curve : curvesOf(parts.errors))
-    curves += (curves.empty() ? "" : ", ") + std::string(curve.name) +
-              formatNumber(" %.0f", curve.distance_mm.mean);
+  const std::string curves = joined(curvesOf(parts.errors), [](const NamedCurve& curve) {
+    return std::string(curve.name) + formatNumber(" %.0f", curve.distance_mm.mean);
+  });
   printRow(out, "curves, mm", curves + "   (from the bones' axes)");
 }
 
@@ -88,7 +82,8 @@ Json partsJson(const PartsEvaluation& parts) {
 
 void addParts(const PartsEvaluation& parts, Page* page) {
   page->heading("Body parts");
-  page->text(formatPercent(parts.errors.fraction_valid) + " valid (" + statusText(parts) + ")");
+  page->text(formatPercent(parts.errors.fraction_valid) + " valid (" +
+             formatCounts(parts.status_counts) + ")");
   page->bands({{"valid, six parts correct", "#2a9d5c"},
                {"valid and wrong", "#c0392b"},
                {"invalid, all six correct", "#a8d5ba"},

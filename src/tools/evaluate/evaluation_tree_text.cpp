@@ -11,13 +11,6 @@ std::string extremityText(const SummaryStatistics& valid, const SummaryStatistic
          formatNumber("%.0f)", if_right.p95);
 }
 
-std::string statusText(const TreeEvaluation& trees) {
-  std::string text;
-  for (const auto& [status, count] : trees.status_counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + status;
-  return text;
-}
-
 /// Mean error of each joint that was found, four per line.
 std::string jointsText(const TreeEvaluation& trees) {
   std::string text;
@@ -95,7 +88,8 @@ void addReliability(const LabelErrors& labels, Page* page) {
 void printTrees(const TreeEvaluation& trees, std::ostream& out) {
   const LabelErrors& labels = trees.labels;
   out << "Pose tree\n";
-  printRow(out, "valid", formatPercent(labels.fraction_valid) + "   (" + statusText(trees) + ")");
+  printRow(out, "valid",
+           formatPercent(labels.fraction_valid) + "   (" + formatCounts(trees.status_counts) + ")");
   printRow(out, "labels correct",
            formatPercent(labels.fraction_correct) + "   (" +
                formatPercent(labels.fraction_correct_and_valid) + " and valid; " +
@@ -148,8 +142,8 @@ Json treesJson(const TreeEvaluation& trees) {
 void addTrees(const TreeEvaluation& trees, Page* page) {
   const LabelErrors& labels = trees.labels;
   page->heading("Pose tree");
-  page->text(formatPercent(labels.fraction_valid) + " valid (" + statusText(trees) + "), " +
-             formatPercent(labels.fraction_correct) + " labelled correctly (" +
+  page->text(formatPercent(labels.fraction_valid) + " valid (" + formatCounts(trees.status_counts) +
+             "), " + formatPercent(labels.fraction_correct) + " labelled correctly (" +
              formatPercent(labels.fraction_kinds_correct) + " except for the sides), " +
              formatPercent(labels.fraction_wrong_but_valid) +
              " wrong but valid; sides correct in " + formatPercent(labels.fraction_sides_correct) +

@@ -8,6 +8,7 @@
 
 #include "exports/export_formats.h"
 #include "files/whole_file.h"
+#include "text/joined.h"
 #include "tools/common/number_format.h"
 #include "tools/common/person_motion_reader.h"
 
@@ -67,7 +68,7 @@ const Format& formatOf(const std::string& output) {
   std::string allowed;
   for (const Format& format : formats()) {
     if (suffix == format.suffix) return format;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(format.suffix);
+    addWord(&allowed, format.suffix);
   }
   throw std::invalid_argument("output is " + output + ", allowed are names that end in " + allowed);
 }

@@ -13,6 +13,7 @@
 #include "markerless_mocap/silhouette/recording_learner.h"
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 #include "ros/rig_recorder.h"
+#include "text/joined.h"
 
 namespace markerless_mocap {
 namespace {
@@ -118,8 +119,7 @@ std::string uncertain(const std::vector<CameraCalibration>& cameras, const FilmC
                       const std::string& consequence) {
   std::string names;
   for (size_t i = 0; i < cameras.size(); ++i)
-    if (!(clocks.certainty[i] >= kCertainOffset))
-      names += (names.empty() ? "" : ", ") + cameras[i].name;
+    if (!(clocks.certainty[i] >= kCertainOffset)) addWord(&names, cameras[i].name);
   return "when the film of " + names +
          " began is not certain by the motion of the person, who should walk through the room, at "
          "no even pace: " +

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "markerless_mocap/tracking/shape_file.h"
+#include "text/joined.h"
 #include "tracking/calibration_scale.h"
 
 namespace markerless_mocap {
@@ -46,7 +47,7 @@ std::string CalibrationCheck::finding() const {
   if (!sampler_) return "";
   const std::string scale = scaleFinding(statureOf(body_->shape()));
   const std::string turns =
-      calibrationFinding(refineCameraOrientations(rig_, options_, *body_, sampler_->samples(), {}));
+      calibrationFinding(refineCameraOrientations(rig_, options_, *body_, sampler_->samples()));
   return scale.empty() || turns.empty() ? scale + turns : scale + '\n' + turns;
 }
 
@@ -54,7 +55,7 @@ std::string calibrationFinding(const OrientationRefinement& estimate) {
   if (estimate.status != OrientationRefinementStatus::kCorrected) return "";
   std::string cameras;
   for (const OrientationCorrection& camera : estimate.corrections)
-    if (isRotated(camera)) cameras += (cameras.empty() ? "" : ", ") + amountOf(camera);
+    if (isRotated(camera)) addWord(&cameras, amountOf(camera));
   if (cameras.empty()) return "";
   return "the calibration looks wrong: the person fits better if these cameras are rotated: " +
          cameras +

@@ -40,7 +40,7 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
   const ShapePrior prior{resources.shape_statistics, statureOf(shape),
                          stages.fitting.person.stature_sigma};
   OrientationRefinement estimate = refineOrientationsAndShape(
-      recording.rig(), stages.fitting.contour, prior, shape, sampler.samples(), {});
+      recording.rig(), stages.fitting.contour, prior, shape, sampler.samples());
   if (estimate.status == OrientationRefinementStatus::kCorrected)
     writeRig(rig_file, calibrationsOf(estimate.rig));
   return estimate;

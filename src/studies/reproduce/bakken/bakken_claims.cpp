@@ -13,10 +13,6 @@ constexpr const char* kRemedy =
     "prune05";             // the least change with which the paper's figures are met
 constexpr int kSoon = 15;  // frames within which errors must end; half a second of all frames
 
-std::string percent(double fraction) {
-  return formatNumber("%.1f %%", 100.0 * fraction);
-}
-
 Verdict graded(bool whole, bool part) {
   return whole ? Verdict::kHolds : part ? Verdict::kHoldsPartly : Verdict::kDoesNotHold;
 }
@@ -38,10 +34,10 @@ Claim shareClaim(const Results& results, const std::string& capture, int edge, d
       learned(results, capture, edge, "learned");
   Claim claim{"4", sentence, "not a part of --quick", Verdict::kNotMeasured};
   if (own.frames() == 0) return claim;
-  claim.ours = percent(own.right()) + "; pruned below 0.05: " + percent(other.right()) +
-               ", below 0.08 with smoothed shortest paths: " + percent(smooth.right()) +
-               "; learned labelling: " + percent(learned.right()) + " (valid or not " +
-               percent(learned.correct()) + ")";
+  claim.ours = formatPercent(own.right()) + "; pruned below 0.05: " + formatPercent(other.right()) +
+               ", below 0.08 with smoothed shortest paths: " + formatPercent(smooth.right()) +
+               "; learned labelling: " + formatPercent(learned.right()) + " (valid or not " +
+               formatPercent(learned.correct()) + ")";
   claim.verdict = graded(own.right() >= published - 5e-4, other.right() >= published - 5e-4);
   return claim;
 }
@@ -49,10 +45,10 @@ Claim shareClaim(const Results& results, const std::string& capture, int edge, d
 Claim resolutionClaim(const Results& results) {
   const double fine = LabelResult(results, "whirl", 128, kRemedy).right(),
                coarse = LabelResult(results, "whirl", 64, kRemedy).right();
-  return {
-      "4, Figure 4", "more frames fail at 128 than at 64 voxels",
-      "pruned below 0.05: " + percent(1.0 - fine) + " at 128, " + percent(1.0 - coarse) + " at 64",
-      graded(fine < coarse, fine == coarse)};
+  return {"4, Figure 4", "more frames fail at 128 than at 64 voxels",
+          "pruned below 0.05: " + formatPercent(1.0 - fine) + " at 128, " +
+              formatPercent(1.0 - coarse) + " at 64",
+          graded(fine < coarse, fine == coarse)};
 }
 
 Claim treeTimeClaim(const Results& results) {
@@ -73,18 +69,19 @@ Claim rateClaim(const Results& results) {
 
 Claim pruningClaim(const Results& results) {
   const LabelResult own(results, "whirl", 128, "published"), other(results, "whirl", 128, kRemedy);
-  return {"3.3.3", "the length of an arm as the least length of a branch produces good results",
-          percent(own.rightWhere(false)) + " of the dance's frames right with the head on top, " +
-              percent(own.rightWhere(true)) +
-              " with a hand above it; with 0.05 of the longest path " +
-              percent(other.rightWhere(false)) + " and " + percent(other.rightWhere(true)),
-          graded(own.right() >= other.right() - 0.01, own.rightWhere(false) >= 0.9)};
+  return {
+      "3.3.3", "the length of an arm as the least length of a branch produces good results",
+      formatPercent(own.rightWhere(false)) + " of the dance's frames right with the head on top, " +
+          formatPercent(own.rightWhere(true)) +
+          " with a hand above it; with 0.05 of the longest path " +
+          formatPercent(other.rightWhere(false)) + " and " + formatPercent(other.rightWhere(true)),
+      graded(own.right() >= other.right() - 0.01, own.rightWhere(false) >= 0.9)};
 }
 
 Claim gracefulClaim(const Results& results) {
   const LabelResult own(results, "whirl", 128, "published");
   return {"4, Figure 6", "frames without a reliable skeleton fail gracefully",
-          percent(own.wrongButValid()) + " of the dance's frames are wrong but valid",
+          formatPercent(own.wrongButValid()) + " of the dance's frames are wrong but valid",
           graded(own.wrongButValid() <= 0.01, own.wrongButValid() <= 0.05)};
 }
 

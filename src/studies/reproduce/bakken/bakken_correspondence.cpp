@@ -50,13 +50,6 @@ bool isAt(const PreviousExtremities& labelled, UnsidedExtremity end, const PoseT
   return (*labelled)[size_t(end)] == tree.extremity(extremity).skeleton_end;
 }
 
-JointTrack frameOf(const JointTrack& truth, size_t frame) {
-  JointTrack one;
-  one.names = truth.names;
-  one.add(truth.stamps_ns[frame], truth.positions[frame]);
-  return one;
-}
-
 /// Every n-th frame of a capture, one after another.
 class Follower {
  public:
@@ -117,19 +110,13 @@ class Follower {
   std::optional<Followed> before_;
 };
 
-const BakkenVariant& variant(const std::string& id) {
-  for (const BakkenVariant& one : bakkenVariants())
-    if (one.id == id) return one;
-  throw std::invalid_argument("there is no variant " + id);
-}
-
 }  // namespace
 
 Json followLabels(const Capture& capture, int edge) {
   const JointTrack truth = labelTruth(capture);
   const CameraRig rig = rigOf(capture);
   HullCarver carver(rig, cubeAround(truth, publishedBakkenOptions(edge).hull));
-  const PoseTreeOptions options = optionsOf(variant("prune08"), publishedBakkenYaml());
+  const PoseTreeOptions options = optionsOf(bakkenVariant("prune08"), publishedBakkenYaml());
   Thinner thinner(options.persistence);
   std::vector<Follower> followers;
   for (const size_t step : {1, 2, 4}) followers.emplace_back(options, step);

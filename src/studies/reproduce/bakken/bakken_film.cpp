@@ -23,6 +23,13 @@ JointTrack labelTruth(const Capture& capture) {
   return readTruth(capture.bag).joints.select(labelTruthNames());
 }
 
+JointTrack frameOf(const JointTrack& truth, size_t frame) {
+  JointTrack one;
+  one.names = truth.names;
+  one.add(truth.stamps_ns[frame], truth.positions[frame]);
+  return one;
+}
+
 PipelineOptions publishedBakkenOptions(int edge) {
   YAML::Node root = YAML::Load(publishedBakkenYaml());
   root["visual_hull"]["pitch"] = 2.0 / edge;

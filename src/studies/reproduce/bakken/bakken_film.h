@@ -12,6 +12,9 @@ namespace markerless_mocap {
 /// The true labelTruthNames() of a capture.
 JointTrack labelTruth(const Capture& capture);
 
+/// One frame of a track.
+JointTrack frameOf(const JointTrack& truth, size_t frame);
+
 /// The published options, config/as_published/bakken.yaml. Throws std::invalid_argument as
 /// loadPipelineOptions().
 /// \param edge voxels along an edge of the cube, 64 or 128

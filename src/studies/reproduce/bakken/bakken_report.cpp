@@ -32,10 +32,6 @@ const Rows kPublishedTimes = {
 const Rows kPublishedLabels = {{"the paper", "64", "97.6 %", "-", "-", "53.2 (15.9)"},
                                {"the paper", "128", "95.8 %", "-", "-", "46.8 (16.6)"}};
 
-std::string percent(double fraction) {
-  return std::isfinite(fraction) ? formatNumber("%.1f %%", 100.0 * fraction) : "-";
-}
-
 /// The values with a NaN, at which curves are interrupted, in each gap between frames.
 std::vector<double> withGaps(const std::vector<double>& seconds, const std::vector<double>& values,
                              double at_gap) {
@@ -61,8 +57,7 @@ void addErrorCurves(const Results& results, Page* page) {
       lines.push_back({std::to_string(edge) + " voxels", withGaps(seconds, found.curve(), NAN)});
     }
     if (lines.empty()) continue;
-    for (const BakkenVariant& one : bakkenVariants())
-      if (one.id == variant) page->text(one.name + ":");
+    page->text(bakkenVariant(variant).name + ":");
     page->lines(withGaps(seconds, seconds, kShort), "s", lines, "mm", 150.0);
   }
 }
@@ -70,9 +65,9 @@ void addErrorCurves(const Results& results, Page* page) {
 std::vector<std::string> errorRow(const LabelResult& found, const std::string& name, int edge) {
   std::vector<std::string> row{name,
                                std::to_string(edge),
-                               percent(found.right()),
-                               percent(found.wrongButValid()),
-                               percent(found.correct()),
+                               formatPercent(found.right()),
+                               formatPercent(found.wrongButValid()),
+                               formatPercent(found.correct()),
                                meanAndDeviation(summaryStatistics(found.curve()))};
   for (const char* extremity : {"head", "left_hand", "right_hand", "left_foot", "right_foot"})
     row.push_back(meanAndDeviation(found.error(extremity)));
@@ -88,7 +83,7 @@ std::vector<std::string> defaultRow(const Results& results, const std::string& c
                               numberOf(parts.at("foot_fraction_correct")));
   return {"the default tracker, from images",
           "",
-          percent(right) + " of hands and feet",
+          formatPercent(right) + " of hands and feet",
           "",
           "",
           formatNumber("%.1f", 0.5 * (hand + foot)),
@@ -145,13 +140,11 @@ void addTimes(const Results& results, Page* page) {
 void addPruningTable(const Results& results, Page* page) {
   Rows rows;
   for (const char* id : {"published", "prune20", "prune16", "prune12", "prune08", "prune05"}) {
-    std::vector<std::string> row;
-    for (const BakkenVariant& variant : bakkenVariants())
-      if (variant.id == id) row.push_back(variant.name);
+    std::vector<std::string> row{bakkenVariant(id).name};
     for (const int edge : {64, 128}) {
       const LabelResult one(results, "whirl", edge, id);
-      row.push_back(percent(one.rightWhere(false)));
-      row.push_back(percent(one.rightWhere(true)));
+      row.push_back(formatPercent(one.rightWhere(false)));
+      row.push_back(formatPercent(one.rightWhere(true)));
     }
     rows.push_back(row);
   }
@@ -171,11 +164,11 @@ void addPruning(const Results& results, Page* page) {
   page->text(
       "An arm of Table 1 without its shoulder is 0.274 of the longest path. In the frames that are "
       "labelled right with 0.08, a branch of an arm is shorter than that in " +
-      percent(double(short_arms) / double(arms.size())) +
+      formatPercent(double(short_arms) / double(arms.size())) +
       ". The branch of the head always is: it stays only while it is the top-most voxel, the root. "
       "A "
       "hand is above the centre of the head in " +
-      percent(found.raised()) + " of the frames.");
+      formatPercent(found.raised()) + " of the frames.");
   addPruningTable(results, page);
   page->text("Frames by the branch of the shorter arm, as a fraction of the longest path:");
   page->histogram(arms, "");
@@ -241,19 +234,18 @@ void addPeople(const Results& results, Page* page) {
   std::vector<std::string> head{""};
   Rows rows;
   for (const std::string& id : variants)
-    for (const BakkenVariant& variant : bakkenVariants())
-      if (variant.id == id) head.insert(head.end(), {"#" + variant.name + ", 64", "#128"});
+    head.insert(head.end(), {"#" + bakkenVariant(id).name + ", 64", "#128"});
   std::vector<double> sums(head.size() - 1, 0.0);
   for (const std::string& capture : people) {
     rows.push_back({capture});
     for (size_t column = 0; column < sums.size(); ++column) {
       const LabelResult found(results, capture, column % 2 ? 128 : 64, variants[column / 2]);
       sums[column] += found.correct() / double(people.size());
-      rows.back().push_back(percent(found.correct()));
+      rows.back().push_back(formatPercent(found.correct()));
     }
   }
   rows.push_back({"mean"});
-  for (const double sum : sums) rows.back().push_back(percent(sum));
+  for (const double sum : sums) rows.back().push_back(formatPercent(sum));
   page->table(head, rows);
 }
 

@@ -108,13 +108,6 @@ bool handAboveHead(const JointTrack& truth, size_t frame) {
   return std::max(height("l_hand"), height("r_hand")) > height("head");
 }
 
-JointTrack frameOf(const JointTrack& truth, size_t frame) {
-  JointTrack one;
-  one.names = truth.names;
-  one.add(truth.stamps_ns[frame], truth.positions[frame]);
-  return one;
-}
-
 }  // namespace
 
 Json labelCapture(const Capture& capture, int edge, Volume volume) {

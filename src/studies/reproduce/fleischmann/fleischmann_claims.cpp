@@ -11,10 +11,6 @@ namespace {
 // Means that differ by less than this fraction are called equal; "much worse" is twice as much.
 constexpr double kEqual = 0.1, kMuch = 0.2;
 
-std::string mm(double value) {
-  return std::isfinite(value) ? formatNumber("%.1f", value) : "-";
-}
-
 std::string meanAndMax(const VariantResults& found) {
   return "mean " + mm(found.mean()) + ", maximum " + mm(found.max());
 }

@@ -10,10 +10,6 @@
 namespace markerless_mocap {
 namespace {
 
-std::string mm(double value) {
-  return std::isfinite(value) ? formatNumber("%.1f", value) : "-";
-}
-
 /// Mean over the runs.
 double meanOf(const VariantResults& found, const char* key) {
   double sum = 0.0;
@@ -109,6 +105,10 @@ void addMarkers(const Results& results, Page* page) {
 }
 
 }  // namespace
+
+std::string mm(double value) {
+  return formatNumber("%.1f", value);
+}
 
 void addFleischmannTables(const Results& results, Page* page) {
   for (const FleischmannTable& table : fleischmannTables()) {

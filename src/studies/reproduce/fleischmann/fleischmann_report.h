@@ -29,6 +29,9 @@ class VariantResults {
   std::vector<double> seconds_;
 };
 
+/// A length in mm with one decimal; "-" if it is not finite.
+std::string mm(double value);
+
 /// What the pictures are made of.
 struct FilmSource {
   Capture capture;
