@@ -78,6 +78,21 @@ TEST_F(LimbEvidenceTest, MasksThatDisagreeWithALimbTellLessOfIt) {
     EXPECT_LT(damaged[size_t(leg)], 1.2 * clean[size_t(leg)]);
 }
 
+TEST_F(LimbEvidenceTest, AnArmOfWhichAPartIsFarOutsideIsNotSeen) {
+  const ContourObservation seen = ContourObserver(rig, options).observe(masksOf(slim));
+  ContourPose bent = pose;
+  bent.angles[RevoluteJoint::kLeftElbow] = 1.6;
+  ContourFit fit = fitter.fit(seen, slim, bent, std::nullopt, {1, 0.03, 0.03});
+  LimbEvidence& arm = fit.limbs[ContourLimb::kLeftArm];
+  EXPECT_GT(arm.part_outside, 0.10) << "forearm or hand";
+  EXPECT_LT(arm.outside, 0.10) << "mean with the upper arm";
+  arm.deviation = 0.01;
+  BodyPose reported;
+  reportEvidence(fit, {1, 1, 1, 1, 1, 1}, reported);
+  EXPECT_FALSE(reported.part_seen[size_t(PartLabel::kArm1)]);
+  EXPECT_TRUE(reported.part_seen[size_t(PartLabel::kArm2)]);
+}
+
 // Legs of somebody who sits still may be taken for background.
 TEST_F(LimbEvidenceTest, LegsThatTheMasksLackAreFoldedIntoTheTrunkAndNotSeen) {
   const auto fitted = [&](bool with_legs) {

@@ -10,7 +10,7 @@ struct ContourOptions {
   /// number of points on the borders of the silhouettes, over all cameras, that the body is fitted
   /// to
   int rays = 1500;
-  /// Levenberg-Marquardt steps per frame at 15 Hz and less; down to half of them at higher rates
+  /// damped Gauss-Newton steps per frame at 15 Hz and less; down to half of them at higher rates
   int iterations = 8;
   /// standard deviation of the distance between viewing ray and body, m
   double ray_sigma = 0.012;

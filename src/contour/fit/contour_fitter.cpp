@@ -13,8 +13,8 @@
 namespace markerless_mocap {
 namespace {
 
-// Levenberg-Marquardt damping: absolute terms in the units of the Hessian's diagonal, 1/rad^2 and
-// 1/m^2, and a fraction of the diagonal itself.
+// Damping of the Gauss-Newton steps: absolute terms in the units of the Hessian's diagonal, 1/rad^2
+// and 1/m^2, and a fraction of the diagonal itself.
 constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kRelativeDamping = 1e-3;
 
 constexpr double kMaxStep = 0.35;  // rad or metres

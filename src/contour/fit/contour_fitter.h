@@ -29,11 +29,12 @@ struct RobustSchedule {
 
 /// Evidence for the position of a limb.
 struct LimbEvidence {
-  int rays = 0;           ///< rays that touch it, within kRayExplained
-  int full_rays = 0;      ///< those of them whose weight is not reduced
-  double distance = 0.0;  ///< root mean square distance of these rays from its surface, metres
-  double outside = 0.0;   ///< mean distance of its spheres outside the masks, metres
-  double inside = 0.0;    ///< of a leg: fraction of its axis inside the trunk, 0 to 1
+  int rays = 0;               ///< rays that touch it, within kRayExplained
+  int full_rays = 0;          ///< those of them whose weight is not reduced
+  double distance = 0.0;      ///< root mean square distance of these rays from its surface, metres
+  double outside = 0.0;       ///< mean distance of its spheres outside the masks, metres
+  double part_outside = 0.0;  ///< the same of that of its cones that is farthest outside, metres
+  double inside = 0.0;        ///< of a leg: fraction of its axis inside the trunk, 0 to 1
   /// Standard deviation of the position of its end (head, wrist, ankle; trunk: base of the neck),
   /// metres, given rays and posture priors. The variance of the rays of a limb follows from how
   /// well rays and masks agree with the limb. A ray of an arm counts less if the rest of the body
@@ -67,8 +68,8 @@ struct ContourFit {
 double qualityOf(const ContourFit& fit);
 
 /// Moves a body until the viewing rays of all contours touch it and it lies inside all masks:
-/// Levenberg-Marquardt with analytic derivatives, a robust loss whose scale shrinks (Geman and
-/// McClure 1987), soft joint limits, and weak priors of posture and motion. Immutable; safe to
+/// damped Gauss-Newton steps with analytic derivatives, a robust loss whose scale shrinks (Geman
+/// and McClure 1987), soft joint limits, and weak priors of posture and motion. Immutable; safe to
 /// share between threads.
 class ContourFitter {
  public:

@@ -50,6 +50,8 @@ struct ContourView {
 struct ContourObservation {
   std::vector<ContourView> views;  ///< by camera
   std::vector<ContourRay> rays;    ///< evenly distributed over all contours
+  /// The masks were found by colours near a pose: that they lack a part of a limb tells little.
+  bool masks_follow_pose = false;
   int usableViews() const;
 };
 

@@ -10,7 +10,7 @@ void ContourOptions::visit(OptionVisitor& v) {
           "number of points on the borders of the silhouettes, over all cameras, that the body is "
           "fitted to");
   v.field("iterations", iterations, 1, 100,
-          "Levenberg-Marquardt steps per frame at 15 Hz and less; down to half of them at higher "
+          "damped Gauss-Newton steps per frame at 15 Hz and less; down to half of them at higher "
           "rates");
   v.field("ray_sigma", ray_sigma, 0.001, 0.1,
           "standard deviation of the distance between viewing ray and body, m");

@@ -53,12 +53,17 @@ ByLimb tally(const ContourObservation& seen, const ContourOptions& options,
     limb.full_rays += seen.rays[i].weight == 1.0f;
     limb.distance += square(distance);
   }
-  for (int c = 0; c < kContourCones; ++c)
+  for (int c = 0; c < kContourCones; ++c) {
+    const size_t l = limbOfCone(c);
+    double part = 0.0;
     for (const double distance : problem.violation()[size_t(c)]) {
-      ++spheres[limbOfCone(c)];
-      fit.limbs[limbOfCone(c)].outside += distance;
-      outside[limbOfCone(c)] += square(distance);
+      part += distance;
+      outside[l] += square(distance);
     }
+    spheres[l] += kSpheresPerCone;
+    fit.limbs[l].outside += part;
+    fit.limbs[l].part_outside = std::max(fit.limbs[l].part_outside, part / kSpheresPerCone);
+  }
   ByLimb disagreement;
   for (size_t l = 0; l < ContourLimb::kCount; ++l) {
     LimbEvidence& limb = fit.limbs[l];

@@ -23,6 +23,7 @@ RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
   RegionObservation out;
   out.masks = regions_.largest(frame, hull);
   out.seen = frame.needsColors() ? observeRoughly(out.masks) : observe(out.masks);
+  out.seen.masks_follow_pose = frame.needsColors();
   out.limb_agreement.fill(1.0);
   return out;
 }
@@ -30,9 +31,11 @@ RegionObservation RegionObserver::observeLargest(const RegionFrame& frame,
 RegionObservation RegionObserver::observeNear(const RegionFrame& frame, const ContourBody& body,
                                               const ContourPose& pose, double error_m) const {
   const RegionMasks found = regions_.segment(frame, body, pose, error_m);
-  return {
+  RegionObservation out{
       frame.is_coarse ? observer_->observeRoughly(found.masks) : observer_->observe(found.masks),
       found.masks, found.agreement, found.overlap, found.limb_agreement};
+  out.seen.masks_follow_pose = frame.needsColors();
+  return out;
 }
 
 std::vector<cv::Mat> RegionObserver::candidates(const RegionFrame& frame, const VisualHull& hull,

@@ -129,7 +129,8 @@ std::optional<RegionFit> withOtherLimbs(const SearchedScene& scene, const Region
     wide[i] = attached(first.found.masks[i], wide[i]);
     if (!wide[i].empty()) all[i] = wide[i] | first.found.masks[i];
   });
-  const ContourObservation seen = scene.observer.observeRoughly(all);
+  ContourObservation seen = scene.observer.observeRoughly(all);
+  seen.masks_follow_pose = true;
   RegionFit best = first;
   bool better = false;
   for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb) {

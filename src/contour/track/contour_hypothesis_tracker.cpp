@@ -29,6 +29,10 @@ constexpr double kMaxDrop = 0.015, kMinGain = 0.004;
 // Another pose must be better by this much more for each ray beyond kUsuallyUnexplained (fractions
 // of all rays) that the current one does not explain.
 constexpr double kGainPerUnexplained = 0.15, kUsuallyUnexplained = 0.1;
+
+// Another pose that explains more contours but covers the masks less by this much puts a limb where
+// the contours of something else are.
+constexpr double kMaxOverlapLoss = 0.005;
 constexpr double kDeviationFactor = 1.5;  // times the usual deviation, which is larger with damaged
                                           // masks
 constexpr double kUsualRate = 0.1;
@@ -196,7 +200,9 @@ bool ContourHypothesisTracker::tryPoses(const ContourObservation& seen, const Co
   bool better = false;
   gain += kGainPerUnexplained * std::max(0.0, 1.0 - fit.rays_explained - kUsuallyUnexplained);
   for (const ContourFit& other : others) {
-    if (other.status != ContourFitStatus::kFitted || !(qualityOf(other) > qualityOf(fit) + gain))
+    if (other.status != ContourFitStatus::kFitted ||
+        (!seen.masks_follow_pose && other.overlap < fit.overlap - kMaxOverlapLoss) ||
+        !(qualityOf(other) > qualityOf(fit) + gain))
       continue;
     fit = other;
     better = true;
@@ -227,10 +233,14 @@ bool ContourHypothesisTracker::searchLeastCertainLimb(const ContourObservation& 
                                                       const ContourBody& body,
                                                       const ContourPrediction& prediction,
                                                       ContourFit& fit) const {
+  // A limb at contours of something else has a small deviation, but is seldom inside the masks.
+  const auto doubt = [&](int i) {
+    return fit.limbs[size_t(i)].deviation +
+           (seen.masks_follow_pose ? 0.0 : fit.limbs[size_t(i)].part_outside);
+  };
   int least_certain = ContourLimb::kLeftArm;
   for (int i = least_certain; i < ContourLimb::kCount; ++i)
-    if (fit.limbs[size_t(i)].deviation > fit.limbs[size_t(least_certain)].deviation)
-      least_certain = i;
+    if (doubt(i) > doubt(least_certain)) least_certain = i;
   if (fit.rays_explained > kMaxExplained &&
       fit.limbs[size_t(least_certain)].deviation < kMaxCertainDeviation)
     return false;
