@@ -6,8 +6,8 @@ namespace markerless_mocap {
 namespace {
 
 // A limb counts as seen if the standard deviation of its end is below the first value (posture
-// priors alone give an arm 0.1) and if none of its parts lies outside the masks by more than the
-// second.
+// priors alone give an arm 0.1) and if no part of an arm or leg, nor trunk or head on average, lies
+// outside the masks by more than the second.
 constexpr double kMaxSeenDeviation = 0.08, kMaxSeenOutside = 0.10;  // metres
 // And if less of a leg is inside the trunk: masks that lack a leg let it fit nowhere else. Of legs
 // that are seen, also of somebody who sits, 0.12 is.
@@ -29,9 +29,11 @@ void reportEvidence(const ContourFit& fit,
   for (int part = 0; part < kPartCount; ++part) {
     const LimbEvidence& limb = fit.limbs[limbOf(part)];
     pose.part_sigma_m[size_t(part)] = limb.deviation;
-    pose.part_seen[size_t(part)] =
-        limb.deviation < kMaxSeenDeviation && limb.part_outside < kMaxSeenOutside &&
-        limb.inside < kMaxSeenInside && limb_agreement[limbOf(part)] >= kMinLimbAgreement;
+    const bool is_trunk_or_head = limbOf(part) < ContourLimb::kLeftArm;
+    const double outside = is_trunk_or_head ? limb.outside : limb.part_outside;
+    pose.part_seen[size_t(part)] = limb.deviation < kMaxSeenDeviation &&
+                                   outside < kMaxSeenOutside && limb.inside < kMaxSeenInside &&
+                                   limb_agreement[limbOf(part)] >= kMinLimbAgreement;
   }
   pose.reason = unseenParts(pose.part_seen);
 }
