@@ -36,6 +36,12 @@ std::string lagRemark(const std::string& camera, const StreamTiming& timing,
          span(allowed);
 }
 
+std::string stepRemark(double tolerance, double in_step) {
+  if (tolerance <= in_step) return "";
+  return "the cameras are not in step: images up to " + span(tolerance) +
+         " apart are one frame set, each taken at the time of its stamp";
+}
+
 std::string missRemark(const std::string& camera, const StreamTiming& timing) {
   if (!timing.nearest) return camera + " is left out, nothing comes from it";
   return camera + " is left out, its nearest stamp is " + span(*timing.nearest) + ' ' +

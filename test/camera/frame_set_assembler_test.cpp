@@ -319,6 +319,11 @@ TEST(TimingRemarks, SayWhichCameraAndHowMuch) {
   EXPECT_EQ(lagRemark("cam2", {-0.0031, 0, {}}, options), "");
   EXPECT_EQ(lagRemark("cam2", {-0.06, 0, {}}, options),
             "cam2's stamps are 60.0 ms earlier than the others', drift is followed up to 100.0 ms");
+  EXPECT_EQ(stepRemark(0.005, 0.005), "");
+  EXPECT_EQ(
+      stepRemark(0.0211, 0.005),
+      "the cameras are not in step: images up to 21.1 ms apart are one frame set, each taken at "
+      "the time of its stamp");
   EXPECT_EQ(missRemark("cam3", {0.0, 1, 0.041}),
             "cam3 is left out, its nearest stamp is 41.0 ms later");
   EXPECT_EQ(missRemark("cam3", {0.0, 1, -70.25}),

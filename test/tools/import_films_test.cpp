@@ -56,6 +56,10 @@ class ImportFilms : public ToolTest {
   std::string refusal() const {
     return errorTextOf<std::exception>([&] { import(); });
   }
+  /// When an image was taken, s after the beginning of the bag.
+  static double timeOf(const FrameSet& frame_set, size_t camera) {
+    return 1e-9 * double(frame_set.stamp_ns) - 1.0 + frame_set.frames[camera].later_s;
+  }
   std::vector<FrameSet> written() const {
     Recording recording(options_.output, {});
     std::vector<FrameSet> frame_sets;
@@ -83,7 +87,8 @@ TEST_F(ImportFilms, FilmsOfAnyRateAreJoinedAtTheTimesOfTheSlowest) {
   ASSERT_EQ(frame_sets.size(), 4u);
   const int third[] = {0, 2, 5, 7};  // 0, 0.08, 0.2, 0.28 s
   for (int k = 0; k < 4; ++k) {
-    EXPECT_EQ(frame_sets[k].stamp_ns, 1000000000 + k * 100000000);
+    EXPECT_NEAR(timeOf(frame_sets[k], 1), 0.1 * k, 1e-6);
+    EXPECT_NEAR(timeOf(frame_sets[k], 2), 0.04 * numberOf(frame_sets[k].frames[2].image), 1e-6);
     EXPECT_EQ(numberOf(frame_sets[k].frames[0].image), 3 * k);
     EXPECT_EQ(numberOf(frame_sets[k].frames[1].image), k);
     EXPECT_NEAR(numberOf(frame_sets[k].frames[2].image), third[k], k % 2);
@@ -110,6 +115,10 @@ TEST_F(ImportFilms, TimesOfATableReplaceThoseOfTheFilmsAndGapsStayGaps) {
     EXPECT_EQ(numberOf(frame_sets[k].frames[1].image), k);
     EXPECT_EQ(numberOf(frame_sets[k].frames[2].image), k == 3 ? -1 : k);
     EXPECT_EQ(numberOf(frame_sets[k].frames[3].image), k + 2);
+    EXPECT_NEAR(timeOf(frame_sets[k], 1) - timeOf(frame_sets[k], 0), 0.013, 1e-6);
+    if (k != 3) {
+      EXPECT_NEAR(timeOf(frame_sets[k], 2) - timeOf(frame_sets[k], 0), -0.02, 1e-6);
+    }
   }
   EXPECT_EQ(result.warnings.at(result.warnings.size() - 3),
             "cam1: 4 frames used, 13.0 ms from their frame sets on average, 13.0 ms at most");
@@ -128,7 +137,8 @@ TEST_F(ImportFilms, AFilmHalfAnIntervalOutOfStepLosesNoFrames) {
   ASSERT_GE(frame_sets.size(), 10u);
   for (const FrameSet& set : frame_sets) {
     ASSERT_FALSE(set.frames[2].image.empty());
-    EXPECT_NEAR(numberOf(set.frames[2].image), numberOf(set.frames[0].image) - 0.5, 0.6);
+    EXPECT_EQ(std::abs(numberOf(set.frames[2].image) - numberOf(set.frames[0].image) + 0.5), 0.5);
+    EXPECT_NEAR(std::abs(timeOf(set, 2) - timeOf(set, 0)), 0.05, 0.005);
   }
 }
 

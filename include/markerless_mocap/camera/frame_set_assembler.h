@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
 #include <vector>
+
+#include "markerless_mocap/camera/stamp_phases.h"
 
 namespace markerless_mocap {
 
@@ -37,6 +40,8 @@ struct AssemblerOptions {
   /// A stream that lacked in this many frame sets of most streams in a row is not waited for until
   /// its stamps fit again; 0: it is always waited for.
   int max_missed = 0;
+  /// What is done with streams of the same rate whose stamps are apart by more than the tolerance.
+  OutOfStep out_of_step = OutOfStep::kLeaveOut;
 
   /// Throws std::invalid_argument if a value is out of range `min_streams` is above `streams`, or
   /// there is another number of offsets than of streams.
@@ -137,9 +142,17 @@ class FrameSetAssembler {
   /// Lag with the stream's offset applied, and how often it was left out since the construction or
   /// the last reset(). Throws std::out_of_range if there is no such stream.
   StreamTiming timing(size_t stream) const;
+  /// Stamps closer than this belong to one frame set, s: the given one, or more for streams that
+  /// are out of step and joined.
+  double tolerance() const { return 1e-9 * double(phases_.tolerance_ns()); }
+  /// Says when a stream will have stamps, so that streams out of step are joined from the first one
+  /// on. Throws std::invalid_argument if there is no such stream.
+  void foresee(size_t stream, int64_t stamp_ns);
 
  private:
   using Pending = std::map<int64_t, FrameSet>;
+
+  void requireStream(size_t stream) const;
 
   enum class StampCheck { kPlausible, kTooOld, kFarFuture };
 
@@ -180,6 +193,8 @@ class FrameSetAssembler {
   std::vector<FrameSet> takeReady();
   /// Removes the oldest pending frame set; appends it to `out` if it has enough streams.
   void closeOldest(std::vector<FrameSet>* out);
+  /// Streams out of step are waited for, whatever the rate.
+  int64_t deadline_ns() const { return std::max(deadline_ns_, phases_.tolerance_ns()); }
   /// Whether enough streams agree that time jumped back (kTooOld) or forward (kFarFuture).
   bool timeHasJumped(StampCheck jump_kind) const;
   std::vector<FrameSet> restartAtJump(StampCheck jump_kind);
@@ -188,13 +203,14 @@ class FrameSetAssembler {
 
   size_t streams_;
   AssemblerOptions options_;
-  int64_t tolerance_ns_, deadline_ns_, max_jump_ns_;
+  int64_t deadline_ns_, max_jump_ns_;
   std::vector<int64_t> offsets_ns_;
   AssemblerCounts counts_;
   std::vector<uint64_t> left_out_;
   std::vector<std::optional<double>> nearest_;
   LagEstimate lags_;
   StreamPresence presence_;
+  StampPhases phases_;
   std::vector<int> missed_;  ///< frame sets of most streams in a row without the stream
   std::vector<std::optional<int64_t>> newest_of_ns_;  ///< by stream
   std::deque<int64_t> closed_ns_;                     ///< the last frame sets of most streams

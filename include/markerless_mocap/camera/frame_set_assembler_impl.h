@@ -21,10 +21,10 @@ FrameSetAssembler<Item>::FrameSetAssembler(size_t streams, const AssemblerOption
       nearest_(streams),
       lags_(streams),
       presence_(streams, options.silence),
+      phases_(streams, options.out_of_step, std::llround(options.tolerance * 1e9)),
       missed_(streams, 0),
       newest_of_ns_(streams) {
   options_.validate(streams);
-  tolerance_ns_ = std::llround(options.tolerance * 1e9);
   deadline_ns_ = std::llround(options.deadline * 1e9);
   max_jump_ns_ = std::llround(options.max_jump * 1e9);
   for (size_t i = 0; i < options.offsets.size(); ++i)
@@ -34,9 +34,7 @@ FrameSetAssembler<Item>::FrameSetAssembler(size_t streams, const AssemblerOption
 template <class Item>
 auto FrameSetAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
     -> std::vector<FrameSet> {
-  if (stream >= streams_)
-    throw std::invalid_argument("assembler: stream " + std::to_string(stream) + " of " +
-                                std::to_string(streams_) + " does not exist");
+  requireStream(stream);
   const int64_t time_ns = commonTime(stream, stamp_ns);
   const StampCheck check = checkStamp(stream, time_ns);
   if (check != StampCheck::kPlausible) {
@@ -48,9 +46,23 @@ auto FrameSetAssembler<Item>::add(size_t stream, int64_t stamp_ns, Item item)
   newest_ns_ = std::max(newest_ns_.value_or(time_ns), time_ns);
   newest_of_ns_[stream] = std::max(newest_of_ns_[stream].value_or(time_ns), time_ns);
   presence_.arrived(stream, *newest_ns_);
+  phases_.add(stream, time_ns);
   takeBack(stream, time_ns);
   insert(stream, time_ns, std::move(item));
   return takeReady();
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::requireStream(size_t stream) const {
+  if (stream >= streams_)
+    throw std::invalid_argument("assembler: stream " + std::to_string(stream) + " of " +
+                                std::to_string(streams_) + " does not exist");
+}
+
+template <class Item>
+void FrameSetAssembler<Item>::foresee(size_t stream, int64_t stamp_ns) {
+  requireStream(stream);
+  phases_.add(stream, commonTime(stream, stamp_ns));
 }
 
 template <class Item>
@@ -120,7 +132,7 @@ template <class Item>
 void FrameSetAssembler<Item>::insert(size_t stream, int64_t stamp_ns, Item item) {
   auto found = findPending(stamp_ns);
   if (found == pending_.end()) {
-    if (last_out_ns_ && stamp_ns <= *last_out_ns_ + tolerance_ns_) {
+    if (last_out_ns_ && stamp_ns <= *last_out_ns_ + phases_.tolerance_ns()) {
       ++(wasInLastFrameSet(stream, stamp_ns) ? counts_.duplicate : counts_.late);
       return;
     }
@@ -148,12 +160,13 @@ auto FrameSetAssembler<Item>::findPending(int64_t stamp_ns) -> typename Pending:
     const auto before = std::prev(nearest);
     if (nearest == pending_.end() || distance(before) <= distance(nearest)) nearest = before;
   }
-  return nearest != pending_.end() && distance(nearest) <= tolerance_ns_ ? nearest : pending_.end();
+  return nearest != pending_.end() && distance(nearest) <= phases_.tolerance_ns() ? nearest
+                                                                                  : pending_.end();
 }
 
 template <class Item>
 bool FrameSetAssembler<Item>::wasInLastFrameSet(size_t stream, int64_t stamp_ns) const {
-  return std::abs(stamp_ns - *last_out_ns_) <= tolerance_ns_ && last_out_present_[stream];
+  return std::abs(stamp_ns - *last_out_ns_) <= phases_.tolerance_ns() && last_out_present_[stream];
 }
 
 template <class Item>
@@ -165,7 +178,7 @@ auto FrameSetAssembler<Item>::takeReady() -> std::vector<FrameSet> {
   const auto complete = std::find_if(pending_.rbegin(), pending_.rend(), is_complete);
   size_t closing = std::distance(complete, pending_.rend());
   while (closing-- > 0) closeOldest(&out);
-  while (!pending_.empty() && *newest_ns_ - pending_.begin()->first > deadline_ns_)
+  while (!pending_.empty() && *newest_ns_ - pending_.begin()->first > deadline_ns())
     closeOldest(&out);
   while (pending_.size() > size_t(options_.max_pending)) {
     closeOldest(&out);  // as at its deadline; dropping all of them would tell nobody why
@@ -248,7 +261,7 @@ template <class Item>
 void FrameSetAssembler<Item>::takeBack(size_t stream, int64_t stamp_ns) {
   if (options_.max_missed == 0 || missed_[stream] < options_.max_missed) return;
   const int64_t distance_ns = fromNearestClosed(stamp_ns);
-  if (std::abs(distance_ns) <= tolerance_ns_) missed_[stream] = 0;
+  if (std::abs(distance_ns) <= phases_.tolerance_ns()) missed_[stream] = 0;
   // The frame set next to this stamp may still be open, but that of a stamp before is closed.
   int64_t nearest_ns = distance_ns;
   for (const Arrival& arrival : recent_) {
@@ -277,14 +290,15 @@ bool FrameSetAssembler<Item>::sentLately(size_t stream) const {
 template <class Item>
 bool FrameSetAssembler<Item>::wentBack(size_t stream, int64_t stamp_ns) {
   const std::optional<int64_t>& newest = newest_of_ns_[stream];
-  return newest && stamp_ns < *newest - tolerance_ns_ && last_out_ns_ &&
-         stamp_ns <= *last_out_ns_ + tolerance_ns_ && findPending(stamp_ns) == pending_.end();
+  return newest && stamp_ns < *newest - phases_.tolerance_ns() && last_out_ns_ &&
+         stamp_ns <= *last_out_ns_ + phases_.tolerance_ns() &&
+         findPending(stamp_ns) == pending_.end();
 }
 
 template <class Item>
 auto FrameSetAssembler<Item>::checkStamp(size_t stream, int64_t stamp_ns) -> StampCheck {
   if (newest_ns_ && stamp_ns - *newest_ns_ > max_jump_ns_) return StampCheck::kFarFuture;
-  if (newest_ns_ && *newest_ns_ - stamp_ns > deadline_ns_) return StampCheck::kTooOld;
+  if (newest_ns_ && *newest_ns_ - stamp_ns > deadline_ns()) return StampCheck::kTooOld;
   if (wentBack(stream, stamp_ns)) return StampCheck::kTooOld;
   return StampCheck::kPlausible;
 }
@@ -335,6 +349,7 @@ void FrameSetAssembler<Item>::forget() {
   recent_.clear();
   lags_.reset();
   presence_.reset();
+  phases_.reset();
   missed_.assign(streams_, 0);
   newest_of_ns_.assign(streams_, std::nullopt);
   closed_ns_.clear();

@@ -23,6 +23,7 @@ inline AssemblerOptions maskSetOptions(double tolerance, double deadline,
   if (!options.offsets.empty()) options.max_drift = kFollowedDrift;
   options.silence = kSilence;
   options.max_missed = kMaxMissed;
+  options.out_of_step = OutOfStep::kJoinIfNever;
   return options;
 }
 

@@ -50,27 +50,36 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
   display_.note(message, frame_set.present);
 }
 
+std::string HullStage::stepOfCameras() const {
+  return stepRemark(assembler_.tolerance(), node_options_.stamp_tolerance);
+}
+
 std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
   const AssemblerOptions options =
       maskSetOptions(node_options_.stamp_tolerance, node_options_.deadline, rig_.timeOffsets());
+  const bool in_step = stepOfCameras().empty();
   std::string remarks;
   for (size_t i = 0; i < frame_set.present.size(); ++i) {
     const std::string& camera = node_options_.cameras[i];
     const StreamTiming timing = assembler_.timing(i);
-    const std::string remark =
-        frame_set.present[i] ? lagRemark(camera, timing, options) : missRemark(camera, timing);
+    std::string remark;
+    if (!frame_set.present[i])
+      remark = missRemark(camera, timing);
+    else if (in_step)
+      remark = lagRemark(camera, timing, options);
     if (!remark.empty()) remarks += "; " + remark;
   }
   return remarks;
 }
 
 void HullStage::reportHull(const VisualHull& hull, const std::string& timing) {
+  const bool in_step = stepOfCameras().empty();
   for (const LeftOutCamera& camera : hull.cameras_left_out)
     status_.count("frame sets without camera " + camera.name);
   if (hull.status != HullStatus::kOk)
     status_.problem(hull.reason);
   else if (hull.cameras_left_out.empty() && !hull.components[0].suspect_ghost && timing.empty())
-    status_.ok(messageFor(hull));
+    status_.ok(messageFor(hull) + (in_step ? "" : "; " + stepOfCameras()));
   else
     status_.waiting(messageFor(hull) + timing);
 }

@@ -49,6 +49,8 @@ class HullStage {
   void reportHull(const VisualHull& hull, const std::string& timing);
   /// What is said of cameras that lag or are missing, each after "; "; empty: nothing.
   std::string timingRemarks(const Assembler::FrameSet& frame_set) const;
+  /// A sentence if the cameras are not in step; empty if they are.
+  std::string stepOfCameras() const;
   void prepareBeforehand(const ros::Time& stamp);
   /// Takes over new settings, and makes the carver as soon as rig and transforms are known; throws
   /// the reason if they are not.

@@ -10,6 +10,10 @@
 
 namespace markerless_mocap {
 
+/// A latched std_msgs/Empty on it says that all stamps are times of capture by one clock: cameras
+/// that are not in step are joined, however many of them are.
+constexpr char kStampsOfCapture[] = "/stamps_of_capture";
+
 /// Writes a recording of several cameras: camera_info, image_raw or image_raw/compressed, and
 /// silhouette of each camera, with latched /tf_static world -> <camera>_optical.
 class CameraBagWriter {

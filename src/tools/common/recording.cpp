@@ -14,16 +14,20 @@
 #include "ros/rig_collector.h"
 #include "text/number_text.h"
 #include "tools/common/bag_io.h"
+#include "tools/common/camera_bag_writer.h"
 #include "tools/common/recorded_transforms.h"
 #include "tools/common/reused_image.h"
 
 namespace markerless_mocap {
 namespace {
 
+constexpr size_t kLookAhead = 10;  // images of each stream
+
 /// In a recording, a late camera can be waited for longer than in real time.
 AssemblerOptions offlineAssembly(double tolerance, const std::vector<double>& offsets) {
   AssemblerOptions options;
   options.tolerance = tolerance;
+  options.out_of_step = OutOfStep::kJoinIfNever;
   options.offsets = offsets;
   for (const double offset : offsets)
     if (offset != 0.0) options.max_drift = kFollowedDrift;
@@ -142,8 +146,24 @@ void Recording::startReading() {
 }
 
 void Recording::startJoining() {
-  assembler_ = std::make_unique<Assembler>(streams_.size(),
-                                           offlineAssembly(options_.stamp_tolerance, offsets()));
+  assembler_ = std::make_unique<Assembler>(streams_.size(), assembly());
+  lookAhead();
+}
+
+void Recording::lookAhead() {
+  size_t messages = kLookAhead * streams_.size();
+  for (auto message = message_; messages > 0 && message != view_->end(); ++message, --messages)
+    try {
+      assembler_->foresee(stream_of_topic_.at(message->getTopic()), stampOf(imageOf(*message)));
+    } catch (const std::runtime_error&) {  // readImage() tells it
+    }
+}
+
+AssemblerOptions Recording::assembly() const {
+  AssemblerOptions options = offlineAssembly(options_.stamp_tolerance, offsets());
+  if (rosbag::View(bag_, rosbag::TopicQuery(kStampsOfCapture)).size() > 0)
+    options.out_of_step = OutOfStep::kJoin;
+  return options;
 }
 
 std::vector<double> Recording::offsets() const {
@@ -157,10 +177,12 @@ std::vector<std::string> Recording::timingRemarks() const {
   std::vector<std::string> remarks;
   if (!assembler_) return remarks;
   const AssemblerOptions options = offlineAssembly(options_.stamp_tolerance, offsets());
+  const std::string step = stepRemark(assembler_->tolerance(), options.tolerance);
+  if (!step.empty()) remarks.push_back(step);
   for (size_t i = 0; i < streams_.size(); ++i) {
     const StreamTiming timing = assembler_->timing(i);
     const std::string lag = lagRemark(streams_[i].topic, timing, options);
-    if (!lag.empty()) remarks.push_back(lag);
+    if (step.empty() && !lag.empty()) remarks.push_back(lag);
     if (timing.left_out > 0)
       remarks.push_back(std::to_string(timing.left_out) + " frame sets lack " + streams_[i].topic +
                         "; in the last, " + missRemark(cameras_[streams_[i].camera].name, timing));

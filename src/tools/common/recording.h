@@ -29,8 +29,9 @@ struct RecordingOptions {
   std::string world_frame = "world";
   /// Rig file that replaces camera_info and tf; empty: none.
   std::string rig;
-  double stamp_tolerance = 0.005;  ///< stamps closer than this belong to one frame set, s
-  double start = 0.0;              ///< seconds after the first image
+  /// Stamps closer than this belong to one frame set, s; more apart if the cameras are not in step.
+  double stamp_tolerance = 0.005;
+  double start = 0.0;                                         ///< seconds after the first image
   double duration = std::numeric_limits<double>::infinity();  ///< seconds
 };
 
@@ -91,6 +92,9 @@ class Recording {
   void listStreams();
   void startReading();
   void startJoining();
+  /// Tells the assembler the next stamps, so that cameras out of step are joined from the start.
+  void lookAhead();
+  AssemblerOptions assembly() const;
   std::vector<double> offsets() const;  ///< of the streams' clocks, s
   void readMessage();
   /// Throws std::invalid_argument if an image differs in size from its camera and those before.

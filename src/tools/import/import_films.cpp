@@ -1,3 +1,5 @@
+#include <std_msgs/Empty.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -8,6 +10,7 @@
 
 #include "markerless_mocap/formats/calibration_files.h"
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "ros/camera_conversions.h"
 #include "tools/common/camera_bag_writer.h"
 #include "tools/common/film_times.h"
 #include "tools/common/progress.h"
@@ -174,30 +177,40 @@ cv::Mat maskFrom(const cv::Mat& image) {
   return maskOfThreeValues(grey);
 }
 
-/// The images that the background is learned from come first. Returns the number of frame sets.
-int writeEmptyRoom(std::vector<Film>* films, int most, const ImportOptions& options, double fps,
-                   CameraBagWriter* bag) {
+/// How much later than its frame set each camera exposes, ns; 0 where it is missing.
+std::vector<int64_t> laterThan(const FilmJoin::Joined& joined) {
+  std::vector<int64_t> later;
+  for (const FilmFrame& frame : joined.frames)
+    later.push_back(frame.image.empty() ? 0 : std::llround(1e9 * (frame.time - joined.time)));
+  return later;
+}
+
+/// The images that the background is learned from come first, at the cameras' own times as well.
+/// Returns the number of frame sets.
+int writeEmptyRoom(std::vector<Film>* films, int most, const std::vector<int64_t>& later,
+                   const ImportOptions& options, double fps, CameraBagWriter* bag) {
   for (int k = 0; k < most; ++k) {
     std::vector<cv::Mat> images;
     for (Film& film : *films)
       if (const auto frame = film.next()) images.push_back(frame->image);
     if (images.empty() || images.size() < films->size()) return k;
     for (size_t i = 0; i < images.size(); ++i)
-      bag->write(options.stampOf(k, fps), i, images[i], cv::Mat());
+      bag->write(options.stampOf(k, fps) + later[i], i, images[i], cv::Mat());
   }
   return most;
 }
 
-/// Returns the number of frame sets.
-int writeFilms(FilmJoin* films, int64_t start, CameraBagWriter* bag, Progress* progress) {
+/// Returns the number of frame sets. \param joined the first one
+int writeFilms(std::optional<FilmJoin::Joined> joined, FilmJoin* films, int64_t start,
+               CameraBagWriter* bag, Progress* progress) {
   int frame_sets = 0;
-  std::optional<double> first;
-  while (const auto joined = films->next()) {
-    if (!first) first = joined->time;
-    const int64_t stamp = start + std::llround(1e9 * (joined->time - *first));
+  const double first = joined->time;
+  for (; joined; joined = films->next()) {
+    const int64_t stamp = start + std::llround(1e9 * (joined->time - first));
+    const std::vector<int64_t> later = laterThan(*joined);
     for (size_t i = 0; i < joined->frames.size(); ++i)
       if (const FilmFrame& frame = joined->frames[i]; !frame.image.empty())
-        bag->write(stamp, i, frame.image, maskFrom(frame.mask));
+        bag->write(stamp + later[i], i, frame.image, maskFrom(frame.mask));
     progress->update(double(++frame_sets) / std::max(films->expectedFrameSets(), 1));
   }
   return frame_sets;
@@ -230,16 +243,19 @@ ImportResult importFilms(const FilmsInput& given, const ImportOptions& options, 
 
   CameraBagWriter bag(options.output, result.cameras, options.jpeg_quality);
   Progress progress("import_recording", notes, terminal);
+  std::optional<FilmJoin::Joined> first = films.next();
+  if (!first) throw std::runtime_error("the films have no time in common, or no frames");
   bag.writeTransforms(options.stampOf(0, result.fps));
-  const int empty =
-      writeEmptyRoom(&cast.empty_room, input.background_frames, options, result.fps, &bag);
+  bag.bag().writeLatched(kStampsOfCapture, rosTime(options.stampOf(0, result.fps)),
+                         std_msgs::Empty());
+  const int empty = writeEmptyRoom(&cast.empty_room, input.background_frames, laterThan(*first),
+                                   options, result.fps, &bag);
   if (!cast.empty_room.empty())
     result.warnings.push_back("the first " + std::to_string(empty) +
                               " frame sets are of the empty room");
-  const int filmed = writeFilms(&films, options.stampOf(empty, result.fps), &bag, &progress);
+  result.frame_sets = empty + writeFilms(std::move(first), &films,
+                                         options.stampOf(empty, result.fps), &bag, &progress);
   progress.finish();
-  if (filmed == 0) throw std::runtime_error("the films have no time in common, or no frames");
-  result.frame_sets = empty + filmed;
   for (size_t i = 0; i < result.cameras.size(); ++i)
     result.warnings.push_back(noteOf(result.cameras[i].name, films.statistics()[i]));
   bag.commit();
