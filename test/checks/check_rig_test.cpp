@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "checks/faults.h"
 #include "checks/seen_studio.h"
 
@@ -33,6 +35,31 @@ TEST(CheckRig, NamesNoCauseWhereSilhouettesAreSpoiled) {
     ASSERT_EQ(findings.size(), 1u) << listOf(findings);
     EXPECT_EQ(findings[0].what, "silhouettes_disagree");
   }
+}
+
+/// As if the lower part of the images had not been recorded.
+void cropBelow(int height, SeenCamera* camera) {
+  camera->infos[0].height = height;
+  for (SeenPicture& picture : camera->pictures) picture.grey = picture.grey.rowRange(0, height);
+  for (SeenImage& image : camera->images) {
+    image.height = height;
+    for (Eigen::Vector2d& corner : image.outline->hull) {
+      image.outline->cut |= corner.y() > height - 1;
+      corner.y() = std::min(corner.y(), height - 1.0);
+    }
+  }
+}
+
+TEST(CheckRig, LegsThatMostImagesCutOffAreTold) {
+  SeenRig rig = goodWalk();
+  cropBelow(140, &rig.cameras[0]);
+  cropBelow(140, &rig.cameras[2]);
+  EXPECT_EQ(listOf(checkRig(rig)), "");
+  cropBelow(140, &rig.cameras[3]);
+  const Findings findings = checkRig(rig);
+  ASSERT_EQ(findings.size(), 1u) << listOf(findings);
+  EXPECT_EQ(findings[0].what, "images_cut_person");
+  EXPECT_NE(findings[0].evidence.find("beyond the lower border"), std::string::npos);
 }
 
 TEST(CheckRig, AnEvenFloorIsNoCover) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checks/motion/check_framing.h"
 #include "checks/motion/explanation.h"
 #include "checks/motion/explanation_text.h"
 #include "checks/motion/walked.h"
@@ -173,6 +174,7 @@ void checkMotion(const SeenRig& rig, Findings* findings) {
   const std::vector<Explanation> all = explain(sight, modelOf(rig, cameras), &model, &left);
   for (const Explanation& found : all) findings->push_back(findingOf(found, names));
   noteOneSpot(left, names, findings);
+  checkFraming(sight, model, findings);
   if (checkAgreement(left, findings)) checkVolume(rig, sight, model, findings);
 }
 

@@ -43,20 +43,27 @@ bool isAtBorder(const Eigen::Vector2d& pixel, const PersonTrack& track) {
          pixel.y() > track.height - 1 - kBorder;
 }
 
-std::optional<Eigen::Vector2d> topOf(const Outline& outline, const PersonTrack& track,
-                                     const CameraCalibration& camera, ImageTurn turn) {
+Eigen::Vector2d endOf(const Outline& outline, const PersonTrack& track,
+                      const CameraCalibration& camera, ImageTurn turn, BodyEnd end) {
   const Eigen::Vector2d up = upAt(camera, turned(outline.centre, track, turn));
-  Eigen::Vector2d best(0, 0);
-  double highest = -HUGE_VAL;
+  const Eigen::Vector2d towards = end == BodyEnd::kUpper ? up : Eigen::Vector2d(-up);
+  Eigen::Vector2d last(0, 0);
+  double farthest = -HUGE_VAL;
   for (const Eigen::Vector2d& corner : outline.hull) {
     const Eigen::Vector2d pixel = turned(corner, track, turn);
-    if (pixel.dot(up) <= highest) continue;
-    highest = pixel.dot(up);
-    best = pixel;
+    if (pixel.dot(towards) <= farthest) continue;
+    farthest = pixel.dot(towards);
+    last = pixel;
   }
-  if (isAtBorder(best, track) || std::abs(camera.T_world_camera.linear()(2, 2)) > kSteep)
+  return last;
+}
+
+std::optional<Eigen::Vector2d> topOf(const Outline& outline, const PersonTrack& track,
+                                     const CameraCalibration& camera, ImageTurn turn) {
+  const Eigen::Vector2d top = endOf(outline, track, camera, turn, BodyEnd::kUpper);
+  if (isAtBorder(top, track) || std::abs(camera.T_world_camera.linear()(2, 2)) > kSteep)
     return std::nullopt;
-  return best;
+  return top;
 }
 
 }  // namespace
@@ -88,6 +95,15 @@ Sight sightOf(const PersonTrack& track, const CameraCalibration& calibration, Im
     sight.pixels[int(BodyMark::kTop)].push_back(top);
   }
   return sight;
+}
+
+std::optional<bool> endsInside(const PersonTrack& track, const CameraCalibration& calibration,
+                               ImageTurn turn, BodyEnd end, double seconds) {
+  const auto next = std::lower_bound(track.seconds.begin(), track.seconds.end(), seconds);
+  if (next == track.seconds.end() || *next - seconds > kGap * track.period) return std::nullopt;
+  const Outline& outline = *track.outlines[size_t(next - track.seconds.begin())];
+  if (outline.hull.empty()) return std::nullopt;
+  return !isAtBorder(endOf(outline, track, calibration, turn, end), track);
 }
 
 std::optional<Eigen::Vector2d> pixelAt(const PersonTrack& track, const Sight& sight, BodyMark mark,

@@ -34,6 +34,14 @@ struct Sight {
 };
 Sight sightOf(const PersonTrack& track, const CameraCalibration& calibration, ImageTurn turn);
 
+/// The last place of a person upwards and downwards in the world, as a camera sees it.
+enum class BodyEnd { kUpper, kLower };
+
+/// Whether the next outline after a time ends within the image, not at its border; none if it shows
+/// nobody, or there is none soon.
+std::optional<bool> endsInside(const PersonTrack& track, const CameraCalibration& calibration,
+                               ImageTurn turn, BodyEnd end, double seconds);
+
 /// The pixel at a time, between two images that are not far from each other.
 std::optional<Eigen::Vector2d> pixelAt(const PersonTrack& track, const Sight& sight, BodyMark mark,
                                        double seconds);
