@@ -118,6 +118,10 @@ struct RigCalibration {
   bool good = true;                  ///< nothing in the verdict speaks against use
 };
 
+/// The middle of the cameras' offsets, s. What is said of a camera's clock, and what the rig file
+/// has, is relative to it.
+double middleOffset(const RigCalibration& result);
+
 /// When the films began, by the motion of the board. Lenses that are not given are estimated
 /// roughly, by the views of each camera alone.
 FilmClocks searchClocks(const CalibrationInput& input);

@@ -112,10 +112,14 @@ RigCalibration summarise(const Board& board, const CalibrationInput& input, cons
   return result;
 }
 
-void keepOffsets(RigCalibration* result) {
+double middleOffset(const RigCalibration& result) {
   std::vector<double> offsets;
-  for (const CalibratedCamera& camera : result->cameras) offsets.push_back(camera.time_offset);
-  const double middle = medianOf(offsets);
+  for (const CalibratedCamera& camera : result.cameras) offsets.push_back(camera.time_offset);
+  return medianOf(offsets);
+}
+
+void keepOffsets(RigCalibration* result) {
+  const double middle = middleOffset(*result);
   for (CalibratedCamera& camera : result->cameras)
     camera.calibration.time_offset = camera.time_offset - middle;
 }

@@ -111,10 +111,9 @@ class Verdict {
   void judgeClocks() {
     constexpr double kLeast = 0.005;
     if (!result_.clocks_corrected) return;
-    std::vector<double> offsets;
-    for (const CalibratedCamera& camera : result_.cameras) offsets.push_back(camera.time_offset);
+    const double middle = middleOffset(result_);
     for (const CalibratedCamera& camera : result_.cameras)
-      if (const double late = medianOf(offsets) - camera.time_offset; std::abs(late) > kLeast)
+      if (const double late = middle - camera.time_offset; std::abs(late) > kLeast)
         doubt(text(
             "The stamps of %s are %.0f ms %s than the middle one of all cameras, by the "
             "motion of the board. %s",

@@ -235,14 +235,15 @@ void print(const RigCalibration& result, std::ostream& out) {
   std::snprintf(line, sizeof line, "%-12s %6s %9s %9s %16s %10s %12s %16s  %s\n", "camera", "views",
                 "covered", "residual", "focal", "place", "direction", "time offset", "lens");
   out << line;
+  const double middle = middleOffset(result);
   for (const CalibratedCamera& c : result.cameras) {
     std::snprintf(line, sizeof line,
                   "%-12s %6zu %7.0f %% %6.2f px %8.1f +- %.1f px %4.1f mm %8.3f deg %8.1f +- %.1f "
                   "ms  %s\n",
                   c.calibration.name.c_str(), c.views.size(), 100 * c.coverage, c.rms,
                   c.calibration.K(0, 0), c.focal_sigma.x(), 1e3 * c.position_sigma.norm(),
-                  c.direction_sigma.norm() * 180 / M_PI, 1e3 * c.time_offset, 1e3 * c.time_sigma,
-                  nameOf(c.lens).c_str());
+                  c.direction_sigma.norm() * 180 / M_PI, 1e3 * (c.time_offset - middle),
+                  1e3 * c.time_sigma, nameOf(c.lens).c_str());
     out << line;
   }
   for (const std::string& sentence : result.verdict) out << sentence << '\n';

@@ -27,25 +27,27 @@ std::string triedLenses(const CalibratedCamera& camera) {
   return tried;
 }
 
-std::vector<std::string> cameraRow(const CalibratedCamera& c) {
+/// \param middle of all cameras' time offsets, s
+std::vector<std::string> cameraRow(const CalibratedCamera& c, double middle) {
   const Eigen::Matrix3d& K = c.calibration.K;
   const std::string centre = formatNumber("%.1f, ", K(0, 2)) + formatNumber("%.1f", K(1, 2));
-  return {c.calibration.name,
-          std::to_string(c.views.size()),
-          formatNumber("%.0f %%", 100 * c.coverage),
-          formatNumber("%.2f", c.rms),
-          nameOf(c.lens),
-          plusMinus(formatNumber("%.1f", K(0, 0)), "%.1f", c.focal_sigma.x()),
-          plusMinus(centre, "%.1f", c.centre_sigma.maxCoeff()),
-          plusMinus("", "%.1f", 1e3 * c.position_sigma.norm()),
-          plusMinus("", "%.3f", kDegrees * c.direction_sigma.norm()),
-          plusMinus(formatNumber("%.1f", 1e3 * c.time_offset), "%.1f", 1e3 * c.time_sigma)};
+  return {
+      c.calibration.name,
+      std::to_string(c.views.size()),
+      formatNumber("%.0f %%", 100 * c.coverage),
+      formatNumber("%.2f", c.rms),
+      nameOf(c.lens),
+      plusMinus(formatNumber("%.1f", K(0, 0)), "%.1f", c.focal_sigma.x()),
+      plusMinus(centre, "%.1f", c.centre_sigma.maxCoeff()),
+      plusMinus("", "%.1f", 1e3 * c.position_sigma.norm()),
+      plusMinus("", "%.3f", kDegrees * c.direction_sigma.norm()),
+      plusMinus(formatNumber("%.1f", 1e3 * (c.time_offset - middle)), "%.1f", 1e3 * c.time_sigma)};
 }
 
 void addCameras(const RigCalibration& result, Page* page) {
   std::vector<std::vector<std::string>> cameras, lenses;
   for (const CalibratedCamera& camera : result.cameras) {
-    cameras.push_back(cameraRow(camera));
+    cameras.push_back(cameraRow(camera, middleOffset(result)));
     if (!camera.lens_trials.empty())
       lenses.push_back({camera.calibration.name, triedLenses(camera)});
   }
