@@ -72,6 +72,7 @@ class Chain {
  private:
   static HullOptions hullOptions(int edge) {
     HullOptions options;
+    options.volume = "explicit";
     options.volume_min = {-1, -1, 0};
     options.volume_max = {1, 1, 2};
     options.pitch = 2.0 / edge;

@@ -27,6 +27,7 @@ struct Scene {
 
   explicit Scene(const benchmark::State& state)
       : threads(tbb::global_control::max_allowed_parallelism, size_t(state.range(1))) {
+    options.volume = "explicit";
     options.volume_min = {-1, -1, 0};
     options.volume_max = {1, 1, 2};
     options.pitch = 2.0 / double(state.range(0));

@@ -85,6 +85,7 @@ const VisualHull& personHull(int voxels) {
     views.push_back({drawMask(rig.back()), {}});
   }
   HullOptions options;
+  options.volume = "explicit";
   options.volume_min = {-1, -1, 0};
   options.volume_max = {1, 1, 2};
   options.pitch = 2.0 / voxels;

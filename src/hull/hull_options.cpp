@@ -27,11 +27,14 @@ void checkVoxels(double voxels) {
 }  // namespace
 
 void HullOptions::visit(OptionVisitor& v) {
-  v.field("volume", volume, {"explicit", "auto"},
-          "where the voxels are; explicit: from volume_min to volume_max; auto: all that three "
-          "quarters of the cameras see above the floor, and as many must see a voxel");
+  const Eigen::Vector3d min_before = volume_min, max_before = volume_max;
   v.field("volume_min", volume_min, -100, 100, "lowest corner of the explicit volume, m in world");
   v.field("volume_max", volume_max, -100, 100, "highest corner of the explicit volume, m in world");
+  if (volume_min != min_before || volume_max != max_before) volume = "explicit";
+  v.field("volume", volume, {"auto", "explicit"},
+          "where the voxels are; auto: all that three quarters of the cameras see above the floor, "
+          "and as many must see a voxel; explicit: from volume_min to volume_max, as soon as these "
+          "are given");
   v.field("floor_height", floor_height, -100, 100,
           "height of the floor, m in world; the automatic volume begins there");
   v.field("cut_at_floor", cut_at_floor,
@@ -68,7 +71,7 @@ void HullOptions::visit(OptionVisitor& v) {
 void HullOptions::validate() const {
   checkFields(*this);
   const std::string stage = kStage;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; volume == "explicit" && axis < 3; ++axis)
     if (volume_min[axis] >= volume_max[axis])
       throw std::invalid_argument(stage + "/volume_min is not below volume_max along " +
                                   "xyz"[axis]);

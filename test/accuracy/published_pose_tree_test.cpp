@@ -37,6 +37,7 @@ Motion filmed(StudioOptions studio, int frames) {
   HullOptions fine = published().hull, coarse = fine;
   coarse.pitch = 2.0 / 64.0;
   for (HullOptions* options : {&fine, &coarse}) {
+    options->volume = "explicit";
     options->volume_min = {-1.25, -1.25, 0.0};  // room for all of the dance
     options->volume_max = {1.25, 1.25, 2.2};
   }

@@ -68,6 +68,7 @@ inline std::vector<HullView> renderViews(const CameraRig& rig, const std::vector
 /// A cube of +-0.6 m at 40 mm.
 inline HullOptions makeOptions() {
   HullOptions options;
+  options.volume = "explicit";
   options.volume_min = {-0.6, -0.6, -0.6};
   options.volume_max = {0.6, 0.6, 0.6};
   options.pitch = 0.04;

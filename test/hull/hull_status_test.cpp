@@ -241,12 +241,16 @@ TEST(HullRefusals, Options) {
     return refusal([&] { options.validate(); });
   };
   EXPECT_EQ(refused([](HullOptions&) {}), "");
-  EXPECT_EQ(refused([](HullOptions& o) { o.volume_max.z() = 0; }),
+  EXPECT_EQ(refused([](HullOptions& o) {
+              o = makeOptions();
+              o.volume_max.z() = -0.6;
+            }),
             "visual_hull/volume_min is not below volume_max along z");
   EXPECT_EQ(refused([](HullOptions& o) { o.missing_votes_allowed = 2; }),
             "visual_hull/missing_votes_allowed is 2, allowed is less than min_views, which is 2");
   EXPECT_EQ(
       refused([](HullOptions& o) {
+        o.volume = "explicit";
         o.volume_min.setConstant(-5);
         o.volume_max.setConstant(5);
         o.pitch = 0.02;
@@ -272,6 +276,19 @@ TEST(HullRefusals, Views) {
   bad = views;
   bad[0].image = cv::Mat::zeros(120, 160, CV_32FC1);
   EXPECT_EQ(refused(bad), "image of camera 'cam0' must be 8 bit grey or BGR");
+}
+
+// Whoever gives a box means it; whoever leaves it in a file and asks for auto does not.
+TEST(HullOptions, TheVolumeIsAutomaticUnlessABoxIsGiven) {
+  const auto volumeOf = [](const std::string& yaml) {
+    return loadOptions<HullOptions>(YAML::Load(yaml)).volume;
+  };
+  const std::string box = "volume_min: [-1, -1, 0], volume_max: [1, 1, 2]";
+  EXPECT_EQ(volumeOf("{}"), "auto");
+  EXPECT_EQ(volumeOf("{" + box + "}"), "explicit");
+  EXPECT_EQ(volumeOf("{volume: auto, " + box + "}"), "auto");
+  EXPECT_EQ(refusal([&] { volumeOf("{volume: explicit}"); }),
+            "visual_hull/volume_min is not below volume_max along x");
 }
 
 TEST(HullOptions, LatticeCoversTheVolumeWithoutAnExtraLayer) {

@@ -45,6 +45,7 @@ std::vector<Sphere> person(bool leaping) {
 class FollowedLabels : public ::testing::Test {
  protected:
   FollowedLabels() {
+    options_.hull.volume = "explicit";
     options_.hull.volume_min = {-0.9, -0.9, -0.9};
     options_.hull.volume_max = {0.9, 0.9, 0.9};
     options_.hull.pitch = 0.025;

@@ -99,11 +99,13 @@ class VolumeFile : public testing::Test {
 
 TEST_F(VolumeFile, KeepsTheVolumeAndNothingElse) {
   HullOptions options;
+  options.volume = "explicit";
   options.volume_min = {-1.25, -2, 0.1};
   options.volume_max = {3, 2.5, 2};
   options.pitch = 0.05;
   writeText(file_, volumeText(options));
   const HullOptions read = withVolumeOf(file_, HullOptions());
+  EXPECT_EQ(read.volume, "explicit");
   EXPECT_EQ(read.volume_min, options.volume_min);
   EXPECT_EQ(read.volume_max, options.volume_max);
   EXPECT_EQ(read.pitch, HullOptions().pitch);

@@ -14,13 +14,13 @@ namespace markerless_mocap {
 /// Settings of the visual hull stage.
 struct HullOptions {
   static constexpr const char* kStage = "visual_hull";
-  /// where the voxels are; explicit: from volume_min to volume_max; auto: all that three quarters
-  /// of the cameras see above the floor, and as many must see a voxel
-  std::string volume = "explicit";
   /// lowest corner of the explicit volume, m in world
-  Eigen::Vector3d volume_min{-1.5, -1.5, 0.0};
+  Eigen::Vector3d volume_min = Eigen::Vector3d::Zero();
   /// highest corner of the explicit volume, m in world
-  Eigen::Vector3d volume_max{1.5, 1.5, 2.2};
+  Eigen::Vector3d volume_max = Eigen::Vector3d::Zero();
+  /// where the voxels are; auto: all that three quarters of the cameras see above the floor, and as
+  /// many must see a voxel; explicit: from volume_min to volume_max, as soon as these are given
+  std::string volume = "auto";
   /// height of the floor, m in world; the automatic volume begins there
   double floor_height = 0.0;
   /// remove voxels below floor_height, such as reflections in the floor
@@ -51,9 +51,10 @@ struct HullOptions {
   /// 2008, 3.1.4.2 A-1)
   std::string color_voters = "visible";
 
+  /// A visitor that changes volume_min or volume_max makes the volume explicit.
   void visit(OptionVisitor& v);
-  /// Throws std::invalid_argument naming key, value and allowed range; also for an empty volume or
-  /// one of more than 64 million voxels.
+  /// Throws std::invalid_argument naming key, value and allowed range; also for an explicit volume
+  /// that is empty or has more than 64 million voxels.
   void validate() const;
   /// The lattice that covers the explicit volume; reaches beyond volume_max by less than a voxel.
   VoxelLattice lattice() const;

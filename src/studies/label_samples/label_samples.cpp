@@ -28,6 +28,7 @@ StudioOptions studioOptions(const LabelSampleOptions& options) {
 HullOptions hullOptions(const LabelSampleOptions& options) {
   HullOptions hull;
   hull.pitch = options.pitch;
+  hull.volume = "explicit";
   hull.volume_min = {-1.9375, -1.9375, 0};
   hull.volume_max = {1.9375, 1.9375, 2.4375};
   if (options.studio.degradations.mask_damage > 0.0 && !options.silhouettes)
