@@ -29,6 +29,8 @@ const std::vector<Consequence>& consequences() {
        {"camera_turned", "time_offset", "clock_drifts", "focal_length_wrong", "distortion_wrong",
         "rotation_inverted", "image_mirrored", "image_upside_down", "exposure_wanders",
         "white_balance_wanders"}},
+      // Nobody sees the middle of a person who is cut off.
+      {{"images_cut_person"}, {"person_stays"}},
       // Another focal length bends the rays, too.
       {{"focal_length_wrong"}, {"distortion_wrong"}},
       {{"poses_identical"},

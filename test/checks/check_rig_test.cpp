@@ -37,25 +37,29 @@ TEST(CheckRig, NamesNoCauseWhereSilhouettesAreSpoiled) {
   }
 }
 
-/// As if the lower part of the images had not been recorded.
-void cropBelow(int height, SeenCamera* camera) {
+/// As if only the rows from `first` on had been recorded, `height` of them.
+void crop(int first, int height, SeenCamera* camera) {
   camera->infos[0].height = height;
-  for (SeenPicture& picture : camera->pictures) picture.grey = picture.grey.rowRange(0, height);
+  camera->infos[0].K(1, 2) -= first;
+  for (SeenPicture& picture : camera->pictures)
+    picture.grey = picture.grey.rowRange(first, first + height);
   for (SeenImage& image : camera->images) {
     image.height = height;
+    image.outline->centre.y() -= first;
     for (Eigen::Vector2d& corner : image.outline->hull) {
-      image.outline->cut |= corner.y() > height - 1;
-      corner.y() = std::min(corner.y(), height - 1.0);
+      corner.y() -= first;
+      image.outline->cut |= corner.y() < 0 || corner.y() > height - 1;
+      corner.y() = std::clamp(corner.y(), 0.0, height - 1.0);
     }
   }
 }
 
 TEST(CheckRig, LegsThatMostImagesCutOffAreTold) {
   SeenRig rig = goodWalk();
-  cropBelow(140, &rig.cameras[0]);
-  cropBelow(140, &rig.cameras[2]);
+  crop(50, 100, &rig.cameras[0]);
+  crop(50, 100, &rig.cameras[2]);
   EXPECT_EQ(listOf(checkRig(rig)), "");
-  cropBelow(140, &rig.cameras[3]);
+  crop(50, 100, &rig.cameras[3]);
   const Findings findings = checkRig(rig);
   ASSERT_EQ(findings.size(), 1u) << listOf(findings);
   EXPECT_EQ(findings[0].what, "images_cut_person");

@@ -87,6 +87,7 @@ struct RandomScene {
     const auto vector = [&](double size) {
       return Eigen::Vector3d(uniform(-size, size), uniform(-size, size), uniform(-size, size));
     };
+    options.volume = "explicit";
     options.volume_min.setConstant(-0.12);
     options.volume_max.setConstant(0.12);
     options.pitch = 0.02;

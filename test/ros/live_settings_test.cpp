@@ -50,12 +50,14 @@ TEST(SettingsMessages, DescribeTypeRangeAndWords) {
   const auto description = messageFromSettings(settingsOf(HullOptions(), {}));
   ASSERT_EQ(description.groups.size(), 1u);
   const auto& parameters = description.groups[0].parameters;
-  EXPECT_EQ(parameters[0].name, "volume");
-  EXPECT_EQ(parameters[0].type, "str");
+  EXPECT_EQ(parameters[0].name, "volume_min_x");
+  EXPECT_EQ(parameters[0].type, "double");
+  EXPECT_EQ(parameters[6].name, "volume");
+  EXPECT_EQ(parameters[6].type, "str");
   EXPECT_EQ(
-      parameters[0].edit_method,
-      "{'enum': [{'name': 'explicit', 'value': 'explicit', 'type': 'str', 'description': ''}, "
-      "{'name': 'auto', 'value': 'auto', 'type': 'str', 'description': ''}], "
+      parameters[6].edit_method,
+      "{'enum': [{'name': 'auto', 'value': 'auto', 'type': 'str', 'description': ''}, "
+      "{'name': 'explicit', 'value': 'explicit', 'type': 'str', 'description': ''}], "
       "'enum_description': ''}");
   const auto at = [](const auto& values, const std::string& name) {
     for (const auto& v : values)
