@@ -67,13 +67,13 @@ void StampPhases::add(size_t stream, int64_t stamp_ns) {
   if (!stamps.empty() && stamp_ns <= stamps.back()) return;
   stamps.push_back(stamp_ns);
   if (stamps.size() > kRemembered) stamps.pop_front();
-  if (++added_ >= stamps_.size()) measure();
+  measure();
 }
 
 void StampPhases::reset() {
   for (std::deque<int64_t>& stamps : stamps_) stamps.clear();
   tolerance_ns_ = least_ns_;
-  added_ = judged_ = 0;
+  judged_ = 0;
   never_in_step_ = false;
 }
 
@@ -104,7 +104,6 @@ std::optional<StampPhases::Step> StampPhases::step(const std::vector<size_t>& kn
 }
 
 void StampPhases::measure() {
-  added_ = 0;
   const std::vector<size_t> known = knownStreams();
   const std::optional<Step> now = step(known);
   tolerance_ns_ = least_ns_;

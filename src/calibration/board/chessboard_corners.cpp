@@ -88,12 +88,6 @@ Points findAbout(const Points& corners, const cv::Mat& grey, cv::Size inner) {
   return (whole & part) == whole ? found : Points();
 }
 
-/// A board that is not small is seen at once; one that is small stays near where it was.
-Points findSoon(const cv::Mat& grey, cv::Size inner, const Points& before) {
-  const Points found = before.empty() ? Points() : findAbout(before, grey, inner);
-  return found.empty() ? findByQuadrangles(grey, inner, cv::CALIB_CB_FAST_CHECK) : found;
-}
-
 /// As findRows() in a magnified image.
 Points findMagnified(const cv::Mat& grey, cv::Size inner, int times) {
   cv::Mat large;
@@ -101,6 +95,27 @@ Points findMagnified(const cv::Mat& grey, cv::Size inner, int times) {
   Points found = findRows(large, inner, true, true);
   for (cv::Point2f& p : found) p = (p + cv::Point2f(0.5f, 0.5f)) / times - cv::Point2f(0.5f, 0.5f);
   return found;
+}
+
+/// A board that is not small is seen at once.
+Points findAnywhere(const cv::Mat& grey, cv::Size inner, bool thorough) {
+  constexpr int kSmall = 1000;  // pixels across
+  Points found = findByQuadrangles(grey, inner, cv::CALIB_CB_FAST_CHECK);
+  if (found.empty()) found = findRows(grey, inner, thorough);
+  for (int times = 2; thorough && found.empty() && grey.cols < kSmall && times <= 3; ++times)
+    found = findMagnified(grey, inner, times);
+  return found;
+}
+
+/// Near where it was, if it is still there. What is found elsewhere is looked at again in the same
+/// way, so that corners of a board that lies still do not depend on how it was found.
+Points findNearOrAnywhere(const cv::Mat& grey, cv::Size inner, bool thorough,
+                          const Points& before) {
+  Points found = before.empty() ? Points() : findAbout(before, grey, inner);
+  if (!found.empty()) return found;
+  found = findAnywhere(grey, inner, thorough);
+  const Points again = found.empty() ? Points() : findAbout(found, grey, inner);
+  return again.empty() ? found : again;
 }
 
 /// Rows from the bottom of the page, columns from its left. Only the front can be seen, so x to y
@@ -163,14 +178,10 @@ bool isGrid(const std::vector<cv::Point2f>& found, cv::Size inner) {
 BoardCorners chessboardCorners(const Board& board, const cv::Mat& grey, bool thorough,
                                const BoardCorners* before) {
   const cv::Size inner(board.options().columns - 1, board.options().rows - 1);
-  constexpr int kSmall = 1000;  // pixels across
   Points former;
   if (before && before->pixels.size() == size_t(inner.area()))
     for (const Eigen::Vector2d& p : before->pixels) former.emplace_back(float(p.x()), float(p.y()));
-  Points found = findSoon(grey, inner, former);
-  if (found.empty()) found = findRows(grey, inner, thorough);
-  for (int times = 2; thorough && found.empty() && grey.cols < kSmall && times <= 3; ++times)
-    found = findMagnified(grey, inner, times);
+  Points found = findNearOrAnywhere(grey, inner, thorough, former);
   if (found.empty()) return {};
   orderAsPrinted(inner, &found);
   if (!board.looksSameTurned() && colourAgreement(board, grey, found, inner) < 0)

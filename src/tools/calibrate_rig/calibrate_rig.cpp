@@ -53,6 +53,7 @@ FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::o
   };
   FoundBoards boards = isSeenTogether(a) && !a.lenses.empty() ? search(kGlance) : FoundBoards();
   if (!liesStill(board, boards)) boards = search(a.most_images);
+  if (boards.views.empty()) boards = search(kGlance);  // few images are looked at longer
   addPicturesOfLenses(a, detector, &boards);
   progress.finish();
   return boards;
