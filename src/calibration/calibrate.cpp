@@ -90,7 +90,7 @@ class Calibrator {
     const LensChoice choice = lensFromViews(board_, input_.cameras[i], viewsOf(input_, i),
                                             input_.lens, &camera.intrinsics);
     camera.lens = choice.lens;
-    for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
+    trials_[i] = choice.trials;
   }
 
   /// The longest step where there are many views, so each camera is told.
@@ -287,7 +287,7 @@ class Calibrator {
   Board board_;
   std::vector<BoardView> views_;
   RigState state_;
-  std::vector<std::vector<LensTry>> trials_;
+  std::vector<std::vector<LensTrial>> trials_;
   std::vector<BoardPose> poses_;
   std::vector<CameraPair> pairs_;
   std::vector<size_t> groups_;
