@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/make_shared.hpp>
+
 #include "ros/camera_conversions.h"
 
 namespace markerless_mocap {
