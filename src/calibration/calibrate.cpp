@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <set>
 #include <stdexcept>
 
-#include "calibration/adjust/bundle.h"
 #include "calibration/adjust/lens_choice.h"
+#include "calibration/adjust/rig_adjustment.h"
 #include "calibration/adjust/uncertainty.h"
 #include "calibration/check/findings.h"
 #include "calibration/check/loose_cameras.h"
@@ -35,12 +34,16 @@ std::vector<const BoardView*> viewsOf(const CalibrationInput& input, size_t came
 class Calibrator {
  public:
   Calibrator(const CalibrationInput& input, const std::function<void(double)>& progress)
-      : input_(input), progress_(progress), board_(input.board), views_(input.views) {
+      : input_(input),
+        progress_(progress),
+        board_(input.board),
+        views_(input.views),
+        adjustment_(board_, views_, poses_, input.threads, &state_) {
     if (input_.cameras.empty()) throw std::invalid_argument("there is no camera to calibrate");
     state_.cameras.resize(input_.cameras.size());
     state_.points = input_.points;
     trials_.resize(input_.cameras.size());
-    offsets_free_ = input_.estimate_offsets;
+    if (input_.estimate_offsets) adjustment_.freeOffsets();
   }
 
   RigCalibration run() {
@@ -54,9 +57,9 @@ class Calibrator {
     done(0.5);
     leaveOutLooseParts();
     done(0.6);
-    adjust();
+    adjustment_.run();
     done(0.8);
-    checkClocks();
+    if (input_.check_clocks) adjustment_.checkClocks();
     chooseWorld();
     done(0.95);
     return result();
@@ -90,7 +93,7 @@ class Calibrator {
     const LensChoice choice = lensFromViews(board_, input_.cameras[i], viewsOf(input_, i),
                                             input_.lens, &camera.intrinsics);
     camera.lens = choice.lens;
-    for (const LensTrial& trial : choice.trials) trials_[i].push_back({trial.lens, trial.rms});
+    trials_[i] = choice.trials;
   }
 
   /// The longest step where there are many views, so each camera is told.
@@ -128,20 +131,14 @@ class Calibrator {
           " cannot be found: too little of the board's motion is seen together with other cameras");
   }
 
-  void regroup() {
-    std::vector<double> offsets;
-    for (const CameraState& camera : state_.cameras) offsets.push_back(camera.time_offset);
-    state_.instants = groupInstants(views_, cornerMotions(views_, state_.cameras.size()), offsets);
-  }
-
   void startPoses() {
-    regroup();
+    adjustment_.regroup();
     pairs_ = cameraPairs(board_, state_, poses_);
     groups_ = placeCameras(board_, pairs_, poses_, &state_);
     if (!state_.points.empty()) placeByPoints(groups_, &state_);
     if (input_.locate) checkLocated();
     for (size_t i = 0; i < groups_.size(); ++i)
-      if (state_.points.empty() && isRoot(i)) held_.insert(i);
+      if (state_.points.empty() && isRoot(i)) adjustment_.hold(i);
   }
 
   /// The camera at the origin of its group.
@@ -159,52 +156,6 @@ class Calibrator {
                                 ": show the board where both see it at the same time");
   }
 
-  BundleOptions options() const {
-    BundleOptions options;
-    options.estimate_offsets = offsets_free_;
-    options.held = held_;
-    options.threads = input_.threads;
-    return options;
-  }
-
-  /// Robustly, then without outliers.
-  void adjust() {
-    adjustBundle(board_, options(), &state_);
-    if (offsets_free_) regroupAndAdjust();
-    outliers_ = markOutliers(board_, outlierLimit(), &state_);
-    estimateViewNoise(board_, held_, offsets_free_, &state_);
-    adjustBundle(board_, options(), &state_);
-    if (!state_.points.empty()) weighPoints();
-  }
-
-  /// Points read off by eye are far less exact than corners: how far, their residuals tell.
-  void weighPoints() {
-    constexpr int kRounds = 8;
-    for (int k = 0; k < kRounds && estimateNoise(board_, held_, offsets_free_, &state_); ++k)
-      adjustBundle(board_, options(), &state_);
-  }
-
-  double outlierLimit() const { return std::max(1.0, 6.0 * robustSigma(board_, state_)); }
-
-  /// Cameras whose stamps are late or early meet a moving board badly. Offsets are kept if they are
-  /// clear, and if they let the cameras meet the board clearly better.
-  void checkClocks() {
-    constexpr double kLeast = 0.005, kClear = 4.0, kBetter = 0.9;  // s, standard deviations, part
-    if (offsets_free_ || !input_.check_clocks || state_.cameras.size() < 2) return;
-    const double before = robustSigma(board_, state_);
-    const RigState without = state_;
-    offsets_free_ = true;
-    adjust();
-    const auto sigmas = uncertaintiesOf(board_, state_, held_, true);
-    bool clear = false;
-    for (size_t i = 0; i < sigmas.size(); ++i)
-      clear |= std::abs(state_.cameras[i].time_offset) >
-               std::max(kLeast, kClear * sigmas[i].time_offset);
-    if (clear && robustSigma(board_, state_) < kBetter * before) return;
-    offsets_free_ = false;
-    state_ = without;
-  }
-
   /// Whether the board was seen in places that differ by half its size.
   bool boardMoved() const {
     Eigen::AlignedBox3d places;
@@ -213,20 +164,10 @@ class Calibrator {
     return !places.isEmpty() && places.diagonal().norm() > 0.5 * board_.size().norm();
   }
 
-  /// Better offsets may group other views.
-  void regroupAndAdjust() {
-    regroup();
-    relocateBoards();
-    adjustBundle(board_, options(), &state_);
-  }
-
-  /// Poses of the boards from the cameras as they are.
-  void relocateBoards() { placeBoards(board_, poses_, &state_); }
-
   /// With the lenses that each camera found alone, which know nothing of the others: free ones
   /// would bend until they meet the views of a camera that moved.
   void leaveOutLooseParts() {
-    BundleOptions fixed = options();
+    BundleOptions fixed = adjustment_.options();
     fixed.estimate_intrinsics = false;
     fixed.estimate_offsets |= input_.check_clocks;  // a late clock is no loose camera
     for (const double loss : {BundleOptions().loss_pixels, std::max(0.5, medianViewError())}) {
@@ -234,12 +175,12 @@ class Calibrator {
       adjustBundle(board_, fixed, &state_);
     }
     loose_ = leaveOutLooseViews(board_, fixed, &state_);
-    if (!offsets_free_)
+    if (!adjustment_.areOffsetsFree())
       for (CameraState& camera : state_.cameras) camera.time_offset = 0.0;
   }
 
   void chooseWorld() {
-    sigmas_ = uncertaintiesOf(board_, state_, held_, offsets_free_);
+    sigmas_ = uncertaintiesOf(board_, state_, adjustment_.held(), adjustment_.areOffsetsFree());
     if (!input_.locate || !state_.points.empty()) return;
     if (input_.floor)
       putFloorUnderBoard(input_.floor->camera, input_.floor->time, input_.floor->thickness,
@@ -271,10 +212,11 @@ class Calibrator {
       result.pairs.push_back({pair.a, pair.b, pair.shared, pair.agreeing});
     for (const LooseCamera& loose : loose_)
       result.cameras[loose.camera].loose = LooseTime{loose.time, loose.pixels, loose.later_part};
-    result.outliers = outliers_;
+    const bool offsets_free = adjustment_.areOffsetsFree();
+    result.outliers = adjustment_.outliers();
     result.clocks = clocks_;
-    result.clocks_corrected = offsets_free_ && !input_.estimate_offsets;
-    if (offsets_free_ && input_.clocks_last) keepOffsets(&result);
+    result.clocks_corrected = offsets_free && !input_.estimate_offsets;
+    if (offsets_free && input_.clocks_last) keepOffsets(&result);
     if (input_.locate && input_.walk && !input_.floor && state_.points.empty())
       putFloorUnderWalk(input_, &result);
     result.turned_guessed = board_.looksSameTurned() && !boardMoved() && !input_.turns_known;
@@ -287,16 +229,14 @@ class Calibrator {
   Board board_;
   std::vector<BoardView> views_;
   RigState state_;
-  std::vector<std::vector<LensTry>> trials_;
+  std::vector<std::vector<LensTrial>> trials_;
   std::vector<BoardPose> poses_;
+  RigAdjustment adjustment_;
   std::vector<CameraPair> pairs_;
   std::vector<size_t> groups_;
-  std::set<size_t> held_;
   std::vector<LooseCamera> loose_;
   std::vector<CameraUncertainty> sigmas_;
   std::optional<FilmClocks> clocks_;
-  int outliers_ = 0;
-  bool offsets_free_ = false;
 };
 
 }  // namespace

@@ -48,12 +48,6 @@ struct CalibrationInput {
   int threads = 2;
 };
 
-/// A lens model and how it predicts views that it was not estimated from.
-struct LensTry {
-  LensModel lens;
-  double rms;  ///< pixels
-};
-
 /// Residual of one corner, for the report.
 struct CornerError {
   Eigen::Vector2d pixel, residual;  ///< pixels
@@ -81,11 +75,11 @@ struct LooseTime {
 struct CalibratedCamera {
   CameraCalibration calibration;
   LensModel lens = LensModel::kPlumbBob;
-  std::vector<LensTry> lens_trials;  ///< empty: the model was given
-  std::vector<ViewError> views;      ///< by time
-  double rms = 0.0;                  ///< pixels, per corner, over the corners used
-  double coverage = 0.0;             ///< part of the image, in cells of an eighth, with a corner
-  double time_offset = 0.0;          ///< s, to be added to the camera's clock
+  std::vector<LensTrial> lens_trials;  ///< empty: the model was given
+  std::vector<ViewError> views;        ///< by time
+  double rms = 0.0;                    ///< pixels, per corner, over the corners used
+  double coverage = 0.0;               ///< part of the image, in cells of an eighth, with a corner
+  double time_offset = 0.0;            ///< s, to be added to the camera's clock
   Eigen::Vector3d position_sigma = Eigen::Vector3d::Zero();   ///< m, along the camera's x y z
   Eigen::Vector3d direction_sigma = Eigen::Vector3d::Zero();  ///< rad, about the camera's x y z
   Eigen::Vector2d focal_sigma = Eigen::Vector2d::Zero();      ///< pixels

@@ -29,6 +29,12 @@ inline LensType typeOf(LensModel model) {
 /// The model of a calibration with its type of lens and its length of D, whatever the values.
 LensModel modelOf(const CameraCalibration& calibration);
 
+/// How well a lens model predicts views that it was not estimated from.
+struct LensTrial {
+  LensModel lens = LensModel::kNone;
+  double rms = 0.0;  ///< pixels, on views left out
+};
+
 /// fx fy cx cy (pixels) and OpenCV's k1 k2 p1 p2 k3 k4 k5 k6; of a fisheye k1 k2 k3 k4 and zeros.
 using Intrinsics = std::array<double, 12>;
 

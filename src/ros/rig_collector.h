@@ -92,6 +92,10 @@ class RigCollector {
   };
   bool settleInfo(size_t camera, const tf2::BufferCore& tf, double now,
                   std::vector<std::string>* remarks);
+  /// Tells of a camera_info that changes all the time.
+  void watchWandering(size_t camera, double now, std::vector<std::string>* remarks);
+  /// Takes over a candidate that has stayed; returns false if it cannot be.
+  bool takeInfo(size_t camera, const tf2::BufferCore& tf, std::vector<std::string>* remarks);
   bool settlePose(size_t camera, const tf2::BufferCore& tf, double now,
                   std::vector<std::string>* remarks);
   /// Sees a candidate for the first time.

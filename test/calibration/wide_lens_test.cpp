@@ -26,7 +26,7 @@ BoardScene wideScene() {
 
 std::string trialsOf(const CalibratedCamera& camera) {
   std::string text;
-  for (const LensTry& one : camera.lens_trials)
+  for (const LensTrial& one : camera.lens_trials)
     text += ", " + nameOf(one.lens) + ": " + std::to_string(one.rms);
   return text;
 }

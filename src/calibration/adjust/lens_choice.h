@@ -8,12 +8,6 @@
 
 namespace markerless_mocap {
 
-/// How well a lens model predicts views that it was not estimated from.
-struct LensTrial {
-  LensModel lens = LensModel::kNone;
-  double rms = 0.0;  ///< pixels, on views left out
-};
-
 /// The lens model that predicts views left out best, and what each model reached. Of models that
 /// differ by less than half a percent, the simplest: the fisheye is simpler than the rational one,
 /// and must be better by two percent than the others, as it is less common. With fifteen views and

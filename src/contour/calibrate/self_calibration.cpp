@@ -10,13 +10,12 @@
 
 #include "contour/calibrate/self_calibration_equations.h"
 #include "contour/fit/geman_mcclure.h"
+#include "contour/model/pose_step.h"
+#include "numerics/schur_complement.h"
 
 namespace markerless_mocap {
 namespace {
 
-// As in ContourFitter: 1/rad^2 and 1/m^2.
-constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
-constexpr double kMaxTurn = 0.35;   // per step, rad or m
 constexpr double kMaxShift = 10.0;  // per step, pixels
 
 /// Of the refinement: outliers in metres.
@@ -35,14 +34,10 @@ constexpr RobustSchedule kValidation{12, 0.12, 0.03};
 
 using Samples = std::vector<const OrientationSample*>;
 
-/// The equations of one sample after its pose is eliminated, and the back substitution for the
-/// pose.
-struct ReducedOrientationSystem {
-  Eigen::MatrixXd H;
-  Eigen::VectorXd g;
-  Eigen::MatrixXd back;  ///< pose step = at_rest - back * shift
-  Eigen::VectorXd at_rest;
-  std::vector<size_t> explained;
+/// What one sample says about the shifts, after its pose is eliminated.
+struct ReducedSample {
+  ReducedNormalEquations equations;
+  std::vector<size_t> explained;  ///< see OrientationNormalEquations
 };
 
 /// Estimates the image shifts of the cameras from a set of samples.
@@ -67,8 +62,8 @@ class OrientationRefiner {
   std::vector<OrientationCorrection> corrections(const ImageShifts& disagreement) const;
 
  private:
-  std::vector<ReducedOrientationSystem> reducedSamples(double outlier) const;
-  ReducedOrientationSystem reduced(const CameraRig& turned, size_t sample, double outlier) const;
+  std::vector<ReducedSample> reducedSamples(double outlier) const;
+  ReducedSample reduced(const CameraRig& turned, size_t sample, double outlier) const;
   Eigen::MatrixXd prior() const {
     return Eigen::MatrixXd::Identity(pixels_.size(), pixels_.size()) / (kSigmaPx * kSigmaPx);
   }
@@ -82,45 +77,37 @@ class OrientationRefiner {
   std::vector<ContourPose> poses_;
 };
 
-ReducedOrientationSystem OrientationRefiner::reduced(const CameraRig& turned, size_t sample,
-                                                     double outlier) const {
+ReducedSample OrientationRefiner::reduced(const CameraRig& turned, size_t sample,
+                                          double outlier) const {
   const ContourObservation seen = rotatedObservation(samples_[sample]->seen, rig_, turned);
   OrientationNormalEquations all =
       orientationNormalEquations(turned, contour_, body_, seen, poses_[sample], outlier);
-  all.pose.H.diagonal().head<3>().array() += kMoveDamping;
-  all.pose.H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
-  const Eigen::LLT<Eigen::MatrixXd> pose(all.pose.H);
-  ReducedOrientationSystem out{all.H, all.g, pose.solve(all.mixed), -pose.solve(all.pose.g),
-                               all.explained};
-  out.H.noalias() -= all.mixed.transpose() * out.back;
-  out.g.noalias() += all.mixed.transpose() * out.at_rest;
-  return out;
+  dampPose(all.pose.H);
+  return {ReducedNormalEquations({all.pose.H, all.pose.g, all.mixed, all.H, all.g}), all.explained};
 }
 
-std::vector<ReducedOrientationSystem> OrientationRefiner::reducedSamples(double outlier) const {
+std::vector<ReducedSample> OrientationRefiner::reducedSamples(double outlier) const {
   const CameraRig turned = rotatedRig(rig_, pixels_);
-  std::vector<ReducedOrientationSystem> parts(samples_.size());
+  std::vector<ReducedSample> parts(samples_.size());
   tbb::parallel_for(size_t(0), parts.size(),
                     [&](size_t i) { parts[i] = reduced(turned, i, outlier); });
   return parts;
 }
 
 void OrientationRefiner::step(double outlier) {
-  const std::vector<ReducedOrientationSystem> parts = reducedSamples(outlier);
+  const std::vector<ReducedSample> parts = reducedSamples(outlier);
   Eigen::MatrixXd H = prior();
   Eigen::VectorXd g = prior() * pixels_;
-  for (const ReducedOrientationSystem& part : parts) {
-    H += part.H;
-    g += part.g;
+  for (const ReducedSample& part : parts) {
+    H += part.equations.H();
+    g += part.equations.g();
   }
   const Eigen::VectorXd shift = Eigen::VectorXd(-Eigen::LLT<Eigen::MatrixXd>(H).solve(g))
                                     .cwiseMax(-kMaxShift)
                                     .cwiseMin(kMaxShift);
   pixels_ += shift;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    const Eigen::VectorXd turn = parts[i].at_rest - parts[i].back * shift;
-    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kMaxTurn).cwiseMin(kMaxTurn));
-  }
+  for (size_t i = 0; i < parts.size(); ++i)
+    poses_[i] = stepped(poses_[i], parts[i].equations.innerStep(shift));
 }
 
 /// The covariance has three parts: the scatter of the samples' gradients, which holds even if the
@@ -130,9 +117,10 @@ std::vector<OrientationCorrection> OrientationRefiner::corrections(
     const ImageShifts& disagreement) const {
   Eigen::MatrixXd H = prior(), scatter = prior();
   std::vector<OrientationCorrection> out(rig_.size());
-  for (const ReducedOrientationSystem& part : reducedSamples(kRefinement.robust_scale_final)) {
-    H += part.H;
-    scatter += part.g * part.g.transpose();
+  for (const ReducedSample& part : reducedSamples(kRefinement.robust_scale_final)) {
+    const Eigen::VectorXd& g = part.equations.g();
+    H += part.equations.H();
+    scatter += g * g.transpose();
     for (size_t c = 0; c < rig_.size(); ++c) out[c].rays += part.explained[c];
   }
   const Eigen::LLT<Eigen::MatrixXd> inverse(H);

@@ -9,15 +9,13 @@
 #include "contour/fit/limb_evidence.h"
 #include "contour/fit/pose_priors.h"
 #include "contour/fit/pose_problem.h"
+#include "contour/model/pose_step.h"
 
 namespace markerless_mocap {
 namespace {
 
-// Damping of the Gauss-Newton steps: absolute terms in the units of the Hessian's diagonal, 1/rad^2
-// and 1/m^2, and a fraction of the diagonal itself.
-constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0, kRelativeDamping = 1e-3;
-
-constexpr double kMaxStep = 0.35;  // rad or metres
+// Damping of the Gauss-Newton steps, besides that of dampPose(): a fraction of the diagonal.
+constexpr double kRelativeDamping = 1e-3;
 
 // The longer ago the last pose, the farther off is its prediction, and the more steps are needed.
 constexpr double kAllIterations_s = 1.0 / 15;
@@ -33,13 +31,11 @@ void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& 
                    options.root_velocity_sigma * prediction->seconds, equations);
 }
 
-ContourPose stepped(const ContourPose& pose, const PoseNormalEquations& equations) {
+ContourPose nextPose(const ContourPose& pose, const PoseNormalEquations& equations) {
   auto H = equations.H;
   H.diagonal() *= 1.0 + kRelativeDamping;
-  H.diagonal().head<3>().array() += kMoveDamping;
-  H.diagonal().tail<kContourDof - 3>().array() += kTurnDamping;
-  const PoseIncrement step = -Cholesky(H).solve(equations.g);
-  return boxPlus(pose, step.cwiseMax(-kMaxStep).cwiseMin(kMaxStep));
+  dampPose(H);
+  return stepped(pose, -Cholesky(H).solve(equations.g));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
@@ -97,7 +93,7 @@ ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody&
     equations.clear();
     accumulatePoseEquations(problem.sums(), problem.frames(), problem.cones(), equations);
     addPriors(fit.pose, prediction, options_, equations);
-    if (i < schedule.iterations) fit.pose = stepped(fit.pose, equations);
+    if (i < schedule.iterations) fit.pose = nextPose(fit.pose, equations);
     if (!fit.pose.isFinite()) break;
   }
   const bool solved = fit.pose.isFinite() && Cholesky(equations.H).info() == Eigen::Success;

@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "contour/model/angle_ranges.h"
 #include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
@@ -16,18 +18,12 @@ using B = SphericalJoint;
 
 constexpr double kLimitDeviation = 0.05;  // rad beyond a limit
 
-/// Limits of an angle and the standard deviation of its prior, which has mean 0; a deviation of 0
-/// means no prior. Radians.
-struct AnglePrior {
-  double lower, upper, deviation;
-};
-// Limits as in urdf/human.urdf.in if the URDF has the joint.
-constexpr AnglePrior kAnglePriors[A::kCount] = {
-    {-0.6, 1.4, 0.15}, {-0.7, 0.7, 0.15}, {-0.8, 0.8, 0.10},                     // spine
-    {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09}, {-0.4, 0.5, 0.09}, {-0.3, 0.7, 0.09},  // clavicles
-    {0.0, 2.7, 0.0},   {0.0, 2.7, 0.0},                                          // elbows
-    {-2.7, 0.0, 0.0},  {-2.7, 0.0, 0.0},                                         // knees
-    {-0.9, 0.6, 0.3},  {-0.9, 0.6, 0.3}};                                        // ankles
+/// Standard deviations of the angles about 0, radians; 0: any angle is as likely.
+constexpr std::array<double, A::kCount> kAngleDeviations = {0.15, 0.15, 0.10,        // spine
+                                                            0.09, 0.09, 0.09, 0.09,  // clavicles
+                                                            0.0,  0.0,               // elbows
+                                                            0.0,  0.0,               // knees
+                                                            0.3,  0.3};              // ankles
 
 /// Twist of a spherical joint about its limb, relative to the pose in which the limb points along
 /// `rest`. `rest` is chosen so that the singularity of the twist, -rest, is a direction that no
@@ -94,8 +90,8 @@ SphericalResidual directionOf(const DirectionLimit& rule, const Matrix3d& R) {
 }
 
 /// Distance beyond the limits, with sign.
-double excess(double value, double lower, double upper) {
-  return value - std::clamp(value, lower, upper);
+double excess(double value, const AngleRange& range) {
+  return value - std::clamp(value, range.lower, range.upper);
 }
 
 double inverseSquare(double deviation) {
@@ -126,15 +122,15 @@ template <typename Add>
 void forEachResidual(const ContourPose& pose, const Add& add) {
   const double hard = inverseSquare(kLimitDeviation);
   const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
-  for (int a = 0; a < A::kCount; ++a) {
-    const AnglePrior& rule = kAnglePriors[a];
-    const double angle = pose.angles[size_t(a)], over = excess(angle, rule.lower, rule.upper);
-    if (over != 0) add(revoluteDof(a), one, over, hard);
-    if (rule.deviation > 0) add(revoluteDof(a), one, angle, inverseSquare(rule.deviation));
+  for (size_t a = 0; a < A::kCount; ++a) {
+    const int dof = revoluteDof(int(a));
+    const double angle = pose.angles[a], over = excess(angle, kAngleRanges[a]);
+    if (over != 0) add(dof, one, over, hard);
+    if (kAngleDeviations[a] > 0) add(dof, one, angle, inverseSquare(kAngleDeviations[a]));
   }
   for (const TwistPrior& rule : kTwistPriors) {
     const SphericalResidual twist = twistOf(rule, pose.rotations[size_t(rule.joint)]);
-    const double over = excess(twist.value, -rule.limit, rule.limit);
+    const double over = excess(twist.value, {-rule.limit, rule.limit});
     add(sphericalDof(rule.joint), twist.gradient, twist.value, inverseSquare(rule.deviation));
     if (over != 0) add(sphericalDof(rule.joint), twist.gradient, over, hard);
   }
@@ -227,11 +223,10 @@ void addMotionPrior(const ContourPose& pose, const ContourPose& expected, double
 double maxLimitViolation(const ContourPose& pose) {
   double worst = 0.0;
   for (size_t a = 0; a < A::kCount; ++a)
-    worst = std::max(
-        worst, std::abs(excess(pose.angles[a], kAnglePriors[a].lower, kAnglePriors[a].upper)));
+    worst = std::max(worst, std::abs(excess(pose.angles[a], kAngleRanges[a])));
   for (const TwistPrior& rule : kTwistPriors)
     worst = std::max(worst, std::abs(excess(twistOf(rule, pose.rotations[size_t(rule.joint)]).value,
-                                            -rule.limit, rule.limit)));
+                                            {-rule.limit, rule.limit})));
   for (const DirectionLimit& rule : kDirectionLimits)
     worst =
         std::max(worst, directionOf(rule, pose.rotations[size_t(rule.joint)]).value - rule.maximum);

@@ -5,30 +5,22 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "contour/measure/shape_equations.h"
+#include "contour/model/pose_step.h"
+#include "numerics/schur_complement.h"
 
 namespace markerless_mocap {
 namespace {
 
-// As in ContourFitter: 1/rad^2 and 1/m^2.
-constexpr double kTurnDamping = 3.0, kMoveDamping = 100.0;
-constexpr double kMaxTurn = 0.35, kMaxGrowth = 0.03;  // per step: rad or m, m
+constexpr double kMaxGrowth = 0.03;  // metres per step
 
 constexpr RobustSchedule kSchedule{15, 0.06, 0.03};  // outliers in metres
 constexpr double kPointDeviation = 0.004;            // standard deviation of known points, metres
 constexpr double kMinSize = 0.004;                   // minimum length and radius, metres
 
 using Cholesky = Eigen::LLT<Eigen::MatrixXd>;
-
-/// The equations of one sample after its pose is eliminated, and the back substitution for the
-/// pose.
-struct ReducedShapeSystem {
-  Eigen::MatrixXd H;  ///< of the estimated parameters
-  Eigen::VectorXd g;
-  Eigen::MatrixXd back;  ///< pose step = at_rest - back * shape step
-  Eigen::VectorXd at_rest;
-};
 
 class Estimation {
  public:
@@ -56,7 +48,8 @@ class Estimation {
   }
 
  private:
-  ReducedShapeSystem reduced(size_t sample, const ContourBody& body, double outlier) const;
+  /// The equations of one sample for the estimated parameters, after its pose is eliminated.
+  ReducedNormalEquations reduced(size_t sample, const ContourBody& body, double outlier) const;
   void addPrior(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
   void step(double outlier);
 
@@ -70,27 +63,23 @@ class Estimation {
   std::vector<ContourPose> poses_;
 };
 
-ReducedShapeSystem Estimation::reduced(size_t sample, const ContourBody& body,
-                                       double outlier) const {
+ReducedNormalEquations Estimation::reduced(size_t sample, const ContourBody& body,
+                                           double outlier) const {
   ShapeNormalEquations all = shapeNormalEquations(rig_, contour_, body, *used_[sample],
                                                   poses_[sample], outlier, kPointDeviation);
-  all.H.diagonal().head<3>().array() += kMoveDamping;
-  all.H.diagonal().segment<kContourDof - 3>(3).array() += kTurnDamping;
+  dampPose(all.H);
   const Eigen::Index n = Eigen::Index(active_.size());
-  Eigen::MatrixXd mixed(kContourDof, n);
-  ReducedShapeSystem out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n), {}, {}};
+  PartedNormalEquations parts{all.H.topLeftCorner<kContourDof, kContourDof>(),
+                              all.g.head<kContourDof>(), Eigen::MatrixXd(kContourDof, n),
+                              Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const int at = kContourDof + active_[size_t(i)];
-    mixed.col(i) = all.H.col(at).head<kContourDof>();
-    out.g[i] = all.g[at];
-    for (Eigen::Index j = 0; j < n; ++j) out.H(j, i) = all.H(kContourDof + active_[size_t(j)], at);
+    parts.mixed.col(i) = all.H.col(at).head<kContourDof>();
+    parts.g[i] = all.g[at];
+    for (Eigen::Index j = 0; j < n; ++j)
+      parts.H(j, i) = all.H(kContourDof + active_[size_t(j)], at);
   }
-  const Cholesky pose(all.H.topLeftCorner<kContourDof, kContourDof>());
-  out.back = pose.solve(mixed);
-  out.at_rest = -pose.solve(all.g.head<kContourDof>());
-  out.H.noalias() -= mixed.transpose() * out.back;
-  out.g.noalias() += mixed.transpose() * out.at_rest;
-  return out;
+  return ReducedNormalEquations(std::move(parts));
 }
 
 /// The prior mean of the parameters is the mean shape times the stature, which is the last unknown.
@@ -118,7 +107,7 @@ void Estimation::addPrior(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
 
 void Estimation::step(double outlier) {
   const ContourBody body(shape_);
-  std::vector<ReducedShapeSystem> parts(used_.size());
+  std::vector<ReducedNormalEquations> parts(used_.size());
   tbb::parallel_for(size_t(0), used_.size(), [&](size_t i) {
     if (used_[i]) parts[i] = reduced(i, body, outlier);
   });
@@ -127,8 +116,8 @@ void Estimation::step(double outlier) {
   Eigen::VectorXd g = Eigen::VectorXd::Zero(n + 1);
   for (size_t i = 0; i < used_.size(); ++i) {
     if (!used_[i]) continue;
-    H.topLeftCorner(n, n) += parts[i].H;
-    g.head(n) += parts[i].g;
+    H.topLeftCorner(n, n) += parts[i].H();
+    g.head(n) += parts[i].g();
   }
   addPrior(H, g);
   const Cholesky all(H);
@@ -142,11 +131,8 @@ void Estimation::step(double outlier) {
     deviation_[size] = std::sqrt(covariance(i, i));
   }
   stature_ += growth[n];
-  for (size_t i = 0; i < used_.size(); ++i) {
-    if (!used_[i]) continue;
-    const Eigen::VectorXd turn = parts[i].at_rest - parts[i].back * growth.head(n);
-    poses_[i] = boxPlus(poses_[i], turn.cwiseMax(-kMaxTurn).cwiseMin(kMaxTurn));
-  }
+  for (size_t i = 0; i < used_.size(); ++i)
+    if (used_[i]) poses_[i] = stepped(poses_[i], parts[i].innerStep(growth.head(n)));
 }
 
 void check(const CameraRig& rig, const std::vector<ShapeSample>& samples, const ShapePrior& prior) {

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "contour/fit/contour_fitter.h"
-#include "contour/fit/view_times.h"
+#include "contour/track/pose_history.h"
+#include "contour/track/rival_poses.h"
+#include "contour/track/search_times.h"
 
 namespace markerless_mocap {
 
@@ -39,10 +39,14 @@ class ContourHypothesisTracker {
   /// The best fit from a pose that may be wrong by tenths of a radian and decimetres. Other
   /// positions of its limbs are tried, too.
   ContourFit search(const ContourObservation& seen, const ContourBody& body,
-                    const ContourPose& pose) const;
-  /// Another place of one limb that fits better; empty if there is none. \param pose a fitted one
+                    const ContourPose& pose) const {
+    return rivals_.search({seen, body}, pose);
+  }
+  /// See RivalPoses::searchLimb().
   std::optional<ContourPose> searchLimb(const ContourObservation& seen, const ContourBody& body,
-                                        const ContourPose& pose, ContourLimb::Id limb) const;
+                                        const ContourPose& pose, ContourLimb::Id limb) const {
+    return rivals_.searchLimb({seen, body}, pose, limb);
+  }
   /// (Re)starts at a pose that may be wrong by tenths of a radian and decimetres. Other positions
   /// of its limbs are tried, too. The status is kTracked or, if the overlap is too small, kLost.
   ContourTrackingResult start(int64_t stamp_ns, const ContourObservation& seen,
@@ -54,54 +58,34 @@ class ContourHypothesisTracker {
   ContourTrackingResult update(int64_t stamp_ns, const ContourObservation& seen,
                                const ContourBody& body, Effort effort = Effort::kSearch);
   /// The pose that update() would start from; empty while lost.
-  std::optional<ContourPrediction> predict(int64_t stamp_ns) const;
-  /// The motion that the prediction follows; empty if two poses do not tell it.
-  std::optional<ContourMotion> motion(int64_t stamp_ns) const;
-  void lose() { last_.reset(); }
+  std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
+    return history_.predict(stamp_ns);
+  }
+  /// See PoseHistory::motion().
+  std::optional<ContourMotion> motion(int64_t stamp_ns) const { return history_.motion(stamp_ns); }
+  void lose() { history_.forget(); }
   /// Lets the next frame search for limbs, however short ago that was done.
-  void searchSoon() { next_search_ns_ = next_least_certain_ns_ = 0; }
-  bool tracking() const { return last_.has_value(); }
+  void searchSoon();
+  bool tracking() const { return !history_.empty(); }
   /// Usual quality of the fits, 0 to 1: mean of overlap and explained rays; 0 while lost.
-  double quality() const { return last_ ? last_->quality : 0.0; }
+  double quality() const { return history_.quality(); }
   /// The last pose; valid only while tracking.
-  const ContourPose& pose() const { return last_->pose; }
-  const ContourFitter& fitter() const { return fitter_; }
+  const ContourPose& pose() const { return history_.last(); }
+  const ContourFitter& fitter() const { return rivals_.fitter(); }
 
  private:
-  struct Past {
-    int64_t stamp_ns;
-    ContourPose pose;
-    std::optional<ContourPose> before;  ///< pose of the frame before
-    int64_t before_ns;                  ///< its stamp
-    double quality;                     ///< slowly decaying maximum of the quality
-    double quality_deviation;           ///< usual difference from this maximum
-    /// Usual distance of each limb outside the masks, metres.
-    std::array<double, ContourLimb::kCount> outside;
-  };
   ContourTrackingResult keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackingStatus status);
-  /// Limbs that lie outside the masks by more than usual; all limbs if the fit is worse than usual.
-  std::array<bool, ContourLimb::kCount> suspicious(const ContourFit& fit) const;
-  std::vector<ContourPose> limbAlternatives(const ContourObservation& seen, const ContourBody& body,
-                                            ContourLimb::Id limb, const ContourFit& fit,
-                                            const ContourPose& expected) const;
-  // The following functions replace `fit` if they find a better one, and return whether they did.
-  bool tryPoses(const ContourObservation& seen, const ContourBody& body,
-                const std::vector<ContourPose>& starts,
-                const std::optional<ContourPrediction>& prediction, double gain,
-                ContourFit& fit) const;
-  bool retry(const ContourObservation& seen, const ContourBody& body,
-             const ContourPrediction& prediction, Effort effort, ContourFit& fit) const;
-  bool searchLeastCertainLimb(const ContourObservation& seen, const ContourBody& body,
-                              const ContourPrediction& prediction, ContourFit& fit) const;
-  bool untwist(const ContourObservation& seen, const ContourBody& body,
-               const ContourPrediction& prediction, ContourFit& fit) const;
+  /// Replaces a suspicious fit if a better one is found.
+  ContourTrackingStatus repair(int64_t stamp_ns, const FittedFrame& now,
+                               const ContourPrediction& prediction, Effort effort, ContourFit* fit);
+  /// Looks for better fits at intervals, whether or not the fit is suspicious. Returns true if it
+  /// has replaced the fit.
+  bool improve(int64_t stamp_ns, const FittedFrame& now, const ContourPrediction& prediction,
+               Effort effort, ContourFit* fit);
 
-  CameraRig rig_;
-  ContourFitter fitter_;
-  std::optional<Past> last_;
-  /// Earliest times of the next search for suspicious limbs, of that for the least certain limb,
-  /// and of the next fit without twist.
-  int64_t next_search_ns_ = 0, next_least_certain_ns_ = 0, next_untwist_ns_ = 0;
+  RivalPoses rivals_;
+  PoseHistory history_;
+  SearchTimer suspicious_, least_certain_, untwist_;  ///< which rivals are tried when
 };
 
 }  // namespace markerless_mocap

@@ -10,6 +10,7 @@
 #include "contour/fit/geman_mcclure.h"
 #include "contour/fit/pose_priors.h"
 #include "contour/fit/pose_problem.h"
+#include "contour/model/angle_ranges.h"
 #include "numerics/shortest_rotation.h"
 
 namespace markerless_mocap {
@@ -30,20 +31,29 @@ constexpr double kRobustScales[] = {0.1, 0.25};
 constexpr size_t kCosts = 2;
 constexpr size_t kMaxRays = 120;  // maximum number of rays in the cost
 
+// Samples bend less than the joint's limit by this much, radians; a fit may bend them further.
+constexpr double kUnsampledBend = 0.1;
+
 /// The sampled joints of a limb.
 struct LimbJoints {
   ContourLimb::Id limb;
   int joint, hinge;
-  double hinge_lower, hinge_upper;
 };
 LimbJoints jointsOf(ContourLimb::Id limb) {
   constexpr LimbJoints kJoints[] = {
-      {ContourLimb::kLeftArm, SphericalJoint::kLeftShoulder, RevoluteJoint::kLeftElbow, 0.0, 2.6},
-      {ContourLimb::kRightArm, SphericalJoint::kRightShoulder, RevoluteJoint::kRightElbow, 0.0,
-       2.6},
-      {ContourLimb::kLeftLeg, SphericalJoint::kLeftHip, RevoluteJoint::kLeftKnee, -2.6, 0.0},
-      {ContourLimb::kRightLeg, SphericalJoint::kRightHip, RevoluteJoint::kRightKnee, -2.6, 0.0}};
+      {ContourLimb::kLeftArm, SphericalJoint::kLeftShoulder, RevoluteJoint::kLeftElbow},
+      {ContourLimb::kRightArm, SphericalJoint::kRightShoulder, RevoluteJoint::kRightElbow},
+      {ContourLimb::kLeftLeg, SphericalJoint::kLeftHip, RevoluteJoint::kLeftKnee},
+      {ContourLimb::kRightLeg, SphericalJoint::kRightHip, RevoluteJoint::kRightKnee}};
   return kJoints[limb - ContourLimb::kLeftArm];
+}
+
+/// The sampled angles of a limb's hinge, which is straight at 0.
+AngleRange sampledBend(const LimbJoints& joints) {
+  AngleRange range = kAngleRanges[size_t(joints.hinge)];
+  if (range.lower < 0.0) range.lower += kUnsampledBend;
+  if (range.upper > 0.0) range.upper -= kUnsampledBend;
+  return range;
 }
 
 struct LimbPoseSample {
@@ -134,7 +144,7 @@ class LimbPoseSampler {
  public:
   LimbPoseSampler(const ContourBody& body, const LimbPoseCost& cost, const ContourPose& fitted,
                   const LimbJoints& joints)
-      : body_(body), cost_(cost), fitted_(fitted), joints_(joints) {}
+      : body_(body), cost_(cost), fitted_(fitted), joints_(joints), bend_(sampledBend(joints)) {}
 
   /// Draws a pose whose limb is near to that of `middle`, with the hinge near to `bend`. \param
   /// scale factor on the standard deviations
@@ -146,8 +156,7 @@ class LimbPoseSampler {
     sample.pose.rotations[size_t(joints_.joint)] =
         middle.rotations[size_t(joints_.joint)] * expSO3(turn);
     sample.pose.angles[size_t(joints_.hinge)] =
-        std::clamp(bend + scale * kHingeDeviation * normal_(random_), joints_.hinge_lower,
-                   joints_.hinge_upper);
+        std::clamp(bend + scale * kHingeDeviation * normal_(random_), bend_.lower, bend_.upper);
     samples_.push_back(sample);
   }
 
@@ -174,6 +183,7 @@ class LimbPoseSampler {
   const LimbPoseCost& cost_;
   const ContourPose& fitted_;
   const LimbJoints joints_;
+  const AngleRange bend_;
   std::mt19937 random_{1};
   std::normal_distribution<double> normal_;
   std::vector<LimbPoseSample> samples_;
@@ -182,9 +192,10 @@ class LimbPoseSampler {
 
 /// Half of the samples bend as expected, the other half are evenly distributed over the range.
 void drawFirst(const ContourPose& expected, const LimbJoints& joints, LimbPoseSampler& sampler) {
+  const AngleRange bend = sampledBend(joints);
   const auto bendOf = [&](size_t i, size_t count) {
-    const double range = joints.hinge_upper - joints.hinge_lower;
-    return i % 2 ? joints.hinge_lower + range * double(i) / double(count)
+    const double range = bend.upper - bend.lower;
+    return i % 2 ? bend.lower + range * double(i) / double(count)
                  : expected.angles[size_t(joints.hinge)];
   };
   for (size_t i = 0; i < kSamplesNear; ++i) sampler.draw(expected, bendOf(i, kSamplesNear), 1.0);

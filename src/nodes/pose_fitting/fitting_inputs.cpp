@@ -4,26 +4,19 @@
 #include <cmath>
 #include <exception>
 
-#include "nodes/common/mask_sets.h"
 #include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 
 namespace markerless_mocap {
 namespace {
 
-constexpr uint32_t kQueue = 64;              // callbacks only store messages
-constexpr size_t kMaxImages = 64;            // per camera; it covers the delay of the masks
-constexpr size_t kMaxWaiting = 3;            // frame sets that wait for their images
-constexpr int64_t kMaxDelay = 100'000'000;   // ns; a camera with a larger delay is assumed to have
-                                             // stopped
-constexpr int64_t kStrayTime = 500'000'000;  // ns
+constexpr uint32_t kQueue = 64;             // callbacks only store messages
+constexpr size_t kMaxImages = 64;           // per camera; it covers the delay of the masks
+constexpr int64_t kMaxDelay = 100'000'000;  // ns; a camera with a larger delay is assumed to have
+                                            // stopped
 // visual_hull judges the cameras of a frame set while it is fitted, so the last judgement counts.
 constexpr size_t kJudgements = 8;
 constexpr int64_t kJudgementHolds = 500'000'000;  // ns
-
-size_t countOf(const FrameSetAssembler<sensor_msgs::ImageConstPtr>::FrameSet& frame_set) {
-  return size_t(std::count(frame_set.present.begin(), frame_set.present.end(), true));
-}
 
 }  // namespace
 
@@ -39,11 +32,12 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
       collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       // Before products_: a tracker without masks waits for no camera, and hulls may come at once.
       rig_(needs.masks ? nullptr : std::make_shared<const CameraRig>()),
-      assembler_(
-          std::max(options.cameras.size(), size_t(1)),
-          maskSetOptions(options.stamp_tolerance, options.deadline, collector_.timeOffsets())),
+      mask_sets_(
+          {std::max(options.cameras.size(), size_t(1)), options.requiredCameras(),
+           options.stamp_tolerance, options.deadline, collector_.timeOffsets()},
+          [this](const MaskSet& set) { return waitsForImages(set); },
+          [this](const MaskSet& set) { dispatch(set); }),
       images_(options.cameras.size(), kMaxImages),
-      pending_(kMaxWaiting),
       states_(options.cameras.size()),
       inputs_(handle, status),
       products_(
@@ -53,7 +47,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
   if (!needs_.masks) return;
   if (needs_.colors && !options_.privacy)
     colors_.emplace(options_.cameras, options_.image_transport, &inputs_, status_,
-                    [this] { dispatchReady(); });
+                    [this] { mask_sets_.passOn(); });
   // A driver of many cameras accepts one subscriber after another: the most needed come first.
   for (size_t i = 0; i < options_.cameras.size(); ++i) listenToInfo(i);
   for (size_t i = 0; i < options_.cameras.size(); ++i) listenToCamera(i);
@@ -97,11 +91,7 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
   if (options_.privacy && needs_.colors && hasUnknownBackground(*mask))
     status_->remark("the background of " + options_.cameras[camera] +
                     " is not known, and with privacy its colours are not read");
-  const uint64_t jumps = assembler_.counts().time_jumps_back;
-  auto frame_sets = assembler_.add(camera, stamp_ns, mask);
-  if (assembler_.counts().time_jumps_back != jumps) pending_.clear();
-  for (auto& frame_set : frame_sets) pending_.push(std::move(frame_set));
-  dispatchReady();
+  mask_sets_.add(camera, mask);
   reportCounts();
 }
 
@@ -121,13 +111,8 @@ void FittingInputs::followRig() {
   tf_.tellFaults(collector_, status_);
 }
 
-void FittingInputs::dispatchReady() {
-  pending_.release([this](const Assembler::FrameSet& one) { return waitsForImages(one); },
-                   [this](const Assembler::FrameSet& one) { dispatch(one); });
-}
-
-void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
-  if (isStray(frame_set)) return status_->count("lone masks between frame sets");
+void FittingInputs::dispatch(const MaskSet& frame_set) {
+  if (mask_sets_.isStray(frame_set)) return status_->count("lone masks between frame sets");
   followRig();
   FittingMessages input;
   input.arrival_ns = ros::SteadyTime::now().toNSec();
@@ -139,13 +124,13 @@ void FittingInputs::dispatch(const Assembler::FrameSet& frame_set) {
     input.error =
         lackOfMasks(countOf(frame_set), options_.cameras.size(), options_.requiredCameras());
   else
-    last_passed_ns_ = frame_set.stamp_ns;
+    mask_sets_.noteUsed(frame_set);
   if (input.error.empty()) input.error = doubtOf(frame_set);
   input.rig = rig_;
   sink_(std::move(input));
 }
 
-std::string FittingInputs::doubtOf(const Assembler::FrameSet& frame_set) const {
+std::string FittingInputs::doubtOf(const MaskSet& frame_set) const {
   size_t usable = countOf(frame_set);
   std::string doubt;
   for (size_t i = 0; i < options_.cameras.size(); ++i) {
@@ -156,12 +141,7 @@ std::string FittingInputs::doubtOf(const Assembler::FrameSet& frame_set) const {
   return usable < options_.requiredCameras() ? doubt : "";
 }
 
-bool FittingInputs::isStray(const Assembler::FrameSet& frame_set) const {
-  return countOf(frame_set) < options_.requiredCameras() && last_passed_ns_ &&
-         std::abs(frame_set.stamp_ns - *last_passed_ns_) < kStrayTime;
-}
-
-bool FittingInputs::waitsForImages(const Assembler::FrameSet& frame_set) const {
+bool FittingInputs::waitsForImages(const MaskSet& frame_set) const {
   for (size_t i = 0; colors_ && i < options_.cameras.size(); ++i)
     if (frame_set.present[i] &&
         colors_->mayStillCome(i, nanosecondsOf(frame_set.items[i]->header.stamp), 0, kMaxDelay))
@@ -169,8 +149,7 @@ bool FittingInputs::waitsForImages(const Assembler::FrameSet& frame_set) const {
   return false;
 }
 
-void FittingInputs::addView(size_t camera, const Assembler::FrameSet& frame_set,
-                            FittingMessages* input) {
+void FittingInputs::addView(size_t camera, const MaskSet& frame_set, FittingMessages* input) {
   sensor_msgs::ImageConstPtr mask = frame_set.items[camera];
   const Judgement judgement = judgementOf(camera, frame_set.stamp_ns);
   const std::string& doubt = collector_.doubtOf(camera);
@@ -255,7 +234,7 @@ std::string FittingInputs::prepareRig() {
 }
 
 void FittingInputs::reportCounts() {
-  const AssemblerCounts& counts = assembler_.counts();
+  const AssemblerCounts& counts = mask_sets_.counts();
   status_->set("frame sets", counts.complete + counts.incomplete);
   status_->set("incomplete frame sets", counts.incomplete);
   status_->set("abandoned frame sets", counts.abandoned);

@@ -10,11 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/pipeline/make_body_tracker.h"
 #include "markerless_mocap/ros/messages.h"
 #include "nodes/common/camera_transforms.h"
-#include "nodes/common/holding_queue.h"
+#include "nodes/common/mask_sets.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_cache.h"
 #include "nodes/pose_fitting/color_images.h"
@@ -57,7 +56,6 @@ class FittingInputs {
   std::string lackingCameras() const;
 
  private:
-  using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
   /// What is known of a camera.
   struct CameraState {
     ros::Time last_stamp;
@@ -70,20 +68,16 @@ class FittingInputs {
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   /// Of a method that needs no masks.
   void receiveHull(const std_msgs::Header& header);
-  /// Passes on the waiting frame sets, oldest first, up to one whose images may still arrive.
-  void dispatchReady();
-  void dispatch(const Assembler::FrameSet& frame_set);
-  bool waitsForImages(const Assembler::FrameSet& frame_set) const;
-  /// Whether this is a lone mask between frame sets of more.
-  bool isStray(const Assembler::FrameSet& frame_set) const;
-  void addView(size_t camera, const Assembler::FrameSet& frame_set, FittingMessages* input);
+  void dispatch(const MaskSet& frame_set);
+  bool waitsForImages(const MaskSet& frame_set) const;
+  void addView(size_t camera, const MaskSet& frame_set, FittingMessages* input);
   struct Judgement {
     bool usable = true;
     std::string reason;  ///< why visual_hull did without the camera; empty: not known
   };
   Judgement judgementOf(size_t camera, int64_t stamp_ns) const;
   /// Why too few cameras are where the rig has them; empty: there are enough.
-  std::string doubtOf(const Assembler::FrameSet& frame_set) const;
+  std::string doubtOf(const MaskSet& frame_set) const;
   void noteUse(size_t camera, bool used, const std::string& reason);
   /// Takes over what has changed about the cameras.
   void followRig();
@@ -99,11 +93,9 @@ class FittingInputs {
   CameraTransforms tf_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
-  Assembler assembler_;
+  MaskSets mask_sets_;
   StampCache<CameraImage> images_;
-  HoldingQueue<Assembler::FrameSet> pending_;                    ///< joined, but without images
   std::deque<boost::shared_ptr<const HullCameras>> judgements_;  ///< the last ones
-  std::optional<int64_t> last_passed_ns_;  ///< stamp of the last frame set of several cameras
   mutable std::mutex states_mutex_;
   std::vector<CameraState> states_;    ///< by camera
   std::optional<ColorImages> colors_;  ///< of a method that needs them

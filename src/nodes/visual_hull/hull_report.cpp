@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "camera/timing_remarks.h"
-#include "nodes/common/mask_sets.h"
 #include "nodes/visual_hull/hull_stage.h"
 #include "ros/image_conversions.h"
 
@@ -24,7 +23,7 @@ std::string messageFor(const VisualHull& hull) {
 
 }  // namespace
 
-void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
+void HullStage::publishCameras(const MaskSet& frame_set, const VisualHull& hull,
                                const std_msgs::Header& header) {
   HullCameras message;
   message.header = header;
@@ -32,7 +31,7 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
   for (size_t i = 0; i < message.cameras.size(); ++i) {
     const bool present = frame_set.present[i];
     message.usable.push_back(true);  // others may have got its mask
-    message.reasons.push_back(present ? "" : missRemark(message.cameras[i], assembler_.timing(i)));
+    message.reasons.push_back(present ? "" : missRemark(message.cameras[i], mask_sets_.timing(i)));
   }
   for (const LeftOutCamera& camera : hull.cameras_left_out) {
     const auto at = std::find(message.cameras.begin(), message.cameras.end(), camera.name) -
@@ -51,22 +50,20 @@ void HullStage::publishCameras(const Assembler::FrameSet& frame_set, const Visua
 }
 
 std::string HullStage::stepOfCameras() const {
-  return stepRemark(assembler_.tolerance(), node_options_.stamp_tolerance);
+  return stepRemark(mask_sets_.tolerance(), node_options_.stamp_tolerance);
 }
 
-std::string HullStage::timingRemarks(const Assembler::FrameSet& frame_set) const {
-  const AssemblerOptions options =
-      maskSetOptions(node_options_.stamp_tolerance, node_options_.deadline, rig_.timeOffsets());
+std::string HullStage::timingRemarks(const MaskSet& frame_set) const {
   const bool in_step = stepOfCameras().empty();
   std::string remarks;
   for (size_t i = 0; i < frame_set.present.size(); ++i) {
     const std::string& camera = node_options_.cameras[i];
-    const StreamTiming timing = assembler_.timing(i);
+    const StreamTiming timing = mask_sets_.timing(i);
     std::string remark;
     if (!frame_set.present[i])
       remark = missRemark(camera, timing);
     else if (in_step)
-      remark = lagRemark(camera, timing, options);
+      remark = lagRemark(camera, timing, mask_sets_.options());
     if (!remark.empty()) remarks += "; " + remark;
   }
   return remarks;
@@ -85,7 +82,7 @@ void HullStage::reportHull(const VisualHull& hull, const std::string& timing) {
 }
 
 void HullStage::reportCounts() {
-  const AssemblerCounts& counts = assembler_.counts();
+  const AssemblerCounts& counts = mask_sets_.counts();
   status_.set("complete frame sets", counts.complete);
   status_.set("incomplete frame sets", counts.incomplete);
   status_.set("abandoned frame sets", counts.abandoned);
@@ -96,7 +93,7 @@ void HullStage::reportCounts() {
   status_.set("time went back", counts.time_jumps_back);
   for (size_t i = 0; i < node_options_.cameras.size(); ++i)
     status_.set("frame sets without the mask of " + node_options_.cameras[i],
-                assembler_.timing(i).left_out);
+                mask_sets_.timing(i).left_out);
 }
 
 }  // namespace markerless_mocap

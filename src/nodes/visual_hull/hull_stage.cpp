@@ -10,7 +10,6 @@
 #include "hull/camera_trust.h"
 #include "nodes/common/camera_pixels.h"
 #include "nodes/common/low_latency_transport.h"
-#include "nodes/common/mask_sets.h"
 #include "nodes/common/master_answers.h"
 #include "nodes/common/publish_shared.h"
 #include "ros/camera_conversions.h"
@@ -21,14 +20,8 @@ namespace markerless_mocap {
 namespace {
 
 constexpr uint32_t kQueue = 16;    // messages per topic that wait while another stage uses the CPU
-constexpr size_t kMaxWaiting = 3;  // frame sets that wait for their images
 constexpr size_t kMaxImages = 16;  // per camera; it covers the delay of the masks
-constexpr int64_t kStrayTime = 500'000'000;  // ns
-constexpr double kImagesKept = 3.0;          // s after somebody listened last
-
-AssemblerOptions assemblerOptions(const HullNodeOptions& node, const RigCollector& rig) {
-  return maskSetOptions(node.stamp_tolerance, node.deadline, rig.timeOffsets());
-}
+constexpr double kImagesKept = 3.0;  // s after somebody listened last
 
 }  // namespace
 
@@ -38,9 +31,12 @@ HullStage::HullStage(ros::NodeHandle& handle, const ros::NodeHandle& private_han
       tf_(handle),
       rig_(node_options.cameras, node_options.world_frame, node_options.rig_file,
            node_options.requiredCameras()),
-      assembler_(node_options.cameras.size(), assemblerOptions(node_options, rig_)),
+      mask_sets_(
+          {node_options.cameras.size(), node_options.requiredCameras(),
+           node_options.stamp_tolerance, node_options.deadline, rig_.timeOffsets()},
+          [this](const MaskSet& set) { return waitsForImages(set); },
+          [this](const MaskSet& set) { process(set); }),
       images_(node_options.cameras.size(), kMaxImages),
-      waiting_(kMaxWaiting),
       carver_(options),
       status_(handle, private_handle, "visual hull"),
       display_(handle, node_options.cameras.size()),
@@ -115,7 +111,7 @@ void HullStage::prepareBeforehand(const ros::Time& stamp) {
 
 void HullStage::receiveImage(size_t camera, const CameraImage& image) {
   images_.add(camera, nanosecondsOf(image.header().stamp), image);
-  drain();
+  mask_sets_.passOn();
 }
 
 void HullStage::followRig() {
@@ -143,21 +139,11 @@ void HullStage::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mas
                          "'s silhouettes are zero");
   followDemand();
   rig_.noteImageSize(camera, int(mask->width), int(mask->height));
-  const uint64_t jumps = assembler_.counts().time_jumps_back;
-  auto frame_sets = assembler_.add(camera, nanosecondsOf(mask->header.stamp), mask);
-  if (assembler_.counts().time_jumps_back != jumps) waiting_.clear();
-  for (auto& frame_set : frame_sets) waiting_.push(std::move(frame_set));
-  drain();
+  mask_sets_.add(camera, mask);
   reportCounts();
 }
 
-void HullStage::drain() {
-  waiting_.release(
-      [this](const Assembler::FrameSet& frame_set) { return waitsForImages(frame_set); },
-      [this](const Assembler::FrameSet& frame_set) { process(frame_set); });
-}
-
-bool HullStage::waitsForImages(const Assembler::FrameSet& frame_set) const {
+bool HullStage::waitsForImages(const MaskSet& frame_set) const {
   for (size_t i = 0; i < frame_set.items.size(); ++i)
     if (frame_set.present[i] &&
         images_.mayStillCome(i, nanosecondsOf(frame_set.items[i]->header.stamp)))
@@ -165,8 +151,8 @@ bool HullStage::waitsForImages(const Assembler::FrameSet& frame_set) const {
   return false;
 }
 
-void HullStage::process(const Assembler::FrameSet& frame_set) {
-  if (isStray(frame_set)) {
+void HullStage::process(const MaskSet& frame_set) {
+  if (mask_sets_.isStray(frame_set)) {
     status_.count("lone masks between frame sets");
     return;
   }
@@ -181,7 +167,7 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
     const std::vector<CameraImage> images = takeImages(frame_set);
     std::vector<LeftOutCamera> unreadable;
     const std::vector<HullView> views = viewsOf(frame_set, images, &unreadable);
-    last_carved_ns_ = frame_set.stamp_ns;
+    mask_sets_.noteUsed(frame_set);
     hull = carver_->carve(views);
     hull.cameras_left_out.insert(hull.cameras_left_out.end(), unreadable.begin(), unreadable.end());
     reportHull(hull, timingRemarks(frame_set));
@@ -192,12 +178,6 @@ void HullStage::process(const Assembler::FrameSet& frame_set) {
   publishCameras(frame_set, hull, header);
   if (isWanted()) publishShared(points_, messageFromHull(hull, header));
   status_.sent(header.stamp);
-}
-
-bool HullStage::isStray(const Assembler::FrameSet& frame_set) const {
-  const size_t present = std::count(frame_set.present.begin(), frame_set.present.end(), true);
-  return present < node_options_.requiredCameras() && last_carved_ns_ &&
-         std::abs(frame_set.stamp_ns - *last_carved_ns_) < kStrayTime;
 }
 
 void HullStage::prepareCarver(const std_msgs::Header& header) {
@@ -216,7 +196,7 @@ void HullStage::announceCarver(const std_msgs::Header& header) {
   handles_.show(carver_.volume());
 }
 
-std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_set) {
+std::vector<CameraImage> HullStage::takeImages(const MaskSet& frame_set) {
   std::vector<CameraImage> images(frame_set.items.size());
   for (size_t i = 0; i < images.size(); ++i)
     if (frame_set.present[i])
@@ -224,16 +204,16 @@ std::vector<CameraImage> HullStage::takeImages(const Assembler::FrameSet& frame_
   return images;
 }
 
-void HullStage::requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const {
+void HullStage::requireCameras(size_t usable, const MaskSet& frame_set) const {
   if (usable >= node_options_.requiredCameras()) return;
   throw std::invalid_argument(
       lackOfMasks(usable, frame_set.items.size(), node_options_.requiredCameras()));
 }
 
-std::vector<HullView> HullStage::viewsOf(const Assembler::FrameSet& frame_set,
+std::vector<HullView> HullStage::viewsOf(const MaskSet& frame_set,
                                          const std::vector<CameraImage>& images,
                                          std::vector<LeftOutCamera>* left_out) const {
-  size_t usable = std::count(frame_set.present.begin(), frame_set.present.end(), true);
+  size_t usable = countOf(frame_set);
   requireCameras(usable, frame_set);
   std::vector<HullView> views(frame_set.items.size());
   for (size_t i = 0; i < views.size(); ++i) {

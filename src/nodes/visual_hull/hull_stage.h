@@ -2,15 +2,13 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "markerless_mocap/camera/frame_set_assembler.h"
 #include "markerless_mocap/hull/hull_carver.h"
 #include "nodes/common/camera_transforms.h"
-#include "nodes/common/holding_queue.h"
 #include "nodes/common/live_options.h"
+#include "nodes/common/mask_sets.h"
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stage_services.h"
 #include "nodes/common/stamp_cache.h"
@@ -31,8 +29,6 @@ class HullStage {
             const HullOptions& options, const HullNodeOptions& node_options);
 
  private:
-  using Assembler = FrameSetAssembler<sensor_msgs::ImageConstPtr>;
-
   void subscribe();
   /// Whether somebody listens to the hull. Else it is carved to judge the cameras, no more.
   bool isWanted() const { return points_.getNumSubscribers() > 0; }
@@ -41,14 +37,12 @@ class HullStage {
   void receiveInfo(size_t camera, const sensor_msgs::CameraInfo& info);
   void receiveMask(size_t camera, const sensor_msgs::ImageConstPtr& mask);
   void receiveImage(size_t camera, const CameraImage& image);
-  /// Processes the waiting frame sets, oldest first, up to one whose images may still arrive.
-  void drain();
-  bool waitsForImages(const Assembler::FrameSet& frame_set) const;
-  void process(const Assembler::FrameSet& frame_set);
+  bool waitsForImages(const MaskSet& frame_set) const;
+  void process(const MaskSet& frame_set);
   /// Reports the result for a frame set, and which cameras were left out.
   void reportHull(const VisualHull& hull, const std::string& timing);
   /// What is said of cameras that lag or are missing, each after "; "; empty: nothing.
-  std::string timingRemarks(const Assembler::FrameSet& frame_set) const;
+  std::string timingRemarks(const MaskSet& frame_set) const;
   /// A sentence if the cameras are not in step; empty if they are.
   std::string stepOfCameras() const;
   void prepareBeforehand(const ros::Time& stamp);
@@ -60,17 +54,14 @@ class HullStage {
   void advertiseServices();
   /// Thread-safe; returns what was done. Throws if the file cannot be written.
   std::string saveVolume() const;
-  std::vector<CameraImage> takeImages(const Assembler::FrameSet& frame_set);
+  std::vector<CameraImage> takeImages(const MaskSet& frame_set);
   /// The result refers to the pixels of the images. A camera whose mask cannot be read is left out.
-  std::vector<HullView> viewsOf(const Assembler::FrameSet& frame_set,
-                                const std::vector<CameraImage>& images,
+  std::vector<HullView> viewsOf(const MaskSet& frame_set, const std::vector<CameraImage>& images,
                                 std::vector<LeftOutCamera>* left_out) const;
   /// Why the carver's rig does not hold for what a camera sends; empty: it does.
   std::string doubtOf(size_t camera) const;
-  void requireCameras(size_t usable, const Assembler::FrameSet& frame_set) const;
-  /// Whether this is a lone mask between frame sets that have enough of them.
-  bool isStray(const Assembler::FrameSet& frame_set) const;
-  void publishCameras(const Assembler::FrameSet& frame_set, const VisualHull& hull,
+  void requireCameras(size_t usable, const MaskSet& frame_set) const;
+  void publishCameras(const MaskSet& frame_set, const VisualHull& hull,
                       const std_msgs::Header& header);
   /// Takes over what has changed about the cameras. The old carver is used until the new one is
   /// made, without the cameras that have changed noticeably.
@@ -80,14 +71,12 @@ class HullStage {
   HullNodeOptions node_options_;
   CameraTransforms tf_;
   RigCollector rig_;
-  Assembler assembler_;
+  MaskSets mask_sets_;
   StampCache<CameraImage> images_;
-  HoldingQueue<Assembler::FrameSet> waiting_;
   LiveCarver carver_;
   StageStatus status_;
   std::vector<ros::Subscriber> image_subscribers_;
-  double wanted_until_ = 0.0;              ///< s, when images are needed no more
-  std::optional<int64_t> last_carved_ns_;  ///< stamp of the last frame set with enough cameras
+  double wanted_until_ = 0.0;  ///< s, when images are needed no more
   ros::Publisher points_, cameras_, grid_;
   CameraDisplay display_;
   std::atomic<bool> runs_{true};

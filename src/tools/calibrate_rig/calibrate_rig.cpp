@@ -23,32 +23,30 @@ namespace {
 
 constexpr int kGlance = 5;  // images that show whether the board lies still
 
-FrameTimes timesOf(const CalibrateRigArguments& a, const std::vector<FilmSource>& films) {
+FrameTimes timesOf(const CheckedArguments& a) {
   if (a.times.empty()) return {};
   std::vector<std::string> names;
-  for (const FilmSource& film : films) names.push_back(film.camera);
+  for (const FilmSource& film : a.board_films) names.push_back(film.camera);
   return readFrameTimes(a.times, names);
 }
 
-void addPicturesOfLenses(const CalibrateRigArguments& a, const BoardDetector& detector,
+void addPicturesOfLenses(const CheckedArguments& a, const BoardDetector& detector,
                          FoundBoards* boards) {
   if (a.lens_pictures.empty()) return;
-  addLensPictures(findBoards(detector, findFilms(a.lens_pictures, ""), a.most_images, {}, {}),
-                  boards);
+  addLensPictures(findBoards(detector, a.lens_films, a.most_images, {}, {}), boards);
 }
 
 /// The places of the cameras come from images of the board that all may see at one time.
-bool isSeenTogether(const CalibrateRigArguments& a) {
+bool isSeenTogether(const CheckedArguments& a) {
   return !a.live && !a.separate && !a.lens_only && a.lens_pictures.empty() && a.points.empty();
 }
 
-FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::ostream* notes,
+FoundBoards searchAll(const CheckedArguments& a, const Board& board, std::ostream* notes,
                       bool terminal) {
   const BoardDetector detector(board);
-  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
   Progress progress("boards", notes, terminal);
   const auto search = [&](int most_images) {
-    return findBoards(detector, films, most_images, timesOf(a, films),
+    return findBoards(detector, a.board_films, most_images, timesOf(a),
                       [&](double part) { progress.update(part); });
   };
   FoundBoards boards = isSeenTogether(a) && !a.lenses.empty() ? search(kGlance) : FoundBoards();
@@ -60,27 +58,26 @@ FoundBoards searchAll(const CalibrateRigArguments& a, const Board& board, std::o
 }
 
 /// Images of equal times in place of evenly spread ones, which show the lenses from then on.
-void searchTogether(const CalibrateRigArguments& a, const Board& board, const FoundBoards& found,
+void searchTogether(const CheckedArguments& a, const Board& board, const FoundBoards& found,
                     CalibrationInput* input, std::ostream* notes, bool terminal) {
   std::vector<double> offsets(found.cameras.size(), 0.0);
   if (input->clocks) offsets = input->clocks->offsets;
   if (!std::all_of(offsets.begin(), offsets.end(), [](double o) { return std::isfinite(o); }))
     return;  // which the calibration says
-  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
   Progress progress("boards at equal times", notes, terminal);
-  FoundBoards together =
-      findBoardsIn(BoardDetector(board), films, imagesTogether(found, offsets, a.most_images),
-                   timesOf(a, films), [&](double p) { progress.update(p); });
+  FoundBoards together = findBoardsIn(BoardDetector(board), a.board_films,
+                                      imagesTogether(found, offsets, a.most_images), timesOf(a),
+                                      [&](double p) { progress.update(p); });
   progress.finish();
   for (BoardView& view : input->views) view.alone = true;
   input->views.insert(input->views.end(), together.views.begin(), together.views.end());
 }
 
 /// The board is in no film: what is there in its place?
-[[noreturn]] void refuseFilms(const CalibrateRigArguments& a, const Board& board) {
+[[noreturn]] void refuseFilms(const CheckedArguments& a, const Board& board) {
   constexpr int kImages = 8;  // per film
   std::string hint;
-  for (const FilmSource& film : findFilms(a.inputs, a.video))
+  for (const FilmSource& film : a.board_films)
     if (hint.empty()) hint = otherBoardIn(board, imagesOf(film, kImages));
   throw std::invalid_argument(
       "the board was found in no picture of any camera" +
@@ -89,7 +86,7 @@ void searchTogether(const CalibrateRigArguments& a, const Board& board, const Fo
 }
 
 /// The first view of the camera, or the time that is named.
-FloorView floorView(const CalibrateRigArguments& a, const FoundBoards& boards) {
+FloorView floorView(const CheckedArguments& a, const FoundBoards& boards) {
   const FloorPlace place = floorPlaceIn(a.floor);
   FloorView floor;
   floor.camera = cameraNamed(place.camera, boards.cameras, "--floor");
@@ -101,69 +98,66 @@ FloorView floorView(const CalibrateRigArguments& a, const FoundBoards& boards) {
   return floor;
 }
 
-void useLenses(const std::string& path, std::vector<CameraToCalibrate>* cameras) {
-  const std::vector<CameraCalibration> known = lensesOf(path, *cameras);
+void useLenses(const CheckedArguments& a, std::vector<CameraToCalibrate>* cameras) {
   for (size_t i = 0; i < cameras->size(); ++i) {
     CameraToCalibrate& camera = (*cameras)[i];
-    CameraCalibration given = known[i];
+    CameraCalibration given = a.known_lenses[i];
     if (given.width == 0) {
       given.width = camera.width;
       given.height = camera.height;
     }
     if (given.width != camera.width || given.height != camera.height)
-      throw std::invalid_argument(path + ": " + camera.name + " is " + std::to_string(given.width) +
-                                  " x " + std::to_string(given.height) + " pixels, its film " +
-                                  std::to_string(camera.width) + " x " +
-                                  std::to_string(camera.height));
+      throw std::invalid_argument(
+          a.lenses + ": " + camera.name + " is " + std::to_string(given.width) + " x " +
+          std::to_string(given.height) + " pixels, its film " + std::to_string(camera.width) +
+          " x " + std::to_string(camera.height));
     camera.given = given;
   }
 }
 
 /// Not pictures, between which the board may have gone anywhere.
-bool areFilms(const CalibrateRigArguments& a) {
+bool areFilms(const CheckedArguments& a) {
   if (a.live) return true;
-  for (const FilmSource& film : findFilms(a.inputs, a.video))
+  for (const FilmSource& film : a.board_films)
     if (std::filesystem::is_directory(film.path)) return false;
   return true;
 }
 
 /// Stamps of a bag or a table are made alike in later recordings; the beginning of a video is not.
-bool haveStamps(const CalibrateRigArguments& a) {
+bool haveStamps(const CheckedArguments& a) {
   if (a.live || !a.times.empty()) return true;
-  const std::vector<FilmSource> films = findFilms(a.inputs, a.video);
-  return std::all_of(films.begin(), films.end(),
+  return std::all_of(a.board_films.begin(), a.board_films.end(),
                      [](const FilmSource& film) { return !film.topic.empty(); });
 }
 
 /// Clocks that tell times are believed, and checked later; single pictures have none.
-FilmStart startOf(const CalibrateRigArguments& a) {
+FilmStart startOf(const CheckedArguments& a) {
   if (a.lens_only || a.separate) return FilmStart::kTogether;
   const bool known = !areFilms(a) || haveStamps(a);
   return a.start == FilmStart::kUnknown && known ? FilmStart::kTogether : a.start;
 }
 
 /// Whether the person walks in the films of the board.
-bool isWalkOfBoard(const CalibrateRigArguments& a) {
+bool isWalkOfBoard(const CheckedArguments& a) {
   if (a.live) return false;
   std::set<std::string> boards;
-  for (const FilmSource& film : findFilms(a.inputs, a.video)) boards.insert(film.path);
-  const std::vector<FilmSource> films = findFilms(a.walk, a.video);
-  return std::all_of(films.begin(), films.end(),
+  for (const FilmSource& film : a.board_films) boards.insert(film.path);
+  return std::all_of(a.walk_films.begin(), a.walk_films.end(),
                      [&](const FilmSource& film) { return boards.count(film.path) > 0; });
 }
 
-CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boards) {
+CalibrationInput inputOf(const CheckedArguments& a, const FoundBoards& boards) {
   CalibrationInput input;
   input.board = a.board;
   input.cameras = boards.cameras;
   input.views = boards.views;
   for (BoardView& view : input.views) view.alone |= a.separate || a.lens_only;
-  if (!a.lenses.empty()) useLenses(a.lenses, &input.cameras);
+  if (!a.lenses.empty()) useLenses(a, &input.cameras);
   if (!a.points.empty()) input.points = readKnownPoints(a.points, boards.cameras);
   if (!a.floor.empty()) input.floor = floorView(a, boards);
   if (!a.walk.empty())
     input.walk = [&a, cameras = boards.cameras](const std::vector<double>& offsets) {
-      return walkSilhouettes(findFilms(a.walk, a.video), cameras, offsets, isWalkOfBoard(a));
+      return walkSilhouettes(a.walk_films, cameras, offsets, isWalkOfBoard(a));
     };
   if (a.lens != "auto") input.lens = lensModelNamed(a.lens);
   input.largest_offset = a.largest_offset;
@@ -174,7 +168,7 @@ CalibrationInput inputOf(const CalibrateRigArguments& a, const FoundBoards& boar
 }
 
 /// Live, the board lies on the floor at the end.
-FoundBoards watchCameras(CalibrateRigArguments* a, const Board& board, std::ostream* notes) {
+FoundBoards watchCameras(CheckedArguments* a, const Board& board, std::ostream* notes) {
   LiveWatch watch;
   watch.cameras = a->inputs;
   watch.interrupted = a->interrupted;
@@ -205,8 +199,7 @@ void sayWhatWasFound(const FoundBoards& boards, std::ostream& out) {
 
 RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* notes,
                               bool terminal) {
-  checkInputs(given);
-  CalibrateRigArguments arguments = given;
+  CheckedArguments arguments = checked(given);
   const Board board(arguments.board);
   const FoundBoards boards = arguments.live ? watchCameras(&arguments, board, notes)
                                             : searchAll(arguments, board, notes, terminal);
@@ -214,8 +207,8 @@ RigCalibration calibrateFilms(const CalibrateRigArguments& given, std::ostream* 
   if (boards.views.empty() && !arguments.live) refuseFilms(arguments, board);
   CalibrationInput input = inputOf(arguments, boards);
   std::string remark;
-  const bool still = isSeenTogether(arguments) &&
-                     useStillBoard(findFilms(arguments.inputs, arguments.video), &input, &remark);
+  const bool still =
+      isSeenTogether(arguments) && useStillBoard(arguments.board_films, &input, &remark);
   if (!still) remark = findStarts(startOf(arguments), &input);
   if (!still && areSparse(boards) &&
       (input.clocks || (areFilms(arguments) && !haveOneRate(boards))))

@@ -22,7 +22,7 @@ std::string counted(int count, const char* one, const char* many) {
 
 std::string triedLenses(const CalibratedCamera& camera) {
   std::string tried;
-  for (const LensTry& one : camera.lens_trials)
+  for (const LensTrial& one : camera.lens_trials)
     tried += (tried.empty() ? "" : "; ") + nameOf(one.lens) + formatNumber(": %.3f", one.rms);
   return tried;
 }

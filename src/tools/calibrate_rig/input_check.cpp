@@ -15,14 +15,24 @@ namespace markerless_mocap {
 namespace {
 
 /// What the films tell before they are opened: their names.
-std::vector<CameraToCalibrate> namedCameras(const CalibrateRigArguments& a) {
+std::vector<CameraToCalibrate> namedCameras(const CheckedArguments& a) {
   std::vector<CameraToCalibrate> cameras;
   if (a.live)
     for (const std::string& name : a.inputs) cameras.push_back({name, 0, 0, {}});
   else
-    for (const FilmSource& film : findFilms(a.inputs, a.video))
-      cameras.push_back({film.camera, 0, 0, {}});
+    for (const FilmSource& film : a.board_films) cameras.push_back({film.camera, 0, 0, {}});
   return cameras;
+}
+
+/// The calibrations of the cameras in a file or folder, as readLenses() and matchNames(), in the
+/// order of the cameras.
+std::vector<CameraCalibration> lensesOf(const std::string& path,
+                                        const std::vector<CameraToCalibrate>& cameras) {
+  const std::vector<CameraCalibration> known = readLenses({path}).cameras;
+  std::vector<std::string> names, wanted;
+  for (const CameraCalibration& camera : known) names.push_back(camera.name);
+  for (const CameraToCalibrate& camera : cameras) wanted.push_back(camera.name);
+  return camerasNamed(matchNames(wanted, names, "camera of " + path), known, path);
 }
 
 void checkChoices(const CalibrateRigArguments& a) {
@@ -61,25 +71,19 @@ size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>
   throw std::invalid_argument(option + " names the camera " + name + ", there are " + known);
 }
 
-std::vector<CameraCalibration> lensesOf(const std::string& path,
-                                        const std::vector<CameraToCalibrate>& cameras) {
-  const std::vector<CameraCalibration> known = readLenses({path}).cameras;
-  std::vector<std::string> names, wanted;
-  for (const CameraCalibration& camera : known) names.push_back(camera.name);
-  for (const CameraToCalibrate& camera : cameras) wanted.push_back(camera.name);
-  return camerasNamed(matchNames(wanted, names, "camera of " + path), known, path);
-}
-
-void checkInputs(const CalibrateRigArguments& a) {
+CheckedArguments checked(const CalibrateRigArguments& arguments) {
+  CheckedArguments a(arguments);
   checkChoices(a);
   checkOutputFolder(a.output);
   if (a.lens != "auto") lensModelNamed(a.lens);
+  if (!a.live) a.board_films = findFilms(a.inputs, a.video);
   const std::vector<CameraToCalibrate> cameras = namedCameras(a);
   if (!a.floor.empty()) cameraNamed(floorPlaceIn(a.floor).camera, cameras, "--floor");
   if (!a.points.empty()) readKnownPoints(a.points, cameras);
-  if (!a.walk.empty()) findFilms(a.walk, a.video);
-  if (!a.lens_pictures.empty()) findFilms(a.lens_pictures, "");
-  if (!a.lenses.empty()) lensesOf(a.lenses, cameras);
+  if (!a.walk.empty()) a.walk_films = findFilms(a.walk, a.video);
+  if (!a.lens_pictures.empty()) a.lens_films = findFilms(a.lens_pictures, "");
+  if (!a.lenses.empty()) a.known_lenses = lensesOf(a.lenses, cameras);
+  return a;
 }
 
 }  // namespace markerless_mocap

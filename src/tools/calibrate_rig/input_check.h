@@ -6,6 +6,7 @@
 
 #include "calibration/views.h"
 #include "tools/calibrate_rig/calibrate_rig.h"
+#include "tools/calibrate_rig/film.h"
 
 namespace markerless_mocap {
 
@@ -23,13 +24,16 @@ FloorPlace floorPlaceIn(const std::string& text);
 size_t cameraNamed(const std::string& name, const std::vector<CameraToCalibrate>& cameras,
                    const std::string& option);
 
-/// The calibrations of the cameras in a file or folder, as readLenses() and matchNames(), in the
-/// order of the cameras.
-std::vector<CameraCalibration> lensesOf(const std::string& path,
-                                        const std::vector<CameraToCalibrate>& cameras);
+/// The arguments, and what the files that they name hold.
+struct CheckedArguments : CalibrateRigArguments {
+  explicit CheckedArguments(const CalibrateRigArguments& arguments)
+      : CalibrateRigArguments(arguments) {}
+  std::vector<FilmSource> board_films, walk_films, lens_films;
+  std::vector<CameraCalibration> known_lenses;  ///< by camera; empty: none are given
+};
 
-/// Reads everything but the films once: these take long, and a fault of the rest is said before.
-/// Throws std::runtime_error or std::invalid_argument.
-void checkInputs(const CalibrateRigArguments& arguments);
+/// Reads everything but the films: these take long, and a fault of the rest is said before. Throws
+/// std::runtime_error or std::invalid_argument.
+CheckedArguments checked(const CalibrateRigArguments& arguments);
 
 }  // namespace markerless_mocap

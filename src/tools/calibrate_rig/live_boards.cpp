@@ -2,132 +2,25 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <stdexcept>
 
-#include "ros/camera_conversions.h"
 #include "ros/image_conversions.h"
 #include "text/joined.h"
 #include "tools/calibrate_rig/coverage_picture.h"
+#include "tools/calibrate_rig/floor_watch.h"
+#include "tools/calibrate_rig/live_images.h"
 
 namespace markerless_mocap {
 namespace {
 
 constexpr double kInterval = 0.2;  // s between images that are searched
-constexpr double kSilent = 1.0;    // s after which a camera is not waited for
 constexpr double kSayEvery = 2.0;  // s
-constexpr double kStill = 2.0;     // s for which the board lies still on the floor
-constexpr size_t kBuffered = 8;    // images of a camera
 constexpr size_t kMostPerCamera = 400;
-
-/// An image that may not be needed, and so is not decoded.
-struct Arrival {
-  double time = 0.0;  ///< s
-  sensor_msgs::Image::ConstPtr raw;
-  sensor_msgs::CompressedImage::ConstPtr compressed;
-};
-
-struct Decoded {
-  cv::Mat image;        ///< empty if there is none
-  std::string problem;  ///< why it cannot be used
-};
-
-Decoded decoded(const Arrival& arrival) {
-  try {
-    if (arrival.raw) return {matFromMessage(*arrival.raw), ""};
-    if (arrival.compressed) return {matFromMessage(*arrival.compressed), ""};
-  } catch (const std::invalid_argument& error) {
-    return {{}, error.what()};
-  }
-  return {};
-}
-
-template <class Message>
-double timeOf(const Message& message) {
-  return 1e-9 * double(nanosecondsOf(message.header.stamp));
-}
-
-/// Newest images of all cameras.
-class LiveImages {
- public:
-  LiveImages(ros::NodeHandle& node, const std::vector<std::string>& cameras)
-      : buffers_(cameras.size()) {
-    for (size_t i = 0; i < cameras.size(); ++i) {
-      subscribers_.push_back(node.subscribe<sensor_msgs::Image>(
-          cameras[i] + "/image_raw", 2, [this, i](const sensor_msgs::Image::ConstPtr& image) {
-            add(i, {timeOf(*image), image, nullptr});
-          }));
-      subscribers_.push_back(node.subscribe<sensor_msgs::CompressedImage>(
-          cameras[i] + "/image_raw/compressed", 2,
-          [this, i](const sensor_msgs::CompressedImage::ConstPtr& image) {
-            add(i, {timeOf(*image), nullptr, image});
-          }));
-    }
-  }
-
-  Arrival newest(size_t camera) const {
-    return buffers_[camera].empty() ? Arrival() : buffers_[camera].back();
-  }
-
-  /// The newest time that all cameras have reached, but for those that are silent.
-  double commonTime() const {
-    double newest = -INFINITY, common = INFINITY;
-    for (const auto& buffer : buffers_)
-      if (!buffer.empty()) newest = std::max(newest, buffer.back().time);
-    for (const auto& buffer : buffers_)
-      if (!buffer.empty() && buffer.back().time > newest - kSilent)
-        common = std::min(common, buffer.back().time);
-    return common;
-  }
-
-  /// The image nearest to a time; empty if there is none within half an interval.
-  Arrival nearest(size_t camera, double time) const {
-    Arrival nearest;
-    for (const Arrival& arrival : buffers_[camera])
-      if (std::abs(arrival.time - time) < kInterval / 2 &&
-          (!(nearest.raw || nearest.compressed) ||
-           std::abs(arrival.time - time) < std::abs(nearest.time - time)))
-        nearest = arrival;
-    return nearest;
-  }
-
- private:
-  void add(size_t camera, Arrival arrival) {
-    std::deque<Arrival>& buffer = buffers_[camera];
-    if (!buffer.empty() && arrival.time <= buffer.back().time) buffer.clear();  // time began anew
-    buffer.push_back(std::move(arrival));
-    if (buffer.size() > kBuffered) buffer.pop_front();
-  }
-
-  std::vector<std::deque<Arrival>> buffers_;
-  std::vector<ros::Subscriber> subscribers_;
-};
-
-/// Whether the board lies still in a camera's image, since it moved last.
-class FloorWatch {
- public:
-  void add(double time, const BoardCorners& corners, double width) {
-    constexpr double kMoves = 0.005;  // of the image's width
-    if (distanceBetween(corners, last_) > kMoves * width) {
-      since_ = time;
-      last_ = corners;
-    }
-    now_ = time;
-  }
-  /// \param from s: it must have come to its place later than that
-  bool isStill(double from) const { return since_ > from && now_ - since_ > kStill; }
-  double time() const { return now_; }
-
- private:
-  BoardCorners last_;
-  double since_ = 0.0, now_ = 0.0;
-};
 
 class Watcher {
  public:
@@ -207,7 +100,7 @@ class Watcher {
     std::vector<double> times(count);
     std::vector<std::string> problems(count);
     tbb::parallel_for(size_t(0), count, [&](size_t i) {
-      const Arrival arrival = images_.nearest(i, time);
+      const Arrival arrival = images_.nearest(i, time, kInterval / 2);
       times[i] = arrival.time;
       Decoded now = decoded(arrival);
       images[i] = now.image;
