@@ -145,6 +145,17 @@ TEST(FrameSetAssemblerOutOfStep, CamerasWhoseRatesDifferALittleAreJoinedThrougho
     }
 }
 
+// Offsets of clocks mean that clocks may drift, which is followed only where cameras are in step.
+TEST(FrameSetAssemblerOutOfStep, OffsetsDoNotMakeCamerasThatRunFreelySimultaneous) {
+  AssemblerOptions options = optionsWith(OutOfStep::kJoinIfNever);
+  options.offsets = {0.0, 0.02, 0.0};
+  options.max_drift = 0.1;
+  Assembler assembler(3, options);
+  const FrameSets sets = joinedBy(assembler, arrivals({0, 28, 22}, 300));  // 0, 8, 22 with offsets
+  EXPECT_GE(countComplete(sets), 290u);
+  EXPECT_NEAR(spanMs(sets.back()), 22.0, 0.01);
+}
+
 // At 5 images per second frame sets of cameras out of step last longer than the deadline.
 TEST(FrameSetAssemblerOutOfStep, SlowCamerasAreWaitedFor) {
   Assembler assembler(3, optionsWith(OutOfStep::kJoin));

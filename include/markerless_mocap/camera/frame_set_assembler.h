@@ -32,7 +32,8 @@ struct AssemblerOptions {
   int max_pending = 16;  ///< number of frame sets that wait; the oldest of more are closed
   /// Added to the stamps of each stream, for streams with other clocks; empty: nothing.
   std::vector<double> offsets;
-  /// Lags up to this are followed, as of clocks that drift; 0: they are measured, no more.
+  /// Lags up to this are followed, as of clocks that drift, of streams that are in step; 0: they
+  /// are measured, no more.
   double max_drift = 0.0;
   /// A stream from which nothing came for this long, and three times as long as usual, while others
   /// send, is not waited for until it sends again; 0: it is waited for up to the deadline.

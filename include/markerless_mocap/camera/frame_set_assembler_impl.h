@@ -104,6 +104,7 @@ void FrameSetAssembler<Item>::noteMissing(const FrameSet& frame_set) {
 
 template <class Item>
 int64_t FrameSetAssembler<Item>::followedLag(size_t stream) const {
+  if (phases_.joinsApart()) return 0;  // such lags are no drift
   const double most = 1e9 * options_.max_drift;
   return std::llround(std::clamp(lags_.lag_ns(stream), -most, most));
 }

@@ -30,6 +30,8 @@ class StampPhases {
   /// be joined, the shortest part of the interval in which all have their stamps and half of the
   /// rest. The given one as long as fewer than two streams are known, or their rates differ.
   int64_t tolerance_ns() const { return tolerance_ns_; }
+  /// Whether streams are joined that are out of step.
+  bool joinsApart() const { return tolerance_ns_ > least_ns_; }
   void reset();
 
  private:
