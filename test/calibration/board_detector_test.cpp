@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-
 #include <opencv2/imgproc.hpp>
+#include <random>
 
 #include "calibration/board/chessboard_corners.h"
 #include "calibration/board_image.h"
@@ -229,6 +229,48 @@ TEST(BoardDetector, ChessboardThatLiesFarOffOnTheFloor) {
   ASSERT_TRUE(found);
   for (size_t i = 0; i < found->ids.size(); ++i)
     EXPECT_LT((found->pixels[i] - picture.corners[found->ids[i]]).norm(), 0.2) << "corner " << i;
+}
+
+/// A board on the floor, some 150 pixels wide, whose corners lie as a seed tells.
+cv::Mat smallPicture(const Board& board, unsigned seed) {
+  constexpr int kFine = 4;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> u(-1, 1);
+  const float w = 80 + 20 * u(random), h = 32 + 8 * u(random),
+              back = w * (0.85f + 0.1f * u(random));
+  const cv::Point2f at(320 + 150 * u(random), 400 + 30 * u(random));
+  std::vector<cv::Point2f> corners{{-back, -h}, {back, -h}, {w, h}, {-w, h}};
+  for (cv::Point2f& corner : corners)
+    corner = kFine * (at + corner + cv::Point2f(10 * u(random), 6 * u(random)));
+  const cv::Mat page = boardImage(board, 1500, 0.02);
+  const float right = float(page.cols), low = float(page.rows);
+  const std::vector<cv::Point2f> of_page{{0, 0}, {right, 0}, {right, low}, {0, low}};
+  const cv::Mat fine_page = cv::getPerspectiveTransform(of_page, corners);
+  cv::Mat fine(480 * kFine, 640 * kFine, CV_8UC1, cv::Scalar(110)), image;
+  cv::warpPerspective(page, fine, fine_page, fine.size(), cv::INTER_AREA, cv::BORDER_TRANSPARENT);
+  cv::GaussianBlur(fine, fine, {}, 0.45 * kFine);
+  cv::resize(fine, image, {640, 480}, 0, 0, cv::INTER_AREA);
+  return image;
+}
+
+// It is found in the whole picture first, and then around its former place.
+TEST(BoardDetector, ChessboardThatLiesStillHasTheSameCornersInTheNextPicture) {
+  BoardOptions options;
+  options.kind = "chessboard";
+  options.columns = 9;
+  options.rows = 7;
+  const BoardDetector detector{Board(options)};
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const cv::Mat image = smallPicture(detector.board(), seed);
+    const auto first = detector.detect(image, true);
+    ASSERT_TRUE(first) << seed;
+    const auto next = detector.detect(image, true, &*first);
+    ASSERT_TRUE(next) << seed;
+    double apart = 0;
+    for (size_t i = 0; i < first->pixels.size(); ++i)
+      apart = std::max(apart, (next->pixels[i] - first->pixels[i]).norm());
+    EXPECT_LT(apart, 0.1) << seed;  // pixels
+  }
 }
 
 /// Corners of 7 x 4 seen at a steep angle from near.

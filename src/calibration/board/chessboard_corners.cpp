@@ -11,6 +11,7 @@ namespace {
 
 using Points = std::vector<cv::Point2f>;
 
+constexpr double kSmallSide = 16;   // pixels
 constexpr double kRefinedSide = 8;  // pixels; edges of smaller squares are too short
 
 /// Of a square, pixels.
@@ -25,10 +26,23 @@ double leastSide(const Points& found, cv::Size inner) {
   return side;
 }
 
+/// Corners on the plane that most of them lie on: where squares are small, lenses bend it little, and
+/// single corners lie wrong.
+Points evened(const Points& found, cv::Size inner) {
+  Points flat, out;
+  for (int y = 0; y < inner.height; ++y)
+    for (int x = 0; x < inner.width; ++x) flat.emplace_back(float(x), float(y));
+  const cv::Mat H = cv::findHomography(flat, found, cv::LMEDS);
+  if (H.empty()) return found;
+  cv::perspectiveTransform(flat, out, H);
+  return out;
+}
+
 /// To a fraction of a pixel, by the edges that meet in each corner.
 void refine(const cv::Mat& grey, cv::Size inner, Points* found) {
   const double side = leastSide(*found, inner);
   const int window = std::clamp(int(side / 3), side < kRefinedSide ? 2 : 3, 30);
+  if (side < kSmallSide) *found = evened(*found, inner);
   cv::cornerSubPix(grey, *found, {window, window}, {-1, -1},
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.003});
 }
@@ -70,9 +84,11 @@ Points findRows(const cv::Mat& grey, cv::Size inner, bool thorough, bool magnifi
 /// \param margin on each side, in the longer side of the corners' box
 cv::Rect partAbout(const Points& corners, double margin, const cv::Mat& grey) {
   const cv::Rect box = cv::boundingRect(corners);
-  const int by = int(margin * std::max(box.width, box.height));
-  return cv::Rect(box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by) &
-         cv::Rect(0, 0, grey.cols, grey.rows);
+  constexpr int kSteps = 32;  // pixels: that of a board that lies still is the same
+  const int by = int(margin * std::max(box.width, box.height)) + kSteps;
+  const cv::Point low = (box.tl() - cv::Point(by, by)) / kSteps * kSteps;
+  const cv::Point high = (box.br() + cv::Point(by, by)) / kSteps * kSteps;
+  return cv::Rect(low, high) & cv::Rect(0, 0, grey.cols, grey.rows);
 }
 
 /// In the part of the image about corners that are not far off.
