@@ -26,8 +26,8 @@ double leastSide(const Points& found, cv::Size inner) {
   return side;
 }
 
-/// Corners on the plane that most of them lie on: where squares are small, lenses bend it little, and
-/// single corners lie wrong.
+/// Corners on the plane that most of them lie on: where squares are small, lenses bend it little,
+/// and single corners lie wrong.
 Points evened(const Points& found, cv::Size inner) {
   Points flat, out;
   for (int y = 0; y < inner.height; ++y)
@@ -65,7 +65,7 @@ Points findBySectors(const cv::Mat& grey, cv::Size inner, int more) {
 Points findByQuadrangles(const cv::Mat& grey, cv::Size inner, int more) {
   Points found;
   const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | more;
-  if (!cv::findChessboardCorners(grey, inner, found, flags)) return {};
+  if (!cv::findChessboardCorners(grey, inner, found, flags) || !isGrid(found, inner)) return {};
   refine(grey, inner, &found);
   return isGrid(found, inner) ? found : Points();
 }
