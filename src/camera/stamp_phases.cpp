@@ -66,14 +66,15 @@ void StampPhases::add(size_t stream, int64_t stamp_ns) {
   std::deque<int64_t>& stamps = stamps_[stream];
   if (!stamps.empty() && stamp_ns <= stamps.back()) return;
   stamps.push_back(stamp_ns);
-  if (stamps.size() > kRemembered) stamps.pop_front();
-  measure();
+  const bool begins = stamps.size() <= kRemembered;
+  if (!begins) stamps.pop_front();
+  if (++added_ >= stamps_.size() || begins) measure();  // once in a frame set
 }
 
 void StampPhases::reset() {
   for (std::deque<int64_t>& stamps : stamps_) stamps.clear();
   tolerance_ns_ = least_ns_;
-  judged_ = 0;
+  added_ = judged_ = 0;
   never_in_step_ = false;
 }
 
@@ -104,6 +105,7 @@ std::optional<StampPhases::Step> StampPhases::step(const std::vector<size_t>& kn
 }
 
 void StampPhases::measure() {
+  added_ = 0;
   const std::vector<size_t> known = knownStreams();
   const std::optional<Step> now = step(known);
   tolerance_ns_ = least_ns_;

@@ -188,21 +188,30 @@ TEST(BoardDetector, ChessboardThatLooksTheSameTurned) {
   EXPECT_LT(std::min(same, turned), 0.35);
 }
 
+/// The page whose corners come to lie where they are named.
+cv::Mat placeOf(const cv::Mat& page, const std::vector<cv::Point2f>& corners) {
+  const float right = float(page.cols), low = float(page.rows);
+  const std::vector<cv::Point2f> of_page{{0, 0}, {right, 0}, {right, low}, {0, low}};
+  return cv::getPerspectiveTransform(of_page, corners);
+}
+
+/// 640 x 480 pixels of a page on a grey floor. \param fine_page into an image `times` as large
+/// \param blur pixels
+cv::Mat pageOnTheFloor(const cv::Mat& page, const cv::Mat& fine_page, int times, double blur) {
+  cv::Mat fine(480 * times, 640 * times, CV_8UC1, cv::Scalar(110)), image;
+  cv::warpPerspective(page, fine, fine_page, fine.size(), cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
+  cv::GaussianBlur(fine, fine, {}, blur * times);
+  cv::resize(fine, image, {640, 480}, 0, 0, cv::INTER_AREA);
+  return image;
+}
+
 /// As a camera of a room sees a board on the floor: far off, flat, on one of its corners, blurred.
 Picture pictureOnTheFloor(const Board& board) {
   constexpr int kFine = 8;
   const cv::Mat page = boardImage(board, 400, 0.1);
-  const cv::Mat fine_page = cv::getPerspectiveTransform(
-      std::vector<cv::Point2f>{{0, 0},
-                               {float(page.cols), 0},
-                               {float(page.cols), float(page.rows)},
-                               {0, float(page.rows)}},
-      std::vector<cv::Point2f>{{1600, 2790}, {2290, 2580}, {2840, 2720}, {2170, 2970}});
+  const cv::Mat fine_page = placeOf(page, {{1600, 2790}, {2290, 2580}, {2840, 2720}, {2170, 2970}});
   Picture picture;
-  cv::Mat fine(480 * kFine, 640 * kFine, CV_8UC1, cv::Scalar(110));
-  cv::warpPerspective(page, fine, fine_page, fine.size(), cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
-  cv::GaussianBlur(fine, fine, {}, 0.9 * kFine);
-  cv::resize(fine, picture.image, {640, 480}, 0, 0, cv::INTER_AREA);
+  picture.image = pageOnTheFloor(page, fine_page, kFine, 0.9);
   const cv::Matx33d H = fine_page;
   for (const Eigen::Vector2d& corner : board.corners()) {
     const cv::Vec3d p = H * cv::Vec3d((0.1 + corner.x()) * 400 - 0.5,
@@ -243,14 +252,7 @@ cv::Mat smallPicture(const Board& board, unsigned seed) {
   for (cv::Point2f& corner : corners)
     corner = kFine * (at + corner + cv::Point2f(10 * u(random), 6 * u(random)));
   const cv::Mat page = boardImage(board, 1500, 0.02);
-  const float right = float(page.cols), low = float(page.rows);
-  const std::vector<cv::Point2f> of_page{{0, 0}, {right, 0}, {right, low}, {0, low}};
-  const cv::Mat fine_page = cv::getPerspectiveTransform(of_page, corners);
-  cv::Mat fine(480 * kFine, 640 * kFine, CV_8UC1, cv::Scalar(110)), image;
-  cv::warpPerspective(page, fine, fine_page, fine.size(), cv::INTER_AREA, cv::BORDER_TRANSPARENT);
-  cv::GaussianBlur(fine, fine, {}, 0.45 * kFine);
-  cv::resize(fine, image, {640, 480}, 0, 0, cv::INTER_AREA);
-  return image;
+  return pageOnTheFloor(page, placeOf(page, corners), kFine, 0.45);
 }
 
 // It is found in the whole picture first, and then around its former place.

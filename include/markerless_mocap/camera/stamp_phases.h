@@ -43,6 +43,7 @@ class StampPhases {
   OutOfStep rule_;
   int64_t least_ns_, tolerance_ns_;
   std::vector<std::deque<int64_t>> stamps_;  ///< the last of each stream, ns
+  size_t added_ = 0;                         ///< stamps since the last measurement
   size_t judged_ = 0;                        ///< streams that were known when it was judged
   bool never_in_step_ = false;
 };
