@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sensor_msgs/Image.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -7,6 +8,7 @@
 #include "nodes/common/end_process.h"
 #include "nodes/common/frozen_images.h"
 #include "nodes/common/input_watch.h"
+#include "nodes/common/message_pool.h"
 #include "nodes/common/stamp_order.h"
 #include "nodes/common/sudden_change.h"
 #include "ros/jpeg_image.h"
@@ -139,6 +141,20 @@ cv::Mat picture(int seed, int noise) {
   cv::theRNG().state = uint64_t(noise);
   cv::randu(change, 0, 8);
   return image + change;
+}
+
+TEST(MessagePool, OnlyWhatNobodyHoldsIsUsedAgain) {
+  MessagePool<sensor_msgs::Image> pool;
+  sensor_msgs::ImageConstPtr first = pool.take(), second = pool.take();
+  EXPECT_NE(first, second);
+  const sensor_msgs::Image* const free = first.get();
+  first.reset();
+  EXPECT_EQ(pool.take().get(), free);
+  EXPECT_NE(pool.take(), second);
+  std::vector<sensor_msgs::ImageConstPtr> held;  // more than are kept
+  for (int i = 0; i < 10; ++i) held.push_back(pool.take());
+  for (size_t i = 0; i < held.size(); ++i)
+    for (size_t j = 0; j < i; ++j) EXPECT_NE(held[i], held[j]);
 }
 
 TEST(SuddenChange, ADamagedImageIsLeftOutAndOneThatStaysIsNot) {

@@ -12,6 +12,7 @@
 #include "nodes/common/callback_gate.h"
 #include "nodes/common/camera_image.h"
 #include "nodes/common/low_latency_transport.h"
+#include "nodes/common/message_pool.h"
 #include "nodes/common/sender_watch.h"
 #include "nodes/common/stage_status.h"
 
@@ -78,7 +79,8 @@ class StageInputs {
           silent_.erase(name);
           if (watched) status_->arrived(*watched);
           callback(event.getConstMessage());
-        }));
+        }),
+        [pool = std::make_shared<MessagePool<MessageT>>()] { return pool->take(); });
     options.transport_hints = lowLatencyTransport();
     return handle_.subscribe(options);
   }

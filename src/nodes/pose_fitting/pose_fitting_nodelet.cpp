@@ -4,6 +4,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/stage_queue.h"
 #include "nodes/pose_fitting/fitting_stage.h"
 #include "ros/parameters.h"
 
@@ -21,10 +22,12 @@ class PoseFittingNodelet : public nodelet::Nodelet {
     TrackerOptions options;
     FittingNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
-    stage_ = std::make_unique<FittingStage>(getNodeHandle(), getMTPrivateNodeHandle(), options,
-                                            node_options);
+    ros::NodeHandle handle = queue_.served(getNodeHandle());
+    stage_ =
+        std::make_unique<FittingStage>(handle, getMTPrivateNodeHandle(), options, node_options);
   }
 
+  StageQueue queue_{1};
   std::unique_ptr<FittingStage> stage_;
 };
 

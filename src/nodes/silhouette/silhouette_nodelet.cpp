@@ -1,13 +1,16 @@
 #include <nodelet/nodelet.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "nodes/common/guarded_start.h"
 #include "nodes/common/live_options.h"
+#include "nodes/common/stage_queue.h"
 #include "nodes/common/stage_services.h"
 #include "nodes/silhouette/silhouette_camera.h"
 #include "ros/parameters.h"
@@ -28,10 +31,11 @@ class SilhouetteNodelet : public nodelet::Nodelet {
     SilhouetteOptions options;
     SilhouetteNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
+    ros::NodeHandle handle = queue_.served(getNodeHandle());
     settings_ = std::make_unique<Settings>(node_options.cameras.size(), options);
     for (size_t i = 0; i < node_options.cameras.size(); ++i)
       cameras_.push_back(std::make_unique<SilhouetteCamera>(
-          getMTNodeHandle(), getMTPrivateNodeHandle(), i, options, node_options, settings_.get()));
+          handle, getMTPrivateNodeHandle(), i, options, node_options, settings_.get()));
     live_.emplace(getMTPrivateNodeHandle(), options, SilhouetteOptions::fixedKeys(),
                   [this](const SilhouetteOptions& changed) { settings_->change(changed); });
     services_.emplace(getMTPrivateNodeHandle());
@@ -49,6 +53,7 @@ class SilhouetteNodelet : public nodelet::Nodelet {
     });
   }
 
+  StageQueue queue_{std::max(std::thread::hardware_concurrency(), 1u)};
   std::unique_ptr<Settings> settings_;
   std::vector<std::unique_ptr<SilhouetteCamera>> cameras_;
   std::optional<LiveOptions<SilhouetteOptions>> live_;

@@ -4,6 +4,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "nodes/common/guarded_start.h"
+#include "nodes/common/stage_queue.h"
 #include "nodes/visual_hull/hull_stage.h"
 #include "ros/package_files.h"
 #include "ros/parameters.h"
@@ -24,10 +25,11 @@ class VisualHullNodelet : public nodelet::Nodelet {
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
     if (isThere(node_options.volume_file))
       options = withVolumeOf(node_options.volume_file, options);
-    stage_ = std::make_unique<HullStage>(getNodeHandle(), getMTPrivateNodeHandle(), options,
-                                         node_options);
+    ros::NodeHandle handle = queue_.served(getNodeHandle());
+    stage_ = std::make_unique<HullStage>(handle, getMTPrivateNodeHandle(), options, node_options);
   }
 
+  StageQueue queue_{1};
   std::unique_ptr<HullStage> stage_;
 };
 
