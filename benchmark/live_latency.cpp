@@ -4,6 +4,11 @@
 ///     roslaunch markerless_mocap mocap.launch nodelets:=true cameras:="[cam0, cam1]"
 ///     live_latency capture.bag --rate 30 --seconds 120
 ///
+/// With --inside, the stages run in this process, and images reach them without a copy, as those of
+/// a camera driver do that is a nodelet beside them (`more_stages:=usb_cameras`):
+///
+///     roscore & live_latency capture.bag --inside
+///
 /// The bag begins with the empty room, for more images than are learned from, or with the person,
 /// for a start without that. `first tf` counts from its first image. The bag is played forwards and
 /// backwards again and again, so there is a start in each round. `settled` is the time from two
@@ -12,6 +17,7 @@
 /// given as a fraction of it.
 
 #include <markerless_mocap/BodyPose.h>
+#include <nodelet/loader.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -21,6 +27,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/make_shared.hpp>
 #include <cstdio>
 #include <map>
 #include <mutex>
@@ -36,6 +43,7 @@ constexpr double kSettled = 2.0;  // s after the first tf of a round
 struct Arguments {
   std::string bag;
   double rate = 30.0, seconds = 120.0, warm_up = 4.0;
+  bool inside = false;
 };
 
 struct Recorded {
@@ -161,20 +169,35 @@ void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle&
   for (size_t i = 0; i < count && ros::ok(); ++i) {
     const size_t step = i % (2 * instants), at = std::min(step, 2 * instants - 1 - step);
     if (step == 0) times->beginRound();
+    std::vector<sensor_msgs::ImagePtr> next;
+    for (const std::string& name : recorded.cameras) {
+      const sensor_msgs::ImagePtr& image = recorded.images.at(name)[at];
+      // What is shared in a process must not be written to any more.
+      next.push_back(arguments.inside ? boost::make_shared<sensor_msgs::Image>(*image) : image);
+    }
     const ros::Time stamp = ros::Time::now();
     for (size_t camera = 0; camera < images.size(); ++camera) {
       const std::string& name = recorded.cameras[camera];
       sensor_msgs::CameraInfoPtr info(new sensor_msgs::CameraInfo(*recorded.infos.at(name)));
       info->header.stamp = stamp;
       infos[camera].publish(info);
-      const sensor_msgs::ImagePtr& image = recorded.images.at(name)[at];
-      image->header.stamp = stamp;
-      images[camera].publish(*image);
+      next[camera]->header.stamp = stamp;
+      images[camera].publish(next[camera]);
     }
     times->sent(stamp);
     rate.sleep();
   }
   ros::WallDuration(2.0).sleep();
+}
+
+/// Starts all stages in this process. Throws std::runtime_error if one refuses.
+void startStages(const std::vector<std::string>& cameras, nodelet::Loader* loader) {
+  for (const char* stage : {"silhouette", "visual_hull", "pose_fitting"})
+    ros::param::set("/" + std::string(stage) + "/cameras", cameras);
+  for (const char* stage :
+       {"silhouette", "visual_hull", "body_segmentation", "pose_tree", "pose_fitting"})
+    if (!loader->load("/" + std::string(stage), "markerless_mocap/" + std::string(stage), {}, {}))
+      throw std::runtime_error(std::string(stage) + " cannot be started");
 }
 
 }  // namespace
@@ -188,9 +211,12 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--rate", arguments.rate, "frame sets per second")->capture_default_str();
   app.add_option("--seconds", arguments.seconds, "time to play")->capture_default_str();
+  app.add_flag("--inside", arguments.inside, "run the stages in this process");
   CLI11_PARSE(app, argc, argv);
   const Recorded recorded = readBag(arguments.bag);
   ros::NodeHandle handle;
+  nodelet::Loader stages(false);
+  if (arguments.inside) startStages(recorded.cameras, &stages);
   Times times;
   const auto options = ros::TransportHints().tcpNoDelay();
   const ros::Subscriber tf =
