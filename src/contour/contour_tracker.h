@@ -28,6 +28,9 @@ class ContourTracker : public BodyTracker {
   ContourTracker(const CameraRig& rig, PersonResources resources, const PersonOptions& person,
                  const ContourOptions& options, InitializerFactory make_initializer);
   BodyPose update(const TrackerInput& now) override;
+  void prepare(size_t camera, const cv::Mat& mask) const override {
+    observer_.prepare(camera, mask);
+  }
   void estimateShapeNow() override;
   void reset() override;
   const std::shared_ptr<const TrackedBody>& body() const override { return person_.tracked(); }

@@ -29,7 +29,7 @@ struct TrackerInput {
 };
 
 /// Tracks the pose of one person over time. Every tracking method implements this interface. Not
-/// thread-safe.
+/// thread-safe, but for prepare().
 class BodyTracker {
  public:
   virtual ~BodyTracker();
@@ -37,6 +37,11 @@ class BodyTracker {
   /// \param now a stamp that is not later than the last one restarts the tracking. Throws
   ///   std::invalid_argument if masks or images do not match the rig
   virtual BodyPose update(const TrackerInput& now) = 0;
+  /// Does what can be done with a mask alone, before those of the other cameras are there. It is
+  /// used if the next update() has the same mask: a cv::Mat with the same pixels in memory. The
+  /// pose is the same without. For any thread, also while update() runs. A mask that update() would
+  /// not take is left alone.
+  virtual void prepare(size_t /*camera*/, const cv::Mat& /*mask*/) const {}
   /// Restarts the tracking: poses of earlier frames have no influence. The body stays, and so do
   /// the frames collected for the estimate of its shape.
   virtual void reset() = 0;

@@ -57,7 +57,9 @@ struct ContourObservation {
 
 class RayTable;
 
-/// Converts masks to the data that a body is fitted to. Immutable; safe to share between threads.
+struct PreparedViews;
+
+/// Converts masks to the data that a body is fitted to. Safe to share between threads.
 class ContourObserver {
  public:
   /// Throws std::invalid_argument if an option is out of range or the rig has no cameras.
@@ -72,6 +74,10 @@ class ContourObserver {
   ContourObservation observe(const std::vector<cv::Mat>& masks) const;
   /// The same with a third of the rays, for a search.
   ContourObservation observeRoughly(const std::vector<cv::Mat>& masks) const;
+  /// Samples a mask beforehand: observe() need not, if it gets a mask with the same pixels in
+  /// memory before the camera's next one is prepared. Nothing is done with a mask that observe()
+  /// would not take, or that has unknown pixels, which colours may replace.
+  void prepare(size_t camera, const cv::Mat& mask) const;
   /// Throws as observe().
   void check(const std::vector<cv::Mat>& masks) const;
 
@@ -81,6 +87,7 @@ class ContourObserver {
   CameraRig rig_;
   int rays_;
   std::vector<RayTable> pixel_rays_;  ///< by camera
+  std::unique_ptr<PreparedViews> prepared_;
 };
 
 }  // namespace markerless_mocap

@@ -6,6 +6,7 @@
 
 #include "contour/fit/contour_observation.h"
 #include "contour/fit/outline.h"
+#include "contour/fit/prepared_views.h"
 #include "contour/fit/ray_table.h"
 #include "contour/fit/signed_distance.h"
 #include "markerless_mocap/products/silhouette_mask.h"
@@ -26,14 +27,17 @@ constexpr double kMargin = 0.04;
 // Image width divided by the radius of the disk that normals are computed in.
 constexpr int kWidthPerNormalRadius = 160;
 
+bool fits(const cv::Mat& mask, const Camera& camera) {
+  return mask.type() == CV_8UC1 && mask.cols == camera.width() && mask.rows == camera.height();
+}
+
 void checkMasks(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
   if (masks.size() != rig.size())
     throw std::invalid_argument("contour: " + std::to_string(masks.size()) +
                                 " masks were given, the rig has " + std::to_string(rig.size()) +
                                 " cameras");
   for (size_t i = 0; i < masks.size(); ++i)
-    if (!masks[i].empty() && (masks[i].type() != CV_8UC1 || masks[i].cols != rig[i].width() ||
-                              masks[i].rows != rig[i].height()))
+    if (!masks[i].empty() && !fits(masks[i], rig[i]))
       throw std::invalid_argument(
           "contour: the mask of camera '" + rig[i].name() +
           "' must have one channel of 8 bits and the size of the camera's image");
@@ -75,19 +79,19 @@ void findUnknown(const cv::Mat& mask, ContourView& view) {
   if (!all_known) view.known = known;
 }
 
-ContourView viewOf(const cv::Mat& mask, std::vector<Crack>& cracks) {
-  ContourView view;
-  if (mask.empty()) return view;
+OutlinedView viewOf(const cv::Mat& mask) {
+  OutlinedView out;
+  if (mask.empty()) return out;
   const cv::Rect box = cv::boundingRect(mask);
-  view.status = ViewStatus::kEmpty;
-  if (box.area() == 0) return view;
-  findCracks(mask, box, cracks);
-  view.status = ViewStatus::kFull;
-  if (cracks.empty()) return view;
-  view.status = ViewStatus::kUsable;
-  measureDistances(mask, box, view);
-  findUnknown(mask, view);
-  return view;
+  out.view.status = ViewStatus::kEmpty;
+  if (box.area() == 0) return out;
+  findCracks(mask, box, out.cracks);
+  out.view.status = ViewStatus::kFull;
+  if (out.cracks.empty()) return out;
+  out.view.status = ViewStatus::kUsable;
+  measureDistances(mask, box, out.view);
+  findUnknown(mask, out.view);
+  return out;
 }
 
 /// Returns false where the contour has no direction.
@@ -134,12 +138,18 @@ ContourObserver::ContourObserver(const CameraRig& rig, const ContourOptions& opt
   options.validate();
   if (rig.empty()) throw std::invalid_argument("contour: the rig has no cameras");
   for (const Camera& camera : rig_) pixel_rays_.emplace_back(camera);
+  prepared_ = std::make_unique<PreparedViews>(rig.size());
 }
 
 ContourObserver::~ContourObserver() = default;
 
 void ContourObserver::check(const std::vector<cv::Mat>& masks) const {
   checkMasks(masks, rig_);
+}
+
+void ContourObserver::prepare(size_t camera, const cv::Mat& mask) const {
+  if (camera >= rig_.size() || !fits(mask, rig_[camera]) || hasUnknownPixels(mask)) return;
+  prepared_->put(camera, mask, std::make_shared<const OutlinedView>(viewOf(mask)));
 }
 
 ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks) const {
@@ -155,19 +165,23 @@ ContourObservation ContourObserver::observe(const std::vector<cv::Mat>& masks,
   check(masks);
   ContourObservation seen;
   seen.views.resize(rig_.size());
-  std::vector<std::vector<Crack>> cracks(rig_.size());
-  tbb::parallel_for(size_t(0), rig_.size(),
-                    [&](size_t i) { seen.views[i] = viewOf(masks[i], cracks[i]); });
+  std::vector<std::shared_ptr<const OutlinedView>> outlined(rig_.size());
+  tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
+    outlined[i] = prepared_->find(i, masks[i]);
+    if (!outlined[i]) outlined[i] = std::make_shared<const OutlinedView>(viewOf(masks[i]));
+    seen.views[i] = outlined[i]->view;
+  });
   std::vector<size_t> ends;  // per camera: end of its cracks in the list of all
-  for (size_t i = 0; i < cracks.size(); ++i)
-    ends.push_back((i ? ends.back() : 0) + cracks[i].size());
+  for (size_t i = 0; i < outlined.size(); ++i)
+    ends.push_back((i ? ends.back() : 0) + outlined[i]->cracks.size());
   const size_t total = ends.back(), count = std::min(size_t(rays_wanted), total);
   std::vector<ContourRay> rays(count);
   tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 64), [&](const auto& some) {
     for (size_t i = some.begin(); i < some.end(); ++i) {
       const size_t at = spread(i, count, total);
       const size_t camera = size_t(std::upper_bound(ends.begin(), ends.end(), at) - ends.begin());
-      const Crack& crack = cracks[camera][at - (ends[camera] - cracks[camera].size())];
+      const std::vector<Crack>& cracks = outlined[camera]->cracks;
+      const Crack& crack = cracks[at - (ends[camera] - cracks.size())];
       const bool cast = castRay(masks[camera], rig_[camera], pixel_rays_[camera], crack, rays[i]);
       rays[i].camera = cast ? int(camera) : -1;
     }

@@ -41,6 +41,8 @@ class RegionObserver {
   ContourObservation observeRoughly(const std::vector<cv::Mat>& masks) const;
   /// Throws std::invalid_argument if the masks do not fit the rig.
   void check(const std::vector<cv::Mat>& masks) const { observer_->check(masks); }
+  /// As ContourObserver; thread-safe.
+  void prepare(size_t camera, const cv::Mat& mask) const { observer_->prepare(camera, mask); }
   /// Learns the colours of the person and the surroundings. \param pose one that is believed
   void learn(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose);
   /// Forgets the colours.

@@ -19,7 +19,10 @@ std::string sizeText(int width, int height) {
 }  // namespace
 
 cv::Mat maskOfCamera(const Camera& camera, const sensor_msgs::Image& message) {
-  const cv::Mat mask = maskFromMessage(message);
+  return maskOfCamera(camera, maskFromMessage(message));
+}
+
+cv::Mat maskOfCamera(const Camera& camera, const cv::Mat& mask) {
   if (hasSizeOf(camera, mask)) return mask;
   throw std::invalid_argument("mask of camera '" + camera.name() + "' is " +
                               sizeText(mask.cols, mask.rows) + " pixels, its calibration says " +

@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t kQueue = 64;             // callbacks only store messages
 constexpr size_t kMaxImages = 64;           // per camera; it covers the delay of the masks
+constexpr size_t kMaxMasks = 8;             // per camera, until their frame set is whole
 constexpr int64_t kMaxDelay = 100'000'000;  // ns; a camera with a larger delay is assumed to have
                                             // stopped
 // visual_hull judges the cameras of a frame set while it is fitted, so the last judgement counts.
@@ -23,11 +24,13 @@ constexpr int64_t kJudgementHolds = 500'000'000;  // ns
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
                              TrackerNeeds needs, StageStatus* status,
                              std::function<void(FittingMessages)> sink,
+                             std::function<void(size_t, const cv::Mat&)> mask_came,
                              std::function<void()> search_begins)
     : options_(options),
       needs_(needs),
       status_(status),
       sink_(std::move(sink)),
+      mask_came_(std::move(mask_came)),
       tf_(handle),
       collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       // Before products_: a tracker without masks waits for no camera, and hulls may come at once.
@@ -38,6 +41,7 @@ FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& 
           [this](const MaskSet& set) { return waitsForImages(set); },
           [this](const MaskSet& set) { dispatch(set); }),
       images_(options.cameras.size(), kMaxImages),
+      pixels_(options.cameras.size(), kMaxMasks),
       states_(options.cameras.size()),
       inputs_(handle, status),
       products_(
@@ -91,8 +95,18 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
   if (options_.privacy && needs_.colors && hasUnknownBackground(*mask))
     status_->remark("the background of " + options_.cameras[camera] +
                     " is not known, and with privacy its colours are not read");
+  prepare(camera, *mask);
   mask_sets_.add(camera, mask);
   reportCounts();
+}
+
+void FittingInputs::prepare(size_t camera, const sensor_msgs::Image& mask) {
+  try {
+    const cv::Mat pixels = maskFromMessage(mask);
+    mask_came_(camera, pixels);
+    pixels_.add(camera, nanosecondsOf(mask.header.stamp), pixels);
+  } catch (const std::invalid_argument&) {  // told when it is used
+  }
 }
 
 void FittingInputs::receiveHull(const std_msgs::Header& header) {
@@ -162,6 +176,8 @@ void FittingInputs::addView(size_t camera, const MaskSet& frame_set, FittingMess
   }
   noteUse(camera, bool(mask), mask ? "" : doubt.empty() ? judgement.reason : doubt);
   input->masks.push_back(mask);
+  input->pixels.push_back(mask ? pixels_.take(camera, nanosecondsOf(mask->header.stamp))
+                               : cv::Mat());
   input->later_s.push_back(frame_set.laterBy(camera));
   if (mask && colors_ && colors_->areAwaited(camera, nanosecondsOf(mask->header.stamp)))
     input->images_awaited = true;

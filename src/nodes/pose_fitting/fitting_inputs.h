@@ -30,6 +30,7 @@ struct FittingMessages {
   std::string error;       ///< why no pose can be fitted; empty if it can
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null: not to be used
+  std::vector<cv::Mat> pixels;      ///< by camera, of the masks; empty: they have to be read, still
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
   std::vector<double> later_s;      ///< by camera, as of TrackerInput
   bool behind = false;              ///< newer frame sets wait
@@ -43,9 +44,11 @@ struct FittingMessages {
 class FittingInputs {
  public:
   /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
+  /// \param mask_came is called for each mask that can be read, as soon as it is there
   /// \param search_begins as of LiveProducts
   FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, TrackerNeeds needs,
                 StageStatus* status, std::function<void(FittingMessages)> sink,
+                std::function<void(size_t camera, const cv::Mat&)> mask_came,
                 std::function<void()> search_begins);
 
   LiveProducts& products() { return products_; }
@@ -81,6 +84,8 @@ class FittingInputs {
   void noteUse(size_t camera, bool used, const std::string& reason);
   /// Takes over what has changed about the cameras.
   void followRig();
+  /// Reads a mask while the others are on their way.
+  void prepare(size_t camera, const sensor_msgs::Image& mask);
   CameraImage takeImage(size_t camera, const sensor_msgs::Image& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
   std::string prepareRig();
@@ -90,11 +95,13 @@ class FittingInputs {
   TrackerNeeds needs_;
   StageStatus* status_;
   std::function<void(FittingMessages)> sink_;
+  std::function<void(size_t camera, const cv::Mat&)> mask_came_;
   CameraTransforms tf_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known
   MaskSets mask_sets_;
   StampCache<CameraImage> images_;
+  StampCache<cv::Mat> pixels_;                                   ///< of masks
   std::deque<boost::shared_ptr<const HullCameras>> judgements_;  ///< the last ones
   mutable std::mutex states_mutex_;
   std::vector<CameraState> states_;    ///< by camera

@@ -55,8 +55,7 @@ std::string FittingStage::loadBody() {
 
 void FittingStage::restartWith(const std::shared_ptr<const TrackedBody>& body) {
   successor_.forget();
-  tracker_.reset();
-  rig_.reset();
+  useTracker(nullptr, nullptr);
   follows_ = false;
   takeOver(body);
 }

@@ -71,7 +71,9 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
     overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needs_, &status_,
-      [this](FittingMessages input) { enqueue(std::move(input)); }, [this] { searches_ = true; });
+      [this](FittingMessages input) { enqueue(std::move(input)); },
+      [this](size_t camera, const cv::Mat& mask) { prepare(camera, mask); },
+      [this] { searches_ = true; });
   heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
   timer_ = handle.createWallTimer(ros::WallDuration(1.0),
@@ -96,6 +98,7 @@ FittingStage::~FittingStage() {
 
 void FittingStage::enqueue(FittingMessages input) {
   if (!needs_.images && queue_.waitingCount() >= kMaxWaitingWithImages) input.images.clear();
+  if (queue_.waitingCount() > 0) input.pixels.clear();  // each frame set twice would be too much
   answerLate(input.header);
   queue_.push(std::move(input));
   if (!needs_.starts_by_search) return;

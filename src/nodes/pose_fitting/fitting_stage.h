@@ -57,6 +57,9 @@ class FittingStage {
   /// until the new one has found the person, too.
   void prepareTracker(const FittingMessages& input, int64_t stamp_ns);
   /// Withdraws the announcement of the old body and publishes the description of the new one.
+  void useTracker(std::shared_ptr<BodyTracker> tracker, std::shared_ptr<const CameraRig> rig);
+  /// Lets the tracker begin with a mask while the others are on their way.
+  void prepare(size_t camera, const cv::Mat& mask);
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
   /// Starts again with this body.
@@ -100,12 +103,14 @@ class FittingStage {
   BodyDescription description_;
   BodyAnnouncer announcer_;
   ros::SteadyTime last_published_;
-  std::shared_ptr<const TrackedBody> body_;  ///< only the worker changes it
-  std::optional<PoseFilter> filter_;         ///< for body_
-  std::shared_ptr<const CameraRig> rig_;     ///< of tracker_
-  std::unique_ptr<BodyTracker> tracker_;     ///< null until the rig is known
-  bool follows_ = false;                     ///< the person, in the last frame set
-  BodyPose last_fitted_;                     ///< valid if follows_
+  std::shared_ptr<const TrackedBody> body_;      ///< only the worker changes it
+  std::optional<PoseFilter> filter_;             ///< for body_
+  std::shared_ptr<const CameraRig> rig_;         ///< of tracker_
+  std::shared_ptr<BodyTracker> tracker_;         ///< null until the rig is known
+  std::mutex preparing_;                         ///< for the next one
+  std::shared_ptr<const BodyTracker> prepares_;  ///< masks for tracker_
+  bool follows_ = false;                         ///< the person, in the last frame set
+  BodyPose last_fitted_;                         ///< valid if follows_
   RigTrust trust_;
   SteadyTime time_;  ///< of the tracker
   std::atomic<int64_t> last_pose_ns_{0}, last_tracked_ns_{0};

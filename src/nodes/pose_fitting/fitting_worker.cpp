@@ -93,8 +93,26 @@ void FittingStage::prepareTracker(const FittingMessages& input, int64_t stamp_ns
     next = successor_.takeOf(input.rig);
   }
   searches_ = true;  // making a tracker takes long, too
-  tracker_ = next ? std::move(next) : makeBodyTracker(*input.rig, resources_, options_);
-  rig_ = input.rig;
+  if (!next) next = makeBodyTracker(*input.rig, resources_, options_);
+  useTracker(std::move(next), input.rig);
+}
+
+void FittingStage::useTracker(std::shared_ptr<BodyTracker> tracker,
+                              std::shared_ptr<const CameraRig> rig) {
+  tracker_ = std::move(tracker);
+  rig_ = std::move(rig);
+  const std::lock_guard lock(preparing_);
+  prepares_ = tracker_;
+}
+
+void FittingStage::prepare(size_t camera, const cv::Mat& mask) {
+  if (queue_.waitingCount() > 0) return;  // the next mask would come before this one is used
+  std::shared_ptr<const BodyTracker> tracker;
+  {
+    const std::lock_guard lock(preparing_);
+    tracker = prepares_;
+  }
+  if (tracker) tracker->prepare(camera, mask);
 }
 
 void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {

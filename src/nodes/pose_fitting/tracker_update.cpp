@@ -10,6 +10,12 @@
 namespace markerless_mocap {
 namespace {
 
+cv::Mat maskOf(const FittingMessages& input, size_t camera, const Camera& seen_by) {
+  const bool is_read = camera < input.pixels.size() && !input.pixels[camera].empty();
+  return is_read ? maskOfCamera(seen_by, input.pixels[camera])
+                 : maskOfCamera(seen_by, *input.masks[camera]);
+}
+
 /// A mask that cannot be used is left out; if none can, the first reason is thrown.
 std::vector<cv::Mat> masksOf(const FittingMessages& input, const CameraRig& rig) {
   std::vector<cv::Mat> masks(input.masks.size());
@@ -18,7 +24,7 @@ std::vector<cv::Mat> masksOf(const FittingMessages& input, const CameraRig& rig)
   for (size_t i = 0; i < masks.size(); ++i) {
     if (!input.masks[i]) continue;
     try {
-      masks[i] = maskOfCamera(rig[i], *input.masks[i]);
+      masks[i] = maskOf(input, i, rig[i]);
       any = true;
     } catch (const std::exception& error) {
       if (fault.empty()) fault = error.what();
@@ -49,7 +55,7 @@ std::vector<cv::Mat> imagesOf(const FittingMessages& input, bool required) {
 cv::Mat maskOrNothing(const FittingMessages& input, size_t camera) {
   if (!input.masks[camera]) return cv::Mat();
   try {
-    return maskOfCamera((*input.rig)[camera], *input.masks[camera]);
+    return maskOf(input, camera, (*input.rig)[camera]);
   } catch (const std::exception&) {  // told when it is used
     return cv::Mat();
   }
