@@ -181,7 +181,8 @@ bool LightSwitch::update(const cv::Mat& image, const LightGain& light, const Bit
   }
   Background before = *background;
   const bool is_changed = relight(image, light.gain, person, background);
-  if (is_changed) remember(std::move(before), usual_);
+  // Also where light does not explain it: a blurred or shifted picture spoils the background.
+  remember(std::move(before), usual_);
   usual_ = is_changed ? estimateLightGain(image, *background).inlier_fraction : agreeing;
   return is_changed;
 }
