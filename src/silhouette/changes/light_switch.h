@@ -36,6 +36,7 @@ class LightSwitch {
   void remember(Background before, double usual);
 
   double usual_ = -1;  ///< fraction of pixels that one gain explains; below 0: no image yet
+  double last_ = -1;   ///< the same of the last image
   int unchanged_ = 0;  ///< images since the last change
   std::optional<Light> other_;  ///< before the last change
   std::optional<Light> first_;  ///< before the changes that came soon after one another
