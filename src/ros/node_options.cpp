@@ -1,6 +1,8 @@
 #include "ros/node_options.h"
 
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
@@ -61,8 +63,9 @@ void SilhouetteNodeOptions::visit(OptionVisitor& v) {
           "what the images are; image: colour or grey; mask: silhouettes already, non-zero for the "
           "person, which pass through");
   v.field("background_folder", background_folder, {},
-          "folder of the backgrounds, c.background for camera c; a file that is there is read at "
-          "the start instead of learning, and the service save_background writes it; empty: none");
+          "folder of the backgrounds, c.background for camera c, with + for each / of its name; a "
+          "file that is there is read at the start instead of learning, and the service "
+          "save_background writes it; empty: none");
   v.field("keep_background", keep_background,
           "whether the backgrounds are written to background_folder as soon as they are known, so "
           "that a node that starts again uses them; those of another size or light are refused");
@@ -74,6 +77,13 @@ void SilhouetteNodeOptions::validate() const {
   if (keep_background && background_folder.empty())
     throw std::invalid_argument(
         "silhouette/keep_background is true, but background_folder is empty, allowed is a folder");
+}
+
+// No name of a topic has a +.
+std::string SilhouetteNodeOptions::backgroundFile(std::string camera) const {
+  if (input != "image" || background_folder.empty()) return "";
+  std::replace(camera.begin(), camera.end(), '/', '+');
+  return (std::filesystem::path(background_folder) / (camera + ".background")).string();
 }
 
 void HullNodeOptions::visit(OptionVisitor& v) {

@@ -18,8 +18,9 @@ struct SilhouetteNodeOptions {
   /// what the images are; image: colour or grey; mask: silhouettes already, non-zero for the
   /// person, which pass through
   std::string input = "image";
-  /// folder of the backgrounds, c.background for camera c; a file that is there is read at the
-  /// start instead of learning, and the service save_background writes it; empty: none
+  /// folder of the backgrounds, c.background for camera c, with + for each / of its name; a file
+  /// that is there is read at the start instead of learning, and the service save_background writes
+  /// it; empty: none
   std::string background_folder;
   /// whether the backgrounds are written to background_folder as soon as they are known, so that a
   /// node that starts again uses them; those of another size or light are refused
@@ -27,6 +28,8 @@ struct SilhouetteNodeOptions {
 
   void visit(OptionVisitor& v);
   void validate() const;
+  /// Path of the camera's background, another one for each camera; empty: none.
+  std::string backgroundFile(std::string camera) const;
 };
 
 /// Options of the node `visual_hull` in addition to HullOptions.

@@ -40,7 +40,8 @@ class CameraFaults:
         self.assertGreater((self.beats[-1].header.stamp - self.beats[-1].last_stamps[0]).to_sec(), 2)
         self.end = time.time()
         self.cameras.heal()
-        self.expect('no camera sends', least=0, level=2, silence=5.5)
+        self.expect('no silhouettes come from any camera', 'no messages on /cam0/image_raw', least=0,
+                    level=2, silence=5.5)
         self.assertLess(self.recovery, 1.5)
 
     def test_content_of_one_late(self):
@@ -98,6 +99,15 @@ class CameraFaults:
 
     def test_pictures_of_one_are_empty(self):
         self.pictures_of_one(lambda data: b'', 'cam5 has sent images that cannot be used')
+
+    def test_pictures_of_all_are_grey(self):
+        """The cameras send all the time, and nothing says that they do not."""
+        self.cameras.data_of = lambda camera, data: redrawn(data, lambda picture: picture[:, :, 1])
+        self.run_fault()
+        self.expect('no silhouettes come from any camera', 'allowed is 320 x 240 BGR', least=0,
+                    silence=5.5)
+        self.assertFalse(self.said('no camera sends'))
+        self.assertFalse(self.said('no messages on /cam0/image_raw'))
 
     def light(self, factor):
         self.cameras.data_of = lambda camera, data: in_light(data, factor)

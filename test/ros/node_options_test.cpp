@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
+
 #include "error_text_of.h"
 
 namespace markerless_mocap {
@@ -11,6 +14,20 @@ HullNodeOptions hullOf(size_t cameras) {
   HullNodeOptions options;
   for (size_t i = 0; i < cameras; ++i) options.cameras.push_back("cam" + std::to_string(i));
   return options;
+}
+
+TEST(NodeOptions, EachCameraHasABackgroundOfItsOwn) {
+  SilhouetteNodeOptions options;
+  options.background_folder = "/kept";
+  EXPECT_EQ(options.backgroundFile("cam0"), "/kept/cam0.background");
+  std::set<std::string> files;
+  for (const char* camera : {"a/b/c", "a_b/c", "a/b_c", "a_b_c", "/a_b_c"})
+    files.insert(options.backgroundFile(camera));
+  EXPECT_EQ(files.size(), 5u);
+  for (const std::string& file : files)
+    EXPECT_EQ(std::filesystem::path(file).parent_path(), "/kept") << file;
+  options.input = "mask";
+  EXPECT_EQ(options.backgroundFile("cam0"), "");
 }
 
 TEST(NodeOptions, TwoTo32CamerasMakeAHull) {

@@ -160,6 +160,49 @@ TEST(ChangedLight, LightThatChangesAgainAndAgainLeavesTheBackgroundAsItWas) {
   for (int i = 65; i < 75; ++i) EXPECT_GT(overlap(update(floor, i), walkerAt(i)), 0.93) << i;
 }
 
+/// A room with dark and bright things on its walls.
+cv::Mat makeWalls() {
+  cv::Mat walls(kRoom, CV_8UC3, cv::Scalar(150, 160, 165));
+  cv::RNG random(7);
+  for (int i = 0; i < 15; ++i)
+    cv::rectangle(walls, cv::Rect(random(300), random(220), 15 + random(30), 15 + random(30)),
+                  cv::Scalar(random(220), random(220), random(220)), cv::FILLED);
+  return walls;
+}
+
+/// As a camera sees it whose lens is turned.
+cv::Mat outOfFocus(const cv::Mat& image) {
+  cv::Mat blurred;
+  cv::GaussianBlur(image, blurred, {}, 8);
+  return blurred;
+}
+
+cv::Mat aBitOutOfFocus(const cv::Mat& image) {
+  cv::Mat blurred;
+  cv::GaussianBlur(image, blurred, {}, 3);
+  return blurred;
+}
+
+cv::Mat zoomed(const cv::Mat& image) {
+  cv::Mat larger;
+  cv::resize(image(cv::Rect(40, 30, 240, 180)), larger, kRoom);
+  return larger;
+}
+
+TEST(ChangedLight, PicturesThatWereWrongForAWhileLeaveTheBackgroundAsItWas) {
+  const cv::Mat walls = makeWalls();
+  for (const auto& change : {outOfFocus, aBitOutOfFocus, zoomed}) {
+    SilhouetteExtractor extractor = learned(walls);
+    for (int i = 0; i < 90; ++i) {
+      const cv::Mat image = withNoise(withWalker(walls, i), 100 + i);
+      const bool is_wrong = i >= 5 && i < 80;
+      const cv::Mat mask = extractor.update(is_wrong ? change(image) : image).mask;
+      if (is_wrong) continue;
+      EXPECT_GT(overlap(mask, walkerAt(i)), 0.93) << i;
+    }
+  }
+}
+
 TEST(ChangedLight, TurnedCameraIsNoChangeOfLight) {
   const cv::Mat floor = makeFloor();
   Background background = backgroundOf(floor);

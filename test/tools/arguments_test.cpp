@@ -18,9 +18,10 @@ Refusal refusal(std::vector<std::string> words) {
   double length = 0.0, part = 0.0, at = 0.0;
   int steps = 0, share = 5;
   size_t threads = 0;
-  std::string name;
+  std::string name, file;
   std::vector<std::string> settings;
   bool quiet = false, images = true;
+  app.add_option("file", file);
   app.add_option("--length", length)->check(CLI::PositiveNumber);
   app.add_option("--steps", steps);
   app.add_option("--share", share)->check(CLI::Range(5, 100));
@@ -83,6 +84,18 @@ TEST(Arguments, ThatAreGivenTooOftenOrWithoutTheirValueAreTold) {
   EXPECT_EQ(refusal({"--quiet=abc"}).text,
             "tool: --quiet is given the value 'abc', allowed is none");
   EXPECT_EQ(refusal({"--set", "a=1", "b=2", "--set", "c=3", "--quiet", "--no-images"}).text, "");
+}
+
+TEST(Arguments, OptionsAreNotTakenForValues) {
+  for (const std::string next : {"--quiet", "--nosuch", "-h"}) {
+    const Refusal refused = refusal({"--name", next});
+    EXPECT_EQ(refused.text,
+              "tool: --name is given without its value, allowed is one, before " + next);
+    EXPECT_NE(refused.code.value_or(0), 0);
+  }
+  EXPECT_EQ(refusal({"--length", "--quiet"}).text,
+            "tool: --length is given without its value, allowed is one, before --quiet");
+  EXPECT_EQ(refusal({"--name", "file", "--set", "-", "--quiet", "--", "--odd"}).text, "");
 }
 
 TEST(Arguments, OtherFaultsBeginWithTheNameOfTheProgram) {

@@ -149,7 +149,7 @@ StageStatus::Summary StageStatus::silenceOf(Loss loss, double now) const {
   if (silent == 0) return summary;
   if (loss == Loss::kCostsCamera && silent == watched) {
     summary.level = DiagnosticStatus::ERROR;
-    summary.message = "no camera sends";
+    summary.message = "no silhouettes come from any camera";
   }
   summary.message += " " + spanText(shortest);
   return summary;

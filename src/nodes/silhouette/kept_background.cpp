@@ -20,12 +20,6 @@ constexpr double kMostGain = 1.6;        // with another exposure, colours are n
 constexpr double kSaveInterval = 600.0;  // s; the background follows the light of the day
 constexpr double kSettled = 5.0;         // s without a new piece of background before it is saved
 
-std::string fileOf(std::string camera, const SilhouetteNodeOptions& options) {
-  if (options.input != "image" || options.background_folder.empty()) return "";
-  std::replace(camera.begin(), camera.end(), '/', '_');
-  return (fs::path(options.background_folder) / (camera + ".background")).string();
-}
-
 /// Whether the image is like the background.
 bool isLike(const SilhouetteResult& result) {
   const double gain = std::max(result.light_gain, 1.0 / result.light_gain);
@@ -41,7 +35,7 @@ std::string percent(double fraction) {
 KeptBackground::KeptBackground(const std::string& camera, const SilhouetteNodeOptions& options,
                                SilhouetteExtractor* extractor, StageStatus* status)
     : camera_(camera),
-      file_(fileOf(camera, options)),
+      file_(options.backgroundFile(camera)),
       keeps_(options.keep_background && !file_.empty()),
       extractor_(extractor),
       status_(status) {

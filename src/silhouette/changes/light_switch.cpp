@@ -12,6 +12,11 @@ namespace {
 
 /// So many fewer pixels than usual must agree with one gain.
 constexpr double kDrop = 0.12;
+/// If so many fewer agree than in the last image, what is learned from now on may have to be taken
+/// back. A person who leaves the place where they stood hides it step by step.
+constexpr double kSudden = 0.04;
+/// It is taken back as soon as so many more agree with the background before.
+constexpr double kShown = 0.03;
 /// How fast the usual fraction follows, per image.
 constexpr double kFollow = 0.05;
 constexpr int kSoon = 300;  ///< images; changes less apart belong together
@@ -171,18 +176,23 @@ bool relight(const cv::Mat& image, double gain, const BitMask& person, Backgroun
 bool LightSwitch::update(const cv::Mat& image, const LightGain& light, const BitMask& person,
                          Background* background) {
   const double agreeing = light.inlier_fraction;
-  if (usual_ < 0) usual_ = agreeing;
+  if (usual_ < 0) usual_ = last_ = agreeing;
+  const bool is_sudden = agreeing <= last_ - kSudden && person.rows() > 0;
   const bool has_dropped = agreeing <= usual_ - kDrop && person.rows() > 0;
+  last_ = agreeing;
   if (++unchanged_ > kSoon) first_.reset();
   if ((has_dropped || unchanged_ <= kSoon) && takeBack(image, agreeing, background)) return true;
   if (!has_dropped) {
+    if (is_sudden) remember(*background, usual_);
     usual_ += kFollow * (agreeing - usual_);
     return false;
   }
   Background before = *background;
   const bool is_changed = relight(image, light.gain, person, background);
-  if (is_changed) remember(std::move(before), usual_);
+  // Also where light does not explain it: a blurred or zoomed picture spoils the background.
+  remember(std::move(before), usual_);
   usual_ = is_changed ? estimateLightGain(image, *background).inlier_fraction : agreeing;
+  if (is_changed) last_ = usual_;
   return is_changed;
 }
 
@@ -202,12 +212,13 @@ bool LightSwitch::isShown(const cv::Mat& image, const std::optional<Light>& ligh
                           double agreeing) const {
   if (!light) return false;
   const double agrees = estimateLightGain(image, light->background).inlier_fraction;
-  return agrees >= light->usual - kDrop / 2 && agrees >= agreeing + kDrop / 2;
+  return agrees >= light->usual - kShown && agrees >= agreeing + kShown;
 }
 
 void LightSwitch::exchange(Light* light, Background* background) {
   std::swap(light->background, *background);
   std::swap(light->usual, usual_);
+  last_ = usual_;
   unchanged_ = 0;
 }
 

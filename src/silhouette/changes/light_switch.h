@@ -10,8 +10,9 @@
 namespace markerless_mocap {
 
 /// Notices that a lamp was switched: many pixels change from one image to the next, each place by a
-/// factor of its own. The background is then lit anew. The light before is remembered, as lamps are
-/// also switched back; and where one change follows another, as when a camera sees bands of light
+/// factor of its own. The background is then lit anew. The one before is remembered, as lamps are
+/// also switched back, and as pictures that are blurred or zoomed for a while, which no light
+/// explains, spoil it; and where one change follows another, as when a camera sees bands of light
 /// or looks for its focus, that before all of them. They are taken back as soon as the image shows
 /// them.
 class LightSwitch {
@@ -35,6 +36,7 @@ class LightSwitch {
   void remember(Background before, double usual);
 
   double usual_ = -1;  ///< fraction of pixels that one gain explains; below 0: no image yet
+  double last_ = -1;   ///< the same of the last image
   int unchanged_ = 0;  ///< images since the last change
   std::optional<Light> other_;  ///< before the last change
   std::optional<Light> first_;  ///< before the changes that came soon after one another

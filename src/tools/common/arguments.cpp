@@ -91,8 +91,27 @@ std::string miscountedIn(const CLI::App& app) {
   return "";
 }
 
+/// A positional argument is not one.
+bool isOption(const std::string& text, const CLI::App& app) {
+  return text.rfind("--", 0) == 0 || (text.rfind('-', 0) == 0 && app.get_option_no_throw(text));
+}
+
+/// An option that has taken the next option for its value; empty if there is none.
+std::string valuelessIn(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional()) continue;
+    for (const std::string& text : option->results())
+      if (isOption(text, app))
+        return option->get_name() + " is given without its value, allowed is one, before " + text;
+  }
+  for (const CLI::App* command : app.get_subcommands())
+    if (const std::string fault = valuelessIn(*command); !fault.empty()) return fault;
+  return "";
+}
+
 /// In place of the library's words, if they can be bettered.
 std::string faultIn(const CLI::App& app, const CLI::ParseError& error) {
+  if (const std::string fault = valuelessIn(app); !fault.empty()) return fault;
   if (const std::string fault = faultyNumberIn(app); !fault.empty()) return fault;
   if (const std::string fault = miscountedIn(app); !fault.empty()) return fault;
   const std::string words = error.what();  // such as "--rig: 1 required TEXT missing"
@@ -111,11 +130,13 @@ int refuse(const CLI::App& app, const std::string& fault, int code) {
 }  // namespace
 
 std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
-  constexpr auto kNumberRefused = int(CLI::ExitCodes::ConversionError);
+  constexpr auto kRefused = int(CLI::ExitCodes::ConversionError);
   try {
     app.parse(argc, argv);
+    if (const std::string fault = valuelessIn(app); !fault.empty())
+      return refuse(app, fault, kRefused);
     if (const std::string fault = faultyNumberIn(app); !fault.empty())
-      return refuse(app, fault, kNumberRefused);
+      return refuse(app, fault, kRefused);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // prints the help
