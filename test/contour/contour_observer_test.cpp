@@ -8,6 +8,7 @@
 
 #include "contour/drawn_body.h"
 #include "contour/fit/outline.h"
+#include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
 namespace {
@@ -129,6 +130,30 @@ TEST(ContourObserver, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.rays[i].normal, two.rays[i].normal);
     EXPECT_EQ(one.rays[i].pixel, two.rays[i].pixel);
   }
+}
+
+TEST(ContourObserver, WhatWasPreparedIsUsedForTheSameMaskOnly) {
+  const CameraRig rig = drawnRig(4);
+  const ContourBody body(ShapeStatistics::handMade().meanShape(1.7));
+  std::vector<cv::Mat> masks = drawnMasks(rig, body, stride());
+  const ContourObserver observer(rig, {});
+  const ContourObservation plain = observer.observe(masks);
+  observer.prepare(0, masks[0]);
+  observer.prepare(1, masks[0]);                // another camera's
+  observer.prepare(2, cv::Mat(2, 2, CV_8UC1));  // not of the camera's size
+  observer.prepare(9, masks[0]);                // no such camera
+  masks[3].at<uchar>(0, 0) = kUnknownPixel;
+  observer.prepare(3, masks[3]);
+  const ContourObservation one = observer.observe(masks), two = observer.observe(masks);
+  EXPECT_EQ(one.views[0].distance.data, two.views[0].distance.data);
+  for (const size_t camera : {1, 2, 3})
+    EXPECT_NE(one.views[camera].distance.data, two.views[camera].distance.data);
+  for (const size_t camera : {0, 1, 2})
+    EXPECT_EQ(cv::norm(plain.views[camera].distance, one.views[camera].distance, cv::NORM_INF), 0);
+  ASSERT_EQ(plain.rays.size(), one.rays.size());
+  for (size_t i = 0; i < one.rays.size(); ++i) EXPECT_EQ(plain.rays[i].pixel, one.rays[i].pixel);
+  masks[0] = masks[0].clone();
+  EXPECT_NE(observer.observe(masks).views[0].distance.data, one.views[0].distance.data);
 }
 
 }  // namespace
