@@ -30,14 +30,6 @@ TEST(UsualQuality, OfEqualQualitiesSmallDifferencesAreUsual) {
   EXPECT_FALSE(usual.includes(0.974));
 }
 
-TEST(UsualQuality, NearIsWhatNoOtherPlaceOfALimbExplains) {
-  UsualQuality usual;
-  EXPECT_TRUE(usual.isNear(0.5));
-  for (int i = 0; i < 20; ++i) usual.add(0.97);
-  EXPECT_TRUE(usual.isNear(0.95));
-  EXPECT_FALSE(usual.isNear(0.93));
-}
-
 TEST(UsualQuality, FollowsARoomThatChanges) {
   UsualQuality usual;
   for (int i = 0; i < 50; ++i) usual.add(0.98);

@@ -34,7 +34,6 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, person_.body(),
                                               search.poses, active);
   if (best.switched) trust_.take(search.found);
-  if (best.agreed) trust_.agree(best.track.fit);
   return best;
 }
 

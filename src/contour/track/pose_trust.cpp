@@ -67,10 +67,6 @@ bool PoseTrust::doubtIfFarWorse(int64_t stamp_ns, const ContourFit& fit) {
   return is_far_worse;
 }
 
-void PoseTrust::agree(const ContourFit& fit) {
-  if (usual_quality_.isNear(qualityOf(fit))) endDoubt();
-}
-
 bool PoseTrust::isDoubted(int64_t stamp_ns, const ContourFit& fit) const {
   return stamp_ns < doubted_until_ns_ && !usual_quality_.includes(qualityOf(fit));
 }

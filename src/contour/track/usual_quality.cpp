@@ -12,9 +12,6 @@ constexpr double kMaxDeviations = 2.5;
 // Of qualities that hardly vary.
 constexpr double kMinDeviation = 0.002;
 
-// Silhouettes that are coarser than usual for a while lower it by less.
-constexpr double kNear = 0.025;
-
 // What is lower by more is of another kind: masks that do not show the person, or a body beside
 // them. Where two of four cameras are covered or blurred it is lower by 0.25 and more.
 constexpr double kFar = 0.1, kFarDeviations = 6.0;
@@ -33,10 +30,6 @@ void UsualQuality::add(double quality) {
 bool UsualQuality::includes(double quality) const {
   if (count_ < kFew) return true;
   return quality > mean_ - kMaxDeviations * std::max(kMinDeviation, std::sqrt(variance_));
-}
-
-bool UsualQuality::isNear(double quality) const {
-  return includes(quality + kNear);
 }
 
 bool UsualQuality::isFarAbove(int64_t stamp_ns, double quality) {

@@ -14,8 +14,6 @@ class UsualQuality {
   void add(double quality);
   /// False if the quality is lower than chance makes it; true as long as few have been added.
   bool includes(double quality) const;
-  /// False if the quality is lower than that by as much as another place of a limb makes it.
-  bool isNear(double quality) const;
   /// True if the quality of a frame is so low that something is wrong. If it stays so low for some
   /// seconds, nothing is usual any more.
   bool isFarAbove(int64_t stamp_ns, double quality);
