@@ -26,8 +26,6 @@ const char* const kImagesAwaited =
     "images of cameras whose background is not known have been asked for";
 
 const char* const kDoubtful = "a person was found again, but no pose fits as well as before yet";
-const char* const kFarWorse =
-    "no pose fits nearly as well as before: cameras may be covered, out of focus or moved";
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
@@ -113,11 +111,10 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
-  const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
-  if (is_far_worse) starts_.searchBegins(now.stamp_ns);
+  if (trust_.doubtIfFarWorse(now.stamp_ns, fit)) starts_.searchBegins(now.stamp_ns);
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
-    return lostBecause(is_far_worse ? kFarWorse : kDoubtful);
+    return lostBecause(kDoubtful);
   }
   trust_.learnQuality(now.stamp_ns, fit);
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
