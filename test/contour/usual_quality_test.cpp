@@ -39,21 +39,5 @@ TEST(UsualQuality, FollowsARoomThatChanges) {
   EXPECT_FALSE(usual.includes(0.85));
 }
 
-TEST(UsualQuality, FarBelowIsNeverUsualForSomeSeconds) {
-  constexpr int64_t kFrame_ns = 100000000, kSecond_ns = 1000000000;
-  UsualQuality usual;
-  int64_t now = 0;
-  EXPECT_FALSE(usual.isFarAbove(now, 0.5)) << "nothing is known";
-  for (int i = 0; i < 50; ++i) usual.add(i % 2 ? 0.97 : 0.96);
-  EXPECT_FALSE(usual.isFarAbove(now, 0.90));
-  for (; now < 9 * kSecond_ns; now += kFrame_ns) ASSERT_TRUE(usual.isFarAbove(now, 0.7)) << now;
-  EXPECT_FALSE(usual.isFarAbove(now += kFrame_ns, 0.965));
-  const int64_t begin = now;
-  for (; now < begin + 9 * kSecond_ns; now += kFrame_ns)
-    ASSERT_TRUE(usual.isFarAbove(now, 0.7)) << "the time counts anew";
-  EXPECT_FALSE(usual.isFarAbove(now += 2 * kSecond_ns, 0.7));
-  EXPECT_TRUE(usual.includes(0.7)) << "it has become another room";
-}
-
 }  // namespace
 }  // namespace markerless_mocap

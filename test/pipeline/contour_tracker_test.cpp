@@ -54,15 +54,6 @@ class ContourMethodTest : public testing::Test {
     }
     return masks;
   }
-  std::vector<cv::Mat> covered(int frame) const {
-    std::vector<cv::Mat> masks = masksAt(frame);
-    for (const size_t camera : {0, 2, 3}) {
-      masks[camera] = masks[camera].clone();
-      cv::circle(masks[camera], {masks[camera].cols / 2, masks[camera].rows / 2}, 80, 255,
-                 cv::FILLED);
-    }
-    return masks;
-  }
   static double offBy(const ShapeParameters& shape) {
     return (shape - truth()).head<BodyLength::kCount>().norm();
   }
@@ -223,19 +214,6 @@ TEST_F(ContourMethodTest, APoseThatFitsWorseThanUsualIsNotReportedSoonAfterAGap)
   EXPECT_EQ(doubted.status, PoseStatus::kLost);
   EXPECT_EQ(doubted.reason, "a person was found again, but no pose fits as well as before yet");
   EXPECT_NE(showMasks(46).status, PoseStatus::kLost) << "it fits as usual";
-}
-
-TEST_F(ContourMethodTest, NoPoseIsReportedWhileThePoseFitsFarWorseThanUsual) {
-  makeMeasured();
-  for (int frame = 0; frame < 45; ++frame)
-    ASSERT_NE(show(frame).status, PoseStatus::kLost) << frame;
-  for (int frame = 45; frame < 100; ++frame) {
-    const BodyPose pose = show(covered(frame), PoseTree{});
-    EXPECT_EQ(pose.status, PoseStatus::kLost) << frame << ", off by " << error(pose, frame);
-  }
-  int frame = 100;
-  while (show(frame).status == PoseStatus::kLost) ASSERT_LT(++frame, 115);
-  EXPECT_LT(error(show(frame + 1), frame + 1), 0.02);
 }
 
 TEST_F(ContourMethodTest, CamerasThatAreSlowAreNoGap) {

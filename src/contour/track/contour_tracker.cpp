@@ -111,7 +111,6 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
-  if (trust_.doubtIfFarWorse(now.stamp_ns, fit)) starts_.searchBegins(now.stamp_ns);
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
     return lostBecause(kDoubtful);
@@ -137,7 +136,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     return active;
   }
   active = takeCheck(now, active);
-  if (needsCheck(now, active.track.fit)) active = check(now, active);
+  if (needsCheck(now)) active = check(now, active);
   trust_.judge(judged(found.seen, active.track.fit));
   if (onlyFollows(now)) return active;
   searchLimbs(now, found, active);

@@ -15,13 +15,12 @@ constexpr double kUsualQuality = 0.94;
 
 }  // namespace
 
-bool ContourTracker::needsCheck(const Frame& now, const ContourFit& fit) const {
+bool ContourTracker::needsCheck(const Frame& now) const {
   // Colours are asked in another thread, and asked first until a pose has been reported.
   const bool by_color = now.regions.needsColors();
   if ((now.behind && !by_color) || !starts_.isCheckDue(now.stamp_ns) || color_check_.isBusy())
     return false;
-  return !trust_.isAccepted() || trust_.isDoubted(now.stamp_ns, fit) ||
-         (by_color && starts_.wantsColorChecks());
+  return !trust_.isAccepted() || (by_color && starts_.wantsColorChecks());
 }
 
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {

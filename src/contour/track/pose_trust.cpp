@@ -61,12 +61,6 @@ void PoseTrust::doubt(int64_t stamp_ns) {
   accepted_ = false;
 }
 
-bool PoseTrust::doubtIfFarWorse(int64_t stamp_ns, const ContourFit& fit) {
-  const bool is_far_worse = usual_quality_.isFarAbove(stamp_ns, qualityOf(fit));
-  if (is_far_worse) doubt(stamp_ns);
-  return is_far_worse;
-}
-
 bool PoseTrust::isDoubted(int64_t stamp_ns, const ContourFit& fit) const {
   return stamp_ns < doubted_until_ns_ && !usual_quality_.includes(qualityOf(fit));
 }
