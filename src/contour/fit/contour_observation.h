@@ -57,7 +57,7 @@ struct ContourObservation {
 
 class RayTable;
 
-struct PreparedViews;
+class PreparedViews;
 
 /// Converts masks to the data that a body is fitted to. Safe to share between threads.
 class ContourObserver {

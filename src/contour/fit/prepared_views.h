@@ -18,7 +18,8 @@ struct OutlinedView {
 };
 
 /// What has been made of masks beforehand: the last one of each camera. Thread-safe.
-struct PreparedViews {
+class PreparedViews {
+ public:
   using Pointer = std::shared_ptr<const OutlinedView>;
 
   explicit PreparedViews(size_t cameras) : by_camera_(cameras) {}

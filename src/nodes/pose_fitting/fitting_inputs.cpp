@@ -23,14 +23,13 @@ constexpr int64_t kJudgementHolds = 500'000'000;  // ns
 
 FittingInputs::FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options,
                              TrackerNeeds needs, StageStatus* status,
-                             std::function<void(FittingMessages)> sink,
-                             std::function<void(size_t, const cv::Mat&)> mask_came,
+                             std::function<void(FittingMessages)> sink, ReadMask read_mask,
                              std::function<void()> search_begins)
     : options_(options),
       needs_(needs),
       status_(status),
       sink_(std::move(sink)),
-      mask_came_(std::move(mask_came)),
+      read_mask_(std::move(read_mask)),
       tf_(handle),
       collector_(options.cameras, options.world_frame, options.rig_file, options.requiredCameras()),
       // Before products_: a tracker without masks waits for no camera, and hulls may come at once.
@@ -95,16 +94,15 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
   if (options_.privacy && needs_.colors && hasUnknownBackground(*mask))
     status_->remark("the background of " + options_.cameras[camera] +
                     " is not known, and with privacy its colours are not read");
-  prepare(camera, *mask);
+  readBeforehand(camera, *mask);
   mask_sets_.add(camera, mask);
   reportCounts();
 }
 
-void FittingInputs::prepare(size_t camera, const sensor_msgs::Image& mask) {
+void FittingInputs::readBeforehand(size_t camera, const sensor_msgs::Image& mask) {
   try {
-    const cv::Mat pixels = maskFromMessage(mask);
-    mask_came_(camera, pixels);
-    pixels_.add(camera, nanosecondsOf(mask.header.stamp), pixels);
+    const cv::Mat pixels = read_mask_(camera, mask);
+    if (!pixels.empty()) pixels_.add(camera, nanosecondsOf(mask.header.stamp), pixels);
   } catch (const std::invalid_argument&) {  // told when it is used
   }
 }

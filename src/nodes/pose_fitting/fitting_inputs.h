@@ -43,12 +43,14 @@ struct FittingMessages {
 /// colours, images are subscribed only while the masks call for them.
 class FittingInputs {
  public:
+  using ReadMask = std::function<cv::Mat(size_t camera, const sensor_msgs::Image&)>;
+
   /// \param sink receives the frame sets, oldest first, one at a time; it must return quickly
-  /// \param mask_came is called for each mask that can be read, as soon as it is there
+  /// \param read_mask makes use of each mask as soon as it is there, and returns its pixels; empty:
+  ///   it is read later. What it throws is as if it returned nothing
   /// \param search_begins as of LiveProducts
   FittingInputs(ros::NodeHandle& handle, const FittingNodeOptions& options, TrackerNeeds needs,
-                StageStatus* status, std::function<void(FittingMessages)> sink,
-                std::function<void(size_t camera, const cv::Mat&)> mask_came,
+                StageStatus* status, std::function<void(FittingMessages)> sink, ReadMask read_mask,
                 std::function<void()> search_begins);
 
   LiveProducts& products() { return products_; }
@@ -84,8 +86,7 @@ class FittingInputs {
   void noteUse(size_t camera, bool used, const std::string& reason);
   /// Takes over what has changed about the cameras.
   void followRig();
-  /// Reads a mask while the others are on their way.
-  void prepare(size_t camera, const sensor_msgs::Image& mask);
+  void readBeforehand(size_t camera, const sensor_msgs::Image& mask);
   CameraImage takeImage(size_t camera, const sensor_msgs::Image& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
   std::string prepareRig();
@@ -95,7 +96,7 @@ class FittingInputs {
   TrackerNeeds needs_;
   StageStatus* status_;
   std::function<void(FittingMessages)> sink_;
-  std::function<void(size_t camera, const cv::Mat&)> mask_came_;
+  ReadMask read_mask_;
   CameraTransforms tf_;
   RigCollector collector_;
   std::shared_ptr<const CameraRig> rig_;  ///< null until the rig is known

@@ -72,7 +72,7 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needs_, &status_,
       [this](FittingMessages input) { enqueue(std::move(input)); },
-      [this](size_t camera, const cv::Mat& mask) { prepare(camera, mask); },
+      [this](size_t camera, const sensor_msgs::Image& mask) { return readMask(camera, mask); },
       [this] { searches_ = true; });
   heartbeat_ = handle.advertise<MocapStatus>("pose/status", 4);
   worker_ = std::thread([this] { runOrEndProcess("pose fitting", [this] { work(); }); });
@@ -98,7 +98,6 @@ FittingStage::~FittingStage() {
 
 void FittingStage::enqueue(FittingMessages input) {
   if (!needs_.images && queue_.waitingCount() >= kMaxWaitingWithImages) input.images.clear();
-  if (queue_.waitingCount() > 0) input.pixels.clear();  // each frame set twice would be too much
   answerLate(input.header);
   queue_.push(std::move(input));
   if (!needs_.starts_by_search) return;

@@ -56,10 +56,11 @@ class FittingStage {
   /// Makes a tracker if there is none of the rig. While the old one follows the person, it goes on
   /// until the new one has found the person, too.
   void prepareTracker(const FittingMessages& input, int64_t stamp_ns);
-  /// Withdraws the announcement of the old body and publishes the description of the new one.
   void useTracker(std::shared_ptr<BodyTracker> tracker, std::shared_ptr<const CameraRig> rig);
-  /// Lets the tracker begin with a mask while the others are on their way.
-  void prepare(size_t camera, const cv::Mat& mask);
+  /// Reads a mask, and lets the tracker begin with it while the others are on their way. Nothing is
+  /// done, and nothing returned, while frame sets wait.
+  cv::Mat readMask(size_t camera, const sensor_msgs::Image& message);
+  /// Withdraws the announcement of the old body and publishes the description of the new one.
   void takeOver(const std::shared_ptr<const TrackedBody>& body);
   void saveBody();
   /// Starts again with this body.

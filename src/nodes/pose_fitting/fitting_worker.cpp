@@ -9,6 +9,7 @@
 #include "nodes/pose_fitting/fitting_stage.h"
 #include "nodes/pose_fitting/tracker_update.h"
 #include "ros/camera_conversions.h"
+#include "ros/image_conversions.h"
 #include "ros/package_files.h"
 #include "tracking/calibration_scale.h"
 
@@ -105,14 +106,17 @@ void FittingStage::useTracker(std::shared_ptr<BodyTracker> tracker,
   prepares_ = tracker_;
 }
 
-void FittingStage::prepare(size_t camera, const cv::Mat& mask) {
-  if (queue_.waitingCount() > 0) return;  // the next mask would come before this one is used
+// While frame sets wait, the next mask would come before this one is used.
+cv::Mat FittingStage::readMask(size_t camera, const sensor_msgs::Image& message) {
+  if (queue_.waitingCount() > 0) return cv::Mat();
+  const cv::Mat mask = maskFromMessage(message);
   std::shared_ptr<const BodyTracker> tracker;
   {
     const std::lock_guard lock(preparing_);
     tracker = prepares_;
   }
   if (tracker) tracker->prepare(camera, mask);
+  return mask;
 }
 
 void FittingStage::takeOver(const std::shared_ptr<const TrackedBody>& body) {
