@@ -9,12 +9,14 @@
 ///
 ///     roscore & live_latency capture.bag --inside
 ///
-/// The bag begins with the empty room, for more images than are learned from, or with the person,
-/// for a start without that. `first tf` counts from its first image. The bag is played forwards and
-/// backwards again and again, so there is a start in each round. `settled` is the time from two
-/// seconds after the first tf of a round until its end; `all` has starts and losses, too, and
-/// counts poses of any status. The period of the frame sets is the reference: each time is also
-/// given as a fraction of it.
+/// The bag begins with the empty room, for twice as many images as are learned from (an image that
+/// is lost at first would put the person among those), or with the person, for a start without
+/// that. `first tf` counts from its first image. The bag is played forwards and backwards again and
+/// again, so there is a start in each round. `settled` is the time from two seconds after the first
+/// tf of a round until its end, the empty room at the end included; `all` has starts and losses,
+/// too, and counts poses of any status. Frame sets before the first pose message are those from
+/// which the background is learned. The period of the frame sets is the reference: each time is
+/// also given as a fraction of it.
 
 #include <markerless_mocap/BodyPose.h>
 #include <nodelet/loader.h>
@@ -108,23 +110,27 @@ class Times {
   }
   void pose(const markerless_mocap::BodyPoseConstPtr& message) {
     const std::lock_guard lock(mutex_);
-    if (FrameSet* frame_set = find(message->header.stamp)) frame_set->pose = ros::WallTime::now();
+    FrameSet* frame_set = find(message->header.stamp);
+    if (frame_set) frame_set->pose = ros::WallTime::now();
+    if (frame_set && first_pose_.isZero()) first_pose_ = frame_set->sent;
   }
 
   void print(double period) const {
     const std::lock_guard lock(mutex_);
     std::vector<double> settled, all;
-    size_t without_tf = 0, without_pose = 0, total = 0;
+    size_t without_tf = 0, without_pose = 0, total = 0, learning = 0;
     for (const auto& [stamp, one] : frame_sets_) {
       if (one.sent > ros::WallTime::now() - ros::WallDuration(1.5)) continue;
       ++total;
       if (one.settled && one.tf.isZero()) ++without_tf;
       if (one.settled && !one.tf.isZero()) settled.push_back((one.tf - one.sent).toSec());
-      if (one.pose.isZero()) ++without_pose;
+      if (one.pose.isZero()) ++(one.sent < first_pose_ ? learning : without_pose);
       if (!one.pose.isZero()) all.push_back((one.pose - one.sent).toSec());
     }
-    std::printf("%zu frame sets, %zu without a pose message, %zu settled without tf\n", total,
-                without_pose, without_tf);
+    std::printf(
+        "%zu frame sets: %zu before the first pose message, then %zu without one; "
+        "%zu settled without tf\n",
+        total, learning, without_pose, without_tf);
     if (!first_of_all_.isZero())
       std::printf("first tf %.2f s after the first image\n", (first_of_all_ - begun_).toSec());
     printLine("last image to tf, settled", settled, period);
@@ -150,7 +156,8 @@ class Times {
   mutable std::mutex mutex_;
   std::map<ros::Time, FrameSet> frame_sets_;
   ros::WallTime begun_, first_of_all_;
-  ros::WallTime first_tf_;  ///< of this round
+  ros::WallTime first_pose_;  ///< when its frame set was sent
+  ros::WallTime first_tf_;    ///< of this round
 };
 
 void play(const Arguments& arguments, const Recorded& recorded, ros::NodeHandle& handle,
