@@ -20,7 +20,7 @@ mocap_room(calibration DEPENDS camera files numerics options text
 mocap_room(body DEPENDS files numerics LIBRARIES Eigen3::Eigen $<LINK_ONLY:tinyxml2::tinyxml2> urdfdom_model)
 mocap_room(products LIBRARIES Eigen3::Eigen opencv_core)
 mocap_room(silhouette DEPENDS files numerics options products
-  LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_video TBB::tbb)
+  LIBRARIES opencv_core opencv_dnn opencv_imgproc opencv_objdetect opencv_video TBB::tbb)
 mocap_room(hull DEPENDS camera numerics options products LIBRARIES opencv_core TBB::tbb)
 mocap_room(skeleton DEPENDS files numerics options products resources LIBRARIES TBB::tbb TESTS_USE hull)
 mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TESTS_USE hull)

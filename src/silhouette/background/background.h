@@ -72,6 +72,12 @@ class Background {
   /// Only if some pixels have been unknown before.
   void setUnknown(int x, int y, bool unknown) { unknown_.fill(y, x, x, unknown); }
 
+  /// Unknown pixels whose colours are those of somebody who keeps still: as long as the image shows
+  /// them, the person is there. Not part of a file: by the time it is read, the person has gone.
+  const BitMask& person() const { return person_; }
+  /// \param person some of the unknown pixels
+  void setPerson(BitMask person) { person_ = std::move(person); }
+
   /// Throws std::invalid_argument with a message that names the file if it cannot be written.
   void save(const std::string& path) const;
   /// The weights are not set: call setThreshold(). Throws std::invalid_argument with a message that
@@ -88,7 +94,7 @@ class Background {
   int weight_unit_ = 1;
   std::vector<uint16_t> mean_, sigma_;
   std::vector<uint8_t> quantised_;  ///< per row: the means, channel by channel, then the weights
-  BitMask unknown_;
+  BitMask unknown_, person_;
 };
 
 /// A grey level as Background has it, limited to 0 to 255. In the loops of kernels, so that it must

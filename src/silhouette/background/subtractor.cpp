@@ -62,7 +62,7 @@ class ModelSubtractor : public Subtractor {
     matting.refine(image, background_, found.light_gain, classes, &found.mask);
     // This comes last, as the new boundary has pinholes and specks.
     fillFalseHoles(image, background_, found.light_gain, options_.max_hole_px, &found.mask);
-    if (background_.hasUnknown()) restoreUnknown(unrefined, &found);
+    if (background_.hasUnknown()) restoreUnknown(unrefined, classes, &found);
     removeBlobs(options_.min_blob_px, &found.mask);
     follow(image, classes.shadow, &found);
     return found;
@@ -87,7 +87,8 @@ class ModelSubtractor : public Subtractor {
   void absorbObjects(const cv::Mat& image, Extraction* found);
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
-  void restoreUnknown(const BitMask& unrefined, Extraction* found) const;
+  void restoreUnknown(const BitMask& unrefined, const PixelClasses& classes,
+                      Extraction* found) const;
   void updateBackground(const cv::Mat& image, double gain, const BitMask& mask,
                         const BitMask& shadow);
 
@@ -141,11 +142,16 @@ BitMask ModelSubtractor::nearUnknown(const BitMask& mask) const {
   return near;
 }
 
-void ModelSubtractor::restoreUnknown(const BitMask& unrefined, Extraction* found) const {
+void ModelSubtractor::restoreUnknown(const BitMask& unrefined, const PixelClasses& classes,
+                                     Extraction* found) const {
   found->mask.remove(near_unknown_);
   found->mask |= unrefined;
   found->mask |= background_.unknown();
+  BitMask person = background_.person();
+  person.remove(classes.foreground);
+  person.remove(classes.shadow);
   found->unknown = background_.unknown();
+  found->unknown.remove(person);
 }
 
 /// Takes over what has changed in the scene. Light that blinds the camera teaches nothing.

@@ -4,6 +4,7 @@
 
 #include "silhouette/recording/inward_flood.h"
 #include "silhouette/recording/row_statistics.h"
+#include "silhouette/recording/still_person.h"
 #include "silhouette/recording/swept_region.h"
 
 namespace markerless_mocap {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr float kSureShare = 0.85f;
 constexpr int kMaxSpeck = 12;  ///< px
+constexpr int kMargin = 3;     ///< width of the margin around a person who keeps still, px
 
 SceneColors surelySeen(const std::vector<PixelCandidates>& candidates, const cv::Mat& swept) {
   SceneColors scene{cv::Mat(swept.size(), CV_32FC3), swept == 0};
@@ -25,7 +27,8 @@ void acceptSureColors(const std::vector<PixelCandidates>& candidates, const Pers
   for (int y = 0; y < scene->known.rows; ++y)
     for (int x = 0; x < scene->known.cols; ++x) {
       const ColorCandidate& mode = candidates[size_t(y) * scene->known.cols + x].colors[0];
-      if (scene->known.at<uint8_t>(y, x) || mode.share < kSureShare ||
+      if (scene->known.at<uint8_t>(y, x) ||
+          candidates[size_t(y) * scene->known.cols + x].count == 0 || mode.share < kSureShare ||
           person.logRatio(mode.color) >= 0)
         continue;
       scene->known.at<uint8_t>(y, x) = 255;
@@ -71,20 +74,40 @@ void fillSpecks(SceneColors* scene) {
   }
 }
 
+/// Nothing that was seen at the pixels of the person is their background.
+void addStillPerson(const cv::Mat& person, std::vector<PixelCandidates>* candidates,
+                    SweptRegion* swept) {
+  cv::Mat covered;
+  cv::dilate(person, covered, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kMargin, kMargin}));
+  for (int y = 0; y < covered.rows; ++y)
+    for (int x = 0; x < covered.cols; ++x)
+      if (covered.at<uint8_t>(y, x)) (*candidates)[size_t(y) * covered.cols + x].count = 0;
+  swept->seen |= covered;
+  swept->all |= covered;
+}
+
+BitMask pixelsOf(const cv::Mat& region, const cv::Size& size) {
+  cv::Mat large;
+  cv::resize(region, large, size, 0, 0, cv::INTER_LINEAR);
+  return BitMask::fromMat(large > 127);
+}
+
 }  // namespace
 
 SceneColors learnSceneColors(const SceneSamples& samples) {
-  const std::vector<PixelCandidates> candidates = findCandidates(samples);
-  const SweptRegion swept = sweptRegion(samples, candidates);
+  std::vector<PixelCandidates> candidates = findCandidates(samples);
+  SweptRegion swept = sweptRegion(samples, candidates);
+  const cv::Mat person = stillPerson(samples);
+  addStillPerson(person, &candidates, &swept);
   const SceneColors seeds = surelySeen(candidates, swept.all);
-  PersonColors person;
+  PersonColors person_colors;
   SceneColors scene;
   for (int round = 0; round < 2; ++round) {
-    scene = {seeds.color.clone(), seeds.known.clone()};
-    floodInward(candidates, person, &scene);
-    person = PersonColors(samples, scene, swept.all);
+    scene = {seeds.color.clone(), seeds.known.clone(), person};
+    floodInward(candidates, person_colors, &scene);
+    person_colors = PersonColors(samples, scene, swept.all);
   }
-  acceptSureColors(candidates, person, &scene);
+  acceptSureColors(candidates, person_colors, &scene);
   acceptApart(candidates, swept.seen, &scene);
   fillSpecks(&scene);
   return scene;
@@ -105,7 +128,11 @@ Background learnFromRecording(const SceneSamples& samples) {
       if (!known.at<uint8_t>(y, x)) unknown.set(x, y);
     statistics.measure(y, color.ptr<cv::Vec3f>(y), background);
   }
-  if (unknown.count() > 0) background.setUnknown(std::move(unknown));
+  if (unknown.count() == 0) return background;
+  BitMask person = pixelsOf(scene.person, size);
+  person &= unknown;
+  background.setPerson(std::move(person));
+  background.setUnknown(std::move(unknown));
   return background;
 }
 

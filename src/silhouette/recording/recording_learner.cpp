@@ -8,6 +8,7 @@
 #include "silhouette/boundary/image_reduction.h"
 #include "silhouette/recording/first_images.h"
 #include "silhouette/recording/recording_background.h"
+#include "silhouette/recording/still_person.h"
 
 namespace markerless_mocap {
 namespace {
@@ -56,7 +57,8 @@ class RecordingLearner::Impl {
     if (options_.background == "recording") return true;
     if (seen_ < options_.background_frames) return !first_.empty() && showMotion(first_.motion());
     if (!is_quiet_) return true;
-    return first_samples_ && showWhatLeftLater(*first_samples_, later_);
+    return first_samples_ && (showsPerson(first_samples_->images.front()) ||
+                              showWhatLeftLater(*first_samples_, later_));
   }
 
   SharedBackground learn() const {
