@@ -7,6 +7,7 @@
 #include "numerics/low_priority.h"
 #include "silhouette/recording/first_images.h"
 #include "silhouette/recording/recording_background.h"
+#include "silhouette/recording/still_person.h"
 
 namespace markerless_mocap {
 namespace {
@@ -25,8 +26,9 @@ void LiveLearner::add(const cv::Mat& image) {
   sampler_.add(sampler_.wantsNext() ? image : cv::Mat());
 }
 
-bool LiveLearner::isOccupied() const {
-  return options_.background == "recording" || showMotion(sampler_.motion());
+bool LiveLearner::isOccupied() {
+  starts_still_ = !showMotion(sampler_.motion());
+  return options_.background == "recording" || !starts_still_ || showsPerson(sampler_.last());
 }
 
 void LiveLearner::schedule(const Background& background) {
@@ -35,7 +37,8 @@ void LiveLearner::schedule(const Background& background) {
 
 Background LiveLearner::learn() {
   next_ *= 2;
-  Background background = learnFromRecording(sampler_.samples(options_.compensate_flicker));
+  Background background =
+      learnFromRecording(sampler_.samples(options_.compensate_flicker), starts_still_);
   schedule(background);
   return background;
 }
@@ -44,9 +47,10 @@ void LiveLearner::learnBeside() {
   next_ *= 2;
   if (learning_.valid()) return;
   const bool is_awaited = !std::exchange(has_learned_, true);
-  learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_, is_awaited] {
+  learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_, is_awaited,
+                                              starts_still = starts_still_] {
     const auto learn = [&] {
-      return learnFromRecording(sampler.samples(options.compensate_flicker));
+      return learnFromRecording(sampler.samples(options.compensate_flicker), starts_still);
     };
     if (is_awaited) return learn();
     static std::mutex one_camera_after_another;

@@ -18,8 +18,9 @@ class LiveLearner {
   void change(const SilhouetteOptions& options) { options_ = options; }
   /// \param image CV_8UC1 or CV_8UC3, always the same size and type
   void add(const cv::Mat& image);
-  /// Whether something moves in the images so far, or option `background` is `recording`.
-  bool isOccupied() const;
+  /// Whether something moves in the images so far or somebody is seen in the last one, or option
+  /// `background` is `recording`. To be asked once, after the first images.
+  bool isOccupied();
   /// Whether the background should be learned again now.
   bool isDue() const { return sampler_.seen() == next_; }
   /// Whether it need not be learned again.
@@ -39,6 +40,7 @@ class LiveLearner {
   SceneSampler sampler_;
   int next_, last_;  ///< numbers of images
   bool has_learned_ = false;
+  bool starts_still_ = false;  ///< nothing moves in the first images
   std::future<Background> learning_;
 };
 

@@ -11,8 +11,6 @@ namespace markerless_mocap {
 struct SceneColors {
   cv::Mat color;  ///< CV_32FC3, grey levels
   cv::Mat known;  ///< CV_8UC1; non-zero: known
-  /// CV_8UC1; non-zero: the colour is that of somebody who keeps still
-  cv::Mat person = cv::Mat();
 };
 
 /// Colours of the people of a recording beside those of its background.

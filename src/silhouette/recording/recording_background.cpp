@@ -78,32 +78,26 @@ void fillSpecks(SceneColors* scene) {
 void addStillPerson(const cv::Mat& person, std::vector<PixelCandidates>* candidates,
                     SweptRegion* swept) {
   cv::Mat covered;
-  cv::dilate(person, covered, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kMargin, kMargin}));
+  cv::resize(person, covered, swept->all.size(), 0, 0, cv::INTER_AREA);
+  cv::dilate(covered, covered, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kMargin, kMargin}));
   for (int y = 0; y < covered.rows; ++y)
     for (int x = 0; x < covered.cols; ++x)
-      if (covered.at<uint8_t>(y, x)) (*candidates)[size_t(y) * covered.cols + x].count = 0;
-  swept->seen |= covered;
-  swept->all |= covered;
-}
-
-BitMask pixelsOf(const cv::Mat& region, const cv::Size& size) {
-  cv::Mat large;
-  cv::resize(region, large, size, 0, 0, cv::INTER_LINEAR);
-  return BitMask::fromMat(large > 127);
+      if (covered.at<uint8_t>(y, x) > 127) (*candidates)[size_t(y) * covered.cols + x].count = 0;
+  swept->seen |= covered > 127;
+  swept->all |= covered > 127;
 }
 
 }  // namespace
 
-SceneColors learnSceneColors(const SceneSamples& samples) {
+SceneColors learnSceneColors(const SceneSamples& samples, const cv::Mat& person) {
   std::vector<PixelCandidates> candidates = findCandidates(samples);
   SweptRegion swept = sweptRegion(samples, candidates);
-  const cv::Mat person = stillPerson(samples);
-  addStillPerson(person, &candidates, &swept);
+  if (!person.empty()) addStillPerson(person, &candidates, &swept);
   const SceneColors seeds = surelySeen(candidates, swept.all);
   PersonColors person_colors;
   SceneColors scene;
   for (int round = 0; round < 2; ++round) {
-    scene = {seeds.color.clone(), seeds.known.clone(), person};
+    scene = {seeds.color.clone(), seeds.known.clone()};
     floodInward(candidates, person_colors, &scene);
     person_colors = PersonColors(samples, scene, swept.all);
   }
@@ -113,8 +107,9 @@ SceneColors learnSceneColors(const SceneSamples& samples) {
   return scene;
 }
 
-Background learnFromRecording(const SceneSamples& samples) {
-  const SceneColors scene = learnSceneColors(samples);
+Background learnFromRecording(const SceneSamples& samples, bool starts_still) {
+  const cv::Mat person = starts_still ? stillPerson(samples) : cv::Mat();
+  const SceneColors scene = learnSceneColors(samples, person);
   const cv::Size size = samples.image_size;
   const int channels = samples.image_channels;
   cv::Mat color, known;
@@ -129,9 +124,11 @@ Background learnFromRecording(const SceneSamples& samples) {
     statistics.measure(y, color.ptr<cv::Vec3f>(y), background);
   }
   if (unknown.count() == 0) return background;
-  BitMask person = pixelsOf(scene.person, size);
-  person &= unknown;
-  background.setPerson(std::move(person));
+  if (!person.empty()) {
+    BitMask covered = BitMask::fromMat(person);
+    covered &= unknown;
+    background.setPerson(std::move(covered));
+  }
   background.setUnknown(std::move(unknown));
   return background;
 }

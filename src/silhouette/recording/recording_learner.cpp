@@ -55,7 +55,8 @@ class RecordingLearner::Impl {
 
   bool isOccupiedAtFirst() const {
     if (options_.background == "recording") return true;
-    if (seen_ < options_.background_frames) return !first_.empty() && showMotion(first_.motion());
+    if (seen_ < options_.background_frames)
+      return !first_.empty() && (showMotion(first_.motion()) || showsPerson(first_.last()));
     if (!is_quiet_) return true;
     return first_samples_ && (showsPerson(first_samples_->images.front()) ||
                               showWhatLeftLater(*first_samples_, later_));
@@ -63,7 +64,7 @@ class RecordingLearner::Impl {
 
   SharedBackground learn() const {
     return std::make_shared<Background>(
-        learnFromRecording(sampler_.samples(options_.compensate_flicker)));
+        learnFromRecording(sampler_.samples(options_.compensate_flicker), startsStill()));
   }
 
  private:
@@ -79,11 +80,15 @@ class RecordingLearner::Impl {
 
   bool isLaterNext() const { return seen_ % (kLaterStride * stride_) == 0; }
 
+  bool startsStill() const {
+    return first_samples_ ? !showMotion(first_samples_->moving) : !showMotion(first_.motion());
+  }
+
   /// The first images are complete.
   void closeFirst() {
     if (type_ < 0) return;
     first_samples_ = first_.samples(options_.compensate_flicker);
-    is_quiet_ = options_.background != "recording" && !showMotion(first_samples_->moving);
+    is_quiet_ = options_.background != "recording" && startsStill();
     first_ = SceneSampler();
   }
 

@@ -92,6 +92,12 @@ const SceneSampler::Frame* SceneSampler::frameAt(int index) const {
   return &recent_[index - first];
 }
 
+cv::Mat SceneSampler::last() const {
+  for (auto frame = recent_.rbegin(); frame != recent_.rend(); ++frame)
+    if (!frame->image.empty()) return frame->image;
+  return {};
+}
+
 cv::Mat SceneSampler::movingAt(int index) const {
   const cv::Mat& now = frameAt(index)->smooth;
   cv::Mat moving = cv::Mat::zeros(now.size(), CV_8UC1);

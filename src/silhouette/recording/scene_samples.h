@@ -38,6 +38,8 @@ class SceneSampler {
   void add(const cv::Mat& image);
   int seen() const { return seen_; }
   bool empty() const { return recent_.empty(); }
+  /// The last image that was looked at; empty if there is none.
+  cv::Mat last() const;
   /// Throws std::invalid_argument if no image has been added.
   SceneSamples samples(bool compensate_flicker) const;
   /// Their pixels that move alone, as SceneSamples::moving, which is much quicker.

@@ -9,14 +9,22 @@ namespace markerless_mocap {
 namespace {
 
 constexpr double kLongerSide = 480;  ///< px; people taller than 100 px of it are found
+/// In empty rooms a stand or a cable can reach 0.6, people 0.6 to 3.5.
 constexpr double kMinScore = 0.5;
-constexpr size_t kLooks = 3;  ///< samples
+/// Samples of a recording, and of the first second alone.
+constexpr size_t kLooks = 3, kFirstLooks = 1, kFirstSamples = 12;
 
-// Of the detector's window, where the body surely is: an ellipse around its middle line.
-constexpr double kCoreCentre = 0.45, kCoreWidth = 0.17, kCoreHeight = 0.33;
-// How far arms and feet may reach beyond the window, and what is around is looked at beyond that.
-constexpr double kBeside = 0.6, kAbove = 0.05, kBelow = 0.25, kAround = 0.3;
+// How far arms and feet may reach beyond the detector's window, and how far around that the colours
+// of the background are learned; in widths and heights of the window.
+constexpr double kBeside = 0.5, kAbove = 0.05, kBelow = 0.25, kAround = 0.3;
+constexpr double kWindowWidth = 160;  ///< px; larger windows are reduced to it
 constexpr int kRounds = 4;
+
+/// An ellipse in the window where the body probably is, in widths and heights of the window.
+struct BodyEllipse {
+  double y, half_width, half_height;
+};
+constexpr BodyEllipse kBody[] = {{0.17, 0.08, 0.05}, {0.36, 0.20, 0.17}, {0.64, 0.13, 0.24}};
 
 /// Windows of the detector that hold a person, in pixels of the image.
 std::vector<cv::Rect2d> findPeople(const cv::Mat& image) {
@@ -38,37 +46,54 @@ std::vector<cv::Rect2d> findPeople(const cv::Mat& image) {
   return people;
 }
 
-cv::Rect widened(const cv::Rect2d& window, double beside, double above, double below,
-                 const cv::Size& image) {
-  const cv::Rect2d wide(window.x - beside * window.width, window.y - above * window.height,
-                        (1 + 2 * beside) * window.width, (1 + above + below) * window.height);
+cv::Rect widened(const cv::Rect2d& window, double more, const cv::Size& image) {
+  const double beside = (kBeside + more) * window.width, above = (kAbove + more) * window.height,
+               below = (kBelow + more) * window.height;
+  const cv::Rect2d wide(window.x - beside, window.y - above, window.width + 2 * beside,
+                        window.height + above + below);
   return cv::Rect(wide) & cv::Rect({}, image);
+}
+
+/// What to cut the person in the window from, as cv::grabCut() has it.
+cv::Mat firstLabels(const cv::Rect2d& window, const cv::Size& image) {
+  cv::Mat labels(image, CV_8UC1, cv::Scalar(cv::GC_BGD));
+  labels(widened(window, 0, image)).setTo(cv::GC_PR_BGD);
+  for (const BodyEllipse& part : kBody) {
+    const cv::Point2d centre(window.x + 0.5 * window.width, window.y + part.y * window.height);
+    const cv::Size2d size(2 * part.half_width * window.width, 2 * part.half_height * window.height);
+    cv::ellipse(labels, cv::RotatedRect(centre, size, 0), cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
+  }
+  return labels;
 }
 
 /// Adds the person in the window. \param color CV_8UC3
 void addOutlined(const cv::Mat& color, const cv::Rect2d& window, cv::Mat* people) {
-  const cv::Rect reach = widened(window, kBeside, kAbove, kBelow, color.size());
-  const cv::Rect around =
-      widened(window, kBeside + kAround, kAbove + kAround, kBelow + kAround, color.size());
-  cv::Mat labels(color.size(), CV_8UC1, cv::Scalar(cv::GC_BGD));
-  labels(reach).setTo(cv::GC_PR_BGD);
-  const cv::RotatedRect core(
-      cv::Point2f(float(window.x + 0.5 * window.width),
-                  float(window.y + kCoreCentre * window.height)),
-      cv::Size2f(float(2 * kCoreWidth * window.width), float(2 * kCoreHeight * window.height)), 0);
-  cv::ellipse(labels, core, cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
-  cv::Mat mine = labels(around), background, foreground;
-  if (cv::countNonZero(mine == cv::GC_PR_FGD) == 0 || cv::countNonZero(mine == cv::GC_BGD) == 0)
+  const cv::Rect around = widened(window, kAround, color.size());
+  const double scale = std::min(1.0, kWindowWidth / window.width);
+  cv::Mat patch, background, foreground, outlined;
+  cv::resize(color(around), patch, {}, scale, scale, cv::INTER_AREA);
+  const cv::Point2d origin = around.tl();
+  cv::Mat labels = firstLabels(
+      cv::Rect2d((window.tl() - origin) * scale, (window.br() - origin) * scale), patch.size());
+  if (cv::countNonZero(labels == cv::GC_PR_FGD) == 0 || cv::countNonZero(labels == cv::GC_BGD) == 0)
     return;
-  cv::grabCut(color(around), mine, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
-  (*people)(around) |= (mine == cv::GC_PR_FGD);
+  cv::grabCut(patch, labels, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
+  cv::resize(labels == cv::GC_PR_FGD, outlined, around.size(), 0, 0, cv::INTER_LINEAR);
+  (*people)(around) |= (outlined > 127);
+}
+
+cv::Mat peopleIn(const cv::Mat& image) {
+  cv::Mat color = image, people = cv::Mat::zeros(image.size(), CV_8UC1);
+  if (image.channels() == 1) cv::cvtColor(image, color, cv::COLOR_GRAY2BGR);
+  for (const cv::Rect2d& window : findPeople(image)) addOutlined(color, window, &people);
+  return people;
 }
 
 /// The samples whose whole image was kept.
-std::vector<size_t> wholeSamples(const SceneSamples& samples) {
-  std::vector<size_t> whole;
-  for (size_t i = 0; i < samples.images.size(); ++i)
-    if (!samples.images[i].empty()) whole.push_back(i);
+std::vector<cv::Mat> wholeImages(const SceneSamples& samples) {
+  std::vector<cv::Mat> whole;
+  for (const cv::Mat& image : samples.images)
+    if (!image.empty()) whole.push_back(image);
   return whole;
 }
 
@@ -79,18 +104,15 @@ bool showsPerson(const cv::Mat& image) {
 }
 
 cv::Mat stillPerson(const SceneSamples& samples) {
-  const std::vector<size_t> whole = wholeSamples(samples);
-  const size_t looks = std::min(kLooks, whole.size());
-  const double scale = double(samples.size.width) / samples.image_size.width;
-  cv::Mat count = cv::Mat::zeros(samples.size, CV_8UC1);
+  const std::vector<cv::Mat> whole = wholeImages(samples);
+  const size_t looks =
+      std::min(samples.colors.size() < kFirstSamples ? kFirstLooks : kLooks, whole.size());
+  cv::Mat count = cv::Mat::zeros(samples.image_size, CV_8UC1);
   for (size_t look = 0; look < looks; ++look) {
-    const size_t i = whole[(2 * look + 1) * whole.size() / (2 * looks)];
-    cv::Mat people = cv::Mat::zeros(samples.size, CV_8UC1);
-    for (const cv::Rect2d& window : findPeople(samples.images[i]))
-      addOutlined(samples.colors[i], cv::Rect2d(window.tl() * scale, window.br() * scale), &people);
+    const cv::Mat people = peopleIn(whole[(2 * look + 1) * whole.size() / (2 * looks)]);
     cv::add(count, 1, count, people);
   }
-  return count > double(looks) / 2;
+  return count > 0.5 * double(looks);
 }
 
 }  // namespace markerless_mocap
