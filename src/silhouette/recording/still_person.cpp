@@ -32,6 +32,7 @@ std::vector<cv::Rect2d> findPeople(const cv::Mat& image) {
   cv::Mat small = image;
   if (scale < 1) cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
   cv::HOGDescriptor detector;
+  if (small.cols < detector.winSize.width || small.rows < detector.winSize.height) return {};
   detector.setSVMDetector(cv::HOGDescriptor::getDefaultPeopleDetector());
   std::vector<cv::Rect> windows;
   std::vector<double> scores;

@@ -1,0 +1,122 @@
+/// Somebody who keeps still in front of the cameras from the first image to the last, in a room
+/// that nobody has filmed empty.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+#include "capture/studio_fixture.h"
+#include "capture/virtual_studio.h"
+#include "markerless_mocap/products/silhouette_mask.h"
+#include "markerless_mocap/silhouette/recording_learner.h"
+#include "markerless_mocap/silhouette/silhouette_extractor.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr int kImages = 45;
+
+/// One camera's view of a person, and of the room without them.
+struct View {
+  cv::Mat image, person, empty;
+};
+
+const std::vector<View>& views() {
+  static const std::vector<View> all = [] {
+    StudioOptions options;
+    options.rig = "ring4";
+    options.motion = "stroll_arms_down";
+    options.background_frames = 1;
+    options.duration = 1;
+    options.seed = 7;
+    options.character.appearance_seed = 7;
+    const VirtualStudio studio(options, packageFiles(), "person1");
+    const StudioFrameSet empty = studio.render(0), frame = studio.render(1);
+    std::vector<View> out;
+    for (size_t i = 0; i < frame.images.size(); ++i)
+      out.push_back({frame.images[i], frame.masks[i], empty.images[i]});
+    return out;
+  }();
+  return all;
+}
+
+cv::Mat withNoise(const cv::Mat& image, int seed) {
+  cv::RNG rng(uint64_t(seed) + 1);
+  cv::Mat noise(image.size(), CV_16SC3), sum;
+  rng.fill(noise, cv::RNG::NORMAL, 0, 2);
+  cv::add(image, noise, sum, cv::noArray(), CV_8U);
+  return sum;
+}
+
+std::vector<SharedBackground> learnedFrom(cv::Mat View::*image) {
+  std::vector<RecordingLearner> learners;
+  for (const View& view : views()) {
+    learners.emplace_back(SilhouetteOptions(), kImages);
+    for (int i = 0; i < kImages; ++i)
+      learners.back().add(learners.back().wantsNext() ? withNoise(view.*image, i) : cv::Mat());
+  }
+  return learnBackgrounds(learners);
+}
+
+cv::Mat maskOf(const SharedBackground& background, const cv::Mat& image) {
+  SilhouetteExtractor extractor{SilhouetteOptions()};
+  extractor.useBackground(background);
+  return extractor.update(image).mask;
+}
+
+/// The person is in the masks with nearly all parts, and in the mean over the views with not much
+/// else: pictures on the wall behind may be in a mask, the hull leaves them out.
+template <class MaskT>
+void expectPersonIn(const MaskT& maskAt) {
+  double overlap = 0;
+  for (size_t i = 0; i < views().size(); ++i) {
+    const cv::Mat found = maskAt(i) == kPersonPixel, person = views()[i].person;
+    const int both = cv::countNonZero(found & person);
+    EXPECT_GT(both, 0.8 * cv::countNonZero(person)) << "cam" << i;
+    overlap += double(both) / cv::countNonZero(found | person);
+  }
+  EXPECT_GT(overlap / double(views().size()), 0.65);
+}
+
+TEST(StillPerson, IsInTheMasksThoughNothingMoves) {
+  const std::vector<SharedBackground> backgrounds = learnedFrom(&View::image);
+  ASSERT_EQ(std::count(backgrounds.begin(), backgrounds.end(), nullptr), 0);
+  expectPersonIn(
+      [&](size_t i) { return maskOf(backgrounds[i], withNoise(views()[i].image, 100)); });
+}
+
+TEST(StillPerson, IsInTheMasksOfImagesAsTheyCome) {
+  expectPersonIn([&](size_t i) {
+    SilhouetteExtractor extractor{SilhouetteOptions()};
+    SilhouetteResult result;
+    for (int image = 0; image < kImages; ++image)
+      result = extractor.update(withNoise(views()[i].image, image));
+    return result.mask;
+  });
+}
+
+TEST(StillPerson, WhatIsBehindThemIsUnknownOnceTheyHaveGone) {
+  const std::vector<SharedBackground> backgrounds = learnedFrom(&View::image);
+  for (size_t i = 0; i < views().size(); ++i) {
+    const cv::Mat mask = maskOf(backgrounds.at(i), withNoise(views()[i].empty, 100));
+    const int claimed = cv::countNonZero((mask == kPersonPixel) & views()[i].person);
+    const int unknown = cv::countNonZero((mask == kUnknownPixel) & views()[i].person);
+    EXPECT_LT(claimed, 0.2 * cv::countNonZero(views()[i].person)) << "cam" << i;
+    EXPECT_GT(unknown, 0.6 * cv::countNonZero(views()[i].person)) << "cam" << i;
+  }
+}
+
+TEST(StillPerson, IsNotSeenInAnEmptyRoom) {
+  const std::vector<SharedBackground> backgrounds = learnedFrom(&View::empty);
+  EXPECT_EQ(std::count(backgrounds.begin(), backgrounds.end(), nullptr),
+            std::ptrdiff_t(views().size()));
+}
+
+TEST(StillPerson, IsNotLookedForInTinyImages) {
+  RecordingLearner learner(SilhouetteOptions(), kImages);
+  for (int i = 0; i < kImages; ++i) learner.add(cv::Mat(40, 30, CV_8UC3, cv::Scalar(90, 90, 90)));
+  EXPECT_FALSE(learner.isOccupiedAtFirst());
+}
+
+}  // namespace
+}  // namespace markerless_mocap
