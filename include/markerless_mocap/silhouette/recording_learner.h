@@ -37,9 +37,9 @@ class RecordingLearner {
   /// \param image CV_8UC1 or CV_8UC3 (BGR), in the order of time; empty if it is missing. Throws
   ///   std::invalid_argument if its type is another, or if size or type change.
   void add(const cv::Mat& image);
-  /// Whether somebody is in the first `background_frames` images: something moves in them, or was
-  /// there and is gone later. Motion shows in four images or more. True if option `background` is
-  /// `recording`.
+  /// Whether somebody is in the first `background_frames` images: something moves in them, has the
+  /// shape of a person, or was there and is gone later. Motion shows in four images or more. True
+  /// if option `background` is `recording`.
   bool isOccupiedAtFirst() const;
   /// Throws std::invalid_argument if no image was added.
   SharedBackground learn() const;

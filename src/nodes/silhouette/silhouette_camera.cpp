@@ -185,7 +185,7 @@ void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {
   else if (!has_seen_somebody_)
     status_.ok(
         "ready, masks are published; nothing has moved in view since the background was learned, "
-        "and whoever stands still there is taken for background until they move");
+        "and whoever keeps still there unrecognised is taken for background until they move");
   else
     status_.ok("ready, masks are published");
 }
