@@ -107,7 +107,7 @@ class ContourTracker : public BodyTracker {
   // Checks of the pose that is followed (contour_tracker_check.cpp).
 
   /// True if the pose of a start is to be compared with that of another start now.
-  bool needsCheck(const Frame& now) const;
+  bool needsCheck(const Frame& now, const ContourFit& fit) const;
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
   ActiveTrack check(const Frame& now, const ActiveTrack& active);
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/fit/view_times.h"
@@ -85,16 +84,14 @@ double viewOverlap(const ContourView& view, const Camera& camera, const ContourW
   return 0.5 * both / body + 0.5 * both / person;
 }
 
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
-                   const ContourWorldCones& cones) {
+std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig& rig,
+                                 const ContourWorldCones& cones) {
   std::vector<double> overlaps(rig.size(), 0.0);
   tbb::parallel_for(size_t(0), rig.size(), [&](size_t v) {
     if (seen.views[v].status == ViewStatus::kUsable)
       overlaps[v] = viewOverlap(seen.views[v], rig[v], conesIn(seen.views[v], cones));
   });
-  const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
-  const int usable = seen.usableViews();
-  return usable ? sum / usable : 0.0;
+  return overlaps;
 }
 
 }  // namespace markerless_mocap

@@ -9,8 +9,8 @@ namespace markerless_mocap {
 /// is in the mask plus half the fraction of the mask that is in the body (Fleischmann 2012, 5.2.1).
 double viewOverlap(const ContourView& view, const Camera& camera, const ContourWorldCones& cones);
 
-/// Mean of viewOverlap() over the usable views; 0 if there is none.
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
-                   const ContourWorldCones& cones);
+/// viewOverlap() of each view; 0 of those that are not usable.
+std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig& rig,
+                                 const ContourWorldCones& cones);
 
 }  // namespace markerless_mocap

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "contour/fit/body_overlap.h"
@@ -20,6 +21,9 @@ constexpr double kRelativeDamping = 1e-3;
 // The longer ago the last pose, the farther off is its prediction, and the more steps are needed.
 constexpr double kAllIterations_s = 1.0 / 15;
 
+// Two views that agree say little: they agree on many a wrong pose.
+constexpr size_t kFewestViews = 3;
+
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
 void addPriors(const ContourPose& pose, const std::optional<ContourPrediction>& prediction,
@@ -36,6 +40,42 @@ ContourPose nextPose(const ContourPose& pose, const PoseNormalEquations& equatio
   H.diagonal() *= 1.0 + kRelativeDamping;
   dampPose(H);
   return stepped(pose, -Cholesky(H).solve(equations.g));
+}
+
+/// Fraction of each view's rays that are nearer to the body than kRayExplained; 1 without rays.
+std::vector<double> viewRaysExplained(const ContourObservation& seen, const PoseProblem& problem) {
+  std::vector<double> explained(seen.views.size(), 0.0), all(seen.views.size(), 0.0);
+  for (size_t i = 0; i < seen.rays.size(); ++i) {
+    const size_t view = size_t(seen.rays[i].camera);
+    all[view] += seen.rays[i].weight;
+    if (std::abs(double(problem.matches()[i].residual)) < kRayExplained)
+      explained[view] += seen.rays[i].weight;
+  }
+  for (size_t v = 0; v < all.size(); ++v) explained[v] = all[v] > 0.0 ? explained[v] / all[v] : 1.0;
+  return explained;
+}
+
+/// What more than half of the values and at least three, or all, reach; not empty.
+double majorityOf(std::vector<double> values) {
+  const size_t most = std::min(values.size(), std::max(kFewestViews, values.size() / 2 + 1));
+  const auto last = values.begin() + std::ptrdiff_t(most - 1);
+  std::nth_element(values.begin(), last, values.end(), std::greater<>());
+  return *last;
+}
+
+void judgeViews(const ContourObservation& seen, const CameraRig& rig, const PoseProblem& problem,
+                ContourFit& fit) {
+  const std::vector<double> overlaps = viewOverlaps(seen, rig, problem.cones());
+  const std::vector<double> explained = viewRaysExplained(seen, problem);
+  double sum = 0.0;
+  std::vector<double> qualities;
+  for (size_t v = 0; v < seen.views.size(); ++v) {
+    if (seen.views[v].status != ViewStatus::kUsable) continue;
+    sum += overlaps[v];
+    qualities.push_back(0.5 * (overlaps[v] + explained[v]));
+  }
+  fit.overlap = sum / double(qualities.size());
+  fit.majority_quality = majorityOf(std::move(qualities));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
@@ -100,7 +140,7 @@ ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody&
   fit.status = solved ? ContourFitStatus::kFitted : ContourFitStatus::kDiverged;
   if (!solved) return fit;
   gatherEvidence(seen, options_, body, problem, fit);
-  fit.overlap = bodyOverlap(seen, rig_, problem.cones());
+  judgeViews(seen, rig_, problem, fit);
   return fit;
 }
 

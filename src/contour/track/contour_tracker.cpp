@@ -26,6 +26,8 @@ const char* const kImagesAwaited =
     "images of cameras whose background is not known have been asked for";
 
 const char* const kDoubtful = "a person was found again, but no pose fits as well as before yet";
+const char* const kFarWorse =
+    "no pose fits nearly as well as before: cameras may be covered, out of focus or moved";
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
@@ -108,12 +110,14 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (active.switched) fresh_until_ns_ = now.stamp_ns + kFresh_ns;
   const ContourFit& fit = active.track.fit;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
-  learn(now, active);
+  const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
+  if (is_far_worse) starts_.searchBegins(now.stamp_ns);
+  if (!is_far_worse) learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
-    return lostBecause(kDoubtful);
+    return lostBecause(is_far_worse ? kFarWorse : kDoubtful);
   }
   trust_.learnQuality(now.stamp_ns, fit);
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
@@ -136,7 +140,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     return active;
   }
   active = takeCheck(now, active);
-  if (needsCheck(now)) active = check(now, active);
+  if (needsCheck(now, active.track.fit)) active = check(now, active);
   trust_.judge(judged(found.seen, active.track.fit));
   if (onlyFollows(now)) return active;
   searchLimbs(now, found, active);
