@@ -9,6 +9,7 @@
 #include "contour/regions/region_search.h"
 #include "contour/track/color_check.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
+#include "contour/track/contradicted_views.h"
 #include "contour/track/pose_trust.h"
 #include "contour/track/search_times.h"
 #include "contour/track/start_proposals.h"
@@ -129,6 +130,7 @@ class ContourTracker : public BodyTracker {
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
   StillContours still_contours_;
+  ContradictedViews contradicted_;
   MeasuredPerson person_;
   StartProposals proposals_;
   PoseTrust trust_;

@@ -59,9 +59,9 @@ class ContourMethodTest : public testing::Test {
     for (cv::Mat& mask : masks) mask = mask.clone(), cv::dilate(mask, mask, cv::Mat());
     return masks;
   }
-  std::vector<cv::Mat> covered(int frame) const {
+  std::vector<cv::Mat> covered(int frame, const std::vector<size_t>& cameras) const {
     std::vector<cv::Mat> masks = masksAt(frame);
-    for (const size_t camera : {0, 2, 3}) {
+    for (const size_t camera : cameras) {
       masks[camera] = masks[camera].clone();
       cv::circle(masks[camera], {masks[camera].cols / 2, masks[camera].rows / 2}, 80, 255,
                  cv::FILLED);

@@ -3,7 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/fit/view_times.h"
@@ -14,6 +16,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kFractionBits = 4;  // of a coordinate, for OpenCV's drawing functions
+
+constexpr size_t kFewestViews = 3;  // that agree on a pose
 
 /// What reaches farther from the image's corner is not drawn, samples: nearly beside the camera
 /// projections have any size, and OpenCV draws large ones row by row.
@@ -92,6 +96,13 @@ std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig
       overlaps[v] = viewOverlap(seen.views[v], rig[v], conesIn(seen.views[v], cones));
   });
   return overlaps;
+}
+
+double reachedByMost(std::vector<double> values) {
+  const size_t most = std::min(values.size(), std::max(kFewestViews, values.size() / 2 + 1));
+  const auto last = values.begin() + std::ptrdiff_t(most - 1);
+  std::nth_element(values.begin(), last, values.end(), std::greater<>());
+  return *last;
 }
 
 }  // namespace markerless_mocap

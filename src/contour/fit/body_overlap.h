@@ -13,4 +13,9 @@ double viewOverlap(const ContourView& view, const Camera& camera, const ContourW
 std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig& rig,
                                  const ContourWorldCones& cones);
 
+/// What most views reach: more than half of them, and at least three if there are so many. Two
+/// views that agree say little, as they agree on many a wrong pose. \param values of the usable
+/// views, not empty
+double reachedByMost(std::vector<double> values);
+
 }  // namespace markerless_mocap

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 #include "contour/fit/body_overlap.h"
@@ -20,9 +19,6 @@ constexpr double kRelativeDamping = 1e-3;
 
 // The longer ago the last pose, the farther off is its prediction, and the more steps are needed.
 constexpr double kAllIterations_s = 1.0 / 15;
-
-// Two views that agree say little: they agree on many a wrong pose.
-constexpr size_t kFewestViews = 3;
 
 using Cholesky = Eigen::LLT<Eigen::Matrix<double, kContourDof, kContourDof>>;
 
@@ -55,14 +51,6 @@ std::vector<double> viewRaysExplained(const ContourObservation& seen, const Pose
   return explained;
 }
 
-/// What more than half of the values and at least three, or all, reach; not empty.
-double majorityOf(std::vector<double> values) {
-  const size_t most = std::min(values.size(), std::max(kFewestViews, values.size() / 2 + 1));
-  const auto last = values.begin() + std::ptrdiff_t(most - 1);
-  std::nth_element(values.begin(), last, values.end(), std::greater<>());
-  return *last;
-}
-
 void judgeViews(const ContourObservation& seen, const CameraRig& rig, const PoseProblem& problem,
                 ContourFit& fit) {
   const std::vector<double> overlaps = viewOverlaps(seen, rig, problem.cones());
@@ -75,7 +63,8 @@ void judgeViews(const ContourObservation& seen, const CameraRig& rig, const Pose
     qualities.push_back(0.5 * (overlaps[v] + explained[v]));
   }
   fit.overlap = sum / double(qualities.size());
-  fit.majority_quality = majorityOf(std::move(qualities));
+  fit.worst_quality = *std::min_element(qualities.begin(), qualities.end());
+  fit.majority_quality = reachedByMost(std::move(qualities));
 }
 
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,

@@ -63,6 +63,7 @@ struct ContourFit {
   /// So well, see qualityOf(), do most usable views fit: more than half of them, and at least three
   /// if there are so many. A single wrong mask among four does not lower it.
   double majority_quality = 0.0;
+  double worst_quality = 0.0;  ///< the same of the view that fits worst
 };
 
 /// Quality of a fit, 0 to 1: the mean of overlap and rays_explained. A low overlap indicates a body

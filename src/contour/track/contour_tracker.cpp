@@ -64,6 +64,7 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   color_check_.forget();
   still_contours_.reset();
+  contradicted_.reset();
   starts_ = StartSchedule();
   learning_.dueNow();
   reconsideration_.dueNow();
@@ -103,6 +104,8 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
   if (const auto motion = hypotheses_.motion(now.stamp_ns))
     shiftViews(person_.body(), *motion, now.later_s, &found.seen);
+  if (const auto predicted = hypotheses_.predict(now.stamp_ns))
+    contradicted_.leaveOut(still_contours_.rig(), person_.body(), predicted->pose, found.seen);
   still_contours_.weigh(found.seen);
   trust_.take(found);
   if (trust_.isContradicted()) hypotheses_.lose();
@@ -112,6 +115,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
   if (is_far_worse) starts_.searchBegins(now.stamp_ns);
+  contradicted_.note(fit);
   if (!is_far_worse) learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
@@ -134,6 +138,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
                                           onlyFollows(now) ? Effort::kFollow : Effort::kSearch);
   if (active.track.status == ContourTrackingStatus::kLost) {
     doubt(now.stamp_ns);
+    contradicted_.reset();
     active = start(now);
     trust_.judgeStart(judged(found.seen, active.track.fit));
     reported_ = false;
