@@ -61,6 +61,9 @@ class ContourTracker : public BodyTracker {
   /// Continues the pose of the last frame or starts. \param found replaced if colours show other
   /// places of limbs
   ActiveTrack follow(const Frame& now, RegionObservation& found);
+  /// Continues the pose of the last frame, without views that contradict most others. \param seen
+  /// their views are removed
+  ActiveTrack continued(const Frame& now, ContourObservation& seen);
   /// True if nothing but the last pose may take time: newer frame sets wait, or a check that
   /// decides if anything is reported.
   bool onlyFollows(const Frame& now) const;

@@ -23,16 +23,18 @@ class ContradictedViewsTest : public ::testing::Test {
     return ContourFitter(rig, options)
         .fit(seen, body, stride(), ContourPrediction{stride(), 1.0 / 30}, {5, 0.12, 0.03});
   }
-  /// By camera, whether the view is left out of the frame after that of the masks.
+  /// By camera, whether the view is left out of the frame after that of the masks. The fit of this
+  /// frame may have been to all views.
   std::vector<bool> leftOut() {
-    const ContourObservation seen = observed();
-    views.note(fitted(seen));
-    ContourObservation used = seen;
-    views.leaveOut(rig, body, stride(), used);
+    ContourObservation seen = observed();
+    views.leaveOut(seen);
+    views.judge(rig, body, seen, fitted(seen));
+    seen = observed();
+    views.leaveOut(seen);
     std::vector<bool> out;
     for (size_t v = 0; v < rig.size(); ++v) {
-      out.push_back(used.views[v].status != ViewStatus::kUsable);
-      for (const ContourRay& ray : used.rays) EXPECT_FALSE(out[v] && ray.camera == int(v));
+      out.push_back(seen.views[v].status != ViewStatus::kUsable);
+      for (const ContourRay& ray : seen.rays) EXPECT_FALSE(out[v] && ray.camera == int(v));
     }
     return out;
   }
@@ -52,14 +54,17 @@ TEST_F(ContradictedViewsTest, OneOfFourIsLeftOutAsLongAsItIsWrong) {
   mirror(2);
   const std::vector<bool> one{false, false, true, false};
   EXPECT_EQ(leftOut(), one);
-  ContourObservation seen = observed();
-  views.leaveOut(rig, body, stride(), seen);
-  views.note(fitted(seen));  // all that is left fits
-  seen = observed();
-  views.leaveOut(rig, body, stride(), seen);
-  EXPECT_EQ(seen.usableViews(), 3);
+  EXPECT_EQ(leftOut(), one) << "all that is left fits, but not that one";
   masks[2] = right;
   EXPECT_EQ(leftOut(), kNone);
+}
+
+TEST_F(ContradictedViewsTest, IsToldOnce) {
+  mirror(2);
+  ContourObservation seen = observed();
+  EXPECT_TRUE(views.judge(rig, body, seen, fitted(seen)));
+  views.leaveOut(seen);
+  EXPECT_FALSE(views.judge(rig, body, seen, fitted(seen)));
 }
 
 TEST_F(ContradictedViewsTest, TwoOfFourAreNot) {
@@ -78,7 +83,7 @@ TEST_F(ContradictedViewsTest, AreForgotten) {
   leftOut();
   views.reset();
   ContourObservation seen = observed();
-  views.leaveOut(rig, body, stride(), seen);
+  views.leaveOut(seen);
   EXPECT_EQ(seen.usableViews(), 4);
 }
 

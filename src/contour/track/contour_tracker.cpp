@@ -104,8 +104,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
   if (const auto motion = hypotheses_.motion(now.stamp_ns))
     shiftViews(person_.body(), *motion, now.later_s, &found.seen);
-  if (const auto predicted = hypotheses_.predict(now.stamp_ns))
-    contradicted_.leaveOut(still_contours_.rig(), person_.body(), predicted->pose, found.seen);
+  contradicted_.leaveOut(found.seen);
   still_contours_.weigh(found.seen);
   trust_.take(found);
   if (trust_.isContradicted()) hypotheses_.lose();
@@ -115,7 +114,6 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
   if (is_far_worse) starts_.searchBegins(now.stamp_ns);
-  contradicted_.note(fit);
   if (!is_far_worse) learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
@@ -133,9 +131,24 @@ RegionObservation ContourTracker::observe(const Frame& now) const {
   return observer_.observeNear(now.regions, person_.body(), predicted->pose, kPredictionError_m);
 }
 
+ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen) {
+  const Effort effort = onlyFollows(now) ? Effort::kFollow : Effort::kSearch;
+  const ContourMultiHypothesisTracker before = hypotheses_;
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  const auto contradicted = [&] {
+    return active.track.status != ContourTrackingStatus::kLost &&
+           contradicted_.judge(still_contours_.rig(), person_.body(), seen, active.track.fit);
+  };
+  if (!contradicted()) return active;
+  contradicted_.leaveOut(seen);
+  hypotheses_ = before;
+  active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  contradicted();
+  return active;
+}
+
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
-  ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, person_.body(),
-                                          onlyFollows(now) ? Effort::kFollow : Effort::kSearch);
+  ActiveTrack active = continued(now, found.seen);
   if (active.track.status == ContourTrackingStatus::kLost) {
     doubt(now.stamp_ns);
     contradicted_.reset();

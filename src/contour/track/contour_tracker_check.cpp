@@ -30,6 +30,7 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   starts_.checkBegins(now.stamp_ns);
   Search search{observer_.observe(now.regions), {}};
   search.poses = completeProposals(now, search.found.seen);
+  contradicted_.leaveOut(search.found.seen);
   still_contours_.weigh(search.found.seen);
   ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, person_.body(),
                                               search.poses, active);

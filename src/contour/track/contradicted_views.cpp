@@ -3,44 +3,50 @@
 #include <algorithm>
 
 #include "contour/fit/body_overlap.h"
+#include "contour/fit/view_times.h"
 
 namespace markerless_mocap {
 namespace {
 
 // Quality and overlap of a view that shows the person are lower than those of most others by less,
-// also behind a table. Those of a covered, blurred or turned camera are lower by 0.4 and more.
+// also behind a table. Those of a covered, blurred or turned camera are lower by 0.35 and more.
 constexpr double kFar = 0.25;
-
-void remove(size_t view, ContourObservation& seen) {
-  seen.views[view] = ContourView();
-  const auto is_of_view = [&](const ContourRay& ray) { return ray.camera == int(view); };
-  seen.rays.erase(std::remove_if(seen.rays.begin(), seen.rays.end(), is_of_view), seen.rays.end());
-}
 
 }  // namespace
 
-void ContradictedViews::note(const ContourFit& fit) {
-  suspected_ = some_left_out_ || fit.worst_quality < fit.majority_quality - kFar;
+void ContradictedViews::leaveOut(ContourObservation& seen) const {
+  for (const size_t camera : cameras_) {
+    if (seen.views[camera].status != ViewStatus::kUsable) continue;
+    seen.views[camera].status = ViewStatus::kContradicted;
+    const auto is_its = [&](const ContourRay& ray) { return ray.camera == int(camera); };
+    seen.rays.erase(std::remove_if(seen.rays.begin(), seen.rays.end(), is_its), seen.rays.end());
+  }
 }
 
-void ContradictedViews::leaveOut(const CameraRig& rig, const ContourBody& body,
-                                 const ContourPose& expected, ContourObservation& seen) {
-  some_left_out_ = false;
-  if (!suspected_ || seen.usableViews() == 0) return;
+bool ContradictedViews::judge(const CameraRig& rig, const ContourBody& body,
+                              const ContourObservation& seen, const ContourFit& fit) {
+  if (cameras_.empty() && fit.worst_quality >= fit.majority_quality - kFar) return false;
+  cameras_.clear();
   ContourFrames frames;
   ContourWorldCones cones;
-  body.place(expected, frames);
+  body.place(fit.pose, frames);
   body.place(frames, cones);
-  const std::vector<double> overlaps = viewOverlaps(seen, rig, cones);
-  std::vector<double> usable;
-  for (size_t v = 0; v < overlaps.size(); ++v)
-    if (seen.views[v].status == ViewStatus::kUsable) usable.push_back(overlaps[v]);
-  const double least = reachedByMost(usable) - kFar;
-  for (size_t v = 0; v < overlaps.size(); ++v) {
-    if (seen.views[v].status != ViewStatus::kUsable || overlaps[v] >= least) continue;
-    remove(v, seen);
-    some_left_out_ = true;
+  std::vector<size_t> cameras;
+  std::vector<double> overlaps;
+  for (size_t c = 0; c < rig.size(); ++c) {
+    const ContourView& view = seen.views[c];
+    if (view.status != ViewStatus::kUsable && view.status != ViewStatus::kContradicted) continue;
+    cameras.push_back(c);
+    overlaps.push_back(viewOverlap(view, rig[c], conesIn(view, cones)));
   }
+  const double least = reachedByMost(overlaps) - kFar;
+  bool found_more = false;
+  for (size_t i = 0; i < cameras.size(); ++i) {
+    if (overlaps[i] >= least) continue;
+    cameras_.push_back(cameras[i]);
+    found_more |= seen.views[cameras[i]].status == ViewStatus::kUsable;
+  }
+  return found_more;
 }
 
 }  // namespace markerless_mocap

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "contour/fit/contour_fitter.h"
 
 namespace markerless_mocap {
@@ -8,17 +10,17 @@ namespace markerless_mocap {
 /// covered, out of focus or turned: they would pull limbs out of their places. Not thread-safe.
 class ContradictedViews {
  public:
-  void reset() { *this = ContradictedViews(); }
-  /// Whether there may be such views in the next frame.
-  void note(const ContourFit& fit);
-  /// Leaves out each view in which the body covers the silhouette far worse than in most others, if
-  /// a view is suspected. More than half of the views stay, and at least three.
-  /// \param expected the pose that is predicted
-  void leaveOut(const CameraRig& rig, const ContourBody& body, const ContourPose& expected,
-                ContourObservation& seen);
+  void reset() { cameras_.clear(); }
+  /// Leaves out the views that judge() has found: ViewStatus::kContradicted, without rays.
+  void leaveOut(ContourObservation& seen) const;
+  /// Finds the views that the body of a fit covers far worse than most; at least three and more
+  /// than half stay. \param seen what the body was fitted to. Returns whether there are such views
+  /// that were not left out.
+  bool judge(const CameraRig& rig, const ContourBody& body, const ContourObservation& seen,
+             const ContourFit& fit);
 
  private:
-  bool suspected_ = false, some_left_out_ = false;
+  std::vector<size_t> cameras_;  ///< whose views are left out
 };
 
 }  // namespace markerless_mocap

@@ -17,7 +17,7 @@ constexpr double kNear = 0.025;
 
 // What is lower by more is of another kind: masks that do not show the person, or a body beside
 // them. Where two of four cameras are covered or blurred it is lower by 0.25 and more.
-constexpr double kFar = 0.15, kFarDeviations = 6.0;
+constexpr double kFar = 0.13, kFarDeviations = 6.0;
 // A person may have put on a coat, and fits worse from now on.
 constexpr int64_t kPatience_ns = 10000000000;
 
