@@ -16,7 +16,8 @@ constexpr double kMinDeviation = 0.002;
 constexpr double kNear = 0.025;
 
 // What is lower by more is of another kind: masks that do not show the person, or a body beside
-// them. Where two of four cameras are covered or blurred it is lower by 0.25 and more.
+// them. Where two of four cameras are covered or blurred it is lower by 0.4 and more; of coarse
+// masks of all cameras, after a background was spoilt, by 0.12.
 constexpr double kFar = 0.13, kFarDeviations = 6.0;
 // A person may have put on a coat, and fits worse from now on.
 constexpr int64_t kPatience_ns = 10000000000;

@@ -5,8 +5,8 @@
 
 namespace markerless_mocap {
 
-/// The quality of the fits of one body in one room, qualityOf(ContourFit). It varies little from
-/// frame to frame, and a limb in a wrong place lowers it by more than that.
+/// The quality of the fits of one body in one room, ContourFit::majority_quality. It varies little
+/// from frame to frame, and a limb in a wrong place lowers it by more than that.
 class UsualQuality {
  public:
   void forget() { *this = UsualQuality(); }
