@@ -9,6 +9,7 @@
 #include "contour/regions/region_search.h"
 #include "contour/track/color_check.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
+#include "contour/track/contradicted_views.h"
 #include "contour/track/pose_trust.h"
 #include "contour/track/search_times.h"
 #include "contour/track/start_proposals.h"
@@ -60,6 +61,9 @@ class ContourTracker : public BodyTracker {
   /// Continues the pose of the last frame or starts. \param found replaced if colours show other
   /// places of limbs
   ActiveTrack follow(const Frame& now, RegionObservation& found);
+  /// Continues the pose of the last frame, without views that contradict most others. \param seen
+  /// their views are removed
+  ActiveTrack continued(const Frame& now, ContourObservation& seen);
   /// True if nothing but the last pose may take time: newer frame sets wait, or a check that
   /// decides if anything is reported.
   bool onlyFollows(const Frame& now) const;
@@ -107,7 +111,7 @@ class ContourTracker : public BodyTracker {
   // Checks of the pose that is followed (contour_tracker_check.cpp).
 
   /// True if the pose of a start is to be compared with that of another start now.
-  bool needsCheck(const Frame& now) const;
+  bool needsCheck(const Frame& now, const ContourFit& fit) const;
   /// Starts a second time. The result confirms or replaces the pose, or leaves it as it is.
   ActiveTrack check(const Frame& now, const ActiveTrack& active);
   ActiveTrack checkByColor(const Frame& now, const ActiveTrack& active);
@@ -129,6 +133,7 @@ class ContourTracker : public BodyTracker {
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
   StillContours still_contours_;
+  ContradictedViews contradicted_;
   MeasuredPerson person_;
   StartProposals proposals_;
   PoseTrust trust_;

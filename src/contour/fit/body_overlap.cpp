@@ -3,8 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/fit/view_times.h"
@@ -15,6 +16,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kFractionBits = 4;  // of a coordinate, for OpenCV's drawing functions
+
+constexpr size_t kFewestViews = 3;  // that agree on a pose
 
 /// What reaches farther from the image's corner is not drawn, samples: nearly beside the camera
 /// projections have any size, and OpenCV draws large ones row by row.
@@ -85,16 +88,21 @@ double viewOverlap(const ContourView& view, const Camera& camera, const ContourW
   return 0.5 * both / body + 0.5 * both / person;
 }
 
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
-                   const ContourWorldCones& cones) {
+std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig& rig,
+                                 const ContourWorldCones& cones) {
   std::vector<double> overlaps(rig.size(), 0.0);
   tbb::parallel_for(size_t(0), rig.size(), [&](size_t v) {
     if (seen.views[v].status == ViewStatus::kUsable)
       overlaps[v] = viewOverlap(seen.views[v], rig[v], conesIn(seen.views[v], cones));
   });
-  const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
-  const int usable = seen.usableViews();
-  return usable ? sum / usable : 0.0;
+  return overlaps;
+}
+
+double reachedByMost(std::vector<double> values) {
+  const size_t most = std::min(values.size(), std::max(kFewestViews, values.size() / 2 + 1));
+  const auto last = values.begin() + std::ptrdiff_t(most - 1);
+  std::nth_element(values.begin(), last, values.end(), std::greater<>());
+  return *last;
 }
 
 }  // namespace markerless_mocap

@@ -9,8 +9,13 @@ namespace markerless_mocap {
 /// is in the mask plus half the fraction of the mask that is in the body (Fleischmann 2012, 5.2.1).
 double viewOverlap(const ContourView& view, const Camera& camera, const ContourWorldCones& cones);
 
-/// Mean of viewOverlap() over the usable views; 0 if there is none.
-double bodyOverlap(const ContourObservation& seen, const CameraRig& rig,
-                   const ContourWorldCones& cones);
+/// viewOverlap() of each view; 0 of those that are not usable.
+std::vector<double> viewOverlaps(const ContourObservation& seen, const CameraRig& rig,
+                                 const ContourWorldCones& cones);
+
+/// What most views reach: more than half of them, and at least three if there are so many. Two
+/// views that agree say little, as they agree on many a wrong pose. \param values of the usable
+/// views, not empty
+double reachedByMost(std::vector<double> values);
 
 }  // namespace markerless_mocap

@@ -38,6 +38,35 @@ ContourPose nextPose(const ContourPose& pose, const PoseNormalEquations& equatio
   return stepped(pose, -Cholesky(H).solve(equations.g));
 }
 
+/// Fraction of each view's rays that are nearer to the body than kRayExplained; 1 without rays.
+std::vector<double> viewRaysExplained(const ContourObservation& seen, const PoseProblem& problem) {
+  std::vector<double> explained(seen.views.size(), 0.0), all(seen.views.size(), 0.0);
+  for (size_t i = 0; i < seen.rays.size(); ++i) {
+    const size_t view = size_t(seen.rays[i].camera);
+    all[view] += seen.rays[i].weight;
+    if (std::abs(double(problem.matches()[i].residual)) < kRayExplained)
+      explained[view] += seen.rays[i].weight;
+  }
+  for (size_t v = 0; v < all.size(); ++v) explained[v] = all[v] > 0.0 ? explained[v] / all[v] : 1.0;
+  return explained;
+}
+
+void judgeViews(const ContourObservation& seen, const CameraRig& rig, const PoseProblem& problem,
+                ContourFit& fit) {
+  const std::vector<double> overlaps = viewOverlaps(seen, rig, problem.cones());
+  const std::vector<double> explained = viewRaysExplained(seen, problem);
+  double sum = 0.0;
+  std::vector<double> qualities;
+  for (size_t v = 0; v < seen.views.size(); ++v) {
+    if (seen.views[v].status != ViewStatus::kUsable) continue;
+    sum += overlaps[v];
+    qualities.push_back(0.5 * (overlaps[v] + explained[v]));
+  }
+  fit.overlap = sum / double(qualities.size());
+  fit.worst_quality = *std::min_element(qualities.begin(), qualities.end());
+  fit.majority_quality = reachedByMost(std::move(qualities));
+}
+
 void check(const ContourObservation& seen, const CameraRig& rig, const ContourPose& start,
            const std::optional<ContourPrediction>& prediction) {
   if (seen.views.size() != rig.size())
@@ -100,7 +129,7 @@ ContourFit ContourFitter::fit(const ContourObservation& seen, const ContourBody&
   fit.status = solved ? ContourFitStatus::kFitted : ContourFitStatus::kDiverged;
   if (!solved) return fit;
   gatherEvidence(seen, options_, body, problem, fit);
-  fit.overlap = bodyOverlap(seen, rig_, problem.cones());
+  judgeViews(seen, rig_, problem, fit);
   return fit;
 }
 

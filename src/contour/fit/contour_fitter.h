@@ -60,6 +60,10 @@ struct ContourFit {
   double overlap = 0.0;
   double rays_explained = 0.0;  ///< fraction of the rays nearer than kRayExplained, 0 to 1
   std::array<LimbEvidence, ContourLimb::kCount> limbs{};
+  /// So well, see qualityOf(), do most usable views fit: more than half of them, and at least three
+  /// if there are so many. A single wrong mask among four does not lower it.
+  double majority_quality = 0.0;
+  double worst_quality = 0.0;  ///< the same of the view that fits worst
 };
 
 /// Quality of a fit, 0 to 1: the mean of overlap and rays_explained. A low overlap indicates a body

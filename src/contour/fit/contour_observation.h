@@ -23,7 +23,8 @@ struct ContourRay {
   float weight = 1.0f;    ///< 0 to 1, less if the contour may not be the person's
 };
 
-enum class ViewStatus { kMissing, kEmpty, kFull, kUsable };
+/// kContradicted: left out, as it shows something else than most others do.
+enum class ViewStatus { kMissing, kEmpty, kFull, kUsable, kContradicted };
 const char* toString(ViewStatus status);
 
 /// By how much the ends of the body's cones are elsewhere, metres.

@@ -123,7 +123,7 @@ size_t spread(size_t i, size_t count, size_t total) {
 }  // namespace
 
 const char* toString(ViewStatus status) {
-  constexpr const char* kNames[] = {"missing", "empty", "full", "usable"};
+  constexpr const char* kNames[] = {"missing", "empty", "full", "usable", "contradicted"};
   return kNames[size_t(status)];
 }
 

@@ -136,6 +136,7 @@ ActiveTrack ContourMultiHypothesisTracker::reinitialize(int64_t stamp_ns,
   const bool same = isSameBody(body, active.track.fit.pose, other.track.fit.pose);
   const bool confirmed = same || (confirmed_ && gain < kClearGain);
   ActiveTrack now = active;
+  now.agreed = !limbsDiffer(body, active.track.fit.pose, other.track.fit.pose);
   if (gain >= kClearGain) {
     *this = fresh;
     now = {other.track, !same};

@@ -14,6 +14,8 @@ struct ActiveTrack {
   /// The pose does not continue that of the last frame: a start, or another hypothesis has become
   /// active.
   bool switched = false;
+  /// Another start in this frame has led to the same pose, limbs and all.
+  bool agreed = false;
 };
 
 /// Tracks the active hypothesis and, until it is decided, one alternative: front and back

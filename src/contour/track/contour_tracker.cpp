@@ -26,6 +26,8 @@ const char* const kImagesAwaited =
     "images of cameras whose background is not known have been asked for";
 
 const char* const kDoubtful = "a person was found again, but no pose fits as well as before yet";
+const char* const kFarWorse =
+    "no pose fits nearly as well as before: cameras may be covered, out of focus or moved";
 
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
@@ -62,6 +64,7 @@ void ContourTracker::reset() {
   hypotheses_.lose();
   color_check_.forget();
   still_contours_.reset();
+  contradicted_.reset();
   starts_ = StartSchedule();
   learning_.dueNow();
   reconsideration_.dueNow();
@@ -101,6 +104,7 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
   if (const auto motion = hypotheses_.motion(now.stamp_ns))
     shiftViews(person_.body(), *motion, now.later_s, &found.seen);
+  contradicted_.leaveOut(found.seen);
   still_contours_.weigh(found.seen);
   trust_.take(found);
   if (trust_.isContradicted()) hypotheses_.lose();
@@ -108,12 +112,14 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   if (active.switched) fresh_until_ns_ = now.stamp_ns + kFresh_ns;
   const ContourFit& fit = active.track.fit;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
-  learn(now, active);
+  const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
+  if (is_far_worse) starts_.searchBegins(now.stamp_ns);
+  if (!is_far_worse) learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
-    return lostBecause(kDoubtful);
+    return lostBecause(is_far_worse ? kFarWorse : kDoubtful);
   }
   trust_.learnQuality(now.stamp_ns, fit);
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
@@ -125,18 +131,34 @@ RegionObservation ContourTracker::observe(const Frame& now) const {
   return observer_.observeNear(now.regions, person_.body(), predicted->pose, kPredictionError_m);
 }
 
+ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen) {
+  const Effort effort = onlyFollows(now) ? Effort::kFollow : Effort::kSearch;
+  const ContourMultiHypothesisTracker before = hypotheses_;
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  const auto contradicted = [&] {
+    return active.track.status != ContourTrackingStatus::kLost &&
+           contradicted_.judge(still_contours_.rig(), person_.body(), seen, active.track.fit);
+  };
+  if (!contradicted()) return active;
+  contradicted_.leaveOut(seen);
+  hypotheses_ = before;
+  active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  contradicted();
+  return active;
+}
+
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
-  ActiveTrack active = hypotheses_.update(now.stamp_ns, found.seen, person_.body(),
-                                          onlyFollows(now) ? Effort::kFollow : Effort::kSearch);
+  ActiveTrack active = continued(now, found.seen);
   if (active.track.status == ContourTrackingStatus::kLost) {
     doubt(now.stamp_ns);
+    contradicted_.reset();
     active = start(now);
     trust_.judgeStart(judged(found.seen, active.track.fit));
     reported_ = false;
     return active;
   }
   active = takeCheck(now, active);
-  if (needsCheck(now)) active = check(now, active);
+  if (needsCheck(now, active.track.fit)) active = check(now, active);
   trust_.judge(judged(found.seen, active.track.fit));
   if (onlyFollows(now)) return active;
   searchLimbs(now, found, active);

@@ -15,12 +15,13 @@ constexpr double kUsualQuality = 0.94;
 
 }  // namespace
 
-bool ContourTracker::needsCheck(const Frame& now) const {
+bool ContourTracker::needsCheck(const Frame& now, const ContourFit& fit) const {
   // Colours are asked in another thread, and asked first until a pose has been reported.
   const bool by_color = now.regions.needsColors();
   if ((now.behind && !by_color) || !starts_.isCheckDue(now.stamp_ns) || color_check_.isBusy())
     return false;
-  return !trust_.isAccepted() || (by_color && starts_.wantsColorChecks());
+  return !trust_.isAccepted() || trust_.isDoubted(now.stamp_ns, fit) ||
+         (by_color && starts_.wantsColorChecks());
 }
 
 ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
@@ -29,10 +30,12 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   starts_.checkBegins(now.stamp_ns);
   Search search{observer_.observe(now.regions), {}};
   search.poses = completeProposals(now, search.found.seen);
+  contradicted_.leaveOut(search.found.seen);
   still_contours_.weigh(search.found.seen);
   ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, person_.body(),
                                               search.poses, active);
   if (best.switched) trust_.take(search.found);
+  if (best.agreed) trust_.agree(best.track.fit);
   return best;
 }
 

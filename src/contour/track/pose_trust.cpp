@@ -61,12 +61,22 @@ void PoseTrust::doubt(int64_t stamp_ns) {
   accepted_ = false;
 }
 
+bool PoseTrust::doubtIfFarWorse(int64_t stamp_ns, const ContourFit& fit) {
+  const bool is_far_worse = usual_quality_.isFarAbove(stamp_ns, fit.majority_quality);
+  if (is_far_worse) doubt(stamp_ns);
+  return is_far_worse;
+}
+
+void PoseTrust::agree(const ContourFit& fit) {
+  if (usual_quality_.isNear(fit.majority_quality)) endDoubt();
+}
+
 bool PoseTrust::isDoubted(int64_t stamp_ns, const ContourFit& fit) const {
-  return stamp_ns < doubted_until_ns_ && !usual_quality_.includes(qualityOf(fit));
+  return stamp_ns < doubted_until_ns_ && !usual_quality_.includes(fit.majority_quality);
 }
 
 void PoseTrust::learnQuality(int64_t stamp_ns, const ContourFit& fit) {
-  if (stamp_ns >= doubted_until_ns_ && isBelieved()) usual_quality_.add(qualityOf(fit));
+  if (stamp_ns >= doubted_until_ns_ && isBelieved()) usual_quality_.add(fit.majority_quality);
 }
 
 }  // namespace markerless_mocap

@@ -45,6 +45,11 @@ class PoseTrust {
 
   /// For some time after a gap or a new start, a pose counts only if it fits as well as usual.
   void doubt(int64_t stamp_ns);
+  /// Doubts a pose that fits far worse than usual, as where cameras are covered. Returns whether it
+  /// does.
+  bool doubtIfFarWorse(int64_t stamp_ns, const ContourFit& fit);
+  /// Another start has led to the same pose: no need to doubt it if it fits nearly as usual.
+  void agree(const ContourFit& fit);
   void endDoubt() { doubted_until_ns_ = 0; }
   bool isDoubted(int64_t stamp_ns, const ContourFit& fit) const;
   /// Learns how well the body usually fits.

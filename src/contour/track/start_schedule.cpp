@@ -26,7 +26,7 @@ int64_t StartSchedule::restAfterSearch(int64_t stamp_ns, int64_t least_ns) const
 }
 
 void StartSchedule::startBegins(int64_t stamp_ns, bool by_color) {
-  if (!searching_since_ns_) searching_since_ns_ = stamp_ns;
+  searchBegins(stamp_ns);
   next_start_ns_ = stamp_ns + restAfterSearch(stamp_ns, by_color ? 2 * kColorCheckInterval_ns : 0);
   next_check_ns_ = stamp_ns + kCheckInterval_ns;
   color_checks_ = color_confirmations_ = 0;

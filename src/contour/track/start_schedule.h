@@ -23,6 +23,10 @@ class StartSchedule {
   /// True if enough time has passed since the start or the last check.
   bool isCheckDue(int64_t stamp_ns) const { return stamp_ns >= next_check_ns_; }
   void checkNow() { next_check_ns_ = 0; }
+  /// From now on checks come the more seldom the longer no pose is reported.
+  void searchBegins(int64_t stamp_ns) {
+    if (!searching_since_ns_) searching_since_ns_ = stamp_ns;
+  }
   void checkBegins(int64_t stamp_ns);
   void colorCheckBegins(int64_t stamp_ns);
   /// A check by colour has led to the same pose.
