@@ -26,7 +26,8 @@ constexpr std::array<double, kCount> allNaN() {
 /// and the measures of the quality of the fit are valid.
 struct BodyPose {
   PoseStatus status = PoseStatus::kLost;
-  std::string reason;  ///< message for the user if lost or a part is not seen, else empty
+  /// message for the user if lost, a part is not seen or a camera is left out, else empty
+  std::string reason;
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   Eigen::VectorXd angles;  ///< radians, in the order of BodyModel::angleNames()
   /// By PartLabel; limb 1 is the model's left, limb 2 its right.

@@ -32,6 +32,10 @@ const char* const kFarWorse =
 // Expected error of the outline of a predicted body, where colours are looked for around it.
 constexpr double kPredictionError_m = 0.04;
 
+std::string joined(const std::string& first, const std::string& second) {
+  return first + (first.empty() || second.empty() ? "" : "; ") + second;
+}
+
 BodyPose lostBecause(std::string reason) {
   BodyPose pose;
   pose.reason = std::move(reason);
@@ -228,8 +232,8 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   person_.converter().convert(active.track.fit.pose, pose.T_world_body, pose.angles);
   reportEvidence(active.track.fit, trust_.limbAgreement(), pose);
   widenExpectedErrors(*person_.tracked(), person_.options(), pose);
-  if (person_.isBeingMeasured())
-    pose.reason = person_.progress() + (pose.reason.empty() ? "" : "; " + pose.reason);
+  if (person_.isBeingMeasured()) pose.reason = joined(person_.progress(), pose.reason);
+  pose.reason = joined(pose.reason, contradicted_.described(still_contours_.rig()));
   return pose;
 }
 

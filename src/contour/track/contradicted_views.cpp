@@ -14,6 +14,12 @@ constexpr double kFar = 0.25;
 
 }  // namespace
 
+std::string ContradictedViews::described(const CameraRig& rig) const {
+  std::string names;
+  for (const size_t camera : cameras_) names += (names.empty() ? "" : ", ") + rig[camera].name();
+  return names.empty() ? "" : "left out, as most other cameras contradict their masks: " + names;
+}
+
 void ContradictedViews::leaveOut(ContourObservation& seen) const {
   for (const size_t camera : cameras_) {
     if (seen.views[camera].status != ViewStatus::kUsable) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "contour/fit/contour_fitter.h"
@@ -11,6 +12,8 @@ namespace markerless_mocap {
 class ContradictedViews {
  public:
   void reset() { cameras_.clear(); }
+  /// Which cameras are left out, for the user; empty if none is.
+  std::string described(const CameraRig& rig) const;
   /// Leaves out the views that judge() has found: ViewStatus::kContradicted, without rays.
   void leaveOut(ContourObservation& seen) const;
   /// Finds the views that the body of a fit covers far worse than most; at least three and more
