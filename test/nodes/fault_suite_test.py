@@ -27,8 +27,8 @@ class FaultSuite(CalibrationFaults, CameraFaults, ClockFaults, StageFaults, Faul
         self.expect(least=0.8)
 
     def test_zzy_stands_still_while_the_background_is_learned(self):
-        """Nobody can know at first: it is told, and no ghost becomes a pose. When the masks are
-        right again is tested in test/silhouette/uncovered_test.cpp."""
+        """They are found by their shape in most cameras, and no ghost becomes a pose when they go.
+        What happens to whom the detector does not find: test/silhouette/uncovered_test.cpp."""
         noisy = {}
 
         def data_of(camera, data):
@@ -43,15 +43,11 @@ class FaultSuite(CalibrationFaults, CameraFaults, ClockFaults, StageFaults, Faul
             pathlib.Path('/tmp/%s.background' % camera).unlink(missing_ok=True)
         os.kill(pid_of('silhouette'), signal.SIGKILL)
         asked = time.time()
-        wait_for(lambda: any('whoever stands still there' in m for at, _, _, m in self.states
-                             if at > asked), 30)
-        time.sleep(3.0)
-        self.assertTrue(self.said('somebody has stood still since the background was learned', 1))
+        wait_for(lambda: len(self.since(asked)) >= RATE, 30)
+        self.assertGreaterEqual(len(self.since(asked)), RATE, self.messages())
         self.end = time.time()
         self.cameras.heal()
-        wait_for(lambda: self.said('stood still in view of'), 20)
         self.finish()
-        self.assertTrue(self.said('stood still in view of', 1), self.messages())
         self.assertLessEqual(len(self.false), round(0.2 * RATE))
 
     def test_zzz_expected_errors_cover_the_real_ones(self):
