@@ -117,8 +117,10 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   const ContourFit& fit = active.track.fit;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
-  if (is_far_worse) starts_.searchBegins(now.stamp_ns);
-  if (!is_far_worse) learn(now, active);
+  if (is_far_worse)
+    starts_.searchBegins(now.stamp_ns);
+  else
+    learn(now, active);
   still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
   if (trust_.isDoubted(now.stamp_ns, fit)) {

@@ -58,8 +58,8 @@ class RecordingLearner::Impl {
     if (seen_ < options_.background_frames)
       return !first_.empty() && (showMotion(first_.motion()) || showsPerson(first_.last()));
     if (!is_quiet_) return true;
-    return first_samples_ && (showsPerson(first_samples_->images.front()) ||
-                              showWhatLeftLater(*first_samples_, later_));
+    return first_samples_ &&
+           (showsPerson(last_of_first_) || showWhatLeftLater(*first_samples_, later_));
   }
 
   SharedBackground learn() const {
@@ -88,6 +88,7 @@ class RecordingLearner::Impl {
   void closeFirst() {
     if (type_ < 0) return;
     first_samples_ = first_.samples(options_.compensate_flicker);
+    last_of_first_ = first_.last();
     is_quiet_ = options_.background != "recording" && startsStill();
     first_ = SceneSampler();
   }
@@ -98,6 +99,7 @@ class RecordingLearner::Impl {
   bool is_quiet_ = false;  ///< nothing moves in the first images
   SceneSampler first_, sampler_;
   std::optional<SceneSamples> first_samples_;
+  cv::Mat last_of_first_;  ///< whole; samples may lack their whole images
   std::vector<cv::Mat> later_;
 };
 
