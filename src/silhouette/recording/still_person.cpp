@@ -20,7 +20,6 @@ constexpr double kBeside = 0.5, kAbove = 0.05, kBelow = 0.25, kAround = 0.3;
 constexpr double kWindowWidth = 160;  ///< px; larger windows are reduced to it
 constexpr int kRounds = 4;
 constexpr int kFewestPixels = 50;  ///< of each kind, to learn colours from
-constexpr int kSeed = 1;
 
 /// An ellipse in the window where the body probably is, in widths and heights of the window.
 struct BodyEllipse {
@@ -69,8 +68,9 @@ cv::Mat firstLabels(const cv::Rect2d& window, const cv::Size& image) {
   return labels;
 }
 
-/// Adds the person in the window. \param color CV_8UC3
-void addOutlined(const cv::Mat& color, const cv::Rect2d& window, cv::Mat* people) {
+/// Adds the person in the window. \param color CV_8UC3 \param seed of the colours that the outline
+/// begins with: of alike images, another one makes another mistake
+void addOutlined(const cv::Mat& color, const cv::Rect2d& window, int seed, cv::Mat* people) {
   const cv::Rect around = widened(window, kAround, color.size());
   if (around.empty()) return;
   const double scale = std::min(1.0, kWindowWidth / window.width);
@@ -82,16 +82,16 @@ void addOutlined(const cv::Mat& color, const cv::Rect2d& window, cv::Mat* people
   if (cv::countNonZero(labels == cv::GC_PR_FGD) < kFewestPixels ||
       cv::countNonZero(labels == cv::GC_BGD) < kFewestPixels)
     return;
-  cv::setRNGSeed(kSeed);  // it begins with random clusters of colours
+  cv::setRNGSeed(seed);
   cv::grabCut(patch, labels, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
   cv::resize(labels == cv::GC_PR_FGD, outlined, around.size(), 0, 0, cv::INTER_LINEAR);
   (*people)(around) |= (outlined > 127);
 }
 
-cv::Mat peopleIn(const cv::Mat& image) {
+cv::Mat peopleIn(const cv::Mat& image, int seed) {
   cv::Mat color = image, people = cv::Mat::zeros(image.size(), CV_8UC1);
   if (image.channels() == 1) cv::cvtColor(image, color, cv::COLOR_GRAY2BGR);
-  for (const cv::Rect2d& window : findPeople(image)) addOutlined(color, window, &people);
+  for (const cv::Rect2d& window : findPeople(image)) addOutlined(color, window, seed, &people);
   return people;
 }
 
@@ -115,7 +115,7 @@ cv::Mat stillPerson(const SceneSamples& samples) {
       std::min(samples.colors.size() < kFirstSamples ? kFirstLooks : kLooks, whole.size());
   cv::Mat count = cv::Mat::zeros(samples.image_size, CV_8UC1);
   for (size_t look = 0; look < looks; ++look) {
-    const cv::Mat people = peopleIn(whole[(2 * look + 1) * whole.size() / (2 * looks)]);
+    const cv::Mat people = peopleIn(whole[(2 * look + 1) * whole.size() / (2 * looks)], int(look));
     cv::add(count, 1, count, people);
   }
   return count > 0.5 * double(looks);
