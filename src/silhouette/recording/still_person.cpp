@@ -19,6 +19,7 @@ constexpr size_t kLooks = 3, kFirstLooks = 1, kFirstSamples = 12;
 constexpr double kBeside = 0.5, kAbove = 0.05, kBelow = 0.25, kAround = 0.3;
 constexpr double kWindowWidth = 160;  ///< px; larger windows are reduced to it
 constexpr int kRounds = 4;
+constexpr int kGap = 1;  ///< px; parts of a body that are so near each other are connected
 constexpr int kFewestPixels = 50;  ///< of each kind, to learn colours from
 
 /// An ellipse in the window where the body probably is, in widths and heights of the window.
@@ -68,6 +69,19 @@ cv::Mat firstLabels(const cv::Rect2d& window, const cv::Size& image) {
   return labels;
 }
 
+/// Without what lies apart from the middle of the body and has its colours by chance, such as
+/// pictures on the wall. \param labels as firstLabels() has drawn them
+cv::Mat connectedWithBody(const cv::Mat& outlined, const cv::Mat& labels) {
+  cv::Mat wide, parts, kept = cv::Mat::zeros(outlined.size(), CV_8UC1);
+  cv::dilate(outlined, wide, cv::Mat::ones(2 * kGap + 1, 2 * kGap + 1, CV_8UC1));
+  const int count = cv::connectedComponents(wide, parts);
+  for (int part = 1; part < count; ++part) {
+    const cv::Mat here = parts == part;
+    if (cv::countNonZero(here & outlined & (labels == cv::GC_PR_FGD)) > 0) kept |= here;
+  }
+  return kept & outlined;
+}
+
 /// Adds the person in the window. \param color CV_8UC3 \param seed of the colours that the outline
 /// begins with: of alike images, another one makes another mistake
 void addOutlined(const cv::Mat& color, const cv::Rect2d& window, int seed, cv::Mat* people) {
@@ -83,8 +97,10 @@ void addOutlined(const cv::Mat& color, const cv::Rect2d& window, int seed, cv::M
       cv::countNonZero(labels == cv::GC_BGD) < kFewestPixels)
     return;
   cv::setRNGSeed(seed);
-  cv::grabCut(patch, labels, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
-  cv::resize(labels == cv::GC_PR_FGD, outlined, around.size(), 0, 0, cv::INTER_LINEAR);
+  cv::Mat cut = labels.clone();
+  cv::grabCut(patch, cut, {}, background, foreground, kRounds, cv::GC_INIT_WITH_MASK);
+  cv::resize(connectedWithBody(cut == cv::GC_PR_FGD, labels), outlined, around.size(), 0, 0,
+             cv::INTER_LINEAR);
   (*people)(around) |= (outlined > 127);
 }
 
