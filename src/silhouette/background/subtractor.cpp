@@ -29,6 +29,8 @@ constexpr int kGuardX = 16, kGuardY = 8;
 constexpr int kOddImages = kImageCycle;
 /// The boundary of the person is not refined this near unknown pixels, px.
 constexpr int kUnrefinedReach = 3;
+/// Of the outline of somebody who keeps still, the image shows so much of them until they go.
+constexpr double kStaying = 0.7;
 
 class ModelSubtractor : public Subtractor {
  public:
@@ -87,6 +89,7 @@ class ModelSubtractor : public Subtractor {
   void absorbObjects(const cv::Mat& image, Extraction* found);
   BitMask cleaned(const BitMask& foreground) const;
   BitMask nearUnknown(const BitMask& mask) const;
+  BitMask stayingPerson(const PixelClasses& classes) const;
   void restoreUnknown(const BitMask& unrefined, const PixelClasses& classes,
                       Extraction* found) const;
   void updateBackground(const cv::Mat& image, double gain, const BitMask& mask,
@@ -147,11 +150,18 @@ void ModelSubtractor::restoreUnknown(const BitMask& unrefined, const PixelClasse
   found->mask.remove(near_unknown_);
   found->mask |= unrefined;
   found->mask |= background_.unknown();
+  found->unknown = background_.unknown();
+  found->unknown.remove(stayingPerson(classes));
+}
+
+/// Where the image still shows somebody who has kept still. Of one who has gone, what is left are
+/// things of their colours beside them: empty.
+BitMask ModelSubtractor::stayingPerson(const PixelClasses& classes) const {
   BitMask person = background_.person();
   person.remove(classes.foreground);
   person.remove(classes.shadow);
-  found->unknown = background_.unknown();
-  found->unknown.remove(person);
+  const bool has_gone = double(person.count()) < kStaying * double(background_.person().count());
+  return has_gone ? BitMask() : person;
 }
 
 /// Takes over what has changed in the scene. Light that blinds the camera teaches nothing.
