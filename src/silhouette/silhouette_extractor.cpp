@@ -51,6 +51,10 @@ class SilhouetteExtractor::Impl {
     if (first_background_.valid()) takeFirstBackground();
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
+    if (live_ && hasLeftPlace(found)) {
+      relearn();
+      return update(given, whole);
+    }
     const double unknown = double(found.unknown.count()) / double(image.total());
     return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
             unknown,           found.changed_fraction,
@@ -69,7 +73,7 @@ class SilhouetteExtractor::Impl {
     if (learns()) subtractor_.reset();
     first_background_ = {};
     live_.reset();
-    frames_learned_ = stale_run_ = 0;
+    frames_learned_ = stale_run_ = left_run_ = 0;
     size_ = loaded_.size();
     type_ = loaded_.empty() ? -1 : loaded_.type();
   }
@@ -120,6 +124,14 @@ class SilhouetteExtractor::Impl {
  private:
   void checkImage(const cv::Mat& image) const;
   SilhouetteState stateAfter(const Extraction& found);
+
+  /// Somebody kept still while the background was learned, and has moved: their outline was a
+  /// guess, and now the images show more.
+  bool hasLeftPlace(const Extraction& found) {
+    constexpr int kImages = 3;  // in a row
+    left_run_ = found.has_left_place ? left_run_ + 1 : 0;
+    return left_run_ >= kImages;
+  }
 
   /// Whether the model has a background.
   bool learns() const { return options_.model != "network"; }
@@ -197,6 +209,7 @@ class SilhouetteExtractor::Impl {
   Background loaded_;  ///< background from a file or given; else empty
   int frames_learned_ = 0;
   int stale_run_ = 0;  ///< number of images in a row that differ too much from the background
+  int left_run_ = 0;   ///< the same, in which somebody has left the place where they kept still
   cv::Size size_;
   int type_ = -1;  ///< of the images; -1 before the first
 };

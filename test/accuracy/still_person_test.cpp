@@ -106,6 +106,24 @@ TEST(StillPerson, WhatIsBehindThemIsUnknownOnceTheyHaveGone) {
   }
 }
 
+// Their outline was a guess, and images without them tell more.
+TEST(StillPerson, TheBackgroundIsLearnedAnewOnceTheyHaveGone) {
+  for (size_t i = 0; i < views().size(); ++i) {
+    SilhouetteExtractor extractor{SilhouetteOptions()};
+    for (int image = 0; image < kImages; ++image)
+      extractor.update(withNoise(views()[i].image, image));
+    SilhouetteResult result;
+    for (int image = 0; image < 4; ++image)
+      result = extractor.update(withNoise(views()[i].empty, image));
+    EXPECT_EQ(result.state, SilhouetteState::kLearning) << "cam" << i;
+    for (int image = 0; image < kImages; ++image)
+      result = extractor.update(withNoise(views()[i].empty, 50 + image));
+    EXPECT_EQ(result.state, SilhouetteState::kReady) << "cam" << i;
+    EXPECT_LT(cv::countNonZero(result.mask), 0.02 * cv::countNonZero(views()[i].person))
+        << "cam" << i;
+  }
+}
+
 TEST(StillPerson, MasksAreTheSameWhateverChanceWasUsedBefore) {
   std::vector<cv::Mat> first;
   for (const int seed : {3, 4}) {

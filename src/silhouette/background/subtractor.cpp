@@ -151,7 +151,9 @@ void ModelSubtractor::restoreUnknown(const BitMask& unrefined, const PixelClasse
   found->mask |= unrefined;
   found->mask |= background_.unknown();
   found->unknown = background_.unknown();
-  found->unknown.remove(stayingPerson(classes));
+  const BitMask person = stayingPerson(classes);
+  found->has_left_place = background_.person().count() > 0 && person.count() == 0;
+  found->unknown.remove(person);
 }
 
 /// Where the image still shows somebody who has kept still. Of one who has gone, what is left are

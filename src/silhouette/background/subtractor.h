@@ -16,6 +16,8 @@ struct Extraction {
   double changed_fraction = 0;
   double light_gain = 1;
   size_t uncovered = 0;  ///< pixels that became background as what had stood there has left
+  /// Somebody whom the background was learned behind, as they kept still, stands there no more.
+  bool has_left_place = false;
 };
 
 /// Background subtraction of one camera's images, which all have the same size and type.
