@@ -93,6 +93,28 @@ TEST_F(LimbEvidenceTest, AnArmOfWhichAPartIsFarOutsideIsNotSeen) {
   EXPECT_TRUE(reported.part_seen[size_t(PartLabel::kArm2)]);
 }
 
+// Nowhere else do arms fit that the masks lack.
+TEST_F(LimbEvidenceTest, AnArmThatIsFoldedAsFarAsItGoesOrInsideTheTrunkIsNotSeen) {
+  const auto fitted = [&] {
+    return fitter.fit(ContourObserver(rig, options).observe(masksOf(slim)), slim, pose,
+                      std::nullopt, RobustSchedule{1, 0.03, 0.03});
+  };
+  const auto areSeen = [](const ContourFit& fit) {
+    BodyPose report;
+    reportEvidence(fit, {1, 1, 1, 1, 1, 1}, report);
+    return std::pair(report.part_seen[size_t(PartLabel::kArm1)],
+                     report.part_seen[size_t(PartLabel::kArm2)]);
+  };
+  ContourFit fit = fitted();
+  EXPECT_EQ(areSeen(fit), std::pair(true, true)) << "the left arm hangs";
+  fit.pose.angles[RevoluteJoint::kRightElbow] = 2.5;
+  EXPECT_EQ(areSeen(fit), std::pair(true, true)) << "guards the face";
+  fit.pose.angles[RevoluteJoint::kRightElbow] = 2.68;
+  EXPECT_EQ(areSeen(fit), std::pair(true, false)) << "at the end of the elbow's range";
+  pose.rotations[SphericalJoint::kRightShoulder] = expSO3({0.2, 0, 0});  // through the trunk
+  EXPECT_EQ(areSeen(fitted()), std::pair(true, false));
+}
+
 // Legs of somebody who sits still may be taken for background.
 TEST_F(LimbEvidenceTest, LegsThatTheMasksLackAreFoldedIntoTheTrunkAndNotSeen) {
   const auto fitted = [&](bool with_legs) {

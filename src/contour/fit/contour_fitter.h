@@ -34,7 +34,7 @@ struct LimbEvidence {
   double distance = 0.0;      ///< root mean square distance of these rays from its surface, metres
   double outside = 0.0;       ///< mean distance of its spheres outside the masks, metres
   double part_outside = 0.0;  ///< the same of that of its cones that is farthest outside, metres
-  double inside = 0.0;        ///< of a leg: fraction of its axis inside the trunk, 0 to 1
+  double inside = 0.0;        ///< of an arm or leg: fraction of its axis inside the trunk, 0 to 1
   /// Standard deviation of the position of its end (head, wrist, ankle; trunk: base of the neck),
   /// metres, given rays and posture priors. The variance of the rays of a limb follows from how
   /// well rays and masks agree with the limb. A ray of an arm counts less if the rest of the body

@@ -189,7 +189,7 @@ void gatherEvidence(const ContourObservation& seen, const ContourOptions& option
   const Eigen::LLT<Square> inverse(information(seen, options, problem, fit.pose, variance));
   for (int limb = 0; limb < ContourLimb::kCount; ++limb)
     fit.limbs[size_t(limb)].deviation = endDeviation(body, problem.frames(), inverse, limb);
-  for (const int limb : {ContourLimb::kLeftLeg, ContourLimb::kRightLeg})
+  for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
     fit.limbs[size_t(limb)].inside = insideFraction(problem.cones(), limb);
 }
 

@@ -9,9 +9,12 @@ namespace {
 // priors alone give an arm 0.1) and if no part of an arm or leg, nor trunk or head on average, lies
 // outside the masks by more than the second.
 constexpr double kMaxSeenDeviation = 0.08, kMaxSeenOutside = 0.10;  // metres
-// And if less of a leg is inside the trunk: masks that lack a leg let it fit nowhere else. Of legs
-// that are seen, also of somebody who sits, 0.12 is.
-constexpr double kMaxSeenInside = 0.4;
+// And if less of it is inside the trunk: masks that lack a limb let it fit nowhere else. Of legs
+// that are seen, also of somebody who sits, 0.12 is; of arms that hang or are on the hips, 0.33.
+constexpr double kMaxSeenLegInside = 0.4, kMaxSeenArmInside = 0.6;
+// An arm that the masks lack is also folded as far as the elbow allows, 2.7. Somebody who guards
+// their face bends it by 2.5.
+constexpr double kMaxSeenElbow = 2.6;  // radians
 
 /// The limb of a body part.
 ContourLimb::Id limbOf(int part) {
@@ -19,6 +22,16 @@ ContourLimb::Id limbOf(int part) {
                                                   ContourLimb::kLeftArm, ContourLimb::kRightArm,
                                                   ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
   return kLimbs[part];
+}
+
+/// Whether a limb is where it fits if the masks lack it.
+bool isHidden(const ContourFit& fit, ContourLimb::Id limb) {
+  const double inside = fit.limbs[limb].inside;
+  if (limb != ContourLimb::kLeftArm && limb != ContourLimb::kRightArm)
+    return inside > kMaxSeenLegInside;
+  const auto elbow =
+      limb == ContourLimb::kLeftArm ? RevoluteJoint::kLeftElbow : RevoluteJoint::kRightElbow;
+  return inside > kMaxSeenArmInside || fit.pose.angles[elbow] > kMaxSeenElbow;
 }
 
 }  // namespace
@@ -32,7 +45,7 @@ void reportEvidence(const ContourFit& fit,
     const bool is_trunk_or_head = limbOf(part) < ContourLimb::kLeftArm;
     const double outside = is_trunk_or_head ? limb.outside : limb.part_outside;
     pose.part_seen[size_t(part)] = limb.deviation < kMaxSeenDeviation &&
-                                   outside < kMaxSeenOutside && limb.inside < kMaxSeenInside &&
+                                   outside < kMaxSeenOutside && !isHidden(fit, limbOf(part)) &&
                                    limb_agreement[limbOf(part)] >= kMinLimbAgreement;
   }
   pose.reason = unseenParts(pose.part_seen);
