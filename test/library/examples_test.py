@@ -147,7 +147,7 @@ class Examples(unittest.TestCase):
         self.assertEqual(position, self.commands[-1].position)
 
     def test_a_distance_is_the_truth_with_every_pose(self):
-        self.play(self.frames[:5])
+        self.play_until(lambda: self.last(state=HandDistance.KNOWN))  # tool0 is known
         sent = self.play(self.frames)
         answered = lambda: {a.header.stamp: a for a in self.answers if a.header.stamp in sent}
         self.assertTrue(self.wait(lambda: len(answered()) == len(sent)))
