@@ -1,5 +1,8 @@
 #include "silhouette/background/subtractor.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "silhouette/background/background_learner.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/pixel_test.h"
@@ -192,8 +195,9 @@ void ModelSubtractor::updateBackground(const cv::Mat& image, double gain, const 
                                        const BitMask& shadow) {
   if (options_.update_rate == 0) return;
   const int n = background_.stride(), channels = background_.channels();
-  const auto rate = int16_t(std::min(1.0, options_.update_rate * kUpdateStride) * 32767 + 0.5);
-  const auto fixed_gain = int16_t(gain * kGainOne + 0.5);
+  const auto rate =
+      int16_t(std::lround(std::min(1.0, options_.update_rate * kUpdateStride) * 32767));
+  const auto fixed_gain = int16_t(std::lround(gain * kGainOne));
   now_.resize(size_t(3) * n);
   held_.resize(n);
   for (int y = next_row_; y < image.rows; y += kUpdateStride) {
