@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "capture/studio_fixture.h"
 #include "capture/virtual_studio.h"
@@ -103,6 +103,28 @@ TEST(StillPerson, WhatIsBehindThemIsUnknownOnceTheyHaveGone) {
     const int unknown = cv::countNonZero((mask == kUnknownPixel) & views()[i].person);
     EXPECT_LT(claimed, 0.2 * cv::countNonZero(views()[i].person)) << "cam" << i;
     EXPECT_GT(unknown, 0.6 * cv::countNonZero(views()[i].person)) << "cam" << i;
+  }
+}
+
+/// Something of the colour of the person's clothes, beside them.
+cv::Rect hungBeside(const cv::Mat& person, cv::Mat& image) {
+  const cv::Rect body = cv::boundingRect(person);
+  const cv::Rect trunk(body.x + body.width / 2 - 4, body.y + body.height / 3, 8, 8);
+  const cv::Rect thing(body.br().x + 8, body.y, 12, 30);
+  image(thing).setTo(cv::mean(image(trunk)));
+  return thing;
+}
+
+TEST(StillPerson, ThingsOfTheirColoursApartFromThemAreNotThePerson) {
+  for (size_t i = 0; i < views().size(); ++i) {
+    cv::Mat image = views()[i].image.clone();
+    const cv::Rect thing = hungBeside(views()[i].person, image);
+    RecordingLearner learner(SilhouetteOptions(), kImages);
+    for (int k = 0; k < kImages; ++k)
+      learner.add(learner.wantsNext() ? withNoise(image, k) : cv::Mat());
+    const cv::Mat mask = maskOf(learner.learn(), withNoise(image, 100));
+    EXPECT_GT(cv::countNonZero((mask == kPersonPixel) & views()[i].person), 0) << "cam" << i;
+    EXPECT_EQ(cv::countNonZero(mask(thing) == kPersonPixel), 0) << "cam" << i;
   }
 }
 
