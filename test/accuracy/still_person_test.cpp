@@ -48,13 +48,17 @@ cv::Mat withNoise(const cv::Mat& image, int seed) {
   return sum;
 }
 
+/// A learner that has seen a recording in which only noise changes.
+RecordingLearner watched(const cv::Mat& image) {
+  RecordingLearner learner(SilhouetteOptions(), kImages);
+  for (int i = 0; i < kImages; ++i)
+    learner.add(learner.wantsNext() ? withNoise(image, i) : cv::Mat());
+  return learner;
+}
+
 std::vector<SharedBackground> learnedFrom(cv::Mat View::*image) {
   std::vector<RecordingLearner> learners;
-  for (const View& view : views()) {
-    learners.emplace_back(SilhouetteOptions(), kImages);
-    for (int i = 0; i < kImages; ++i)
-      learners.back().add(learners.back().wantsNext() ? withNoise(view.*image, i) : cv::Mat());
-  }
+  for (const View& view : views()) learners.push_back(watched(view.*image));
   return learnBackgrounds(learners);
 }
 
@@ -119,10 +123,7 @@ TEST(StillPerson, ThingsOfTheirColoursApartFromThemAreNotThePerson) {
     const cv::Rect body = cv::boundingRect(views()[i].person);
     const cv::Rect thing(body.br().x + 8, body.y, 12, 30);
     image(thing).setTo(clothesOf(views()[i]));
-    RecordingLearner learner(SilhouetteOptions(), kImages);
-    for (int k = 0; k < kImages; ++k)
-      learner.add(learner.wantsNext() ? withNoise(image, k) : cv::Mat());
-    const cv::Mat mask = maskOf(learner.learn(), withNoise(image, 100));
+    const cv::Mat mask = maskOf(watched(image).learn(), withNoise(image, 100));
     EXPECT_GT(cv::countNonZero((mask == kPersonPixel) & views()[i].person), 0) << "cam" << i;
     EXPECT_EQ(cv::countNonZero(mask(thing) == kPersonPixel), 0) << "cam" << i;
   }
@@ -139,10 +140,7 @@ TEST(StillPerson, ThingsOfTheirColoursBehindThemAreNotThePersonOnceTheyHaveGone)
     const cv::Scalar color = clothesOf(views()[i]);
     image.setTo(color, thing & ~person);
     empty.setTo(color, thing);
-    RecordingLearner learner(SilhouetteOptions(), kImages);
-    for (int k = 0; k < kImages; ++k)
-      learner.add(learner.wantsNext() ? withNoise(image, k) : cv::Mat());
-    const SharedBackground background = learner.learn();
+    const SharedBackground background = watched(image).learn();
     thing &= ~person;
     const cv::Mat before = maskOf(background, withNoise(image, 100)) == kPersonPixel;
     EXPECT_GT(cv::countNonZero(before & thing), 0.5 * cv::countNonZero(thing)) << "cam" << i;
