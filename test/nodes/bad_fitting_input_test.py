@@ -76,6 +76,9 @@ class FittingSkeletons(FittingNode):
         self.assertTrue(self.poses)
 
     def test_a_second_sender_of_the_grid_is_named(self):
+        while not self.latched.get_num_connections():  # the test's grid is to be the first
+            self.assertIsNone(self.process.poll(), 'the node has ended')
+            rospy.sleep(0.05)
         other = subprocess.Popen(['rostopic', 'pub', '-r', '5', '/hull/grid', 'markerless_mocap/VoxelGrid',
                                   '{header: {frame_id: world}, pitch: 0.05, size: [9, 9, 9]}'],
                                  stdout=subprocess.DEVNULL)
