@@ -57,7 +57,7 @@ ActiveTrack ContourTracker::startFound(const Frame& now, const Search& search) {
   const ContourObservation& seen = search.found.seen;
   const ContourFit fit = hypotheses_.bestFit(seen, person_.body(), search.poses, kFitted);
   if (fit.status != ContourFitStatus::kFitted) return {};
-  const ActiveTrack active = hypotheses_.startFrom(now.stamp_ns, fit);
+  ActiveTrack active = hypotheses_.startFrom(now.stamp_ns, fit);
   hypotheses_.proposeAlternative(now.stamp_ns, seen, person_.body(),
                                  {mirrored(person_.body(), fit.pose)});
   return active;

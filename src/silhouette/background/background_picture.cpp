@@ -20,7 +20,7 @@ BackgroundPicture pictureOf(const Background& background) {
     for (int c = 0; c < channels; ++c) {
       const uint16_t* means = background.mean(0, y, c);
       uint8_t* row = colors.ptr<uint8_t>(y) + c;
-      for (int x = 0; x < colors.cols; ++x) row[x * channels] = greyLevel(means[x]);
+      for (int x = 0; x < colors.cols; ++x, row += channels) *row = greyLevel(means[x]);
     }
   if (channels == 1) cv::cvtColor(colors, colors, cv::COLOR_GRAY2BGR);
   cv::Mat unknown = cv::Mat::zeros(background.size(), CV_8UC1);

@@ -7,7 +7,7 @@ namespace markerless_mocap {
 namespace {
 
 /// OpenCV's background subtractors with this room's clean-up, for comparison.
-class OpenCvSubtractor : public Subtractor {
+class OpenCvSubtractor final : public Subtractor {
  public:
   explicit OpenCvSubtractor(const SilhouetteOptions& options) {
     if (options.model == "mog2")

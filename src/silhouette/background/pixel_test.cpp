@@ -172,7 +172,7 @@ bool PixelTest::findShadows(const cv::Mat& image, const Background& background, 
     if (shadowRatiosOfBgr(bgr, mode, x, float(gain), limits, changed, ratio, shadow, columns))
       return *shadow != 0;
   }
-  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[2 * kWord]};
+  const uint8_t* now[] = {&now_[0], &now_[kWord], &now_[size_t(2) * kWord]};
   splitRow(image, y, x, width, kWord, now_.data());
   unpackBits(&changed, kWord, flags_.data());
   shadowRatios(now, mode, x, background.channels(), float(gain), limits, flags_.data(), ratio,

@@ -31,7 +31,7 @@ __attribute__((always_inline)) inline uint16_t square(uint8_t now, uint8_t mean,
 
 MOCAP_VECTORISED void splitInto(const uint8_t* __restrict row, int n, uint8_t* __restrict plane0,
                                 uint8_t* __restrict plane1, uint8_t* __restrict plane2) {
-  for (int i = 0; i < n; ++i) {
+  for (size_t i = 0; i < size_t(n); ++i) {
     plane0[i] = row[3 * i];
     plane1[i] = row[3 * i + 1];
     plane2[i] = row[3 * i + 2];

@@ -34,7 +34,7 @@ uint64_t bitsUpTo(int last) {
 
 uint64_t packFlags(const uint8_t* flags) {
   uint64_t word = 0;
-  for (int i = 0; i < 8; ++i) {
+  for (size_t i = 0; i < 8; ++i) {
     uint64_t eight;
     std::memcpy(&eight, flags + 8 * i, 8);
     // The product moves flag k from bit 8k to bit 56 + k.
