@@ -91,7 +91,8 @@ void ContourTracker::noteStamp(int64_t stamp_ns) {
 BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
   noteStamp(now.stamp_ns);
-  const bool follows = hypotheses_.predict(now.stamp_ns).has_value();
+  const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
+  const bool follows = predicted.has_value();
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
     still_contours_.watch(now.stamp_ns, now.images, now.masks);
     return lostBecause(now.images_awaited ? kImagesAwaited : lost_reason_);
@@ -99,7 +100,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   const auto hull = [&]() -> const VisualHull& {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
-  const std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, still_contours_.rig());
+  const Eigen::Matrix3Xd joints =
+      follows ? person_.body().points(predicted->pose) : Eigen::Matrix3Xd(3, 0);
+  const std::vector<cv::Mat> masks =
+      withoutStrayParts(now.masks, hull, joints, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
   return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
 }
