@@ -8,6 +8,7 @@
 
 #include "contour/model/contour_kinematics.h"
 #include "contour/regions/hull_cells.h"
+#include "contour/regions/projected_body.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
@@ -17,7 +18,6 @@ constexpr int kSamplesAcross = 330;  // every second pixel up to VGA, fewer of l
 // Expected error of a body around which candidates are looked for, and how far from it, metres.
 constexpr double kCandidateError = 0.04;
 constexpr float kCandidateReach = 0.5f;
-constexpr float kMinSigma = 0.7f;  // samples
 
 // Colours decide if a larger fraction of the body's box is unknown. The box is wider than the body
 // by kNear_sigmas expected errors and kNear samples.
@@ -38,32 +38,6 @@ cv::Mat sampled(const cv::Mat& image, int step, cv::InterpolationFlags how) {
   cv::Mat out;
   cv::resize(image(sampledBox(image, step)), out, {image.cols / step, image.rows / step}, 0, 0,
              how);
-  return out;
-}
-
-ProjectedBody projected(const Camera& camera, int step, const ContourBody& body,
-                        const ContourPose& pose, double error_m) {
-  ContourFrames frames;
-  ContourWorldCones cones;
-  body.place(pose, frames);
-  body.place(frames, cones);
-  const LocalView lens = camera.localView(pose.position);
-  const Eigen::Vector3d forward = lens.R_world_view.col(2);
-  const double f = 0.5 * (lens.fx + lens.fy) / step;
-  const auto depthOf = [&](const Eigen::Vector3d& p) { return forward.dot(p - camera.position()); };
-  const Eigen::Vector2d centre = Eigen::Vector2d::Constant(0.5 * (step - 1));
-  ProjectedBody out;
-  for (size_t c = 0; c < cones.size(); ++c) {
-    const auto a = camera.project(cones[c].a), b = camera.project(cones[c].b);
-    if (!a || !b) continue;
-    const double depth_a = depthOf(cones[c].a), depth_b = depthOf(cones[c].b);
-    out.cones.push_back({((*a - centre) / step).cast<float>(), ((*b - centre) / step).cast<float>(),
-                         float(f * cones[c].radius_a / depth_a),
-                         float(f * cones[c].radius_b / depth_b), float(depth_a), float(depth_b),
-                         int(contourKinematicTree().cones[c].ends[0].segment)});
-  }
-  const double depth = std::max(0.1, depthOf(pose.position));
-  out.sigma = float(f * error_m / depth) + kMinSigma;
   return out;
 }
 
@@ -181,7 +155,7 @@ RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& bo
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
     if (view.colors.empty()) return;
-    const ProjectedBody at = projected(rig_[i], view.step, body, pose, error_m);
+    const ProjectedBody at = projectedBody(rig_[i], view.step, body, pose, error_m);
     if (!isUnknownNear(at, view.known)) return;
     found[i] = segmenters_[i].segment(view.colors, at, view.known);
     out.masks[i] = enlarged(found[i].mask, view.step, frame.masks[i].size());
@@ -197,8 +171,8 @@ std::vector<cv::Mat> BodyRegions::candidates(const RegionFrame& frame, const Vis
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
     if (view.colors.empty()) return;
-    const ProjectedBody at = projected(rig_[i], view.step, body, pose, kCandidateError);
-    const float samples_per_metre = (at.sigma - kMinSigma) / float(kCandidateError);
+    const ProjectedBody at = projectedBody(rig_[i], view.step, body, pose, kCandidateError);
+    const float samples_per_metre = samplesPerMetre(rig_[i], view.step, pose);
     const cv::Mat found =
         segmenters_[i].candidates(view.colors, at, view.known, kCandidateReach * samples_per_metre);
     out[i] = enlarged(found, view.step, frame.masks[i].size());
@@ -222,7 +196,7 @@ void BodyRegions::learn(const RegionFrame& frame, const ContourBody& body, const
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
     if (view.colors.empty()) return;
-    segmenters_[i].learn(view.colors, projected(rig_[i], view.step, body, pose, error_m));
+    segmenters_[i].learn(view.colors, projectedBody(rig_[i], view.step, body, pose, error_m));
   });
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contour/fit/view_times.h"
+#include "contour/track/attached_things.h"
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
@@ -93,6 +94,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   noteStamp(now.stamp_ns);
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   const bool follows = predicted.has_value();
+  const bool knows_person = follows && reported_;
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
     still_contours_.watch(now.stamp_ns, now.images, now.masks);
     return lostBecause(now.images_awaited ? kImagesAwaited : lost_reason_);
@@ -101,9 +103,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
   const Eigen::Matrix3Xd joints =
-      follows ? person_.body().points(predicted->pose) : Eigen::Matrix3Xd(3, 0);
-  const std::vector<cv::Mat> masks =
-      withoutStrayParts(now.masks, hull, joints, still_contours_.rig());
+      knows_person ? person_.body().points(predicted->pose) : Eigen::Matrix3Xd(3, 0);
+  std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, joints, still_contours_.rig());
+  if (knows_person)
+    masks = withoutAttachedThings(masks, still_contours_.rig(), person_.body(), predicted->pose);
   still_contours_.watch(now.stamp_ns, now.images, masks);
   return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
 }

@@ -1,0 +1,91 @@
+#include "contour/track/attached_things.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "contour/regions/hull_cells.h"
+#include "contour/regions/projected_body.h"
+#include "markerless_mocap/products/silhouette_mask.h"
+#include "region/drawing/body_drawing.h"
+
+namespace markerless_mocap {
+namespace {
+
+constexpr double kReach_m = 0.15;  // from the predicted body, in the image
+
+// Fractions of the body's area: arms and a shank together are less than the first value. A body
+// of whom less than the second is covered by the mask is in another place.
+constexpr double kMinThing = 0.35, kMinShown = 0.85;
+// Fraction of the image: a camera that is covered sees no thing.
+constexpr double kMaxThing = 0.5;
+
+/// A mask and the predicted body, by cells.
+struct CellCounts {
+  int all = 0, body = 0;
+  int shown = 0;  ///< of the body, those that the mask shows
+  int far = 0;    ///< of the mask, those out of reach
+
+  bool showThing() const {
+    return far > kMinThing * body && far < kMaxThing * all && shown > kMinShown * body;
+  }
+};
+
+/// Cells that are nearer to the body than that, in cells: CV_8UC1 0 | 255.
+cv::Mat cellsNear(const BodyDrawing& drawing, float distance, const cv::Size& size) {
+  cv::Mat near = cv::Mat::zeros(size, CV_8UC1);
+  cv::Mat(drawing.distance <= distance).copyTo(near(drawing.box));
+  return near;
+}
+
+CellCounts counted(const cv::Mat& mask, int cell, const cv::Mat& near, const cv::Mat& body) {
+  CellCounts counts;
+  counts.all = int(near.total());
+  for (int y = 0; y < near.rows; ++y) {
+    const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
+    for (int x = 0; x < near.cols; ++x) {
+      const uchar value = row[std::min(x * cell + cell / 2, mask.cols - 1)];
+      counts.body += body.at<uchar>(y, x) != 0;
+      counts.shown += body.at<uchar>(y, x) && value;
+      counts.far += !near.at<uchar>(y, x) && value == kPersonPixel;
+    }
+  }
+  return counts;
+}
+
+cv::Mat withFarUnknown(const cv::Mat& mask, int cell, const cv::Mat& near) {
+  cv::Mat out = mask.clone();
+  for (int y = 0; y < mask.rows; ++y) {
+    uchar* row = out.ptr<uchar>(y);
+    const uchar* near_row = near.ptr<uchar>(y / cell);
+    for (int x = 0; x < mask.cols; ++x)
+      if (row[x] && !near_row[x / cell]) row[x] = kUnknownPixel;
+  }
+  return out;
+}
+
+cv::Mat withoutAttachedThings(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
+                              const ContourPose& predicted) {
+  const int cell = hullCellEdge(mask.cols);
+  const cv::Size size((mask.cols - 1) / cell + 1, (mask.rows - 1) / cell + 1);
+  const float reach = float(kReach_m) * samplesPerMetre(camera, cell, predicted);
+  const BodyDrawing drawing = drawBody(projectedBody(camera, cell, body, predicted, 0.0),
+                                       int(ContourSegment::kCount), size, reach + 1);
+  if (drawing.box.area() == 0) return mask;
+  const cv::Mat near = cellsNear(drawing, reach, size);
+  if (!counted(mask, cell, near, cellsNear(drawing, 0.f, size)).showThing()) return mask;
+  return withFarUnknown(mask, cell, near);
+}
+
+}  // namespace
+
+std::vector<cv::Mat> withoutAttachedThings(const std::vector<cv::Mat>& masks, const CameraRig& rig,
+                                           const ContourBody& body, const ContourPose& predicted) {
+  std::vector<cv::Mat> out = masks;
+  tbb::parallel_for(size_t(0), std::min(masks.size(), rig.size()), [&](size_t i) {
+    if (!masks[i].empty()) out[i] = withoutAttachedThings(masks[i], rig[i], body, predicted);
+  });
+  return out;
+}
+
+}  // namespace markerless_mocap
