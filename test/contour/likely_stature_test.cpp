@@ -19,8 +19,12 @@ TEST(LikelyStatureTest, IsTheBestOfTheUsualOnes) {
 }
 
 TEST(LikelyStatureTest, GoesBeyondTheUsualOnes) {
-  EXPECT_NEAR(likelyStatureOf(1.05), 1.05, 1e-9);
+  EXPECT_NEAR(likelyStatureOf(1.2), 1.2, 1e-9);
   EXPECT_NEAR(likelyStatureOf(2.2), 2.2, 1e-9);
+}
+
+TEST(LikelyStatureTest, IsNotThatOfWhatIsNoWholePerson) {
+  EXPECT_NEAR(likelyStatureOf(0.7), 1.2, 1e-9);
 }
 
 TEST(LikelyStatureTest, IsTheExpectedOneIfNoneFits) {

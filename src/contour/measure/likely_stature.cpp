@@ -5,9 +5,9 @@
 namespace markerless_mocap {
 namespace {
 
-// Metres.
+// Metres. A smaller body, folded, fits the raised arm of somebody of whom nothing else is seen.
 constexpr std::array<double, 5> kUsualStatures{1.5, 1.6, 1.7, 1.8, 1.9};
-constexpr double kStatureStep = 0.15, kSmallest = 0.9, kLargest = 2.35;
+constexpr double kStatureStep = 0.15, kSmallest = 1.15, kLargest = 2.35;
 
 }  // namespace
 
@@ -24,7 +24,8 @@ double likelyStature(double expected, const std::function<double(double stature)
   for (const double stature : kUsualStatures) isBetter(stature);
   for (double stature = best_stature; stature >= kUsualStatures.back() && stature < kLargest;)
     if (!isBetter(stature += kStatureStep)) break;
-  for (double stature = best_stature; stature <= kUsualStatures.front() && stature > kSmallest;)
+  for (double stature = best_stature;
+       stature <= kUsualStatures.front() && stature - kStatureStep > kSmallest;)
     if (!isBetter(stature -= kStatureStep)) break;
   return best_stature;
 }

@@ -5,8 +5,8 @@
 namespace markerless_mocap {
 
 /// The stature whose mean body fits best, metres: the expected one, or one of some usual ones. If
-/// the best of these is the smallest or the largest, more are tried beyond: a child, or a
-/// calibration whose metre is wrong.
+/// the best of these is the smallest or the largest, more are tried beyond, 1.2 to 2.35 m: a child,
+/// or a calibration whose metre is wrong.
 /// \param quality of the best fit at a stature in metres, see qualityOf()
 double likelyStature(double expected, const std::function<double(double stature)>& quality);
 
