@@ -60,7 +60,7 @@ PartTruth::PartTruth(const Eigen::Matrix3Xd& points) {
 }
 
 const PartTruth::Bone& PartTruth::nearestBone(const Eigen::Vector3d& point) const {
-  const Bone* nearest = nullptr;
+  const Bone* nearest = &bones_.front();
   double min_distance = std::numeric_limits<double>::infinity();
   for (const Bone& bone : bones_) {
     const double distance = distanceToSegment(point, bone.a, bone.b) - bone.radius;

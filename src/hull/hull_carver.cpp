@@ -40,7 +40,7 @@ void checkRig(const CameraRig& rig, const HullOptions& options) {
 VoxelLattice latticeOf(const CameraRig& rig, const HullOptions& options) {
   options.validate();
   checkRig(rig, options);
-  const VoxelLattice lattice = options.lattice(rig);
+  VoxelLattice lattice = options.lattice(rig);
   if (rig.size() * size_t(lattice.count()) > kMaxTableEntries)
     throw std::invalid_argument("visual_hull has too many voxels for " +
                                 std::to_string(rig.size()) + " cameras (" +

@@ -11,7 +11,7 @@ namespace markerless_mocap {
 namespace {
 
 /// Makes initializers that propose poses from part curves and hull.
-InitializerFactory initializers(HsiaoOptions options) {
+InitializerFactory initializers(const HsiaoOptions& options) {
   return [options](std::shared_ptr<const BodyModel> model) {
     return std::make_unique<HsiaoPoseEstimator>(std::move(model), options);
   };

@@ -35,9 +35,9 @@ std::vector<int> freeParameters(const RigState& state, const std::set<size_t>& h
 /// Takes out the motion of all cameras together. Source: Baarda's S-transformation, as in Triggs et
 /// al. (2000), section 9.
 Eigen::MatrixXd relativeToAll(const RigState& state, const Eigen::MatrixXd& covariance) {
-  const int cameras = int(state.cameras.size());
+  const auto cameras = Eigen::Index(state.cameras.size());
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(kPerCamera * cameras, 6);
-  for (int i = 0; i < cameras; ++i) {
+  for (Eigen::Index i = 0; i < cameras; ++i) {
     const Eigen::Isometry3d T = isometry(state.cameras[i].camera_world);
     G.block<3, 3>(kPerCamera * i, 0) = T.linear();
     G.block<3, 3>(kPerCamera * i, 3) = crossMatrix(T.translation()) * T.linear();
@@ -58,7 +58,7 @@ std::vector<CameraUncertainty> uncertaintiesOf(const Board& board, const RigStat
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   std::vector<CameraUncertainty> out;
   for (size_t i = 0; i < state.cameras.size(); ++i) {
-    const Eigen::VectorXd own = sigma.segment<kPerCamera>(kPerCamera * int(i));
+    const Eigen::VectorXd own = sigma.segment<kPerCamera>(kPerCamera * Eigen::Index(i));
     out.push_back({own.head<3>(), own.segment<3>(3), own.segment<2>(kIntrinsics),
                    own.segment<2>(kIntrinsics + 2), own[kTime]});
   }

@@ -137,12 +137,13 @@ Points findNearOrAnywhere(const cv::Mat& grey, cv::Size inner, bool thorough,
 /// Rows from the bottom of the page, columns from its left. Only the front can be seen, so x to y
 /// turns left, which is right in an image with y down.
 void orderAsPrinted(cv::Size inner, Points* found) {
-  const cv::Point2f across = (*found)[inner.width - 1] - found->front();
-  const cv::Point2f along = (*found)[inner.width * (inner.height - 1)] - found->front();
+  const ptrdiff_t width = inner.width;
+  const cv::Point2f across = (*found)[width - 1] - found->front();
+  const cv::Point2f along = (*found)[width * (inner.height - 1)] - found->front();
   if (across.cross(along) < 0) return;
   for (int y = 0; y < inner.height / 2; ++y)
-    std::swap_ranges(found->begin() + y * inner.width, found->begin() + (y + 1) * inner.width,
-                     found->begin() + (inner.height - 1 - y) * inner.width);
+    std::swap_ranges(found->begin() + y * width, found->begin() + (y + 1) * width,
+                     found->begin() + (inner.height - 1 - y) * width);
 }
 
 /// Mean grey of the middle of the square whose lower left corner is inner corner (x, y).

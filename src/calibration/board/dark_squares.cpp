@@ -260,7 +260,7 @@ std::vector<cv::Point2f> cornersIn(const cv::Mat& dark, const cv::Mat& grey, dou
     const double shift = 0.5 / magnified - 0.5;
     const cv::Mat to_grey =
         (cv::Mat_<double>(3, 3) << 1 / magnified, 0, shift, 0, 1 / magnified, shift, 0, 0, 1);
-    const std::vector<cv::Point2f> corners = refined(grey, to_grey * to_large, squares);
+    std::vector<cv::Point2f> corners = refined(grey, to_grey * to_large, squares);
     if (!corners.empty()) return corners;
   }
   return {};
@@ -282,7 +282,7 @@ std::vector<cv::Point2f> cornersByDarkSquares(const cv::Mat& grey, cv::Size inne
            {cv::Size(1, 1), cv::Size(9, 1), cv::Size(1, 9), cv::Size(5, 5)}) {
         cv::morphologyEx(dark, apart, cv::MORPH_OPEN,
                          cv::getStructuringElement(cv::MORPH_RECT, bridge));
-        const std::vector<cv::Point2f> found = cornersIn(apart, grey, magnified, squares);
+        std::vector<cv::Point2f> found = cornersIn(apart, grey, magnified, squares);
         if (!found.empty()) return found;
       }
     }

@@ -125,12 +125,12 @@ class Verdict {
   /// Films that were started by hand: when each began, and whether that is certain.
   void judgeFilms() {
     if (!result_.clocks) return;
-    const CalibratedCamera* first = nullptr;
-    for (const CalibratedCamera& camera : result_.cameras)
-      if (!first || camera.time_offset < first->time_offset) first = &camera;
+    const auto first = std::min_element(
+        result_.cameras.begin(), result_.cameras.end(),
+        [](const auto& a, const auto& b) { return a.time_offset < b.time_offset; });
     for (size_t i = 0; i < result_.cameras.size(); ++i) {
       const CalibratedCamera& camera = result_.cameras[i];
-      if (&camera != first)
+      if (&camera != &*first)
         result_.verdict.push_back(
             text("The film of %s began %.3f s after that of %s.", camera.calibration.name.c_str(),
                  camera.time_offset - first->time_offset, first->calibration.name.c_str()));

@@ -23,8 +23,8 @@ struct Floor {
 /// Place of a cell, m, on the board.
 Eigen::Vector3d placeOf(const Board& board, int x, int y) {
   const double step = 2 * kAround * board.size().maxCoeff() / kCells;
-  return {board.centre().x() + (x + 0.5 - kCells / 2) * step,
-          board.centre().y() + (y + 0.5 - kCells / 2) * step, 0};
+  return {board.centre().x() + (x + 0.5 - kCells / 2.0) * step,
+          board.centre().y() + (y + 0.5 - kCells / 2.0) * step, 0};
 }
 
 bool isBoard(const Board& board, const Eigen::Vector3d& place) {
@@ -86,7 +86,7 @@ Likeness likenessOf(const Floor& a, const Floor& b) {
     for (int x = 0; x + kBlock <= kCells; x += kBlock) {
       const cv::Rect block(x, y, kBlock, kBlock);
       const double cells = cv::sum(both(block))[0];
-      if (cells > kBlock * kBlock / 2) means.push_back(cv::sum(product(block))[0] / cells);
+      if (cells > kBlock * kBlock / 2.0) means.push_back(cv::sum(product(block))[0] / cells);
     }
   Likeness like;
   like.blocks = int(means.size());

@@ -148,7 +148,7 @@ std::vector<size_t> placeCameras(const Board& board, const std::vector<CameraPai
   const size_t cameras = state->cameras.size();
   std::vector<Link> links;
   for (const CameraPair& pair : pairs) links.push_back({pair.a, pair.b, double(pair.agreeing)});
-  const std::vector<size_t> groups = groupsOf(cameras, links);
+  std::vector<size_t> groups = groupsOf(cameras, links);
   const size_t largest = largestGroup(groups);
   for (size_t group = 0; group < cameras; ++group) {
     if (std::find(groups.begin(), groups.end(), group) == groups.end()) continue;

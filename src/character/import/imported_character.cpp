@@ -158,7 +158,7 @@ void mirrorMeans(PerBone<Vector3d>& joint_positions) {
   }
 }
 
-Character inTPose(Character standing, const HumanPose& pose) {
+Character inTPose(const Character& standing, const HumanPose& pose) {
   Character person = standing;
   standing.pose(pose, person.mesh.vertices);
   HumanSkeleton& skeleton = person.skeleton;

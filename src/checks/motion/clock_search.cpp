@@ -106,8 +106,8 @@ ClockError ClockSearch::best(const std::vector<Row>& rows, double drift_step,
     least.push_back(means[at]);
     offsets.push_back(offsets_.front() + step_ * vertexOf(means, at));
   }
-  const size_t at = leastOf(least);
-  return {offsets[at], drift_step * (vertexOf(least, at) - double(rows.size() / 2)), 0};
+  const size_t at = leastOf(least), middle = rows.size() / 2;
+  return {offsets[at], drift_step * (vertexOf(least, at) - double(middle)), 0};
 }
 
 ClockError ClockSearch::errorOf(const std::vector<Row>& rows, double drift_step) const {

@@ -60,8 +60,8 @@ class PersonClocks {
  public:
   PersonClocks(const std::vector<PersonTrack>& tracks, const RigModel& model, double largest)
       : tracks_(tracks), model_(model), reach_(int(std::ceil(largest / kStep))) {
-    for (size_t i = 0; i < model.size(); ++i)
-      grids_.push_back(sightGridOf(tracks[model[i].source], model[i], kStep));
+    for (const CameraModel& camera : model)
+      grids_.push_back(sightGridOf(tracks[camera.source], camera, kStep));
     std::vector<double> marks;
     for (const SightGrid& grid : grids_) marks.push_back(grid.marks);
     root_ = greatest(marks);

@@ -77,7 +77,7 @@ Eigen::Vector3d vectorOf(const Eigen::Matrix3d& rotation) {
 /// About any axis if large, else across the optical axis.
 std::optional<Eigen::Matrix3d> turnOf(const CameraState& state, const Eigen::Vector3d& axis,
                                       size_t from, size_t to) {
-  const auto rotation = robustRotation(state, from, to);
+  auto rotation = robustRotation(state, from, to);
   if (!rotation || Eigen::AngleAxisd(*rotation).angle() > kLarge) return rotation;
   return tiltTo(state, axis, from, to);
 }

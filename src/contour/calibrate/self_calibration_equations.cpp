@@ -35,7 +35,7 @@ ConeJacobian coneJacobian(const Camera& camera, const ContourFrames& frames, siz
   const int segment = contourKinematicTree().cones[cone].ends[0].segment;
   const Eigen::Matrix3d& R = camera.calibration().T_world_camera.linear();
   ConeJacobian J = ConeJacobian::Zero();
-  for (int end = 0; end < 2; ++end) {
+  for (Eigen::Index end = 0; end < 2; ++end) {
     const Vector3d& at = end ? placed.b : placed.a;
     poseJacobian(frames, segment, at, J.block<3, kContourDof>(4 * end, 0));
     const Vector3d way = at - camera.position();

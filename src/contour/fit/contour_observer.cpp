@@ -43,6 +43,11 @@ void checkMasks(const std::vector<cv::Mat>& masks, const CameraRig& rig) {
           "' must have one channel of 8 bits and the size of the camera's image");
 }
 
+/// The mask's pixel of the first sample of a row of the view.
+const uchar* firstSample(const cv::Mat& mask, const ContourView& view, int row) {
+  return mask.ptr<uchar>((view.corner.y + row) * view.step, view.corner.x * view.step);
+}
+
 void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& view) {
   view.step = std::max(1, (mask.cols + kSamplesAcross - 1) / kSamplesAcross);
   const int margin = int(kMargin * mask.cols);
@@ -54,10 +59,9 @@ void measureDistances(const cv::Mat& mask, const cv::Rect& box, ContourView& vie
   const cv::Point end = (wide.br() - cv::Point(1, 1)) / view.step;
   view.person.create(end.y - view.corner.y + 1, end.x - view.corner.x + 1, CV_8UC1);
   for (int y = 0; y < view.person.rows; ++y) {
-    const uchar* from =
-        mask.ptr<uchar>((view.corner.y + y) * view.step) + view.corner.x * view.step;
+    const uchar* from = firstSample(mask, view, y);
     uchar* to = view.person.ptr<uchar>(y);
-    for (int x = 0; x < view.person.cols; ++x) to[x] = from[x * view.step] ? 255 : 0;
+    for (ptrdiff_t x = 0; x < view.person.cols; ++x) to[x] = from[x * view.step] ? 255 : 0;
   }
   view.distance = signedDistance(view.person);
   if (view.step > 1) view.distance *= view.step;
@@ -68,11 +72,11 @@ void findUnknown(const cv::Mat& mask, ContourView& view) {
   cv::Mat known(view.person.size(), CV_8UC1, cv::Scalar(255));
   bool all_known = true;
   for (int y = 0; y < known.rows; ++y) {
-    const uchar* from =
-        mask.ptr<uchar>((view.corner.y + y) * view.step) + view.corner.x * view.step;
-    for (int x = 0; x < known.cols; ++x)
+    const uchar* from = firstSample(mask, view, y);
+    uchar* to = known.ptr<uchar>(y);
+    for (ptrdiff_t x = 0; x < known.cols; ++x)
       if (from[x * view.step] == kUnknownPixel) {
-        known.at<uchar>(y, x) = 0;
+        to[x] = 0;
         all_known = false;
       }
   }

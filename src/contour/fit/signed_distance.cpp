@@ -54,7 +54,7 @@ class Chamfer {
   explicit Chamfer(const cv::Size& size)
       : rows_(size.height),
         cols_(size.width),
-        stride_(size_t(size.width) + 2 * kReach),
+        stride_(size_t(size.width + 2 * kReach)),
         inside_(stride_ * (size.height + 2 * kReach), kFar),
         outside_(inside_) {}
 

@@ -22,7 +22,7 @@ void addCones(const PoseProblem& problem, ShapeNormalEquations& equations) {
   for (size_t c = 0; c < kContourCones; ++c) {
     const KinematicCone& cone = contourKinematicTree().cones[c];
     J.setZero();
-    for (int end = 0; end < 2; ++end) {
+    for (Eigen::Index end = 0; end < 2; ++end) {
       const ContourWorldCone& placed = problem.cones()[c];
       poseAndShapeJacobian(problem.frames(), cone.ends[end], end ? placed.b : placed.a, rows);
       J.middleRows<3>(4 * end) = rows;

@@ -35,7 +35,7 @@ constexpr Pair kPairs[] = {{kLeftHand, kRightHand, {"l_wrist", "l_elbow"}, {"r_w
 
 /// Column in labelTruthNames() of wrist or ankle (joint 0), or elbow or knee (joint 1), of a side.
 Eigen::Index jointColumn(size_t pair, size_t side, size_t joint) {
-  return Eigen::Index(2 * kLabelledExtremityCount + 4 * pair + 2 * side + joint);
+  return Eigen::Index(size_t(2) * kLabelledExtremityCount + 4 * pair + 2 * side + joint);
 }
 
 /// Distances from a labelled extremity to the true ones, mm: to their points, and to the nearer of
@@ -46,7 +46,7 @@ struct Distances {
 
 Distances distancesFrom(const Eigen::Vector3d& position, const Eigen::Matrix3Xd& truth) {
   Distances out;
-  for (int end = 0; end < kLabelledExtremityCount; ++end) {
+  for (Eigen::Index end = 0; end < kLabelledExtremityCount; ++end) {
     out.to_point[size_t(end)] = kMillimetres * (position - truth.col(2 * end)).norm();
     const double to_tip = kMillimetres * (position - truth.col(2 * end + 1)).norm();
     out.to_either[size_t(end)] = std::min(out.to_point[size_t(end)], to_tip);

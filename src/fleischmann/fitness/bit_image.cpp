@@ -24,13 +24,13 @@ BitImage::BitImage(int width, int height)
 
 BitImage::BitImage(const cv::Mat& mask) : BitImage(mask.cols, mask.rows) {
   for (int y = 0; y < height_; ++y) {
-    const uint8_t* row = mask.ptr<uint8_t>(y);
     for (int c = 0; c < columns(); ++c) {
+      const uint8_t* from = mask.ptr<uint8_t>(y, 32 * c);
       const int pixels = std::min(32, width_ - 32 * c);
       uint32_t word = 0;
       int i = 0;
-      for (; i + 8 <= pixels; i += 8) word |= setBits(row + 32 * c + i) << i;
-      for (; i < pixels; ++i) word |= uint32_t(row[32 * c + i] != 0) << i;
+      for (; i + 8 <= pixels; i += 8) word |= setBits(from + i) << i;
+      for (; i < pixels; ++i) word |= uint32_t(from[i] != 0) << i;
       column(c)[y] = word;
     }
   }

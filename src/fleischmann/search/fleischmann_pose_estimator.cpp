@@ -66,11 +66,8 @@ SearchProblem FleischmannPoseEstimator::problem() const {
   problem.upper = limits_.upper;
   problem.attempts = options_.swarm.draw_attempts;
   problem.cost = [this](int stage, const double* candidates, int count, double* costs) {
-    for (int i = 0; i < count; ++i)
-      costs[i] =
-          kPerfect -
-          fitness_.fitness(candidates + i * kFleischmannParameterCount, plan_.edges[size_t(stage)])
-              .total();
+    for (int i = 0; i < count; ++i, candidates += kFleischmannParameterCount)
+      costs[i] = kPerfect - fitness_.fitness(candidates, plan_.edges[size_t(stage)]).total();
   };
   problem.infeasible = [this](const double* candidate) {
     FleischmannFrames frames;

@@ -33,8 +33,7 @@ int pixelsFrom(double value, const std::string& key, const std::string& where) {
 
 Eigen::Matrix3d cameraMatrixFrom(const std::vector<double>& values, const std::string& where) {
   checkNumbers(values, 9, "the camera matrix", where);
-  const Eigen::Matrix3d K =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data());
+  Eigen::Matrix3d K = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data());
   if (!(K(0, 0) > 0.0 && K(1, 1) > 0.0) || K(1, 0) != 0.0 ||
       K.row(2) != Eigen::RowVector3d(0, 0, 1))
     throwFormatError(where, "the camera matrix is " + numbersText(values) +
@@ -57,7 +56,7 @@ Eigen::Matrix3d rotationFrom(const std::vector<double>& values, const std::strin
   const Eigen::Matrix3d R =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data());
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
+  Eigen::Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
   if (!((nearest - R).cwiseAbs().maxCoeff() < kRounded) || nearest.determinant() < 0.0)
     throwFormatError(where, "the rotation is no rotation matrix (determinant " +
                                 numberText(R.determinant()) + ", allowed is 1)");

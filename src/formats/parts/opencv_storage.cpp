@@ -74,7 +74,7 @@ std::vector<double> storageNumbers(const cv::FileStorage& storage, const std::st
   const auto matrix = matrixIn(node, where);
   if (!matrix || matrix->empty()) throwFormatError(where, "there is no matrix '" + key + "'");
   const cv::Mat row = matrix->reshape(1, 1);
-  const std::vector<double> values(row.begin<double>(), row.end<double>());
+  std::vector<double> values(row.begin<double>(), row.end<double>());
   checkNumbers(values, values.size(), "'" + key + "'", where);
   return values;
 }

@@ -144,7 +144,7 @@ void StaticTransforms::addYaml(const TextFile& file) {
 
 std::string StaticTransforms::frameOfCamera(const std::string& camera, const std::string& where,
                                             std::vector<std::string>* remarks) const {
-  const std::string name = withoutSlash(camera);
+  std::string name = withoutSlash(camera);
   for (const char* ending : {"_optical_frame", "_optical"})
     if (links_.count(name + ending) > 0) return name + ending;
   if (links_.count(name) > 0) {

@@ -55,7 +55,7 @@ void initializeArm(const HsiaoSkeletonError& error, const HsiaoBodyModel& body_m
   const PartLabel data = limbOfSide(error, body_model, frames, PartLabel::kArm1, side);
   const Matrix3d to_torso = frames.R[kTorsoSegment].transpose();
   const Vector3d shoulder = frames.p[kUpperArmSegment + side];
-  const Vector3d elbow = error.atNode(data, 1), wrist = error.atNode(data, 2);
+  const Vector3d &elbow = error.atNode(data, 1), &wrist = error.atNode(data, 2);
   const Vector3d upper = to_torso * (elbow - shoulder).normalized();
   const Vector3d fore = to_torso * (wrist - elbow).normalized();
   // Hsiao's elbows bend the forearm towards the x axis of the arm.

@@ -45,7 +45,7 @@ std::vector<HsiaoFit> HsiaoHierarchicalFitter::fitHeadings(const HsiaoSkeletonEr
   const double spin = sidewaysSpin(error);
   for (int k = 0; k < settings_.initial_headings; ++k) {
     v[kHsiaoSpin] = spin + 2 * M_PI * k / settings_.initial_headings;
-    fits.push_back(fitFromHeading(error, v, seed + 100 * (k + 1)));
+    fits.push_back(fitFromHeading(error, v, seed + uint64_t(100) * (k + 1)));
   }
   std::stable_sort(fits.begin(), fits.end(),
                    [](const HsiaoFit& a, const HsiaoFit& b) { return a.error_m < b.error_m; });

@@ -109,7 +109,8 @@ HsiaoRefinement HsiaoPoseSearch::fitBasic(const HsiaoObservation& now,
   std::optional<HsiaoRefinement> best;
   const HsiaoVector rest = restOf(last);
   for (int attempt = 0; attempt < attempts; ++attempt)
-    for (const HsiaoFit& fit : fitter_.fitBasic(now.curves, rest, seed() + 7919 * attempt)) {
+    for (const HsiaoFit& fit :
+         fitter_.fitBasic(now.curves, rest, seed() + uint64_t(7919) * attempt)) {
       const HsiaoRefinement refined = refine(now, fit);
       if (!best || refined.cost < best->cost) best = refined;
     }

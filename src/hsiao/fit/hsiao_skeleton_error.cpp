@@ -107,6 +107,7 @@ PartAssignment assignParts(const PartMatrix& error) {
   PartAssignment assignment;
   int set = int(std::min_element(best.begin(), best.end()) - best.begin());
   for (int i = kPartCount - 1; i >= 0; --i) {
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): a number, no character
     assignment[i] = chosen[i][set];
     if (assignment[i] >= 0) set &= ~(1 << assignment[i]);
   }

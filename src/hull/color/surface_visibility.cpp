@@ -55,7 +55,7 @@ void SurfaceVisibility::findNeighbors(size_t cell) {
   const uint64_t word = component_.cells[cell].voxels;
   const Eigen::Vector3i& size = volume_.size();
   const size_t stride[3] = {1, size_t(size.x()), size_t(size.x()) * size_t(size.y())};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     const size_t brick = component_.cells[cell].brick;
     const int at = corners_[cell][axis] / kBrickSide, far = (kBrickSide - 1) * kStep[axis];
     const uint64_t below = at > 0 ? volume_.word(brick - stride[axis]) : 0;
@@ -74,7 +74,7 @@ uint64_t SurfaceVisibility::facing(const Viewpoint& viewpoint, size_t cell) cons
   const Eigen::Vector3d to_camera = viewpoint.position - middle;
   const double min_distance = kMinCosine * to_camera.norm();
   uint64_t voxels = 0;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     if (to_camera[axis] < -min_distance) voxels |= free_[cell][2 * axis];
     if (to_camera[axis] > min_distance) voxels |= free_[cell][2 * axis + 1];
   }

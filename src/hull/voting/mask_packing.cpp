@@ -89,7 +89,8 @@ void packTileRow(const uint8_t* pixels, size_t step, int width, int rows, uint64
   packPairs(pixels + done * 8, step, tiles - done, out + done * stride, stride);
   done += (tiles - done) / 2 * 2;
 #endif
-  packTileRowPlainly(pixels + done * 8, step, width - done * 8, rows, out + done * stride, stride);
+  packTileRowPlainly(pixels + ptrdiff_t(done) * 8, step, width - done * 8, rows,
+                     out + done * stride, stride);
 }
 
 MOCAP_WIDEST size_t sumTileColumn(const uint64_t* tiles, int rows, uint64_t beside, uint64_t below,

@@ -35,8 +35,8 @@ std::string formatNumber(double number) {
   return out.str();
 }
 
-ScriptNode::ScriptNode(YAML::Node node, std::string address)
-    : node_(std::move(node)), address_(std::move(address)) {}
+ScriptNode::ScriptNode(const YAML::Node& node, std::string address)
+    : node_(node), address_(std::move(address)) {}
 
 void ScriptNode::fail(const std::string& allowed) const {
   throw std::invalid_argument(address_ + " is " + shown(node_) + ", allowed is " + allowed);

@@ -12,7 +12,7 @@ namespace markerless_mocap {
 /// required.
 class ScriptNode {
  public:
-  ScriptNode(YAML::Node node, std::string address);
+  ScriptNode(const YAML::Node& node, std::string address);
 
   /// Requires a map with no other keys than these.
   void allowKeys(const std::vector<std::string>& keys) const;

@@ -123,7 +123,7 @@ MOCAP_INLINE void residualRows(const GraphLevel& level, const float* values, con
 template <int N, int kTogether>
 MOCAP_INLINE void addCombination(const float* y, const float* combination, Row<N>* sum) {
   for (int i = 0; i < 4 * N; ++i) {
-    const Row<N> row = load<N>(combination + i * 4 * N);
+    const Row<N> row = load<N>(combination + size_t(i) * 4 * N);
     for (int n = 0; n < kTogether; ++n) add<N>(y[n * 4 * N + i], row, &sum[n]);
   }
 }
@@ -241,8 +241,8 @@ MOCAP_FUSED void scaleByDiagonal(const GraphLevel& level, float damping, const B
 MOCAP_FUSED void products(const GraphLevel& level, const Block& a, const Block& la,
                           const std::vector<Product>& wanted) {
   for (const Product& product : wanted) {
-    std::fill(product.laplacian, product.laplacian + a.width * a.width, 0.0);
-    std::fill(product.mass, product.mass + a.width * a.width, 0.0);
+    std::fill_n(product.laplacian, a.width * a.width, 0.0);
+    std::fill_n(product.mass, a.width * a.width, 0.0);
   }
   MOCAP_BY_WIDTH(a.width, productRows, level, a, la, wanted)
 }

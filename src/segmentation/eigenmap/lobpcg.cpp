@@ -103,8 +103,8 @@ bool Lobpcg::improve() {
 }
 
 Lobpcg::Gram Lobpcg::gramOfBasis() const {
-  const int width = x_.width;
-  const int all = (has_step_ ? 3 : 2) * width;
+  const Eigen::Index width = x_.width;
+  const Eigen::Index all = (has_step_ ? 3 : 2) * width;
   Gram gram{Eigen::MatrixXd::Zero(all, all), Eigen::MatrixXd::Zero(all, all)};
   const auto set = [&](Eigen::MatrixXd* matrix, int i, int j, const Eigen::MatrixXd& block) {
     matrix->block(i * width, j * width, width, width) = block;

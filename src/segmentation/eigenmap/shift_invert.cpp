@@ -44,12 +44,14 @@ class InverseNormalizedLaplacian {
   }
   Eigen::Index rows() const { return root_degree_.size(); }
   Eigen::Index cols() const { return root_degree_.size(); }
-  void set_shift(double) {}  // called by the solver; the shift is fixed
+  // NOLINTBEGIN(readability-identifier-naming): Spectra calls them by these names
+  void set_shift(double) {}  // the shift is fixed
   void perform_op(const double* x_in, double* y_out) const {
     const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
     Eigen::Map<Eigen::VectorXd> y(y_out, rows());
     y = root_degree_.cwiseProduct(solver_.solve(root_degree_.cwiseProduct(x)));
   }
+  // NOLINTEND(readability-identifier-naming)
 
  private:
   Eigen::VectorXd root_degree_;

@@ -109,11 +109,12 @@ void BoundaryMatting::findBlocks() {
 }
 
 void BoundaryMatting::presetBlock(const BitMask& mask, int column, int row) {
+  const int x = column * kSide;
   for (int y = row * kSide; y < std::min((row + 1) * kSide, mask.rows()); ++y) {
     // The product moves each bit to a byte of its own.
-    const uint32_t flags = nibble(mask, column * kSide, y) * 0x00204081u & 0x01010101u;
+    const uint32_t flags = nibble(mask, x, y) * 0x00204081u & 0x01010101u;
     const uint32_t bytes = flags * 255;
-    std::memcpy(&alpha_[size_t(y) * stride_ + column * kSide], &bytes, kSide);
+    std::memcpy(&alpha_[size_t(y) * stride_ + x], &bytes, kSide);
   }
 }
 

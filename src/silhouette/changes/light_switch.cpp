@@ -52,7 +52,7 @@ cv::Mat blockLight(const cv::Mat& image, const BitMask& person, const Background
   for (int y = 0; y < image.rows; ++y) {
     const ModeRow mode = background.quantised(0, y);
     for (int x = 0; x < image.cols; ++x) {
-      const uint8_t* pixel = image.ptr(y) + x * channels;
+      const uint8_t* pixel = image.ptr(y, x);
       if (person.at(x, y) || !isReliable(pixel, mode, x, channels)) continue;
       for (int c = 0; c < channels; ++c) {
         now.at<cv::Vec3f>(y / kSide, x / kSide)[c] += pixel[c];
@@ -131,9 +131,8 @@ double explainedFraction(const cv::Mat& image, const BitMask& person, const Back
     for (int x = kSide / 2; x < image.cols; x += kSide / 2) {
       if (person.at(x, y)) continue;
       ++seen;
-      explained += leftOver(image.ptr(y) + x * image.channels(), mode, x, light.at<cv::Vec3f>(y, x),
-                            image.channels())
-                       .isSmall();
+      explained +=
+          leftOver(image.ptr(y, x), mode, x, light.at<cv::Vec3f>(y, x), image.channels()).isSmall();
     }
   }
   return explained / std::max(1.0, double(seen));
@@ -145,7 +144,7 @@ void relightRow(const cv::Mat& image, const BitMask& hidden, const cv::Mat& ligh
   const ModeRow mode = background->quantised(0, y);
   for (int x = 0; x < image.cols; ++x) {
     const cv::Vec3f& lit = light.at<cv::Vec3f>(y, x);
-    const uint8_t* pixel = image.ptr(y) + x * channels;
+    const uint8_t* pixel = image.ptr(y, x);
     const LeftOver left = leftOver(pixel, mode, x, lit, channels);
     // Edges of the light between two blocks are taken from the image.
     const bool is_edge = !hidden.at(x, y) && !left.isSmall() && left.difference < kEdge * left.grey;

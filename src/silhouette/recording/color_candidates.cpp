@@ -48,7 +48,7 @@ class PixelSamples {
         most = found;
         center = at(i);
       }
-    const Cluster cluster = clusterAt(center);
+    Cluster cluster = clusterAt(center);
     removeNear(cluster.mean);
     return cluster;
   }

@@ -22,7 +22,7 @@ int binOf(const cv::Vec3f& color) {
 
 PersonColors::PersonColors(const SceneSamples& samples, const SceneColors& scene,
                            const cv::Mat& swept) {
-  std::vector<double> person(kBins * kBins * kBins, 0), background = person;
+  std::vector<double> person(size_t(kBins) * kBins * kBins, 0), background = person;
   double people = 0, scenes = 0;
   for (int y = 0; y < swept.rows; ++y)
     for (int x = 0; x < swept.cols; ++x) {

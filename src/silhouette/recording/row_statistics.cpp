@@ -20,10 +20,10 @@ struct Sums {
 
 MOCAP_VECTORISED void addColor(const uint8_t* __restrict row, float gain, int n,
                                const float* __restrict expected, const Sums& sums) {
-  const float *e0 = expected, *e1 = expected + n, *e2 = expected + 2 * n;
+  const float *e0 = expected, *e1 = expected + n, *e2 = e1 + n;
   float* __restrict squares = sums.squares, * __restrict counts = sums.counts;
   float* __restrict s0 = sums.of_channel[0], * __restrict s1 = sums.of_channel[1], * __restrict s2 = sums.of_channel[2];
-  for (int x = 0; x < n; ++x) {
+  for (ptrdiff_t x = 0; x < n; ++x) {
     const float d0 = row[3 * x] / gain - e0[x], d1 = row[3 * x + 1] / gain - e1[x],
                 d2 = row[3 * x + 2] / gain - e2[x];
     const float distance = d0 * d0 + d1 * d1 + d2 * d2;

@@ -14,7 +14,7 @@ namespace {
 /// Learning needs no more detail than this many pixels show.
 constexpr int kMaxPixels = 160000;
 /// Samples; twice as many are kept before every second one is dropped.
-constexpr int kSamples = 36;
+constexpr size_t kSamples = 36;
 constexpr size_t kMedianSamples = 15;
 constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are kept
 /// An image is compared with those so many frames before and after it.
@@ -83,7 +83,7 @@ void SceneSampler::add(const cv::Mat& image) {
   recent_.push_back(std::move(frame));
   ++seen_;
   if (seen_ > kReach) keep(seen_ - 1 - kReach);
-  if (recent_.size() > 2 * kReach) recent_.pop_front();
+  if (recent_.size() > size_t(2) * kReach) recent_.pop_front();
 }
 
 const SceneSampler::Frame* SceneSampler::frameAt(int index) const {

@@ -133,7 +133,7 @@ void ShadowBlocks::add(const ShadowColumns& columns, int word, int row) {
   const int last = std::min(first + ShadowColumns::kCols / kSide, cols_);
   for (int column = first; column < last; ++column) {
     const auto sum = [&](const uint16_t* values) {
-      const uint16_t* four = values + kSide * (column - first);
+      const uint16_t* four = values + ptrdiff_t(kSide) * (column - first);
       return float(four[0] + four[1] + four[2] + four[3]);
     };
     const float count = sum(columns.count);

@@ -20,7 +20,7 @@ class TreeMetric {
     return branchings_;
   }  ///< vertices with more than two
   /// \param end one of ends()
-  double path_length(int32_t end, int32_t vertex) const {
+  double pathLength(int32_t end, int32_t vertex) const {
     return path_lengths_[size_t(end)][size_t(vertex)];
   }
   /// Length of the chain at an end.

@@ -47,7 +47,7 @@ ExtremityLabelModel ExtremityLabelModel::fromYaml(const std::string& yaml,
   ExtremityLabelModel model;
   YamlMap file(yamlFrom(yaml, where), where);
   YamlMap extremities = file.map("extremities");
-  for (size_t role = 0; role < model.extremities.size(); ++role) {
+  for (size_t role = 0; role < std::size(kRoles); ++role) {
     YamlMap extremity = extremities.map(kRoles[role]);
     model.extremities[role].constant = extremity.number("constant");
     model.extremities[role].curves =

@@ -35,7 +35,7 @@ void keepFourLongest(TreeChains* tree) {
 std::array<int32_t, kUnsidedExtremityCount> byPathLength(const TreeMetric& metric, int32_t origin) {
   std::vector<int32_t> extremities = metric.ends();
   std::stable_sort(extremities.begin(), extremities.end(), [&](int32_t a, int32_t b) {
-    return metric.path_length(a, origin) > metric.path_length(b, origin);
+    return metric.pathLength(a, origin) > metric.pathLength(b, origin);
   });
   return {extremities[4], extremities[2], extremities[3], extremities[0], extremities[1]};
 }
@@ -45,7 +45,7 @@ double rankOf(const TreeMetric& metric, const TreeChains& tree, int32_t origin, 
   std::array<ExtremityPathLengths, kUnsidedExtremityCount> path_lengths{};
   const auto extremities = byPathLength(metric, origin);
   for (size_t i = 0; i < extremities.size(); ++i)
-    path_lengths[i] = {metric.path_length(extremities[i], origin), metric.branch(extremities[i])};
+    path_lengths[i] = {metric.pathLength(extremities[i], origin), metric.branch(extremities[i])};
   return originRank(path_lengths, tree.degrees[size_t(origin)], longest, options);
 }
 

@@ -51,7 +51,7 @@ class ExtremityTable {
   }
 
   double treePathLength(int a, int b) const { return tree_[size_t(a) * count_ + size_t(b)]; }
-  double path_length(int a, int b) const { return short_[size_t(a) * count_ + size_t(b)]; }
+  double pathLength(int a, int b) const { return short_[size_t(a) * count_ + size_t(b)]; }
   double gap(int a, int b) const { return (tips_[size_t(a)] - tips_[size_t(b)]).norm(); }
   double height(int end) const { return tips_[size_t(end)].z(); }
   double lowest() const { return heights_.lowest; }
@@ -122,17 +122,17 @@ double footScore(const ExtremityTable& t, int foot, double s) {
 }
 
 Trunk trunkOf(const ExtremityTable& t, int head, int foot1, int foot2) {
-  Trunk trunk{head, foot1, foot2, 0.5 * (t.path_length(head, foot1) + t.path_length(head, foot2)),
+  Trunk trunk{head, foot1, foot2, 0.5 * (t.pathLength(head, foot1) + t.pathLength(head, foot2)),
               0.0,  0.0};
   const BodyCurves& curve = t.curve();
   const double s = trunk.length;
   trunk.low = std::min(t.height(foot1), t.height(foot2));
   const ExtremityCandidate& top = t.end(head);
   trunk.score =
-      curve(kFootFootPath, t.path_length(foot1, foot2) / s) +
+      curve(kFootFootPath, t.pathLength(foot1, foot2) / s) +
       curve(kFootFootTreePath, t.treePathLength(foot1, foot2) / s) + curve(kHeadFeetMetres, s) +
       curve(kFeetUnlike,
-            std::abs(std::log(t.path_length(head, foot1) / t.path_length(head, foot2)))) +
+            std::abs(std::log(t.pathLength(head, foot1) / t.pathLength(head, foot2)))) +
       curve(kFootFootGap, t.gap(foot1, foot2) / s) +
       curve(kHeadUp, (t.height(head) - trunk.low) / s) +
       curve(kFeetUnevenness, std::abs(t.height(foot1) - t.height(foot2)) / s) +
@@ -148,7 +148,7 @@ double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
   const double s = trunk.length;
   const ExtremityCandidate& end = t.end(hand);
   double score =
-      curve(kHeadHandPath, t.path_length(trunk.head, hand) / s) +
+      curve(kHeadHandPath, t.pathLength(trunk.head, hand) / s) +
       curve(kHeadHandTreePath, t.treePathLength(trunk.head, hand) / s) +
       curve(kHandUp, (t.height(hand) - trunk.low) / s) + curve(kHandTipRadius, end.end_radius / s) +
       curve(kHandLimbRadius, end.limb_radius / s) + curve(kHandBranch, end.branch / s) +
@@ -156,13 +156,12 @@ double handScore(const ExtremityTable& t, const Trunk& trunk, int hand) {
       curve(kHandDirection, end.direction.z()) + curve(kHeadHandGap, t.gap(trunk.head, hand) / s);
   double path_length = 1e9, tree_path_length = 1e9;
   for (const int foot : {trunk.foot1, trunk.foot2}) {
-    path_length =
-        std::min(path_length, t.path_length(hand, trunk.head) + t.path_length(hand, foot) -
-                                  t.path_length(trunk.head, foot));
+    path_length = std::min(path_length, t.pathLength(hand, trunk.head) + t.pathLength(hand, foot) -
+                                            t.pathLength(trunk.head, foot));
     tree_path_length = std::min(tree_path_length, t.treePathLength(hand, trunk.head) +
                                                       t.treePathLength(hand, foot) -
                                                       t.treePathLength(trunk.head, foot));
-    score += curve(kHandFootPath, t.path_length(hand, foot) / s) +
+    score += curve(kHandFootPath, t.pathLength(hand, foot) / s) +
              curve(kHandFootTreePath, t.treePathLength(hand, foot) / s) +
              curve(kHandFootGap, t.gap(hand, foot) / s);
   }
@@ -178,7 +177,7 @@ double handsScore(const ExtremityTable& t, const Trunk& trunk, int hand1, int ha
   const double hips =
       0.5 * (t.treePathLength(trunk.head, trunk.foot1) + t.treePathLength(trunk.head, trunk.foot2) -
              t.treePathLength(trunk.foot1, trunk.foot2));
-  return curve(kHandHandPath, t.path_length(hand1, hand2) / s) +
+  return curve(kHandHandPath, t.pathLength(hand1, hand2) / s) +
          curve(kHandHandTreePath, t.treePathLength(hand1, hand2) / s) +
          curve(kHandHandGap, t.gap(hand1, hand2) / s) + curve(kNeckLength, neck / s) +
          curve(kTorsoLength, (hips - neck) / s) +
@@ -192,7 +191,7 @@ std::vector<Trunk> trunksOf(const ExtremityTable& t) {
     for (size_t i = 0; i < feet.size(); ++i) {
       for (size_t j = i; j < feet.size(); ++j) {
         if (head == feet[i] || head == feet[j]) continue;
-        const double first = t.path_length(head, feet[i]), second = t.path_length(head, feet[j]);
+        const double first = t.pathLength(head, feet[i]), second = t.pathLength(head, feet[j]);
         const double length = 0.5 * (first + second);
         if (length < kMinHeadToFeet || length > kMaxHeadToFeet) continue;
         if (std::abs(std::log(first / second)) > kMaxUnlike) continue;

@@ -25,8 +25,9 @@ double cosine(const Eigen::Vector3d& unit, const Eigen::Vector3d& path_length) {
 
 Eigen::Vector3d upperMiddle(const NodePath& path) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (size_t i = path.size() / 2; i < path.size(); ++i) sum += path[i];
-  return sum / double(path.size() - path.size() / 2);
+  const size_t first = path.size() / 2;
+  for (size_t i = first; i < path.size(); ++i) sum += path[i];
+  return sum / double(path.size() - first);
 }
 
 double distanceTo(const NodePath& path, const Eigen::Vector3d& point) {

@@ -120,7 +120,7 @@ MOCAP_WIDEST void fillTable(const Neighbors& of, uint64_t* words) {
   for (size_t k = 0; k < 8; ++k)
     for (int lane = 0; lane < 256; ++lane)
       object[k][lane / 64] |= uint64_t(lane >> k & 1) << (lane % 64);
-  for (uint32_t high = 0; high < 1u << 18; ++high) {
+  for (uint64_t high = 0; high < 1u << 18; ++high) {
     for (size_t k = 8; k < 26; ++k) object[k] = Lanes{} - (high >> (k - 8) & 1);
     Lanes one_object, one_background;
     oneObject(of, object, &one_object);
