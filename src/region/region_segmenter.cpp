@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "region/body_drawing.h"
 #include "region/colors/part_colors.h"
 #include "region/cut/band_cut.h"
-#include "region/drawing/body_drawing.h"
 
 namespace markerless_mocap {
 namespace {

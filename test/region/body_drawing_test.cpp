@@ -1,4 +1,4 @@
-#include "region/drawing/body_drawing.h"
+#include "region/body_drawing.h"
 
 #include <gtest/gtest.h>
 

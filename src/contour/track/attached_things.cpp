@@ -7,7 +7,7 @@
 #include "contour/regions/hull_cells.h"
 #include "contour/regions/projected_body.h"
 #include "markerless_mocap/products/silhouette_mask.h"
-#include "region/drawing/body_drawing.h"
+#include "region/body_drawing.h"
 
 namespace markerless_mocap {
 namespace {

@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "region/body_drawing.h"
 #include "region/colors/color_histogram.h"
-#include "region/drawing/body_drawing.h"
 
 namespace markerless_mocap {
 
