@@ -17,17 +17,18 @@ constexpr double kReach_m = 0.15;  // from the predicted body, in the image
 // Fractions of the body's area: arms and a shank together are less than the first value. A body
 // of whom less than the second is covered by the mask is in another place.
 constexpr double kMinThing = 0.35, kMinShown = 0.85;
-// Fraction of the image: a camera that is covered sees no thing.
-constexpr double kMaxThing = 0.5;
+// Of what is around the body within reach: a camera that is covered shows no outline of the person.
+constexpr double kMaxAround = 0.7;
 
 /// A mask and the predicted body, by cells.
 struct CellCounts {
-  int all = 0, body = 0;
-  int shown = 0;  ///< of the body, those that the mask shows
-  int far = 0;    ///< of the mask, those out of reach
+  int body = 0, around = 0;  ///< of the body, and the others within reach
+  int shown = 0;             ///< of the body, those that the mask shows
+  int filled = 0;            ///< of those around it, those that the mask shows
+  int far = 0;               ///< of the mask, those out of reach
 
   bool showThing() const {
-    return far > kMinThing * body && far < kMaxThing * all && shown > kMinShown * body;
+    return far > kMinThing * body && shown > kMinShown * body && filled < kMaxAround * around;
   }
 };
 
@@ -40,14 +41,19 @@ cv::Mat cellsNear(const BodyDrawing& drawing, float distance, const cv::Size& si
 
 CellCounts counted(const cv::Mat& mask, int cell, const cv::Mat& near, const cv::Mat& body) {
   CellCounts counts;
-  counts.all = int(near.total());
   for (int y = 0; y < near.rows; ++y) {
     const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
     for (int x = 0; x < near.cols; ++x) {
       const uchar value = row[std::min(x * cell + cell / 2, mask.cols - 1)];
-      counts.body += body.at<uchar>(y, x) != 0;
-      counts.shown += body.at<uchar>(y, x) && value;
-      counts.far += !near.at<uchar>(y, x) && value == kPersonPixel;
+      if (body.at<uchar>(y, x)) {
+        ++counts.body;
+        counts.shown += value != 0;
+      } else if (near.at<uchar>(y, x)) {
+        ++counts.around;
+        counts.filled += value != 0;
+      } else {
+        counts.far += value == kPersonPixel;
+      }
     }
   }
   return counts;
