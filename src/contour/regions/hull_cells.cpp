@@ -1,7 +1,6 @@
 #include "contour/regions/hull_cells.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace markerless_mocap {
@@ -20,8 +19,8 @@ cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell) {
       cv::Mat::zeros((camera.height() - 1) / cell + 1, (camera.width() - 1) / cell + 1, CV_8UC1);
   for (const HullVoxel& voxel : hull.voxels)
     if (const auto pixel = camera.projectInside(hull.lattice.center(voxel.index)))
-      cells.at<uchar>(std::clamp(int(std::lround(pixel->y())) / cell, 0, cells.rows - 1),
-                      std::clamp(int(std::lround(pixel->x())) / cell, 0, cells.cols - 1)) = 255;
+      cells.at<uchar>(std::clamp(int(pixel->y() + 0.5) / cell, 0, cells.rows - 1),
+                      std::clamp(int(pixel->x() + 0.5) / cell, 0, cells.cols - 1)) = 255;
   cv::dilate(cells, cells, cv::Mat());
   return cells;
 }

@@ -114,7 +114,9 @@ std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks,
     apart[i] = parts[i].areApart() && (is_tracked || !hasUnknownPixels(masks[i]));
   });
   if (!std::count(apart.begin(), apart.end(), true)) return masks;
-  const VisualHull seen = is_tracked ? withinReach(hull(), joints) : hull();
+  const VisualHull& whole = hull();
+  const VisualHull near = is_tracked ? withinReach(whole, joints) : VisualHull();
+  const VisualHull& seen = is_tracked ? near : whole;
   if (seen.voxels.empty()) return masks;
   std::vector<cv::Mat> cleaned = masks;
   tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
