@@ -25,6 +25,16 @@ cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell) {
   return cells;
 }
 
+cv::Mat maskCells(const cv::Mat& mask, int cell) {
+  cv::Mat cells((mask.rows - 1) / cell + 1, (mask.cols - 1) / cell + 1, CV_8UC1);
+  for (int y = 0; y < cells.rows; ++y) {
+    const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
+    uchar* to = cells.ptr<uchar>(y);
+    for (int x = 0; x < cells.cols; ++x) to[x] = row[std::min(x * cell + cell / 2, mask.cols - 1)];
+  }
+  return cells;
+}
+
 cv::Mat hullPixels(const VisualHull& hull, const Camera& camera) {
   const int cell = hullCellEdge(camera.width());
   const cv::Mat cells = hullCells(hull, camera, cell);

@@ -14,7 +14,11 @@ int hullCellEdge(int width);
 /// 0 | 255, one pixel per cell. \param cell edge of a cell, pixels
 cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell);
 
-/// The same in the size of the image.
+/// The mask's value in the middle of each such cell: parts are told apart by cells, as whole images
+/// would cost too much. \param cell edge of a cell, pixels
+cv::Mat maskCells(const cv::Mat& mask, int cell);
+
+/// The cells of the hull in the size of the image.
 cv::Mat hullPixels(const VisualHull& hull, const Camera& camera);
 
 }  // namespace markerless_mocap

@@ -20,7 +20,7 @@ constexpr double kMinThing = 0.35, kMinShown = 0.85;
 // Of what is around the body within reach: a camera that is covered shows no outline of the person.
 constexpr double kMaxAround = 0.7;
 
-/// A mask and the predicted body, by cells.
+/// Cells of a mask and of the predicted body.
 struct CellCounts {
   int body = 0, around = 0;  ///< of the body, and the others within reach
   int shown = 0;             ///< of the body, those that the mask shows
@@ -39,12 +39,11 @@ cv::Mat cellsNear(const BodyDrawing& drawing, float distance, const cv::Size& si
   return near;
 }
 
-CellCounts counted(const cv::Mat& mask, int cell, const cv::Mat& near, const cv::Mat& body) {
+CellCounts counted(const cv::Mat& mask, const cv::Mat& near, const cv::Mat& body) {
   CellCounts counts;
-  for (int y = 0; y < near.rows; ++y) {
-    const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
-    for (int x = 0; x < near.cols; ++x) {
-      const uchar value = row[std::min(x * cell + cell / 2, mask.cols - 1)];
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x) {
+      const uchar value = mask.at<uchar>(y, x);
       if (body.at<uchar>(y, x)) {
         ++counts.body;
         counts.shown += value != 0;
@@ -55,7 +54,6 @@ CellCounts counted(const cv::Mat& mask, int cell, const cv::Mat& near, const cv:
         counts.far += value == kPersonPixel;
       }
     }
-  }
   return counts;
 }
 
@@ -73,13 +71,14 @@ cv::Mat withFarUnknown(const cv::Mat& mask, int cell, const cv::Mat& near) {
 cv::Mat withoutAttachedThings(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
                               const ContourPose& predicted) {
   const int cell = hullCellEdge(mask.cols);
-  const cv::Size size((mask.cols - 1) / cell + 1, (mask.rows - 1) / cell + 1);
+  const cv::Mat cells = maskCells(mask, cell);
+  const cv::Size size = cells.size();
   const float reach = float(kReach_m) * samplesPerMetre(camera, cell, predicted);
   const BodyDrawing drawing = drawBody(projectedBody(camera, cell, body, predicted, 0.0),
                                        int(ContourSegment::kCount), size, reach + 1);
   if (drawing.box.area() == 0) return mask;
   const cv::Mat near = cellsNear(drawing, reach, size);
-  if (!counted(mask, cell, near, cellsNear(drawing, 0.f, size)).showThing()) return mask;
+  if (!counted(cells, near, cellsNear(drawing, 0.f, size)).showThing()) return mask;
   return withFarUnknown(mask, cell, near);
 }
 

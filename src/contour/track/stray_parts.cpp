@@ -28,19 +28,6 @@ std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat&
   return inside;
 }
 
-/// One pixel of each cell: 0 | 255. Parts are told apart by cells: whole images would cost too
-/// much.
-cv::Mat cellsOfMask(const cv::Mat& mask, int cell) {
-  cv::Mat cells((mask.rows - 1) / cell + 1, (mask.cols - 1) / cell + 1, CV_8UC1);
-  for (int y = 0; y < cells.rows; ++y) {
-    const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
-    uchar* to = cells.ptr<uchar>(y);
-    for (int x = 0; x < cells.cols; ++x)
-      to[x] = row[std::min(x * cell + cell / 2, mask.cols - 1)] ? 255 : 0;
-  }
-  return cells;
-}
-
 /// Number of cells of each label but 0, the background.
 std::vector<int> areasOf(const cv::Mat& labels, int count) {
   std::vector<int> areas(size_t(count), 0);
@@ -66,7 +53,7 @@ struct MaskParts {
 MaskParts partsOf(const cv::Mat& mask) {
   MaskParts parts;
   cv::Mat joined;
-  cv::dilate(cellsOfMask(mask, hullCellEdge(mask.cols)), joined, cv::Mat());
+  cv::dilate(maskCells(mask, hullCellEdge(mask.cols)), joined, cv::Mat());
   const int count = cv::connectedComponents(joined, parts.labels, 8, CV_32S);
   parts.areas = areasOf(parts.labels, count);
   return parts;
