@@ -36,7 +36,6 @@ class StrayPartsTest : public testing::Test {
     return true;
   }
 
-  const Eigen::Matrix3Xd nobody = Eigen::Matrix3Xd(3, 0);
   CameraRig rig = drawnRig(2);
   VisualHull hull;
   std::vector<cv::Mat> masks;
@@ -46,7 +45,7 @@ TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
   const cv::Mat person = masks[0].clone();
   masks[0](kStray) = 255;
   const std::vector<cv::Mat> cleaned = withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, nobody, rig);
+      masks, [&] { return std::cref(hull); }, rig);
   EXPECT_EQ(cv::norm(cleaned[0], person, cv::NORM_INF), 0.0);
   EXPECT_EQ(masks[0].at<uchar>(kStray.tl()), 255) << "the masks given are not changed";
   EXPECT_EQ(cleaned[1].data, masks[1].data);
@@ -56,35 +55,17 @@ TEST_F(StrayPartsTest, SpecksAndAMissingHullChangeNothing) {
   const VisualHull none;
   masks[0](cv::Rect(5, 5, 3, 3)) = 255;
   EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, nobody, rig)));
+      masks, [&] { return std::cref(hull); }, rig)));
   masks[0](kStray) = 255;
   EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(none); }, nobody, rig)));
+      masks, [&] { return std::cref(none); }, rig)));
 }
 
-TEST_F(StrayPartsTest, OfATrackedPersonAllThatIsOutOfReachIsRemoved) {
-  const Eigen::Vector3d other(0, 1.2, 0.9);
-  hull.lattice.size = {4, 16, 17};
-  hull.voxels.resize(hull.lattice.count());
-  for (uint32_t i = 0; i < hull.lattice.count(); ++i) hull.voxels[i].index = i;
-  const cv::Mat person = masks[0].clone();
-  drawAt(other, rig[0], masks[0]);
-  masks[0](kStray) = kUnknownPixel;
-  const auto cleanedFor = [&](const Eigen::Matrix3Xd& joints) {
-    return withoutStrayParts(
-        masks, [&] { return std::cref(hull); }, joints, rig)[0];
-  };
-  EXPECT_EQ(cv::norm(cleanedFor(Eigen::Vector3d(0, 0, 0.9)), person, cv::NORM_INF), 0.0);
-  cv::Mat only_other = cv::Mat::zeros(person.size(), CV_8UC1);
-  drawAt(other, rig[0], only_other);
-  EXPECT_EQ(cv::norm(cleanedFor(other), only_other, cv::NORM_INF), 0.0);
-}
-
-TEST_F(StrayPartsTest, NothingIsRemovedWhereTheBackgroundIsUnknownAndNobodyIsTracked) {
+TEST_F(StrayPartsTest, NothingIsRemovedWhereTheBackgroundIsUnknown) {
   masks[0](kStray) = 255;
   masks[0](cv::Rect(200, 5, 20, 20)) = 128;
   EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, nobody, rig)));
+      masks, [&] { return std::cref(hull); }, rig)));
 }
 
 }  // namespace

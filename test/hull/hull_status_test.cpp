@@ -103,6 +103,27 @@ TEST(HullStatus, TwoBodiesAreToldWithTheirVolumes) {
   EXPECT_GE(hull.components.at(1).litres, 15);
 }
 
+/// Three spheres on top of each other, 1.16 m in all.
+std::vector<Sphere> columnAt(double x) {
+  return {Sphere{{x, 0, -0.38}, 0.2}, Sphere{{x, 0, 0}, 0.2}, Sphere{{x, 0, 0.38}, 0.2}};
+}
+
+TEST(HullStatus, TheOnlyUprightBodyIsThePerson) {
+  std::vector<Sphere> all = columnAt(-0.3);
+  all.push_back(Sphere{{0.3, 0, -0.25}, 0.25});
+  const VisualHull hull = carve(renderViews(makeRig(16), all));
+  ASSERT_EQ(hull.status, HullStatus::kOk) << hull.reason;
+  EXPECT_GT(hull.components.at(1).litres, 15);
+  EXPECT_NEAR(hull.components[0].height_m, 1.16, 0.08);
+  EXPECT_LT(hull.lattice.center(hull.voxels[0].index).x(), 0.0);
+}
+
+TEST(HullStatus, OfTwoUprightBodiesNoneIsChosen) {
+  std::vector<Sphere> all = columnAt(-0.3);
+  for (const Sphere& sphere : columnAt(0.3)) all.push_back(sphere);
+  EXPECT_EQ(carve(renderViews(makeRig(16), all)).status, HullStatus::kSeveralBodies);
+}
+
 /// A sphere that is surely a person, and one of which the background is unknown.
 std::vector<HullView> viewsOfUnknown(const Sphere& sure, const Sphere& unknown) {
   const CameraRig rig = makeRig(16);

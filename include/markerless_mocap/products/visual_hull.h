@@ -37,6 +37,7 @@ enum class HullStatus {
 /// A 26-connected component of the foreground.
 struct HullComponent {
   double litres = 0;
+  double height_m = 0;         ///< from its lowest to its highest voxel
   double mean_views = 0;       ///< number of cameras that see a voxel, mean over its voxels
   bool poorly_seen = false;    ///< far fewer cameras see it than another component
   bool suspect_ghost = false;  ///< without it, the other components explain all silhouettes as well

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "contour/fit/view_times.h"
-#include "contour/track/attached_things.h"
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
+#include "contour/track/things_beside.h"
 
 namespace markerless_mocap {
 namespace {
@@ -94,7 +94,6 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   noteStamp(now.stamp_ns);
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   const bool follows = predicted.has_value();
-  const bool knows_person = follows && reported_;
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
     still_contours_.watch(now.stamp_ns, now.images, now.masks);
     return lostBecause(now.images_awaited ? kImagesAwaited : lost_reason_);
@@ -102,11 +101,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   const auto hull = [&]() -> const VisualHull& {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
-  const Eigen::Matrix3Xd joints =
-      knows_person ? person_.body().points(predicted->pose) : Eigen::Matrix3Xd(3, 0);
-  std::vector<cv::Mat> masks = withoutStrayParts(now.masks, hull, joints, still_contours_.rig());
-  if (knows_person)
-    masks = withoutAttachedThings(masks, still_contours_.rig(), person_.body(), predicted->pose);
+  const std::vector<cv::Mat> masks =
+      follows && reported_
+          ? withoutThingsBeside(now.masks, still_contours_.rig(), person_.body(), predicted->pose)
+          : withoutStrayParts(now.masks, hull, still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
   return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
 }

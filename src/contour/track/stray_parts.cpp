@@ -15,9 +15,6 @@ namespace {
 // A mask is changed only if the stray parts have this fraction of the area of the others.
 constexpr double kMinStray = 0.03;
 
-// From a joint of the predicted pose, m. An arm may be stretched otherwise than predicted.
-constexpr double kReach = 0.7;
-
 /// For each label, whether one of its cells is a cell of the hull.
 std::vector<bool> labelsInCells(const cv::Mat& labels, int count, const cv::Mat& cells) {
   std::vector<bool> inside(size_t(count), false);
@@ -59,17 +56,6 @@ MaskParts partsOf(const cv::Mat& mask) {
   return parts;
 }
 
-VisualHull withinReach(const VisualHull& hull, const Eigen::Matrix3Xd& joints) {
-  VisualHull near;
-  near.lattice = hull.lattice;
-  for (const HullVoxel& voxel : hull.voxels) {
-    const Eigen::Vector3d center = hull.lattice.center(voxel.index);
-    if ((joints.colwise() - center).colwise().squaredNorm().minCoeff() < kReach * kReach)
-      near.voxels.push_back(voxel);
-  }
-  return near;
-}
-
 cv::Mat withoutStrayParts(const cv::Mat& mask, const MaskParts& parts, const VisualHull& hull,
                           const Camera& camera) {
   const int cell = hullCellEdge(mask.cols), count = int(parts.areas.size());
@@ -90,20 +76,17 @@ cv::Mat withoutStrayParts(const cv::Mat& mask, const MaskParts& parts, const Vis
 
 std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks,
                                        const std::function<const VisualHull&()>& hull,
-                                       const Eigen::Matrix3Xd& joints, const CameraRig& rig) {
-  const bool is_tracked = joints.cols() > 0;
+                                       const CameraRig& rig) {
   if (masks.size() != rig.size()) return masks;
   std::vector<MaskParts> parts(masks.size());
   std::vector<char> apart(masks.size(), false);
   tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
     if (masks[i].empty()) return;
     parts[i] = partsOf(masks[i]);
-    apart[i] = parts[i].areApart() && (is_tracked || !hasUnknownPixels(masks[i]));
+    apart[i] = parts[i].areApart() && !hasUnknownPixels(masks[i]);
   });
   if (!std::count(apart.begin(), apart.end(), true)) return masks;
-  const VisualHull& whole = hull();
-  const VisualHull near = is_tracked ? withinReach(whole, joints) : VisualHull();
-  const VisualHull& seen = is_tracked ? near : whole;
+  const VisualHull& seen = hull();
   if (seen.voxels.empty()) return masks;
   std::vector<cv::Mat> cleaned = masks;
   tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {

@@ -15,6 +15,10 @@ constexpr double kStayedFraction = 0.3, kPlainFraction = 0.8;
 /// A component is poorly seen if the number of cameras that see it is at most this fraction of the
 /// number that see another component. Its size is then not comparable.
 constexpr double kPoorlySeenFraction = 0.5;
+/// Of several bodies, the only one that is at least as high as the first value, while all others
+/// are lower than the second one, is the person: sun on the floor, a box and a dog are not. Who
+/// sits or kneels is about 1.2 m high.
+constexpr double kUpright_m = 1.0, kLow_m = 0.8;
 
 std::string oneDecimal(double value) {
   const long tenths = std::lround(value * 10);
@@ -60,6 +64,19 @@ const VoxelComponent* sameAsLast(const std::vector<VoxelComponent>& components, 
   const bool stayed = double(common[best]) >= kStayedFraction * double(last->voxels);
   return stayed && double(common[best]) >= kPlainFraction * double(all) ? &components[best]
                                                                         : nullptr;
+}
+
+/// Which of the first `bodies` components is the only one that is upright; null if that is not
+/// plain.
+const VoxelComponent* onlyUpright(const std::vector<VoxelComponent>& components, size_t bodies,
+                                  const std::vector<HullComponent>& summaries) {
+  const VoxelComponent* upright = nullptr;
+  for (size_t i = 0; i < bodies; ++i) {
+    if (summaries[i].height_m < kLow_m) continue;
+    if (summaries[i].height_m < kUpright_m || upright != nullptr) return nullptr;
+    upright = &components[i];
+  }
+  return upright;
 }
 
 }  // namespace
@@ -115,6 +132,8 @@ std::vector<VoxelComponent> rankComponents(std::vector<VoxelComponent> component
     HullComponent summary;
     summary.litres = double(component.voxels) * voxel_litres;
     summary.mean_views = meanViews(component, table, voters);
+    const VoxelBox box = boxOf(component, table.lattice());
+    summary.height_m = table.lattice().pitch * (box.high.z() - box.low.z());
     summary.suspect_ghost = component.suspect_ghost;
     summary.unsure = component.unsure;
     if (summary.litres >= min_component_litres) max_views = std::max(max_views, summary.mean_views);
@@ -152,6 +171,7 @@ const VoxelComponent* selectPerson(const std::vector<VoxelComponent>& components
   const size_t bodies = numberOfBodies(summaries);
   const VoxelComponent* person =
       bodies > 1 ? sameAsLast(components, bodies, last) : &components.front();
+  if (person == nullptr) person = onlyUpright(components, bodies, summaries);
   if (person == nullptr) {
     hull->status = HullStatus::kSeveralBodies;
     hull->reason = "there are several bodies: components of " + oneDecimal(summaries[0].litres) +
