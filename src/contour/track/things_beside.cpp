@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kReach_m = 0.15;  // from the predicted body, in the image
 
-// Fractions of the predicted body's area. Both arms are less than the first one.
-constexpr double kMinThing = 0.2;
+// Fractions of the predicted body's area. Both arms and a shank are less than the first one.
+constexpr double kMinThing = 0.35;
 // A body of whom the mask shows less is in another place, or hidden: the mask tells parts that are
 // apart from it from the person, but nothing that is attached.
 constexpr double kMinShown = 0.5, kMinShownWithThing = 0.85;

@@ -21,6 +21,9 @@ constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are ke
 constexpr std::array<int, 2> kApart = {SceneSampler::kStep, 3 * SceneSampler::kStep};
 constexpr int kReach = 3 * SceneSampler::kStep;
 constexpr double kMotion = 12;  ///< grey levels
+/// A sample differs from the median of all in more than this fraction of its pixels, and in more
+/// than so many times what is usual: another lamp is on.
+constexpr double kOtherLight = 0.25, kOtherLightFactor = 2.0;
 constexpr int kSmooth = 5, kClose = 9, kDilate = 5;
 
 cv::Mat ellipse(int side) {
@@ -53,6 +56,34 @@ cv::Mat medianOf(const std::vector<cv::Mat>& all) {
       median.ptr(y)[x] = medianAmong(values);
     }
   return median;
+}
+
+/// Fraction of the pixels in which the images differ.
+double differenceOf(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat different = cv::Mat::zeros(a.size(), CV_8UC1);
+  markDifference(a, b, &different);
+  return double(cv::countNonZero(different)) / double(different.total());
+}
+
+/// Drops samples in the light of another lamp, if they are the fewer ones: it lights each wall by
+/// another factor, so that no gain makes up for it.
+void dropOtherLight(const cv::Mat& median, SceneSamples* samples) {
+  std::vector<double> differences;
+  for (const cv::Mat& color : samples->colors) differences.push_back(differenceOf(color, median));
+  std::vector<double> sorted = differences;
+  const double limit = std::max(kOtherLight, kOtherLightFactor * medianAmong(sorted));
+  size_t kept = 0;
+  for (size_t i = 0; i < differences.size(); ++i) {
+    if (differences[i] > limit) continue;
+    samples->colors[kept] = samples->colors[i];
+    samples->moving[kept] = samples->moving[i];
+    samples->images[kept] = samples->images[i];
+    samples->gains[kept++] = samples->gains[i];
+  }
+  samples->colors.resize(kept);
+  samples->moving.resize(kept);
+  samples->images.resize(kept);
+  samples->gains.resize(kept);
 }
 
 }  // namespace
@@ -154,6 +185,7 @@ SceneSamples SceneSampler::samples(bool compensate_flicker) const {
                                                : 1.0f);
     color = color / samples.gains.back();
   }
+  dropOtherLight(median, &samples);
   return samples;
 }
 
