@@ -25,10 +25,6 @@ bool isLost(const ContourTrackingResult& track) {
   return track.status == ContourTrackingStatus::kLost;
 }
 
-bool isSameBody(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
-  return (body.points(pose) - body.points(other)).colwise().norm().mean() < kMaxBodyDistance;
-}
-
 }  // namespace
 
 ContourMultiHypothesisTracker::ContourMultiHypothesisTracker(const CameraRig& rig,
@@ -155,6 +151,10 @@ void ContourMultiHypothesisTracker::proposeAlternative(int64_t stamp_ns,
       qualityOf(best) > active_.quality() - kClearGain &&
       limbsDiffer(body, best.pose, active_.pose()))
     setAlternative(stamp_ns, best);
+}
+
+bool isSameBody(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {
+  return (body.points(pose) - body.points(other)).colwise().norm().mean() < kMaxBodyDistance;
 }
 
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other) {

@@ -86,6 +86,9 @@ class ContourMultiHypothesisTracker {
   bool confirmed_ = false;
 };
 
+/// Whether the joints are nearly in the same places on average; an arm may be elsewhere.
+bool isSameBody(const ContourBody& body, const ContourPose& pose, const ContourPose& other);
+
 /// True if a hand or a foot is far from its position in the other pose.
 bool limbsDiffer(const ContourBody& body, const ContourPose& pose, const ContourPose& other);
 

@@ -81,10 +81,13 @@ ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,
     starts_.confirm();
     return active;
   }
-  starts_.contradict();
+  starts_.contradict(now.stamp_ns);
   observer_.reset();
   trust_.take(found->found);
-  return hypotheses_.startFrom(now.stamp_ns, found->fit);
+  const bool is_same = isSameBody(person_.body(), found->fit.pose, active.track.fit.pose);
+  const ActiveTrack replaced = hypotheses_.startFrom(now.stamp_ns, found->fit);
+  if (is_same) hypotheses_.confirm();  // but for a limb
+  return replaced;
 }
 
 // A limb that colours follow in a wrong place is contradicted by silhouettes, or silhouettes show

@@ -45,6 +45,11 @@ void StartSchedule::colorCheckBegins(int64_t stamp_ns) {
   next_check_ns_ = stamp_ns + (kColorCheckInterval_ns << std::min(++color_checks_, kColorChecks));
 }
 
+void StartSchedule::contradict(int64_t stamp_ns) {
+  color_confirmations_ = 0;
+  next_check_ns_ = stamp_ns + restAfterSearch(stamp_ns, 2 * kColorCheckInterval_ns);
+}
+
 bool StartSchedule::wantsColorChecks() const {
   return color_checks_ < kColorChecks && color_confirmations_ < kColorConfirmations;
 }

@@ -31,7 +31,8 @@ class StartSchedule {
   void colorCheckBegins(int64_t stamp_ns);
   /// A check by colour has led to the same pose.
   void confirm() { ++color_confirmations_; }
-  void contradict() { color_confirmations_ = 0; }
+  /// It has led to another pose, which is to be checked soon.
+  void contradict(int64_t stamp_ns);
   bool isConfirmed() const { return color_confirmations_ > 0; }
   /// True until checks by colour have confirmed the pose often enough, or there were many.
   bool wantsColorChecks() const;
