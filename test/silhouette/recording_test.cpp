@@ -153,6 +153,31 @@ TEST(RecordingLearner, SunThatWandersAwayIsNobodyWhoLeaves) {
   EXPECT_FALSE(learner.isOccupiedAtFirst());
 }
 
+TEST(RecordingLearner, SunThatWandersInTheFirstImagesIsNobodyWhoMoves) {
+  const cv::Mat scene = makeScene(3);
+  RecordingLearner learner({}, kFrames);
+  for (int i = 0; i < kFrames; ++i) {
+    cv::Mat sunny = scene.clone();
+    sunny(kPerson + cv::Point(i / 3, 0)) *= 1.35;
+    learner.add(withNoise(sunny, i));
+  }
+  EXPECT_FALSE(learner.isOccupiedAtFirst());
+}
+
+TEST(RecordingLearner, ALampThatIsOnForAWhileHidesNoBackground) {
+  const cv::Mat scene = makeScene(3);
+  cv::Mat other;  // a lamp at the right
+  cv::Mat factor(scene.size(), CV_32FC3);
+  for (int x = 0; x < scene.cols; ++x)
+    factor.col(x).setTo(cv::Scalar::all(0.4 + 0.6 * x / scene.cols));
+  cv::multiply(scene, factor, other, 1.0, scene.type());
+  RecordingLearner learner({}, kFrames);
+  for (int i = 0; i < kFrames; ++i)
+    learner.add(3 * i < kFrames ? walkerImage(other, i) : walkerImage(scene, i));
+  ASSERT_TRUE(learner.isOccupiedAtFirst());
+  EXPECT_LT(unknownFraction(*learner.learn()), 0.1);
+}
+
 TEST(RecordingLearner, PersonWhoStandsStillAtFirstAndThenLeavesIsNoticed) {
   const cv::Mat scene = makeScene(3);
   RecordingLearner learner({}, kFrames);

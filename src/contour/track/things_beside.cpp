@@ -106,7 +106,7 @@ cv::Mat withoutThingsBeside(const cv::Mat& mask, const Camera& camera, const Con
   if (!has_parts && !has_thing) return mask;
   cv::Mat out = mask.clone();
   if (has_parts) setCells(apart, edge, kBackgroundPixel, &out);
-  if (has_thing) setCells(grown(attached, reach), edge, kUnknownPixel, &out);
+  if (has_thing) setCells(grown(attached, reach) & ~view.body, edge, kUnknownPixel, &out);
   return out;
 }
 

@@ -149,8 +149,7 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   if (!silhouette) return status_.waiting("learning the background anew");
   if (silhouette->state == SilhouetteState::kLearning) {
     has_seen_somebody_ = false;
-    return status_.ok("learning the background, " + std::to_string(extractor_.framesLearned()) +
-                      " images so far");
+    return reportLearning();
   }
   publish(silhouette->mask, image.header());
   reportSilhouette(*silhouette);
@@ -163,7 +162,15 @@ void SilhouetteCamera::publish(const cv::Mat& mask, const std_msgs::Header& head
   status_.sent(header.stamp);
 }
 
+void SilhouetteCamera::reportLearning() {
+  const std::string images = std::to_string(extractor_.framesLearned()) + " images so far";
+  if (!has_been_ready_) return status_.ok("learning the background, " + images);
+  status_.waiting("learning the background again, " + images +
+                  "; no masks are published meanwhile, keep out of view if you can");
+}
+
 void SilhouetteCamera::reportSilhouette(const SilhouetteResult& silhouette) {
+  has_been_ready_ = true;
   const auto changed = uint64_t(std::lround(100 * silhouette.changed_fraction));
   const auto light = uint64_t(std::lround(100 * silhouette.light_gain));
   const auto unknown = uint64_t(std::ceil(100 * silhouette.unknown_fraction));

@@ -44,6 +44,7 @@ class SilhouetteCamera {
   void publishSilhouette(const CameraImage& image);
   /// As image, and as PNG while somebody subscribes to it.
   void publish(const cv::Mat& mask, const std_msgs::Header& header);
+  void reportLearning();
   void reportSilhouette(const SilhouetteResult& silhouette);
   void checkInput() const;
 
@@ -60,6 +61,7 @@ class SilhouetteCamera {
   FrozenImages frozen_;
   SuddenChange change_;
   CameraImage last_image_;
+  bool has_been_ready_ = false;     ///< masks have been published
   bool has_seen_somebody_ = false;  ///< since the background was learned
   ros::Publisher publisher_, compressed_publisher_;
   StageInputs inputs_;

@@ -21,6 +21,7 @@ constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are ke
 constexpr std::array<int, 2> kApart = {SceneSampler::kStep, 3 * SceneSampler::kStep};
 constexpr int kReach = 3 * SceneSampler::kStep;
 constexpr double kMotion = 12;  ///< grey levels
+constexpr float kMostLight = 3.f, kSameTint = 0.1f;
 /// A sample differs from the median of all in more than this fraction of its pixels, and in more
 /// than so many times what is usual: another lamp is on.
 constexpr double kOtherLight = 0.25, kOtherLightFactor = 2.0;
@@ -30,11 +31,33 @@ cv::Mat ellipse(int side) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
 }
 
-void markDifference(const cv::Mat& a, const cv::Mat& b, cv::Mat* moving) {
+/// Pixels of which a channel changes.
+cv::Mat changedPixels(const cv::Mat& a, const cv::Mat& b) {
   cv::Mat difference, planes[3];
   cv::absdiff(a, b, difference);
   cv::split(difference, planes);
-  *moving |= cv::max(planes[0], cv::max(planes[1], planes[2])) > kMotion;
+  return cv::max(planes[0], cv::max(planes[1], planes[2])) > kMotion;
+}
+
+/// Whether one colour is the other one in more or less light: all channels change by one factor.
+bool isOtherLight(const cv::Vec3b& a, const cv::Vec3b& b) {
+  const float factor = float(a[0] + a[1] + a[2]) / std::max(1.f, float(b[0] + b[1] + b[2]));
+  if (factor > kMostLight || factor * kMostLight < 1) return false;
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(float(a[c]) - factor * float(b[c])) > kSameTint * float(std::max(a[c], b[c])))
+      return false;
+  return true;
+}
+
+/// Pixels that change otherwise than by light, as of sun that wanders. Grey images do not tell.
+cv::Mat movedPixels(const cv::Mat& a, const cv::Mat& b, bool has_color) {
+  cv::Mat moved = changedPixels(a, b);
+  if (!has_color) return moved;
+  for (int y = 0; y < moved.rows; ++y)
+    for (int x = 0; x < moved.cols; ++x)
+      if (moved.at<uint8_t>(y, x) && isOtherLight(a.at<cv::Vec3b>(y, x), b.at<cv::Vec3b>(y, x)))
+        moved.at<uint8_t>(y, x) = 0;
+  return moved;
 }
 
 /// Of so many samples, one keeps its whole image.
@@ -60,9 +83,7 @@ cv::Mat medianOf(const std::vector<cv::Mat>& all) {
 
 /// Fraction of the pixels in which the images differ.
 double differenceOf(const cv::Mat& a, const cv::Mat& b) {
-  cv::Mat different = cv::Mat::zeros(a.size(), CV_8UC1);
-  markDifference(a, b, &different);
-  return double(cv::countNonZero(different)) / double(different.total());
+  return double(cv::countNonZero(changedPixels(a, b))) / double(a.total());
 }
 
 /// Drops samples in the light of another lamp, if they are the fewer ones: it lights each wall by
@@ -134,7 +155,8 @@ cv::Mat SceneSampler::movingAt(int index) const {
   cv::Mat moving = cv::Mat::zeros(now.size(), CV_8UC1);
   for (const int apart : kApart)
     for (const int other : {index - apart, index + apart})
-      if (const Frame* frame = frameAt(other)) markDifference(now, frame->smooth, &moving);
+      if (const Frame* frame = frameAt(other))
+        moving |= movedPixels(now, frame->smooth, image_channels_ == 3);
   cv::morphologyEx(moving, moving, cv::MORPH_CLOSE, ellipse(kClose));
   cv::dilate(moving, moving, ellipse(kDilate));
   return moving;
