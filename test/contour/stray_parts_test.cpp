@@ -44,8 +44,7 @@ class StrayPartsTest : public testing::Test {
 TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
   const cv::Mat person = masks[0].clone();
   masks[0](kStray) = 255;
-  const std::vector<cv::Mat> cleaned = withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, rig);
+  const std::vector<cv::Mat> cleaned = withoutStrayParts(masks, hull, rig);
   EXPECT_EQ(cv::norm(cleaned[0], person, cv::NORM_INF), 0.0);
   EXPECT_EQ(masks[0].at<uchar>(kStray.tl()), 255) << "the masks given are not changed";
   EXPECT_EQ(cleaned[1].data, masks[1].data);
@@ -54,18 +53,28 @@ TEST_F(StrayPartsTest, AreRemovedAndThePersonStays) {
 TEST_F(StrayPartsTest, SpecksAndAMissingHullChangeNothing) {
   const VisualHull none;
   masks[0](cv::Rect(5, 5, 3, 3)) = 255;
-  EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(masks, hull, rig)));
   masks[0](kStray) = 255;
-  EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(none); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(masks, none, rig)));
+}
+
+TEST_F(StrayPartsTest, SunAtTheFeetBecomesUnknown) {
+  const cv::Mat person = masks[0].clone();
+  const cv::Rect place = cv::boundingRect(person);
+  const cv::Rect sun(place.x, place.br().y - 5, 80, 40);
+  masks[0](sun) = 255;
+  const cv::Mat cleaned = withoutStrayParts(masks, hull, rig)[0];
+  EXPECT_EQ(cv::countNonZero((person != 0) & (cleaned == 0)), 0);
+  EXPECT_GT(cv::countNonZero(person & (cleaned == kPersonPixel)), 0.8 * cv::countNonZero(person))
+      << "the hull is narrower than the drawing";
+  const cv::Mat added = (masks[0] != 0) & (person == 0);
+  EXPECT_GT(cv::countNonZero(added & (cleaned == kUnknownPixel)), 0.8 * cv::countNonZero(added));
 }
 
 TEST_F(StrayPartsTest, NothingIsRemovedWhereTheBackgroundIsUnknown) {
   masks[0](kStray) = 255;
   masks[0](cv::Rect(200, 5, 20, 20)) = 128;
-  EXPECT_TRUE(same(withoutStrayParts(
-      masks, [&] { return std::cref(hull); }, rig)));
+  EXPECT_TRUE(same(withoutStrayParts(masks, hull, rig)));
 }
 
 }  // namespace

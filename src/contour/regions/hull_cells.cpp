@@ -35,6 +35,15 @@ cv::Mat maskCells(const cv::Mat& mask, int cell) {
   return cells;
 }
 
+void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask) {
+  for (int y = 0; y < mask->rows; ++y) {
+    uchar* row = mask->ptr<uchar>(y);
+    const uchar* cell_row = cells.ptr<uchar>(y / edge);
+    for (int x = 0; x < mask->cols; ++x)
+      if (row[x] && cell_row[x / edge]) row[x] = value;
+  }
+}
+
 cv::Mat hullPixels(const VisualHull& hull, const Camera& camera) {
   const int cell = hullCellEdge(camera.width());
   const cv::Mat cells = hullCells(hull, camera, cell);

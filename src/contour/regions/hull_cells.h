@@ -18,6 +18,10 @@ cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell);
 /// would cost too much. \param cell edge of a cell, pixels
 cv::Mat maskCells(const cv::Mat& mask, int cell);
 
+/// Gives the pixels in these cells a new value, but for those that are 0. \param edge of a cell,
+/// pixels \param cells CV_8UC1, non-zero where
+void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask);
+
 /// The cells of the hull in the size of the image.
 cv::Mat hullPixels(const VisualHull& hull, const Camera& camera);
 

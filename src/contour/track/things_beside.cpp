@@ -76,16 +76,6 @@ cv::Mat grown(const cv::Mat& cells, float distance) {
   return out;
 }
 
-/// In the mask, gives all pixels of these cells but those of the background a new value.
-void setCells(const cv::Mat& cells, int edge, uchar value, cv::Mat* mask) {
-  for (int y = 0; y < mask->rows; ++y) {
-    uchar* row = mask->ptr<uchar>(y);
-    const uchar* cell_row = cells.ptr<uchar>(y / edge);
-    for (int x = 0; x < mask->cols; ++x)
-      if (row[x] && cell_row[x / edge]) row[x] = value;
-  }
-}
-
 cv::Mat withoutThingsBeside(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
                             const ContourPose& predicted) {
   const int edge = hullCellEdge(mask.cols);
