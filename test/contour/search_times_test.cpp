@@ -53,6 +53,18 @@ TEST(StartScheduleTest, DoesNotRestForSomebodyWhoHasJustCome) {
   EXPECT_FALSE(starts.rests(3480 * kMs));
 }
 
+TEST(StartScheduleTest, ChecksSoonWhatACheckByColourHasPutInPlace) {
+  StartSchedule starts;
+  starts.startBegins(0, true);
+  for (int i = 0; i < 3; ++i) starts.colorCheckBegins(1000 * kMs);
+  EXPECT_FALSE(starts.isCheckDue(1799 * kMs));
+  starts.confirm();
+  starts.contradict(1000 * kMs);
+  EXPECT_FALSE(starts.isConfirmed());
+  EXPECT_FALSE(starts.isCheckDue(1199 * kMs));
+  EXPECT_TRUE(starts.isCheckDue(1200 * kMs));
+}
+
 TEST(StartScheduleTest, ChecksByColourUntilTwoConfirmInARow) {
   StartSchedule starts;
   starts.startBegins(0, true);
