@@ -296,7 +296,7 @@ TEST(IsElsewhere, TellsByHandsAndFeetAlone) {
 
 TEST_F(ContourHypothesesTest, ABodyIsTheSameThoughAnArmIsElsewhere) {
   ContourPose raised = at(0);
-  raised.rotations[B::kLeftShoulder] = expSO3({0, -1.5, 0}) * raised.rotations[B::kLeftShoulder];
+  raised.rotations[B::kLeftShoulder] = expSO3({0, -0.8, 0}) * raised.rotations[B::kLeftShoulder];
   EXPECT_TRUE(limbsDiffer(body, at(0), raised));
   EXPECT_TRUE(isSameBody(body, at(0), raised));
   EXPECT_FALSE(isSameBody(body, at(0), sideways(at(0))));

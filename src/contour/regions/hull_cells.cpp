@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 namespace markerless_mocap {
 namespace {
@@ -33,6 +34,22 @@ cv::Mat maskCells(const cv::Mat& mask, int cell) {
     for (int x = 0; x < cells.cols; ++x) to[x] = row[std::min(x * cell + cell / 2, mask.cols - 1)];
   }
   return cells;
+}
+
+cv::Mat partsThatMeet(const cv::Mat& mask, const cv::Mat& cells) {
+  cv::Mat joined, labels;
+  cv::dilate(mask, joined, cv::Mat());
+  const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
+  std::vector<bool> meets(size_t(count), false);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (cells.at<uchar>(y, x)) meets[size_t(labels.at<int>(y, x))] = true;
+  meets[0] = false;  // the background
+  cv::Mat parts(labels.size(), CV_8UC1);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      parts.at<uchar>(y, x) = meets[size_t(labels.at<int>(y, x))] ? 255 : 0;
+  return parts;
 }
 
 void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask) {

@@ -18,6 +18,10 @@ cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell);
 /// would cost too much. \param cell edge of a cell, pixels
 cv::Mat maskCells(const cv::Mat& mask, int cell);
 
+/// The cells of those parts of a mask that meet the cells given: CV_8UC1, 0 | 255. Parts are joined
+/// over gaps of a cell. \param mask by cells \param cells CV_8UC1, non-zero where
+cv::Mat partsThatMeet(const cv::Mat& mask, const cv::Mat& cells);
+
 /// Gives the pixels in these cells a new value, but for those that are 0. \param edge of a cell,
 /// pixels \param cells CV_8UC1, non-zero where
 void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask);

@@ -45,23 +45,6 @@ double shownOf(const cv::Mat& cells, const cv::Mat& mask) {
   return double(cv::countNonZero((mask != 0) & cells)) / std::max(1, cv::countNonZero(cells));
 }
 
-/// The cells that are not of connected parts of the mask within reach.
-cv::Mat apartFrom(const ViewCells& view) {
-  cv::Mat joined, labels;
-  cv::dilate(view.mask, joined, cv::Mat());
-  const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
-  std::vector<bool> near(size_t(count), false);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (view.reach.at<uchar>(y, x)) near[size_t(labels.at<int>(y, x))] = true;
-  near[0] = false;  // the background
-  cv::Mat apart(labels.size(), CV_8UC1);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      apart.at<uchar>(y, x) = near[size_t(labels.at<int>(y, x))] ? 0 : 255;
-  return apart;
-}
-
 bool isThing(const cv::Mat& attached, const ViewCells& view) {
   return cv::countNonZero(attached) > kMinThing * cv::countNonZero(view.body) &&
          shownOf(view.body, view.mask) > kMinShownWithThing &&
@@ -90,7 +73,7 @@ cv::Mat withoutThingsBeside(const cv::Mat& mask, const Camera& camera, const Con
   const cv::Mat outside = view.personOutOfReach();
   if (cv::countNonZero(outside) == 0 || shownOf(view.body, view.mask) < kMinShown) return mask;
 
-  const cv::Mat apart = apartFrom(view), attached = outside & ~apart;
+  const cv::Mat apart = ~partsThatMeet(view.mask, view.reach), attached = outside & ~apart;
   const bool has_parts = cv::countNonZero(view.mask & apart) > 0;
   const bool has_thing = isThing(attached, view);
   if (!has_parts && !has_thing) return mask;
