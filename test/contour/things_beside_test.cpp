@@ -60,10 +60,11 @@ TEST_F(ThingsBesideTest, ThePersonAloneStays) {
   EXPECT_TRUE(changesNothing());
 }
 
-TEST_F(ThingsBesideTest, ArmsThatAreElsewhereStay) {
+TEST_F(ThingsBesideTest, ArmsAndAShankThatAreElsewhereStay) {
   ContourPose predicted = stride();
   predicted.rotations[SphericalJoint::kLeftShoulder] = Eigen::Matrix3d::Identity();
   predicted.rotations[SphericalJoint::kRightShoulder] = Eigen::Matrix3d::Identity();
+  predicted.angles[RevoluteJoint::kLeftKnee] = -1.8;
   EXPECT_TRUE(changesNothing(predicted));
 }
 

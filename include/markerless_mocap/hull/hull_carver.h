@@ -101,8 +101,8 @@ class HullCarver {
 
   /// Carves one frame set. Of several bodies the person is the one that is where the person of the
   /// last frame set was, or else the only one that is upright; without one the hull has none.
-  /// Depends on earlier calls by this, and if `follow` is on. Not thread-safe. \param views one per
-  /// camera of the rig, in the rig's order; throws std::invalid_argument on a
+  /// Depends on earlier calls by this, and if `follow` is on. Not thread-safe.
+  /// \param views one per camera of the rig, in the rig's order; throws std::invalid_argument on a
   ///   wrong count, size or type
   VisualHull carve(const std::vector<HullView>& views);
 

@@ -13,8 +13,10 @@ namespace markerless_mocap {
 /// large for a limb, such as a box in front of their legs or an open door behind them, becomes
 /// unknown up to the predicted body: its contours then say nothing, and colours tell the person
 /// from it. A mask stays as it is where it does not show the predicted body, so that a wrong
-/// prediction takes no person away. \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty
-/// where missing; the same objects are returned where nothing is changed \param predicted world
+/// prediction takes no person away.
+/// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing; the same objects are
+/// returned where nothing is changed
+/// \param predicted world
 std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks, const CameraRig& rig,
                                          const ContourBody& body, const ContourPose& predicted);
 

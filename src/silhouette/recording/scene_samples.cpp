@@ -21,6 +21,8 @@ constexpr size_t kMaxBytes = size_t(80) << 20;  ///< of whole images that are ke
 constexpr std::array<int, 2> kApart = {SceneSampler::kStep, 3 * SceneSampler::kStep};
 constexpr int kReach = 3 * SceneSampler::kStep;
 constexpr double kMotion = 12;  ///< grey levels
+/// Light changes a colour by a factor up to the first value, and each channel by it but for the
+/// second fraction.
 constexpr float kMostLight = 3.f, kSameTint = 0.1f;
 /// A sample differs from the median of all in more than this fraction of its pixels, and in more
 /// than so many times what is usual: another lamp is on.
