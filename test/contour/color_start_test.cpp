@@ -63,10 +63,12 @@ TEST_F(ColorStartTest, AGoodStartIsConfirmedAlsoWhileNewerFrameSetsWait) {
   EXPECT_EQ(proposals, 1 + 2);
 }
 
-// Colours would follow the body on; as soon as the background is known they are contradicted.
+// Colours would follow the body on; as soon as the background of a view is known they are
+// contradicted, unless silhouettes of other views show the body.
 TEST_F(ColorStartTest, APoseThatSilhouettesContradictIsNotReported) {
   ContourTracker right = tracker();
   ASSERT_EQ(poseAfter(45, right).status, PoseStatus::kTracked);
+  for (const size_t other : {0, 1, 2}) masks[other] = cv::Mat(masks[3].size(), CV_8UC1, 128);
   cv::Mat& unknown = masks[3];
   const cv::Rect all = cv::boundingRect(person[3]);
   unknown.setTo(255, person[3]);

@@ -15,7 +15,7 @@ class ThingsBesideTest : public ::testing::Test {
   ThingsBesideTest() { masks = drawnMasks(rig, body, stride()); }
 
   std::vector<cv::Mat> cleaned(const ContourPose& predicted = stride()) const {
-    return withoutThingsBeside(masks, rig, body, predicted);
+    return withoutThingsBeside(masks, images, rig, body, predicted);
   }
   bool changesNothing(const ContourPose& predicted = stride()) const {
     const std::vector<cv::Mat> out = cleaned(predicted);
@@ -31,7 +31,14 @@ class ThingsBesideTest : public ::testing::Test {
 
   CameraRig rig = drawnRig(2);
   ContourBody body{ShapeStatistics::handMade().meanShape(1.75)};
-  std::vector<cv::Mat> masks;
+  std::vector<cv::Mat> masks, images;
+};
+
+class ThingsBesideWithColorsTest : public ThingsBesideTest {
+ protected:
+  ThingsBesideWithColorsTest() {
+    for (const cv::Mat& mask : masks) images.emplace_back(mask.size(), CV_8UC3);
+  }
 };
 
 TEST_F(ThingsBesideTest, ABoxBecomesUnknownUpToThePredictedBody) {
@@ -79,6 +86,59 @@ TEST_F(ThingsBesideTest, ACameraThatIsCoveredShowsNoThing) {
   EXPECT_TRUE(changesNothing());
   masks[0] = kPersonPixel;
   EXPECT_TRUE(changesNothing());
+}
+
+TEST_F(ThingsBesideWithColorsTest, TheSunAtTheFeetBecomesUnknown) {
+  const cv::Mat person = masks[0].clone();
+  cv::Mat toes;
+  cv::findNonZero(person.row(cv::boundingRect(person).br().y - 1), toes);
+  const cv::Point toe(toes.at<cv::Point>(0).x, cv::boundingRect(person).br().y - 1);
+  masks[0](cv::Rect(toe.x - 4, toe.y - 6, 22, 14)) = kPersonPixel;
+  const std::vector<cv::Mat> out = cleaned();
+  const cv::Mat only_sun = (masks[0] != 0) & (person == 0);
+  EXPECT_GT(cv::countNonZero(only_sun & (out[0] == kUnknownPixel)),
+            0.7 * cv::countNonZero(only_sun));
+  EXPECT_GT(cv::countNonZero(person & (out[0] == kPersonPixel)), 0.9 * cv::countNonZero(person));
+  EXPECT_EQ(out[1].data, masks[1].data);
+  images.clear();
+  EXPECT_TRUE(changesNothing());
+}
+
+TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
+  const cv::Mat person = masks[0].clone();
+  const cv::Rect box = cv::boundingRect(person);
+  const cv::Rect legs(box.x, box.y + box.height / 2, box.width, box.height / 3);
+  masks[0](legs) = kBackgroundPixel;
+  const std::vector<cv::Mat> out = cleaned();
+  EXPECT_GT(cv::countNonZero(person(legs) & (out[0](legs) == kUnknownPixel)),
+            0.7 * cv::countNonZero(person(legs)));
+  EXPECT_EQ(out[1].data, masks[1].data);
+  images.clear();
+  EXPECT_TRUE(changesNothing());
+}
+
+TEST_F(ThingsBesideWithColorsTest, WhatMostMasksLackIsNotThere) {
+  for (cv::Mat& mask : masks) {
+    const cv::Rect box = cv::boundingRect(mask);
+    mask(cv::Rect(box.x, box.y + box.height / 2, box.width, box.height / 2)) = kBackgroundPixel;
+  }
+  EXPECT_TRUE(changesNothing());
+}
+
+TEST_F(ThingsBesideWithColorsTest, ThePersonAloneStays) {
+  EXPECT_TRUE(changesNothing());
+}
+
+TEST_F(ThingsBesideWithColorsTest, AForearmThatIsElsewhereStays) {
+  ContourPose predicted = stride();
+  predicted.angles[RevoluteJoint::kLeftElbow] += 0.8;
+  EXPECT_TRUE(changesNothing(predicted));
+}
+
+TEST_F(ThingsBesideWithColorsTest, AWrongPredictionTakesNobodyAway) {
+  ContourPose predicted = stride();
+  predicted.position += Eigen::Vector3d(0.6, 0.6, 0);
+  EXPECT_TRUE(changesNothing(predicted));
 }
 
 }  // namespace

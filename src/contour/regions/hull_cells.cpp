@@ -57,7 +57,7 @@ void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask) {
     uchar* row = mask->ptr<uchar>(y);
     const uchar* cell_row = cells.ptr<uchar>(y / edge);
     for (int x = 0; x < mask->cols; ++x)
-      if (row[x] && cell_row[x / edge]) row[x] = value;
+      if (cell_row[x / edge]) row[x] = value;
   }
 }
 

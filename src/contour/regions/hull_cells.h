@@ -22,8 +22,8 @@ cv::Mat maskCells(const cv::Mat& mask, int cell);
 /// over gaps of a cell. \param mask by cells \param cells CV_8UC1, non-zero where
 cv::Mat partsThatMeet(const cv::Mat& mask, const cv::Mat& cells);
 
-/// Gives the pixels in these cells a new value, but for those that are 0. \param edge of a cell,
-/// pixels \param cells CV_8UC1, non-zero where
+/// Gives the pixels in these cells a new value. \param edge of a cell, pixels \param cells CV_8UC1,
+/// non-zero where
 void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask);
 
 /// The cells of the hull in the size of the image.

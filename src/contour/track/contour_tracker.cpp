@@ -102,9 +102,9 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
   const std::vector<cv::Mat> masks =
-      follows && reported_
-          ? withoutThingsBeside(now.masks, still_contours_.rig(), person_.body(), predicted->pose)
-          : withoutStrayParts(now.masks, hull(), still_contours_.rig());
+      follows && reported_ ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(),
+                                                 person_.body(), predicted->pose)
+                           : withoutStrayParts(now.masks, hull(), still_contours_.rig());
   still_contours_.watch(now.stamp_ns, now.images, masks);
   return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
 }

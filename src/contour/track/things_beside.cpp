@@ -16,21 +16,35 @@ namespace {
 
 constexpr double kReach_m = 0.15;  // from the predicted body, in the image
 
-// Fractions of the predicted body's area. Both arms and a shank are less than the first one.
-constexpr double kMinThing = 0.35;
-// A body of whom the mask shows less is in another place, or hidden: the mask tells parts that are
-// apart from it from the person, but nothing that is attached.
-constexpr double kMinShown = 0.5, kMinShownWithThing = 0.85;
+// A body of whom the mask shows a smaller fraction is in another place, or hidden: parts that are
+// apart could be the person then.
+constexpr double kMinShownApart = 0.5;
 // Of what is around the body within reach: a camera that is covered shows no outline of the person.
 constexpr double kMaxAround = 0.7;
 
+// What is thicker than twice this, or than three cells, is hardly a limb that moved.
+constexpr double kThick_m = 0.04;
+
+/// How much of a mask must be wrong until the body says so: fractions of the predicted body's area.
+struct DoubtLimits {
+  double min_shown;    ///< shown of the body, else it is in another place, or hidden
+  double max_excess;   ///< thick, within reach, but not the body
+  double max_missing;  ///< thick, of the body, but not in the mask; 1: the mask is right there
+};
+// Colours find limbs that are elsewhere. Without them what is unknown is lost: both arms and a
+// shank have less than this excess.
+constexpr DoubtLimits kWithColors{0.3, 0.03, 0.1}, kWithoutColors{0.85, 0.35, 1.0};
+// If all masks together show a smaller fraction of the body where they are known, it is the body
+// that is wrong.
+constexpr double kMinSupported = 0.75;
+
 /// A mask and the predicted body by cells, each CV_8UC1 0 | 255.
 struct ViewCells {
-  cv::Mat mask;   ///< 0 | 128 unknown | 255
-  cv::Mat body;   ///< the predicted body
-  cv::Mat reach;  ///< what is within reach of it, itself included
-
-  cv::Mat personOutOfReach() const { return (mask == kPersonPixel) & ~reach; }
+  int edge = 1;               ///< of a cell, pixels
+  float cells_per_metre = 0;  ///< at the body
+  cv::Mat mask;               ///< 0 | 128 unknown | 255
+  cv::Mat body;               ///< the predicted body
+  cv::Mat near;               ///< what is within reach of it, itself included
 };
 
 /// Cells that are nearer to the body than that, in cells.
@@ -45,51 +59,97 @@ double shownOf(const cv::Mat& cells, const cv::Mat& mask) {
   return double(cv::countNonZero((mask != 0) & cells)) / std::max(1, cv::countNonZero(cells));
 }
 
-bool isThing(const cv::Mat& attached, const ViewCells& view) {
-  return cv::countNonZero(attached) > kMinThing * cv::countNonZero(view.body) &&
-         shownOf(view.body, view.mask) > kMinShownWithThing &&
-         shownOf(view.reach & ~view.body, view.mask) < kMaxAround;
+/// The cells outside all parts of the mask that come near the body; empty if the mask shows nothing
+/// there.
+cv::Mat partsApart(const ViewCells& view) {
+  if (cv::countNonZero((view.mask == kPersonPixel) & ~view.near) == 0) return {};
+  const cv::Mat apart = ~partsThatMeet(view.mask, view.near);
+  return cv::countNonZero(view.mask & apart) > 0 ? apart : cv::Mat();
 }
 
-/// The cells and what is nearer to them than that, in cells.
-cv::Mat grown(const cv::Mat& cells, float distance) {
-  const int edge = 2 * int(std::ceil(distance)) + 1;
-  cv::Mat out;
-  cv::dilate(cells, out, cv::getStructuringElement(cv::MORPH_ELLIPSE, {edge, edge}));
-  return out;
+cv::Mat disk(int radius) {
+  const int edge = 2 * radius + 1;
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {edge, edge});
 }
 
-cv::Mat withoutThingsBeside(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
-                            const ContourPose& predicted) {
-  const int edge = hullCellEdge(mask.cols);
-  const float reach = float(kReach_m) * samplesPerMetre(camera, edge, predicted);
-  ViewCells view{maskCells(mask, edge), {}, {}};
+/// Where the mask cannot be the person's, if the body is about where it is predicted; empty if
+/// there is too little of it.
+cv::Mat doubtful(const ViewCells& view, const DoubtLimits& limits) {
+  if (shownOf(view.body, view.mask) < limits.min_shown ||
+      shownOf(view.near & ~view.body, view.mask) >= kMaxAround)
+    return {};
+  const int thick = std::max(1, int(std::lround(float(kThick_m) * view.cells_per_metre)));
+  const cv::Mat excess = (view.mask == kPersonPixel) & ~view.body;
+  cv::Mat missing = view.body & (view.mask == kBackgroundPixel);
+  if (limits.max_missing >= 1) missing.setTo(0);
+  cv::Mat thick_excess, thick_missing, around;
+  cv::morphologyEx(excess, thick_excess, cv::MORPH_OPEN, disk(thick));
+  cv::morphologyEx(missing, thick_missing, cv::MORPH_OPEN, disk(1));
+  const int whole = cv::countNonZero(view.body);
+  if (cv::countNonZero(thick_excess & view.near) <= limits.max_excess * whole &&
+      cv::countNonZero(thick_missing) <= limits.max_missing * whole)
+    return {};
+  cv::dilate(thick_excess, around, disk(thick));
+  return (excess & around) | missing;
+}
+
+/// `near` is empty if the body is outside the image.
+ViewCells cellsOf(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
+                  const ContourPose& predicted) {
+  ViewCells view;
+  view.edge = std::max(1, hullCellEdge(mask.cols) / 2);
+  view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted);
+  view.mask = maskCells(mask, view.edge);
+  const float reach = float(kReach_m) * view.cells_per_metre;
   const cv::Size size = view.mask.size();
-  const BodyDrawing drawing = drawBody(projectedBody(camera, edge, body, predicted, 0.0),
+  const BodyDrawing drawing = drawBody(projectedBody(camera, view.edge, body, predicted, 0.0),
                                        int(ContourSegment::kCount), size, reach + 1);
-  if (drawing.box.area() == 0) return mask;
+  if (drawing.box.area() == 0) return view;
   view.body = cellsNear(drawing, 0.f, size);
-  view.reach = cellsNear(drawing, reach, size);
-  const cv::Mat outside = view.personOutOfReach();
-  if (cv::countNonZero(outside) == 0 || shownOf(view.body, view.mask) < kMinShown) return mask;
+  view.near = cellsNear(drawing, reach, size);
+  return view;
+}
 
-  const cv::Mat apart = ~partsThatMeet(view.mask, view.reach), attached = outside & ~apart;
-  const bool has_parts = cv::countNonZero(view.mask & apart) > 0;
-  const bool has_thing = isThing(attached, view);
-  if (!has_parts && !has_thing) return mask;
+bool isSupported(const std::vector<ViewCells>& views) {
+  double shown = 0, known = 0;
+  for (const ViewCells& view : views) {
+    if (view.near.empty()) continue;
+    shown += cv::countNonZero(view.body & (view.mask == kPersonPixel));
+    known += cv::countNonZero(view.body & (view.mask != kUnknownPixel));
+  }
+  return shown >= kMinSupported * known;
+}
+
+/// \param view of this mask; parts that are apart are taken from its cells, too
+cv::Mat cleaned(const cv::Mat& mask, const DoubtLimits& limits, ViewCells& view) {
+  cv::Mat apart;
+  if (shownOf(view.body, view.mask) >= kMinShownApart) apart = partsApart(view);
+  if (!apart.empty()) view.mask.setTo(kBackgroundPixel, apart);
+  const cv::Mat doubt = doubtful(view, limits);
+  if (apart.empty() && doubt.empty()) return mask;
   cv::Mat out = mask.clone();
-  if (has_parts) setCells(apart, edge, kBackgroundPixel, &out);
-  if (has_thing) setCells(grown(attached, reach) & ~view.body, edge, kUnknownPixel, &out);
+  if (!apart.empty()) setCells(apart, view.edge, kBackgroundPixel, &out);
+  if (!doubt.empty()) setCells(doubt, view.edge, kUnknownPixel, &out);
   return out;
 }
 
 }  // namespace
 
-std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks, const CameraRig& rig,
+std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
+                                         const std::vector<cv::Mat>& images, const CameraRig& rig,
                                          const ContourBody& body, const ContourPose& predicted) {
+  const size_t count = std::min(masks.size(), rig.size());
+  std::vector<ViewCells> views(count);
+  tbb::parallel_for(size_t(0), count, [&](size_t i) {
+    if (!masks[i].empty()) views[i] = cellsOf(masks[i], rig[i], body, predicted);
+  });
+  DoubtLimits with_colors = kWithColors;
+  if (!isSupported(views)) with_colors.max_missing = 1;
   std::vector<cv::Mat> out = masks;
-  tbb::parallel_for(size_t(0), std::min(masks.size(), rig.size()), [&](size_t i) {
-    if (!masks[i].empty()) out[i] = withoutThingsBeside(masks[i], rig[i], body, predicted);
+  tbb::parallel_for(size_t(0), count, [&](size_t i) {
+    if (views[i].near.empty()) return;
+    const bool has_colors = i < images.size() && images[i].type() == CV_8UC3;
+    out[i] = cleaned(masks[i], has_colors ? with_colors : kWithoutColors, views[i]);
   });
   return out;
 }

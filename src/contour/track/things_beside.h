@@ -8,16 +8,19 @@
 
 namespace markerless_mocap {
 
-/// The masks of a person who is tracked, without what else they show. Parts that are beside the
-/// predicted body, such as a bystander, become background. What is attached to the person and too
-/// large for a limb, such as a box in front of their legs or an open door behind them, becomes
-/// unknown up to the predicted body: its contours then say nothing, and colours tell the person
-/// from it. A mask stays as it is where it does not show the predicted body, so that a wrong
-/// prediction takes no person away.
+/// The masks of a person who is tracked, without what they cannot be. Parts that are beside the
+/// predicted body, such as a bystander, become background. Where a mask and the predicted body
+/// differ more than a moved limb explains, it becomes unknown: its contours then say nothing, and
+/// colours tell the person from a box at their legs, an open door behind them, the sun on the floor
+/// at their feet, or trousers that look like the wall. A mask stays as it is where it does not show
+/// the predicted body, so that a wrong prediction takes no person away.
 /// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing; the same objects are
 /// returned where nothing is changed
+/// \param images by camera; missing ones may be empty or left out at the end: without colours
+/// little is made unknown, only what is far too large for a limb
 /// \param predicted world
-std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks, const CameraRig& rig,
+std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
+                                         const std::vector<cv::Mat>& images, const CameraRig& rig,
                                          const ContourBody& body, const ContourPose& predicted);
 
 }  // namespace markerless_mocap
