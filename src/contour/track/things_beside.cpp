@@ -33,7 +33,7 @@ struct DoubtLimits {
 };
 // Colours find limbs that are elsewhere. Without them what is unknown is lost: both arms and a
 // shank have less than this excess.
-constexpr DoubtLimits kWithColors{0.3, 0.03, 0.1}, kWithoutColors{0.85, 0.35, 1.0};
+constexpr DoubtLimits kWithColors{0.3, 0.03, 0.1}, kWithoutColors{0.85, 0.2, 1.0};
 // If all masks together show a smaller fraction of the body where they are known, it is the body
 // that is wrong.
 constexpr double kMinSupported = 0.75;
@@ -93,11 +93,11 @@ cv::Mat doubtful(const ViewCells& view, const DoubtLimits& limits) {
   return (excess & around) | missing;
 }
 
-/// `near` is empty if the body is outside the image.
-ViewCells cellsOf(const cv::Mat& mask, const Camera& camera, const ContourBody& body,
+/// `near` is empty if the body is outside the image. \param edge of a cell, pixels
+ViewCells cellsOf(const cv::Mat& mask, int edge, const Camera& camera, const ContourBody& body,
                   const ContourPose& predicted) {
   ViewCells view;
-  view.edge = std::max(1, hullCellEdge(mask.cols) / 2);
+  view.edge = edge;
   view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted);
   view.mask = maskCells(mask, view.edge);
   const float reach = float(kReach_m) * view.cells_per_metre;
@@ -139,17 +139,22 @@ std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
                                          const std::vector<cv::Mat>& images, const CameraRig& rig,
                                          const ContourBody& body, const ContourPose& predicted) {
   const size_t count = std::min(masks.size(), rig.size());
+  const auto has_colors = [&](size_t i) {
+    return i < images.size() && images[i].type() == CV_8UC3;
+  };
   std::vector<ViewCells> views(count);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
-    if (!masks[i].empty()) views[i] = cellsOf(masks[i], rig[i], body, predicted);
+    if (masks[i].empty()) return;
+    const int edge = hullCellEdge(masks[i].cols);
+    views[i] =
+        cellsOf(masks[i], has_colors(i) ? std::max(1, edge / 2) : edge, rig[i], body, predicted);
   });
   DoubtLimits with_colors = kWithColors;
   if (!isSupported(views)) with_colors.max_missing = 1;
   std::vector<cv::Mat> out = masks;
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     if (views[i].near.empty()) return;
-    const bool has_colors = i < images.size() && images[i].type() == CV_8UC3;
-    out[i] = cleaned(masks[i], has_colors ? with_colors : kWithoutColors, views[i]);
+    out[i] = cleaned(masks[i], has_colors(i) ? with_colors : kWithoutColors, views[i]);
   });
   return out;
 }
