@@ -29,6 +29,7 @@ class ContourTracker : public BodyTracker {
   ContourTracker(const CameraRig& rig, PersonResources resources, const PersonOptions& person,
                  const ContourOptions& options, InitializerFactory make_initializer);
   BodyPose update(const TrackerInput& now) override;
+  std::vector<bool> wantedImages() const override { return wanted_images_; }
   void prepare(size_t camera, const cv::Mat& mask) const override {
     observer_.prepare(camera, mask);
   }
@@ -133,6 +134,7 @@ class ContourTracker : public BodyTracker {
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
   StillContours still_contours_;
+  std::vector<bool> wanted_images_;  ///< by camera, of the last masks
   ContradictedViews contradicted_;
   MeasuredPerson person_;
   StartProposals proposals_;

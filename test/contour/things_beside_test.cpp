@@ -15,7 +15,7 @@ class ThingsBesideTest : public ::testing::Test {
   ThingsBesideTest() { masks = drawnMasks(rig, body, stride()); }
 
   std::vector<cv::Mat> cleaned(const ContourPose& predicted = stride()) const {
-    return withoutThingsBeside(masks, images, rig, body, predicted);
+    return withoutThingsBeside(masks, images, rig, body, predicted).masks;
   }
   bool changesNothing(const ContourPose& predicted = stride()) const {
     const std::vector<cv::Mat> out = cleaned(predicted);

@@ -102,10 +102,10 @@ TEST(HoldingQueue, OneThatWaitsHoldsThoseBehindItUntilTooManyWait) {
   EXPECT_EQ(out.size(), 4u);
 }
 
-TEST(ColorDemand, ImagesAreNeededWhileTheBackgroundIsUnknownAndAShortTimeLonger) {
+TEST(ColorDemand, ImagesAreNeededWhileMasksNeedColorsAndAShortTimeLonger) {
   ColorDemand demand(2, 50);
   EXPECT_FALSE(demand.isNeeded(0, 0));
-  demand.noteUnknown(0, 100);
+  demand.note(0, 100);
   EXPECT_TRUE(demand.isNeeded(0, 100));
   EXPECT_TRUE(demand.isNeeded(0, 150));
   EXPECT_FALSE(demand.isNeeded(0, 151));
@@ -115,9 +115,9 @@ TEST(ColorDemand, ImagesAreNeededWhileTheBackgroundIsUnknownAndAShortTimeLonger)
 
 TEST(ColorDemand, OfAGreyCameraNothingIsNeeded) {
   ColorDemand demand(2, 50);
-  for (const size_t camera : {0, 1}) demand.noteUnknown(camera, 100);
+  for (const size_t camera : {0, 1}) demand.note(camera, 100);
   demand.noteGrey(0);
-  demand.noteUnknown(0, 110);
+  demand.note(0, 110);
   EXPECT_FALSE(demand.isNeeded(0, 110));
   EXPECT_TRUE(demand.isNeeded(1, 110));
 }

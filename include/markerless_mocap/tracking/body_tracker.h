@@ -42,6 +42,9 @@ class BodyTracker {
   /// pose is the same without. For any thread, also while update() runs. A mask that update() would
   /// not take is left alone.
   virtual void prepare(size_t /*camera*/, const cv::Mat& /*mask*/) const {}
+  /// By camera: whether its images would help, though its masks have no unknown background, as the
+  /// last masks were in doubt; empty: none would.
+  virtual std::vector<bool> wantedImages() const { return {}; }
   /// Restarts the tracking: poses of earlier frames have no influence. The body stays, and so do
   /// the frames collected for the estimate of its shape.
   virtual void reset() = 0;

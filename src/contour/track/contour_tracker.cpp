@@ -101,12 +101,15 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   const auto hull = [&]() -> const VisualHull& {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
-  const std::vector<cv::Mat> masks =
-      follows && reported_ ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(),
-                                                 person_.body(), predicted->pose)
-                           : withoutStrayParts(now.masks, hull(), still_contours_.rig());
-  still_contours_.watch(now.stamp_ns, now.images, masks);
-  return updateFrom({now.stamp_ns, now.products, now.behind, {now.images, masks}, now.later_s});
+  const ClearedMasks cleared =
+      follows && reported_
+          ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
+                                predicted->pose)
+          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
+  wanted_images_ = cleared.doubted;
+  still_contours_.watch(now.stamp_ns, now.images, cleared.masks);
+  return updateFrom(
+      {now.stamp_ns, now.products, now.behind, {now.images, cleared.masks}, now.later_s});
 }
 
 BodyPose ContourTracker::updateFrom(const Frame& now) {

@@ -120,24 +120,27 @@ bool isSupported(const std::vector<ViewCells>& views) {
   return shown >= kMinSupported * known;
 }
 
-/// \param view of this mask; parts that are apart are taken from its cells, too
-cv::Mat cleaned(const cv::Mat& mask, const DoubtLimits& limits, ViewCells& view) {
+/// Parts that are apart are taken from the cells, too.
+cv::Mat partsTakenFrom(ViewCells& view) {
   cv::Mat apart;
   if (shownOf(view.body, view.mask) >= kMinShownApart) apart = partsApart(view);
   if (!apart.empty()) view.mask.setTo(kBackgroundPixel, apart);
-  const cv::Mat doubt = doubtful(view, limits);
+  return apart;
+}
+
+cv::Mat cleaned(const cv::Mat& mask, int edge, const cv::Mat& apart, const cv::Mat& doubt) {
   if (apart.empty() && doubt.empty()) return mask;
   cv::Mat out = mask.clone();
-  if (!apart.empty()) setCells(apart, view.edge, kBackgroundPixel, &out);
-  if (!doubt.empty()) setCells(doubt, view.edge, kUnknownPixel, &out);
+  if (!apart.empty()) setCells(apart, edge, kBackgroundPixel, &out);
+  if (!doubt.empty()) setCells(doubt, edge, kUnknownPixel, &out);
   return out;
 }
 
 }  // namespace
 
-std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
-                                         const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                         const ContourBody& body, const ContourPose& predicted) {
+ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
+                                 const std::vector<cv::Mat>& images, const CameraRig& rig,
+                                 const ContourBody& body, const ContourPose& predicted) {
   const size_t count = std::min(masks.size(), rig.size());
   const auto has_colors = [&](size_t i) {
     return i < images.size() && images[i].type() == CV_8UC3;
@@ -151,11 +154,18 @@ std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
   });
   DoubtLimits with_colors = kWithColors;
   if (!isSupported(views)) with_colors.max_missing = 1;
-  std::vector<cv::Mat> out = masks;
+  ClearedMasks out{masks, {}};
+  std::vector<char> doubted(masks.size(), 0);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
-    if (views[i].near.empty()) return;
-    out[i] = cleaned(masks[i], has_colors(i) ? with_colors : kWithoutColors, views[i]);
+    ViewCells& view = views[i];
+    if (view.near.empty()) return;
+    const cv::Mat apart = partsTakenFrom(view);
+    cv::Mat doubt = doubtful(view, with_colors);
+    doubted[i] = !doubt.empty();
+    if (doubted[i] && !has_colors(i)) doubt = doubtful(view, kWithoutColors);
+    out.masks[i] = cleaned(masks[i], view.edge, apart, doubt);
   });
+  out.doubted.assign(doubted.begin(), doubted.end());
   return out;
 }
 

@@ -8,19 +8,25 @@
 
 namespace markerless_mocap {
 
+/// Masks by camera, and whether they were in doubt.
+struct ClearedMasks {
+  std::vector<cv::Mat> masks;
+  std::vector<bool> doubted;  ///< mask and body differ so much that colours are needed
+};
+
 /// The masks of a person who is tracked, without what they cannot be. Parts that are beside the
 /// predicted body, such as a bystander, become background. Where a mask and the predicted body
 /// differ more than a moved limb explains, it becomes unknown: its contours then say nothing, and
 /// colours tell the person from a box at their legs, an open door behind them, the sun on the floor
 /// at their feet, or trousers that look like the wall. A mask stays as it is where it does not show
 /// the predicted body, so that a wrong prediction takes no person away.
-/// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing; the same objects are
-/// returned where nothing is changed
+/// The masks that are returned are the same objects where nothing is changed.
+/// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing
 /// \param images by camera; missing ones may be empty or left out at the end: without colours
 /// little is made unknown, only what is far too large for a limb
 /// \param predicted world
-std::vector<cv::Mat> withoutThingsBeside(const std::vector<cv::Mat>& masks,
-                                         const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                         const ContourBody& body, const ContourPose& predicted);
+ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
+                                 const std::vector<cv::Mat>& images, const CameraRig& rig,
+                                 const ContourBody& body, const ContourPose& predicted);
 
 }  // namespace markerless_mocap

@@ -32,8 +32,8 @@ ColorImages::ColorImages(std::vector<std::string> cameras, std::string transport
       subscribers_(cameras_.size()),
       asked_ns_(cameras_.size()) {}
 
-void ColorImages::noteMask(size_t camera, int64_t stamp_ns, bool unknown) {
-  if (unknown) demand_.noteUnknown(camera, stamp_ns);
+void ColorImages::noteMask(size_t camera, int64_t stamp_ns, bool needs_colors) {
+  if (needs_colors) demand_.note(camera, stamp_ns);
   const bool needed = demand_.isNeeded(camera, stamp_ns);
   if (needed && !subscribers_[camera] && masterAnswers()) {
     asked_ns_[camera] = stamp_ns;
@@ -77,8 +77,8 @@ bool ColorImages::isColor(size_t camera, const CameraImage& image) {
 }
 
 void ColorImages::subscribe(size_t camera) {
-  ROS_INFO_STREAM("pose fitting: the background of " << cameras_[camera]
-                                                     << " is not known, its images are used");
+  ROS_INFO_STREAM("pose fitting: the silhouettes of " << cameras_[camera]
+                                                      << " do not tell all, its colours are used");
   subscribers_[camera] = inputs_->subscribeToImages(
       cameras_[camera], transport_, kQueue, StageInputs::kOptional,
       [this, camera](const CameraImage& image) { receive(camera, image); });

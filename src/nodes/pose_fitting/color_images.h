@@ -14,8 +14,8 @@
 
 namespace markerless_mocap {
 
-/// Colour images of the cameras whose background is not known. A camera is subscribed while its
-/// masks have unknown backgrounds, and some seconds longer; grey cameras are left alone.
+/// Colour images of the cameras whose background is not known, or whose masks are in doubt. A
+/// camera is subscribed while that is so, and some seconds longer; grey cameras are left alone.
 class ColorImages {
  public:
   /// \param inputs must outlive this object
@@ -23,8 +23,9 @@ class ColorImages {
   ColorImages(std::vector<std::string> cameras, std::string transport, StageInputs* inputs,
               StageStatus* status, std::function<void()> arrived);
 
-  /// To be called for each mask, before it is used.
-  void noteMask(size_t camera, int64_t stamp_ns, bool unknown);
+  /// To be called for each mask, before it is used. \param needs_colors its background is unknown,
+  /// or it is in doubt
+  void noteMask(size_t camera, int64_t stamp_ns, bool needs_colors);
   bool isNeeded(size_t camera, int64_t stamp_ns) const {
     return demand_.isNeeded(camera, stamp_ns);
   }

@@ -90,13 +90,24 @@ void FittingInputs::receiveMask(size_t camera, const sensor_msgs::ImageConstPtr&
     states_[camera].last_stamp = mask->header.stamp;
   }
   if (stamp_ns == 0) return;  // visual_hull says so
-  if (colors_) colors_->noteMask(camera, stamp_ns, hasUnknownBackground(*mask));
+  if (colors_)
+    colors_->noteMask(camera, stamp_ns, hasUnknownBackground(*mask) || areColorsWanted(camera));
   if (options_.privacy && needs_.colors && hasUnknownBackground(*mask))
     status_->remark("the background of " + options_.cameras[camera] +
                     " is not known, and with privacy its colours are not read");
   readBeforehand(camera, *mask);
   mask_sets_.add(camera, mask);
   reportCounts();
+}
+
+void FittingInputs::wantColors(std::vector<bool> cameras) {
+  const std::lock_guard<std::mutex> lock(states_mutex_);
+  wanted_colors_ = std::move(cameras);
+}
+
+bool FittingInputs::areColorsWanted(size_t camera) const {
+  const std::lock_guard<std::mutex> lock(states_mutex_);
+  return camera < wanted_colors_.size() && wanted_colors_[camera];
 }
 
 void FittingInputs::readBeforehand(size_t camera, const sensor_msgs::Image& mask) {
@@ -232,7 +243,7 @@ CameraImage FittingInputs::takeImage(size_t camera, const sensor_msgs::Image& ma
   if (needs_.images) return images_.take(camera, stamp_ns);
   if (!colors_->isNeeded(camera, stamp_ns)) return {};
   const CameraImage image = colors_->take(camera, stamp_ns);
-  if (!hasUnknownBackground(mask)) return {};
+  if (!hasUnknownBackground(mask) && !areColorsWanted(camera)) return {};
   if (!image) status_->count("frame sets without the colours of " + options_.cameras[camera]);
   return image;
 }

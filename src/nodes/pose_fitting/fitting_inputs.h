@@ -54,6 +54,8 @@ class FittingInputs {
                 std::function<void()> search_begins);
 
   LiveProducts& products() { return products_; }
+  /// \param cameras as BodyTracker::wantedImages(). Thread-safe
+  void wantColors(std::vector<bool> cameras);
   /// Stamp of each camera's last silhouette, and what the last frame set used. Thread-safe.
   void describeCameras(MocapStatus* message) const;
   /// Which cameras the last frame set did not use, such as "without cam2 (its mask is full)";
@@ -86,6 +88,7 @@ class FittingInputs {
   void noteUse(size_t camera, bool used, const std::string& reason);
   /// Takes over what has changed about the cameras.
   void followRig();
+  bool areColorsWanted(size_t camera) const;
   void readBeforehand(size_t camera, const sensor_msgs::Image& mask);
   CameraImage takeImage(size_t camera, const sensor_msgs::Image& mask);
   /// Determines the rig. Returns a message about what is missing; empty once the rig is known.
@@ -106,6 +109,7 @@ class FittingInputs {
   std::deque<boost::shared_ptr<const HullCameras>> judgements_;  ///< the last ones
   mutable std::mutex states_mutex_;
   std::vector<CameraState> states_;    ///< by camera
+  std::vector<bool> wanted_colors_;    ///< by camera, or empty; with states_mutex_
   std::optional<ColorImages> colors_;  ///< of a method that needs them
   StageInputs inputs_;
   LiveProducts products_;

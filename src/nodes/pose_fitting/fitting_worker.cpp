@@ -42,6 +42,7 @@ BodyPose FittingStage::fit(const FittingMessages& message) {
     prepareTracker(input, stamp_ns);
     const BodyPose pose = updated(*tracker_, withoutChangedCameras(input, *rig_),
                                   inputs_->products(), stamp_ns, needsOf(options_.method).images);
+    inputs_->wantColors(tracker_->wantedImages());
     follows_ = pose.status != PoseStatus::kLost;
     if (follows_) last_fitted_ = pose;
     return pose;
