@@ -17,6 +17,9 @@ class ThingsBesideTest : public ::testing::Test {
   std::vector<cv::Mat> cleaned(const ContourPose& predicted = stride()) const {
     return withoutThingsBeside(masks, images, rig, body, predicted).masks;
   }
+  std::vector<bool> doubted() const {
+    return withoutThingsBeside(masks, images, rig, body, stride()).doubted;
+  }
   bool changesNothing(const ContourPose& predicted = stride()) const {
     const std::vector<cv::Mat> out = cleaned(predicted);
     for (size_t i = 0; i < masks.size(); ++i)
@@ -100,8 +103,11 @@ TEST_F(ThingsBesideWithColorsTest, TheSunAtTheFeetBecomesUnknown) {
             0.7 * cv::countNonZero(only_sun));
   EXPECT_GT(cv::countNonZero(person & (out[0] == kPersonPixel)), 0.9 * cv::countNonZero(person));
   EXPECT_EQ(out[1].data, masks[1].data);
+  const std::vector<bool> first_only{true, false};
+  EXPECT_EQ(doubted(), first_only);
   images.clear();
   EXPECT_TRUE(changesNothing());
+  EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
 }
 
 TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
@@ -113,8 +119,11 @@ TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
   EXPECT_GT(cv::countNonZero(person(legs) & (out[0](legs) == kUnknownPixel)),
             0.7 * cv::countNonZero(person(legs)));
   EXPECT_EQ(out[1].data, masks[1].data);
+  const std::vector<bool> first_only{true, false};
+  EXPECT_EQ(doubted(), first_only);
   images.clear();
   EXPECT_TRUE(changesNothing());
+  EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
 }
 
 TEST_F(ThingsBesideWithColorsTest, WhatMostMasksLackIsNotThere) {
@@ -127,6 +136,7 @@ TEST_F(ThingsBesideWithColorsTest, WhatMostMasksLackIsNotThere) {
 
 TEST_F(ThingsBesideWithColorsTest, ThePersonAloneStays) {
   EXPECT_TRUE(changesNothing());
+  EXPECT_EQ(doubted(), std::vector<bool>(2, false));
 }
 
 TEST_F(ThingsBesideWithColorsTest, AForearmThatIsElsewhereStays) {
