@@ -15,10 +15,10 @@ class ThingsBesideTest : public ::testing::Test {
   ThingsBesideTest() { masks = drawnMasks(rig, body, stride()); }
 
   std::vector<cv::Mat> cleaned(const ContourPose& predicted = stride()) const {
-    return withoutThingsBeside(masks, images, rig, body, predicted).masks;
+    return withoutThingsBeside(masks, images, rig, body, {predicted, seconds}).masks;
   }
   std::vector<bool> doubted() const {
-    return withoutThingsBeside(masks, images, rig, body, stride()).doubted;
+    return withoutThingsBeside(masks, images, rig, body, {stride(), seconds}).doubted;
   }
   bool changesNothing(const ContourPose& predicted = stride()) const {
     const std::vector<cv::Mat> out = cleaned(predicted);
@@ -35,6 +35,7 @@ class ThingsBesideTest : public ::testing::Test {
   CameraRig rig = drawnRig(2);
   ContourBody body{ShapeStatistics::handMade().meanShape(1.75)};
   std::vector<cv::Mat> masks, images;
+  double seconds = 1.0 / 30;  ///< of the prediction
 };
 
 class ThingsBesideWithColorsTest : public ThingsBesideTest {
@@ -108,6 +109,8 @@ TEST_F(ThingsBesideWithColorsTest, TheSunAtTheFeetBecomesUnknown) {
   images.clear();
   EXPECT_TRUE(changesNothing());
   EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
+  seconds = 0.3;
+  EXPECT_EQ(doubted(), std::vector<bool>(2, false)) << "it is the prediction that may be wrong";
 }
 
 TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
@@ -124,6 +127,8 @@ TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
   images.clear();
   EXPECT_TRUE(changesNothing());
   EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
+  seconds = 0.3;
+  EXPECT_EQ(doubted(), std::vector<bool>(2, false)) << "it is the prediction that may be wrong";
 }
 
 TEST_F(ThingsBesideWithColorsTest, WhatMostMasksLackIsNotThere) {

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Four of eight silhouettes say nothing near the person: there, the person is followed by colours.
-Images are subscribed where they are needed, and no longer once the background is known. A box in a
-silhouette calls for them again."""
+Images are subscribed where they are needed, and no longer once the background is known."""
 import math
 import statistics
 import unittest
@@ -18,8 +17,6 @@ from sensor_msgs.msg import Image
 CAMERAS = ['cam%d' % i for i in range(8)]
 POORLY_KNOWN = CAMERAS[:4]
 UNKNOWN, PERSON = 128, 255
-BESIDE_A_BOX = 'cam5'
-BOX = 15     # pixels that it is wider than the person on both sides
 MARGIN = 20  # pixels around the person that are unknown, too
 POSES_WANTED = 12
 # Metres, 1.3 times the largest that several runs measured: the median, and what nine tenths stay
@@ -35,7 +32,7 @@ class UnknownBackground(unittest.TestCase):
         cls.master = rosgraph.Master('unknown_background_test')
         cls.tf = tf2_ros.Buffer(cache_time=rospy.Duration(600))
         cls.listener = tf2_ros.TransformListener(cls.tf)
-        cls.poses, cls.counts, cls.unknown, cls.box = [], {}, True, False
+        cls.poses, cls.counts, cls.unknown = [], {}, True
         rospy.Subscriber('pose', BodyPose, cls.poses.append, queue_size=200)
         rospy.Subscriber('/diagnostics', DiagnosticArray, cls.keep_counts, queue_size=200)
         for camera in CAMERAS:
@@ -43,8 +40,7 @@ class UnknownBackground(unittest.TestCase):
 
     @classmethod
     def relay(cls, camera):
-        """Publishes the true silhouettes of a camera, with or without what is near the person, and
-        with a box at their legs."""
+        """Publishes the true silhouettes of a camera, with or without what is near the person."""
         out = rospy.Publisher(camera + '/silhouette', Image, queue_size=20)
 
         def publish(truth):
@@ -53,9 +49,6 @@ class UnknownBackground(unittest.TestCase):
             if cls.unknown and camera in POORLY_KNOWN and len(rows):
                 mask[max(0, rows.min() - MARGIN):rows.max() + MARGIN,
                      max(0, columns.min() - MARGIN):columns.max() + MARGIN] = UNKNOWN
-            if cls.box and camera == BESIDE_A_BOX and len(rows):
-                mask[(rows.min() + rows.max()) // 2:rows.max() + 1,
-                     max(0, columns.min() - BOX):columns.max() + BOX] = PERSON
             truth.data = mask.tobytes()
             if not rospy.is_shutdown():
                 out.publish(truth)
@@ -117,13 +110,6 @@ class UnknownBackground(unittest.TestCase):
         known = rospy.Time.now()
         self.wait_for(lambda: len(self.tracked(known)) >= POSES_WANTED, 30)
         self.assertEqual([], self.subscribed())
-
-        UnknownBackground.box = True
-        self.wait_for(lambda: self.subscribed() == [BESIDE_A_BOX], 30)
-        boxed = rospy.Time.now()
-        self.wait_for(lambda: len(self.tracked(boxed)) >= POSES_WANTED, 30)
-        UnknownBackground.box = False
-        self.wait_for(lambda: not self.subscribed(), 20)
 
 
 if __name__ == '__main__':

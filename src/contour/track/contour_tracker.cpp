@@ -91,6 +91,7 @@ void ContourTracker::noteStamp(int64_t stamp_ns) {
 
 BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
+  wanted_images_.clear();
   noteStamp(now.stamp_ns);
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   const bool follows = predicted.has_value();
@@ -104,7 +105,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   const ClearedMasks cleared =
       follows && reported_
           ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
-                                predicted->pose)
+                                *predicted)
           : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
   wanted_images_ = cleared.doubted;
   still_contours_.watch(now.stamp_ns, now.images, cleared.masks);

@@ -34,6 +34,8 @@ struct DoubtLimits {
 // Colours find limbs that are elsewhere. Without them what is unknown is lost: both arms and a
 // shank have less than this excess.
 constexpr DoubtLimits kWithColors{0.3, 0.03, 0.1}, kWithoutColors{0.85, 0.2, 1.0};
+// Seconds: what is predicted farther ahead may be wrong by as much.
+constexpr double kLongestPrediction = 0.12;
 // If all masks together show a smaller fraction of the body where they are known, it is the body
 // that is wrong.
 constexpr double kMinSupported = 0.75;
@@ -140,17 +142,18 @@ cv::Mat cleaned(const cv::Mat& mask, int edge, const cv::Mat& apart, const cv::M
 
 ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
                                  const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                 const ContourBody& body, const ContourPose& predicted) {
+                                 const ContourBody& body, const ContourPrediction& predicted) {
   const size_t count = std::min(masks.size(), rig.size());
+  const bool is_fresh = predicted.seconds <= kLongestPrediction;
   const auto has_colors = [&](size_t i) {
-    return i < images.size() && images[i].type() == CV_8UC3;
+    return is_fresh && i < images.size() && images[i].type() == CV_8UC3;
   };
   std::vector<ViewCells> views(count);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     if (masks[i].empty()) return;
     const int edge = hullCellEdge(masks[i].cols);
-    views[i] =
-        cellsOf(masks[i], has_colors(i) ? std::max(1, edge / 2) : edge, rig[i], body, predicted);
+    views[i] = cellsOf(masks[i], has_colors(i) ? std::max(1, edge / 2) : edge, rig[i], body,
+                       predicted.pose);
   });
   DoubtLimits with_colors = kWithColors;
   if (!isSupported(views)) with_colors.max_missing = 1;
@@ -161,8 +164,8 @@ ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
     if (view.near.empty()) return;
     const cv::Mat apart = partsTakenFrom(view);
     cv::Mat doubt = doubtful(view, with_colors);
-    doubted[i] = !doubt.empty();
-    if (doubted[i] && !has_colors(i)) doubt = doubtful(view, kWithoutColors);
+    doubted[i] = is_fresh && !doubt.empty();
+    if (!doubt.empty() && !has_colors(i)) doubt = doubtful(view, kWithoutColors);
     out.masks[i] = cleaned(masks[i], view.edge, apart, doubt);
   });
   out.doubted.assign(doubted.begin(), doubted.end());

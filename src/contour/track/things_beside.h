@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "contour/fit/contour_fitter.h"
 #include "contour/model/contour_body.h"
 #include "markerless_mocap/camera/camera.h"
 
@@ -24,9 +25,10 @@ struct ClearedMasks {
 /// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing
 /// \param images by camera; missing ones may be empty or left out at the end: without colours
 /// little is made unknown, only what is far too large for a limb
-/// \param predicted world
+/// \param predicted after more than 0.12 s it may be wrong by more than what is beside the person:
+/// then masks are treated as without colours, and none is in doubt
 ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
                                  const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                 const ContourBody& body, const ContourPose& predicted);
+                                 const ContourBody& body, const ContourPrediction& predicted);
 
 }  // namespace markerless_mocap
