@@ -242,7 +242,7 @@ CameraImage FittingInputs::takeImage(size_t camera, const sensor_msgs::Image& ma
   const int64_t stamp_ns = nanosecondsOf(mask.header.stamp);
   if (needs_.images) return images_.take(camera, stamp_ns);
   if (!colors_->isNeeded(camera, stamp_ns)) return {};
-  const CameraImage image = colors_->take(camera, stamp_ns);
+  CameraImage image = colors_->take(camera, stamp_ns);
   if (!hasUnknownBackground(mask) && !areColorsWanted(camera)) return {};
   if (!image) status_->count("frame sets without the colours of " + options_.cameras[camera]);
   return image;
