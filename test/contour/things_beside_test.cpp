@@ -43,6 +43,16 @@ class ThingsBesideWithColorsTest : public ThingsBesideTest {
   ThingsBesideWithColorsTest() {
     for (const cv::Mat& mask : masks) images.emplace_back(mask.size(), CV_8UC3);
   }
+  /// Also without images, but not of an old prediction.
+  void expectFirstViewInDoubt() {
+    const std::vector<bool> first_only{true, false};
+    EXPECT_EQ(doubted(), first_only);
+    images.clear();
+    EXPECT_TRUE(changesNothing());
+    EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
+    seconds = 0.3;
+    EXPECT_EQ(doubted(), std::vector<bool>(2, false)) << "it is the prediction that may be wrong";
+  }
 };
 
 TEST_F(ThingsBesideTest, ABoxBecomesUnknownUpToThePredictedBody) {
@@ -104,13 +114,7 @@ TEST_F(ThingsBesideWithColorsTest, TheSunAtTheFeetBecomesUnknown) {
             0.7 * cv::countNonZero(only_sun));
   EXPECT_GT(cv::countNonZero(person & (out[0] == kPersonPixel)), 0.9 * cv::countNonZero(person));
   EXPECT_EQ(out[1].data, masks[1].data);
-  const std::vector<bool> first_only{true, false};
-  EXPECT_EQ(doubted(), first_only);
-  images.clear();
-  EXPECT_TRUE(changesNothing());
-  EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
-  seconds = 0.3;
-  EXPECT_EQ(doubted(), std::vector<bool>(2, false)) << "it is the prediction that may be wrong";
+  expectFirstViewInDoubt();
 }
 
 TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
@@ -122,13 +126,7 @@ TEST_F(ThingsBesideWithColorsTest, TrousersLikeTheWallBecomeUnknown) {
   EXPECT_GT(cv::countNonZero(person(legs) & (out[0](legs) == kUnknownPixel)),
             0.7 * cv::countNonZero(person(legs)));
   EXPECT_EQ(out[1].data, masks[1].data);
-  const std::vector<bool> first_only{true, false};
-  EXPECT_EQ(doubted(), first_only);
-  images.clear();
-  EXPECT_TRUE(changesNothing());
-  EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
-  seconds = 0.3;
-  EXPECT_EQ(doubted(), std::vector<bool>(2, false)) << "it is the prediction that may be wrong";
+  expectFirstViewInDoubt();
 }
 
 TEST_F(ThingsBesideWithColorsTest, WhatMostMasksLackIsNotThere) {

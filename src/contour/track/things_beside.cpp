@@ -34,7 +34,7 @@ struct DoubtLimits {
 // Colours find limbs that are elsewhere. Without them what is unknown is lost: both arms and a
 // shank have less than this excess.
 constexpr DoubtLimits kWithColors{0.3, 0.03, 0.1}, kWithoutColors{0.85, 0.2, 1.0};
-// Seconds: what is predicted farther ahead may be wrong by as much.
+// Seconds. What is predicted farther ahead may itself be off by more than kWithColors allows.
 constexpr double kLongestPrediction = 0.12;
 // If all masks together show a smaller fraction of the body where they are known, it is the body
 // that is wrong.
