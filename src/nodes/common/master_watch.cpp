@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "nodes/common/master_answers.h"
 #include "nodes/common/process_limits.h"
 
 namespace markerless_mocap {
@@ -26,19 +27,6 @@ constexpr const char* kStages[] = {"silhouette", "visual_hull", "body_segmentati
 constexpr const char* kRegisteredAgain =
     "roscore was started again; the topics, services and parameters of this node are registered "
     "again";
-
-XmlRpcValue valuesOf(const std::vector<std::string>& texts) {
-  XmlRpcValue values;
-  for (size_t i = 0; i < texts.size(); ++i) values[int(i)] = texts[i];
-  return values;
-}
-
-/// Asks the master; false if it cannot be reached or refuses.
-bool askMaster(const std::string& method, const std::vector<std::string>& arguments,
-               XmlRpcValue* answer) {
-  XmlRpcValue response;
-  return ros::master::execute(method, valuesOf(arguments), response, *answer, false);
-}
 
 /// Asked by a service that every node has. The name of the node is no proof: a topic that was
 /// subscribed since is enough for the master to know it.
@@ -139,7 +127,7 @@ void MasterWatch::run() {
       keepParameters(namespaces_);  // settings may have changed
       continue;
     }
-    if (!ros::master::check())
+    if (!masterAnswers())
       tell("roscore", "roscore cannot be reached; this node goes on with those that it knows");
     else if (!isKnownToMaster())
       registerAgain();

@@ -1,7 +1,5 @@
 #include "nodes/common/stage_inputs.h"
 
-#include <ros/master.h>
-
 #include <exception>
 
 #include "nodes/common/master_answers.h"
@@ -17,13 +15,12 @@ constexpr double kSilence = 5.0;  // seconds
 /// another one, and all topics of its type.
 std::string silentTopic(const std::string& topic, const std::string& type) {
   const std::string sentence = "no messages on " + topic + " (" + type + "); topics of that type ";
-  if (!masterAnswers()) return sentence + "are not known, as roscore is away";
-  ros::master::V_TopicInfo topics;
-  ros::master::getTopics(topics);
+  const auto advertised = advertisedTopics();
+  if (!advertised) return sentence + "are not known, as roscore is away";
   std::string others, sent;
-  for (const ros::master::TopicInfo& info : topics) {
-    if (info.name == topic) sent = info.datatype;
-    if (info.datatype == type && info.name != topic) addWord(&others, info.name);
+  for (const auto& [name, datatype] : *advertised) {
+    if (name == topic) sent = datatype;
+    if (datatype == type && name != topic) addWord(&others, name);
   }
   return (sent.empty() || sent == type ? "" : "what is sent on " + topic + " is " + sent + "; ") +
          sentence + "are " + (others.empty() ? "none" : others);

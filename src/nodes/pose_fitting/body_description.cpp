@@ -1,22 +1,10 @@
 #include "nodes/pose_fitting/body_description.h"
 
-#include <ros/master.h>
 #include <ros/this_node.h>
 
+#include "nodes/common/master_answers.h"
+
 namespace markerless_mocap {
-namespace {
-
-/// As ros::param, but without waiting for a roscore that is gone: poses go on without it.
-bool askMaster(const char* method, const std::string& parameter, const std::string* value,
-               XmlRpc::XmlRpcValue* answer) {
-  XmlRpc::XmlRpcValue request, response;
-  request[0] = ros::this_node::getName();
-  request[1] = parameter;
-  if (value) request[2] = *value;
-  return ros::master::execute(method, request, response, *answer, false);
-}
-
-}  // namespace
 
 BodyDescription::~BodyDescription() {
   remove();
@@ -30,18 +18,19 @@ void BodyDescription::set(const TrackedBody& body) {
 
 void BodyDescription::restore() {
   XmlRpc::XmlRpcValue answer;
-  if (!set_) set_ = askMaster("setParam", parameter_, &urdf_, &answer);
+  if (!set_) set_ = askMaster("setParam", {ros::this_node::getName(), parameter_, urdf_}, &answer);
 }
 
 void BodyDescription::remove() {
   XmlRpc::XmlRpcValue answer;
-  if (set_) askMaster("deleteParam", parameter_, nullptr, &answer);
+  if (set_) askMaster("deleteParam", {ros::this_node::getName(), parameter_}, &answer);
   set_ = false;
 }
 
 bool BodyDescription::isThere() const {
   XmlRpc::XmlRpcValue answer;
-  if (!askMaster("hasParam", parameter_, nullptr, &answer)) return true;  // nobody can tell
+  if (!askMaster("hasParam", {ros::this_node::getName(), parameter_}, &answer))
+    return true;  // nobody can tell
   return bool(answer);
 }
 

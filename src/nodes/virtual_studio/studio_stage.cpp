@@ -1,13 +1,11 @@
 #include "nodes/virtual_studio/studio_stage.h"
 
-#include <ros/master.h>
 #include <ros/param.h>
 #include <rosgraph_msgs/Clock.h>
 
-#include <algorithm>
-
 #include "camera/rig_calibrations.h"
 #include "capture/ground_truth.h"
+#include "nodes/common/master_answers.h"
 #include "nodes/common/publish_shared.h"
 #include "resources/resources.h"
 #include "ros/camera_conversions.h"
@@ -62,13 +60,11 @@ void StudioStage::publishRig() {
 
 bool StudioStage::isAwaited() const {
   if (!node_options_.wait_for_silhouettes) return true;
-  ros::master::V_TopicInfo advertised;
-  ros::master::getTopics(advertised);
+  const auto advertised = advertisedTopics();
+  if (!advertised) return false;
   for (size_t i = 0; i < images_.size(); ++i) {
     const std::string topic = handle_.resolveName(studio_.rig()[i].name() + "/silhouette");
-    const bool known = std::any_of(advertised.begin(), advertised.end(),
-                                   [&](const auto& info) { return info.name == topic; });
-    if (!known || images_[i].getNumSubscribers() == 0) return false;
+    if (!advertised->count(topic) || images_[i].getNumSubscribers() == 0) return false;
   }
   return true;
 }
