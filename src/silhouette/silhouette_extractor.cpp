@@ -51,10 +51,7 @@ class SilhouetteExtractor::Impl {
     if (first_background_.valid()) takeFirstBackground();
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
-    if (live_ && hasLeftPlace(found)) {
-      relearn();
-      return update(given, whole);
-    }
+    if (live_ && !learns_anew_ && hasLeftPlace(found)) learnAnew();
     const double unknown = double(found.unknown.count()) / double(image.total());
     return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
             unknown,           found.changed_fraction,
@@ -73,6 +70,7 @@ class SilhouetteExtractor::Impl {
     if (learns()) subtractor_.reset();
     first_background_ = {};
     live_.reset();
+    learns_anew_ = false;
     frames_learned_ = stale_run_ = left_run_ = 0;
     size_ = loaded_.size();
     type_ = loaded_.empty() ? -1 : loaded_.type();
@@ -171,7 +169,7 @@ class SilhouetteExtractor::Impl {
   /// There is no subtractor until this has ended.
   void learnFirstBeside() {
     if (live_) {
-      live_->learnBeside();
+      live_->learnBeside(true);
       subtractor_.reset();
     } else {
       first_background_ =
@@ -190,20 +188,32 @@ class SilhouetteExtractor::Impl {
     subtractor_->change(options_);  // they may have changed
   }
 
+  /// From the images that follow. The background so far is used until then: masks go on.
+  void learnAnew() {
+    live_.emplace(options_);
+    learns_anew_ = true;
+    left_run_ = 0;
+  }
+
   void addLive(const cv::Mat& image) {
     live_->add(image);
     if (live_->isDue() && beside_)
-      live_->learnBeside();
+      live_->learnBeside(!subtractor_);
     else if (live_->isDue())
-      subtractor_ = makeSubtractor(options_, live_->learn());
-    if (const std::optional<Background> better = live_->learned())
-      subtractor_ = makeSubtractor(options_, *better);
+      replaceBackground(live_->learn());
+    if (const std::optional<Background> better = live_->learned()) replaceBackground(*better);
     if (live_->isDone()) live_.reset();
+  }
+
+  void replaceBackground(const Background& background) {
+    subtractor_ = makeSubtractor(options_, background);
+    learns_anew_ = false;
   }
 
   SilhouetteOptions options_;
   std::optional<LiveLearner> live_;         ///< as long as the background gets better
   bool beside_ = false;                     ///< it is learned again beside the images
+  bool learns_anew_ = false;                ///< from images that show what the first ones did not
   std::unique_ptr<Subtractor> subtractor_;  ///< none before the first image and while it is learned
   std::future<std::unique_ptr<Subtractor>> first_background_;  ///< beside the images
   Background loaded_;  ///< background from a file or given; else empty

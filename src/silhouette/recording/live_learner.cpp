@@ -26,9 +26,14 @@ void LiveLearner::add(const cv::Mat& image) {
   sampler_.add(sampler_.wantsNext() ? image : cv::Mat());
 }
 
+bool LiveLearner::startsStill() {
+  if (!starts_still_) starts_still_ = !showMotion(sampler_.motion());
+  return *starts_still_;
+}
+
 bool LiveLearner::isOccupied() {
-  starts_still_ = !showMotion(sampler_.motion());
-  return options_.background == "recording" || !starts_still_ || showsPerson(sampler_.last());
+  const bool is_still = startsStill();
+  return options_.background == "recording" || !is_still || showsPerson(sampler_.last());
 }
 
 void LiveLearner::schedule(const Background& background) {
@@ -38,17 +43,16 @@ void LiveLearner::schedule(const Background& background) {
 Background LiveLearner::learn() {
   next_ *= 2;
   Background background =
-      learnFromRecording(sampler_.samples(options_.compensate_flicker), starts_still_);
+      learnFromRecording(sampler_.samples(options_.compensate_flicker), startsStill());
   schedule(background);
   return background;
 }
 
-void LiveLearner::learnBeside() {
+void LiveLearner::learnBeside(bool is_awaited) {
   next_ *= 2;
   if (learning_.valid()) return;
-  const bool is_awaited = !std::exchange(has_learned_, true);
   learning_ = std::async(std::launch::async, [sampler = sampler_, options = options_, is_awaited,
-                                              starts_still = starts_still_] {
+                                              starts_still = startsStill()] {
     const auto learn = [&] {
       return learnFromRecording(sampler.samples(options.compensate_flicker), starts_still);
     };

@@ -27,20 +27,21 @@ class LiveLearner {
   bool isDone() const { return next_ > last_ && !learning_.valid(); }
   Background learn();
   /// The same in another thread, as it takes as long as some images; nothing happens if that still
-  /// runs. The first time nothing can be done without it; later its priority is low.
-  void learnBeside();
+  /// runs. \param is_awaited nothing can be done without it; else its priority is low
+  void learnBeside(bool is_awaited);
   /// What learnBeside() has found; empty if it has found nothing new yet.
   std::optional<Background> learned();
 
  private:
+  /// Whether nothing moves in the images so far; of the first time that it is asked.
+  bool startsStill();
   /// When to learn again.
   void schedule(const Background& background);
 
   SilhouetteOptions options_;
   SceneSampler sampler_;
   int next_, last_;  ///< numbers of images
-  bool has_learned_ = false;
-  bool starts_still_ = false;  ///< nothing moves in the first images
+  std::optional<bool> starts_still_;
   std::future<Background> learning_;
 };
 
