@@ -66,7 +66,6 @@ void ContourTracker::bodyHasChanged() {
 }
 
 void ContourTracker::reset() {
-  wanted_images_.clear();
   hypotheses_.lose();
   color_check_.forget();
   still_contours_.reset();
@@ -92,6 +91,7 @@ void ContourTracker::noteStamp(int64_t stamp_ns) {
 
 BodyPose ContourTracker::update(const TrackerInput& now) {
   observer_.check(now.masks);
+  wanted_images_.clear();
   noteStamp(now.stamp_ns);
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   const bool follows = predicted.has_value();
@@ -106,7 +106,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
       follows && reported_
           ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
                                 *predicted)
-          : withoutStrayParts(now.masks, hull(), still_contours_.rig());
+          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
   wanted_images_ = cleared.doubted;
   still_contours_.watch(now.stamp_ns, now.images, cleared.masks);
   return updateFrom(

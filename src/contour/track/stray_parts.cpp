@@ -16,12 +16,7 @@ constexpr double kMinStray = 0.03;
 // a limb that the hull lacks has less.
 constexpr double kMinAttached = 0.35;
 
-struct ClearedMask {
-  cv::Mat mask;
-  bool doubted = false;
-};
-
-ClearedMask withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
+cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
   const int edge = hullCellEdge(mask.cols);
   const cv::Mat shown = maskCells(mask, edge), inside = hullCells(hull, camera, edge);
   const cv::Mat reached = partsThatMeet(shown, inside);
@@ -31,30 +26,24 @@ ClearedMask withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const
   const bool has_stray = kept > 0 && stray >= kMinStray * kept;
   const bool has_attached =
       cv::countNonZero(attached) > kMinAttached * cv::countNonZero((shown != 0) & inside);
-  if (!has_stray && !has_attached) return {mask};
+  if (!has_stray && !has_attached) return mask;
   cv::Mat cleaned = mask.clone();
   if (has_stray) setCells(~reached, edge, kBackgroundPixel, &cleaned);
   if (has_attached) setCells(attached, edge, kUnknownPixel, &cleaned);
-  return {cleaned, has_attached};
+  return cleaned;
 }
 
 }  // namespace
 
-ClearedMasks withoutStrayParts(const std::vector<cv::Mat>& masks, const VisualHull& hull,
-                               const CameraRig& rig) {
-  ClearedMasks out{masks, std::vector<bool>(masks.size())};
-  if (masks.size() != rig.size() || hull.voxels.empty()) return out;
-  std::vector<ClearedMask> cleared(masks.size());
+std::vector<cv::Mat> withoutStrayParts(const std::vector<cv::Mat>& masks, const VisualHull& hull,
+                                       const CameraRig& rig) {
+  if (masks.size() != rig.size() || hull.voxels.empty()) return masks;
+  std::vector<cv::Mat> cleaned = masks;
   tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
-    cleared[i].mask = masks[i];
     if (!masks[i].empty() && !hasUnknownPixels(masks[i]))
-      cleared[i] = withoutStrayParts(masks[i], hull, rig[i]);
+      cleaned[i] = withoutStrayParts(masks[i], hull, rig[i]);
   });
-  for (size_t i = 0; i < masks.size(); ++i) {
-    out.masks[i] = cleared[i].mask;
-    out.doubted[i] = cleared[i].doubted;
-  }
-  return out;
+  return cleaned;
 }
 
 }  // namespace markerless_mocap

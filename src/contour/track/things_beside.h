@@ -5,10 +5,15 @@
 
 #include "contour/fit/contour_fitter.h"
 #include "contour/model/contour_body.h"
-#include "contour/track/cleared_masks.h"
 #include "markerless_mocap/camera/camera.h"
 
 namespace markerless_mocap {
+
+/// Masks by camera, and whether they were in doubt.
+struct ClearedMasks {
+  std::vector<cv::Mat> masks;
+  std::vector<bool> doubted;  ///< mask and body differ so much that colours are needed
+};
 
 /// The masks of a person who is tracked, without what they cannot be. Parts that are beside the
 /// predicted body, such as a bystander, become background. Where a mask and the predicted body
