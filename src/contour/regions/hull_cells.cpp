@@ -53,11 +53,16 @@ cv::Mat partsThatMeet(const cv::Mat& mask, const cv::Mat& cells) {
 }
 
 void setCells(const cv::Mat& cells, int edge, uint8_t value, cv::Mat* mask) {
-  for (int y = 0; y < mask->rows; ++y) {
-    uchar* row = mask->ptr<uchar>(y);
-    const uchar* cell_row = cells.ptr<uchar>(y / edge);
-    for (int x = 0; x < mask->cols; ++x)
-      if (cell_row[x / edge]) row[x] = value;
+  const cv::Rect image({}, mask->size());
+  for (int y = 0; y < cells.rows; ++y) {
+    const uchar* row = cells.ptr<uchar>(y);
+    for (int x = 0; x < cells.cols; ++x) {
+      if (!row[x]) continue;
+      const int first = x;
+      while (x < cells.cols && row[x]) ++x;
+      const cv::Rect run(first * edge, y * edge, (x - first) * edge, edge);
+      (*mask)(run & image).setTo(value);
+    }
   }
 }
 
