@@ -51,7 +51,7 @@ class SilhouetteExtractor::Impl {
     if (first_background_.valid()) takeFirstBackground();
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
-    if (live_ && !learns_anew_ && hasLeftPlace(found)) learnAnew();
+    if (live_ && !live_->isLearning() && !learns_anew_ && hasLeftPlace(found)) learnAnew();
     const double unknown = double(found.unknown.count()) / double(image.total());
     return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
             unknown,           found.changed_fraction,

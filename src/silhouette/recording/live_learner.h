@@ -29,6 +29,8 @@ class LiveLearner {
   /// The same in another thread, as it takes as long as some images; nothing happens if that still
   /// runs. \param is_awaited nothing can be done without it; else its priority is low
   void learnBeside(bool is_awaited);
+  /// Whether that runs. To end this object waits for it.
+  bool isLearning() const { return learning_.valid(); }
   /// What learnBeside() has found; empty if it has found nothing new yet.
   std::optional<Background> learned();
 
