@@ -55,7 +55,8 @@ class SilhouetteExtractor::Impl {
     const double unknown = double(found.unknown.count()) / double(image.total());
     return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
             unknown,           found.changed_fraction,
-            found.light_gain,  double(found.uncovered) / double(image.total())};
+            found.light_gain,  double(found.uncovered) / double(image.total()),
+            learns_anew_};
   }
 
   void change(const SilhouetteOptions& changed) {

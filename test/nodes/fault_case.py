@@ -2,6 +2,7 @@
 something is wrong. Each case prints what was measured."""
 import collections
 import os
+import shutil
 import tempfile
 import time
 import unittest
@@ -51,6 +52,10 @@ class FaultCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('fault_suite_test')
+        # Its own: what another run has left there would be the background of this one.
+        cls.folder = rospy.get_param('silhouette/background_folder')
+        os.mkdir(cls.folder)
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, 'room.bag')
             render(path)

@@ -41,7 +41,7 @@ class FaultSuite(CalibrationFaults, CameraFaults, ClockFaults, StageFaults, Faul
         self.cameras.stands, self.cameras.data_of = True, data_of
         time.sleep(1.0)
         for camera in CAMERAS:
-            pathlib.Path('/tmp/%s.background' % camera).unlink(missing_ok=True)
+            pathlib.Path(self.folder, camera + '.background').unlink(missing_ok=True)
         os.kill(pid_of('silhouette'), signal.SIGKILL)
         asked = time.time()
         wait_for(lambda: len(self.since(asked)) >= RATE, 12)

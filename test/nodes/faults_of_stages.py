@@ -48,7 +48,7 @@ class StageFaults:
         os.kill(pid, signal.SIGKILL)
         time.sleep(0.8)  # what is under way
         self.end = time.time()
-        self.expect('is that of /tmp', least=0, silence=5.0)
+        self.expect('is that of ' + self.folder, least=0, silence=5.0)
         self.assertLess(self.recovery, 4.0)
         self.assertFalse(self.said('learning the background, 2'))
 

@@ -181,9 +181,9 @@ class Cameras:
         return math.dist(found[limb], truth[limb]) if truth else 9.0
 
     def error(self, found, stamp_ns):
-        """The largest distance of a joint from the truth, m."""
+        """The largest distance of a joint that is told from the truth, m."""
         truth = self.recording.places[self.content[self.nearest(stamp_ns)]]
         if truth is None:
             return 9.0
         shared = [name for name in found if name in truth]
-        return max(math.dist(found[name], truth[name]) for name in shared)
+        return max((math.dist(found[name], truth[name]) for name in shared), default=0.0)

@@ -27,6 +27,9 @@ struct SilhouetteResult {
   /// Fraction of pixels that have become background with this image, 0 to 1: somebody or something
   /// stood there, still, while the background was learned, and has left.
   double uncovered_fraction = 0;
+  /// Somebody has left the place where they kept still at first: the mask is that of the background
+  /// with them in it, while another one is learned.
+  bool is_learned_anew = false;
 };
 
 /// Background subtraction of one camera: a background model per pixel, a shadow test, clean-up. The

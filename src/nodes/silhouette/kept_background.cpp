@@ -89,7 +89,8 @@ void KeptBackground::relearn() {
 
 void KeptBackground::keep(const SilhouetteResult& result) {
   const double now = ros::SteadyTime::now().toSec();
-  if (result.uncovered_fraction > 0) saved_at_ = now - kSaveInterval + kSettled;
+  if (result.uncovered_fraction > 0 || result.is_learned_anew)
+    saved_at_ = now - kSaveInterval + kSettled;
   const bool is_due = !saved_at_ || now - *saved_at_ > kSaveInterval;
   if (!is_due || result.state != SilhouetteState::kReady || result.unknown_fraction > 0.0 ||
       !isLike(result))
