@@ -71,6 +71,26 @@ TEST_F(RegionSearchTest, ALimbIsContradictedByWhatIsKnownOfAllOfItNotByItsBorder
   }
 }
 
+// As of a camera that was turned: it shows something else where the others show the person.
+TEST_F(RegionSearchTest, AViewThatMostOthersContradictTellsNothing) {
+  const cv::Mat elsewhere = cv::Mat::zeros(person[0].size(), CV_8UC1);
+  const auto unknown_beside = [&](size_t view) {
+    masks[view] = elsewhere.clone();
+    const cv::Rect all = cv::boundingRect(person[view]);
+    masks[view].colRange(all.x - 8, all.x).setTo(128);
+  };
+  for (size_t i = 1; i < masks.size(); ++i) masks[i] = person[i];
+  unknown_beside(0);
+  const RegionObservation one = observer.observeNear({images, masks}, body, pose, 0.04);
+  EXPECT_EQ(cv::countNonZero(one.masks[0] != 128), 0);
+  EXPECT_EQ(one.agreement, 1.0);
+  EXPECT_EQ(one.limb_agreement[ContourLimb::kLeftLeg], 1.0);
+  unknown_beside(1);
+  const RegionObservation two = observer.observeNear({images, masks}, body, pose, 0.04);
+  EXPECT_GT(cv::countNonZero(two.masks[0] != 128), 0) << "these are not most others";
+  EXPECT_LT(two.agreement, 0.1);
+}
+
 TEST_F(RegionSearchTest, AViewIsTakenAsItIsWhereTheBackgroundIsKnownNearTheBody) {
   masks = person;
   const cv::Rect all = cv::boundingRect(person[0]);

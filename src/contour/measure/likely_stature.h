@@ -10,4 +10,14 @@ namespace markerless_mocap {
 /// \param quality of the best fit at a stature in metres, see qualityOf()
 double likelyStature(double expected, const std::function<double(double stature)>& quality);
 
+struct RatedStature {
+  double stature;  ///< metres
+  double quality;
+};
+
+/// Larger statures in turn as long as each fits better, or else smaller ones, 1.1 to 2.4 m: for a
+/// body that fits poorly.
+/// \return the best one, or `from` if no other fits better
+RatedStature betterStature(RatedStature from, const std::function<double(double stature)>& quality);
+
 }  // namespace markerless_mocap

@@ -6,8 +6,8 @@ namespace markerless_mocap {
 
 MeasuredPerson::MeasuredPerson(const CameraRig& rig, PersonResources resources,
                                const PersonOptions& person, const ContourOptions& options)
-    : resources_(std::move(resources)), options_(person) {
-  setBody(initialBody(resources_, options_.stature));
+    : resources_(std::move(resources)), options_(person), stature_(person.stature) {
+  setBody(initialBody(resources_, stature_));
   if (!options_.measure || tracked_->shape_estimated) return;
   const ShapePrior prior{resources_.shape_statistics, options_.stature, options_.stature_sigma};
   estimator_.emplace(rig, options, prior, options_.shape_poses, resources_.in_background);
@@ -31,6 +31,7 @@ std::string MeasuredPerson::progress() const {
 
 void MeasuredPerson::setStature(double stature) {
   if (!estimator_) return;
+  stature_ = stature;
   setBody(initialBody(resources_, stature));
   estimator_->setStature(stature);
 }

@@ -30,6 +30,8 @@ class MeasuredPerson {
   const ContourUrdfConverter& converter() const { return *converter_; }
   /// The mean body of this stature, metres.
   ContourBody meanBody(double stature) const;
+  /// Of the mean body that is used until the person is measured, metres.
+  double stature() const { return stature_; }
 
   /// False if the body is the person's own, or shall stay the mean one.
   bool isBeingMeasured() const { return estimator_.has_value(); }
@@ -52,6 +54,7 @@ class MeasuredPerson {
 
   PersonResources resources_;
   PersonOptions options_;
+  double stature_;
   std::shared_ptr<const TrackedBody> tracked_;
   std::optional<ContourBody> body_;  ///< with the shape of tracked_
   std::optional<ContourUrdfConverter> converter_;

@@ -3,7 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/model/contour_kinematics.h"
@@ -23,6 +25,10 @@ constexpr float kCandidateReach = 0.5f;
 // by kNear_sigmas expected errors and kNear samples.
 constexpr double kMaxUnknownNear = 0.005;
 constexpr float kNear_sigmas = 2.5f, kNear = 2.f;
+
+// If background subtraction sees more of what colours found in a view as background, but so it is
+// in less than half of the views that tell, the camera of that view was turned or covered.
+constexpr double kMostContradicted = 0.25;
 
 int stepOf(const cv::Mat& image) {
   return std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
@@ -82,6 +88,37 @@ ContourLimb::Id limbOfPart(size_t part) {
 
 double ratio(double part, double whole, double of_nothing) {
   return whole > 0 ? part / whole : of_nothing;
+}
+
+/// How much of what colours found has a known background, and how much is background.
+struct Verdict {
+  double known = 0.0, contradicted = 0.0;
+};
+
+Verdict verdictOn(const RegionMask& view) {
+  const auto sum = [](const std::vector<int>& parts) {
+    return double(std::accumulate(parts.begin(), parts.end(), 0));
+  };
+  const double colored = sum(view.colored), known = sum(view.known);
+  return {ratio(known, colored, 0), ratio(known - sum(view.agreeing), colored, 0)};
+}
+
+/// Takes out what was found in views that most others contradict; their masks become unknown.
+/// \param masks_tell number of views in which masks decide
+void leaveOutContradicted(const std::vector<cv::Mat>& masks, int masks_tell,
+                          std::vector<RegionMask>& found, RegionMasks& out) {
+  std::vector<size_t> contradicted;
+  int telling = masks_tell;
+  for (size_t i = 0; i < found.size(); ++i) {
+    const Verdict verdict = verdictOn(found[i]);
+    telling += verdict.known > kMostContradicted;
+    if (verdict.contradicted > kMostContradicted) contradicted.push_back(i);
+  }
+  if (2 * int(contradicted.size()) >= telling) return;
+  for (const size_t i : contradicted) {
+    found[i] = RegionMask();
+    out.masks[i] = cv::Mat(masks[i].size(), CV_8UC1, kUnknownPixel);
+  }
 }
 
 void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
@@ -152,14 +189,22 @@ RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& bo
   RegionMasks out;
   out.masks = frame.masks;
   std::vector<RegionMask> found(rig_.size());
+  std::atomic<int> masks_tell{0};
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
-    if (view.colors.empty()) return;
+    if (view.colors.empty()) {
+      masks_tell += !frame.masks[i].empty() && !hasUnknownBackground(frame.masks[i]);
+      return;
+    }
     const ProjectedBody at = projectedBody(rig_[i], view.step, body, pose, error_m);
-    if (!isUnknownNear(at, view.known)) return;
+    if (!isUnknownNear(at, view.known)) {
+      ++masks_tell;
+      return;
+    }
     found[i] = segmenters_[i].segment(view.colors, at, view.known);
     out.masks[i] = enlarged(found[i].mask, view.step, frame.masks[i].size());
   });
+  leaveOutContradicted(frame.masks, masks_tell, found, out);
   measureAgreement(found, out);
   return out;
 }

@@ -62,7 +62,8 @@ class BodyRegions {
   void reset();
 
   /// \param error_m expected error of the body's outline, metres
-  /// \return a view without colours has its mask
+  /// \return a view without colours has its mask; one in which background subtraction contradicts
+  /// the colours, while most views do not, is all unknown
   RegionMasks segment(const RegionFrame& frame, const ContourBody& body, const ContourPose& pose,
                       double error_m) const;
   /// Where the person is or may be: a view without colours has its mask, others show samples near
