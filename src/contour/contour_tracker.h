@@ -147,7 +147,8 @@ class ContourTracker : public BodyTracker {
   SearchTimer learning_, reconsideration_;
   PatientSearchTimer limb_search_;
   int64_t fresh_until_ns_ = 0;
-  bool reported_ = false;         ///< a pose has been reported since the last start
+  bool reported_ = false;         ///< a pose of this body has been reported since the last start
+  bool is_at_person_ = false;     ///< a pose has been reported since then, perhaps of another body
   std::string lost_reason_;       ///< of the last start
   std::optional<int64_t> stamp_;  ///< of the last frame
   int64_t gap_ns_ = 0;            ///< between the last two frames

@@ -103,7 +103,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
     return follows ? now.products.newestHull() : now.products.forStart().hull;
   };
   const ClearedMasks cleared =
-      follows && reported_
+      follows && is_at_person_
           ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
                                 *predicted)
           : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
@@ -169,7 +169,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     contradicted_.reset();
     active = start(now);
     trust_.judgeStart(judged(found.seen, active.track.fit));
-    reported_ = false;
+    reported_ = is_at_person_ = false;
     return active;
   }
   active = takeCheck(now, active);
@@ -238,7 +238,7 @@ BodyPose ContourTracker::unaccepted(const ContourFit& fit) const {
 BodyPose ContourTracker::reported(const ActiveTrack& active) {
   BodyPose pose;
   pose.status = active.switched || !reported_ ? PoseStatus::kReinitialized : PoseStatus::kTracked;
-  reported_ = true;
+  reported_ = is_at_person_ = true;
   starts_.poseReported();
   person_.converter().convert(active.track.fit.pose, pose.T_world_body, pose.angles);
   reportEvidence(active.track.fit, trust_.limbAgreement(), pose);
