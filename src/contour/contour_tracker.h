@@ -81,8 +81,8 @@ class ContourTracker : public BodyTracker {
   JudgedPose judged(const ContourObservation& seen, const ContourFit& fit) const;
   /// True if the pose may be reported. That of a mean body only after something has moved, as many
   /// things are like some body, and after another search has confirmed what colours follow; not
-  /// while an alternative is followed: a body that is not the person's hardly tells a wrong pose
-  /// from a right one.
+  /// while an alternative is followed, or fits better than what was reported before: a body that is
+  /// not the person's hardly tells a wrong pose from a right one.
   bool isReportable(const Frame& now, const ContourObservation& seen) const;
   BodyPose lost(const ContourObservation& seen, const ContourFit& fit);
   BodyPose unaccepted(const ContourFit& fit) const;

@@ -56,6 +56,8 @@ class ContourMultiHypothesisTracker {
   /// True if a pose is tracked and there is no alternative, or the alternative has turned out
   /// clearly worse.
   bool isUnambiguous() const;
+  /// True if no alternative has fitted better since it was proposed.
+  bool isAhead() const { return active_.tracking() && (!alternative_ || alternative_gain_ <= 0); }
   /// Says that a start on a later frame has led to the same body.
   void confirm() { confirmed_ = true; }
   /// True if a start on a later frame has led to the same body.

@@ -222,7 +222,8 @@ JudgedPose ContourTracker::judged(const ContourObservation& seen, const ContourF
 bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
   if (!trust_.isBelieved() || !person_.isBeingMeasured()) return trust_.isBelieved();
   const bool checked = !now.regions.needsColors() || starts_.isConfirmed();
-  return hypotheses_.isUnambiguous() && (reported_ || (checked && still_contours_.showLife(seen)));
+  if (reported_) return hypotheses_.isAhead();
+  return hypotheses_.isUnambiguous() && checked && still_contours_.showLife(seen);
 }
 
 BodyPose ContourTracker::lost(const ContourObservation& seen, const ContourFit& fit) {
