@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <future>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +21,12 @@ namespace {
 std::string described(const cv::Size& size, int type) {
   const char* kind = type == CV_8UC1 ? " grey" : type == CV_8UC3 ? " BGR" : " of another type";
   return std::to_string(size.width) + " x " + std::to_string(size.height) + kind;
+}
+
+/// What an arm may reach beside somebody.
+cv::Rect surroundings(const cv::Rect& person) {
+  const int reach = person.height / 4;
+  return (person - cv::Point(reach, reach)) + cv::Size(2 * reach, 2 * reach);
 }
 
 cv::Mat maskOf(const Extraction& found) {
@@ -52,8 +59,9 @@ class SilhouetteExtractor::Impl {
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
     if (live_ && !live_->isLearning() && !learns_anew_ && hasLeftPlace(found)) learnAnew();
-    const double unknown = double(found.unknown.count()) / double(image.total());
-    return {stateAfter(found), enlargedMask(maskOf(found), reduction(whole), whole),
+    const cv::Mat mask = learns_anew_ ? withoutGhost(maskOf(found)) : maskOf(found);
+    const double unknown = double(cv::countNonZero(mask == kUnknownPixel)) / double(mask.total());
+    return {stateAfter(found), enlargedMask(mask, reduction(whole), whole),
             unknown,           found.changed_fraction,
             found.light_gain,  double(found.uncovered) / double(image.total()),
             learns_anew_};
@@ -193,7 +201,15 @@ class SilhouetteExtractor::Impl {
   void learnAnew() {
     live_.emplace(options_);
     learns_anew_ = true;
+    left_place_ = surroundings(cv::boundingRect(subtractor_->background()->person().toMat()));
     left_run_ = 0;
+  }
+
+  /// Limbs that were not guessed are part of the background, and foreground since they have gone.
+  cv::Mat withoutGhost(cv::Mat mask) const {
+    cv::Mat near = mask(left_place_ & cv::Rect({}, mask.size()));
+    near.setTo(kUnknownPixel, near == kPersonPixel);
+    return mask;
   }
 
   void addLive(const cv::Mat& image) {
@@ -215,6 +231,7 @@ class SilhouetteExtractor::Impl {
   std::optional<LiveLearner> live_;         ///< as long as the background gets better
   bool beside_ = false;                     ///< it is learned again beside the images
   bool learns_anew_ = false;                ///< from images that show what the first ones did not
+  cv::Rect left_place_;                     ///< where somebody may have been in the first ones
   std::unique_ptr<Subtractor> subtractor_;  ///< none before the first image and while it is learned
   std::future<std::unique_ptr<Subtractor>> first_background_;  ///< beside the images
   Background loaded_;  ///< background from a file or given; else empty
