@@ -164,7 +164,11 @@ TEST(StillPerson, TheBackgroundIsLearnedAnewOnceTheyHaveGone) {
     };
     showEmpty(0, 4);
     EXPECT_GT(result.unknown_fraction, 0.0) << "cam" << i;
+    EXPECT_TRUE(result.is_learned_anew) << "cam" << i;
+    const cv::Mat place = result.mask(cv::boundingRect(views()[i].person));
+    EXPECT_EQ(cv::countNonZero(place == kPersonPixel), 0) << "cam" << i << ": a ghost";
     showEmpty(4, kImages + 4);
+    EXPECT_FALSE(result.is_learned_anew) << "cam" << i;
     EXPECT_EQ(result.unknown_fraction, 0.0) << "cam" << i;
     EXPECT_LT(cv::countNonZero(result.mask), 0.02 * cv::countNonZero(views()[i].person))
         << "cam" << i;
