@@ -45,6 +45,8 @@ class ContourTracker : public BodyTracker {
     bool behind;
     RegionFrame regions;
     std::vector<double> later_s;  ///< by camera, as TrackerInput has it
+    /// ClearedMasks::without_colors; empty if no mask is in doubt.
+    std::vector<cv::Mat> doubted_masks;
   };
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {
@@ -57,6 +59,8 @@ class ContourTracker : public BodyTracker {
   /// Notes the stamp; the poses are doubted after an unusually long gap.
   void noteStamp(int64_t stamp_ns);
   BodyPose updateFrom(const Frame& now);
+  /// Says where the body is in views that are of another time.
+  void shift(const Frame& now, ContourObservation& seen) const;
   /// The masks, or colours around the predicted pose.
   RegionObservation observe(const Frame& now) const;
   /// Continues the pose of the last frame or starts. \param found replaced if colours show other
@@ -128,6 +132,8 @@ class ContourTracker : public BodyTracker {
                      const std::optional<RegionFit>& found);
   /// Takes other places of limbs if they agree better with colours and silhouettes.
   void searchLimbs(const Frame& now, RegionObservation& found, ActiveTrack& active);
+  /// Takes other places of limbs that masks in doubt show.
+  void searchLimbsInDoubt(const Frame& now, ActiveTrack& active);
   /// Takes the pose tree, or a pose with exchanged sides, as alternative to a doubtful pose.
   void reconsider(const Frame& now, const ContourObservation& seen,
                   const ContourTrackingResult& track);
@@ -144,7 +150,7 @@ class ContourTracker : public BodyTracker {
   PoseTrust trust_;
   ColorCheck color_check_;
   StartSchedule starts_;
-  SearchTimer learning_, reconsideration_;
+  SearchTimer learning_, reconsideration_, search_in_doubt_;
   PatientSearchTimer limb_search_;
   int64_t fresh_until_ns_ = 0;
   bool reported_ = false;         ///< a pose of this body has been reported since the last start

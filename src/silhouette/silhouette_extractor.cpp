@@ -1,8 +1,8 @@
 #include "markerless_mocap/silhouette/silhouette_extractor.h"
 
+#include <algorithm>
 #include <chrono>
 #include <future>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +13,7 @@
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
 #include "silhouette/boundary/image_reduction.h"
+#include "silhouette/recording/left_place.h"
 #include "silhouette/recording/live_learner.h"
 
 namespace markerless_mocap {
@@ -21,12 +22,6 @@ namespace {
 std::string described(const cv::Size& size, int type) {
   const char* kind = type == CV_8UC1 ? " grey" : type == CV_8UC3 ? " BGR" : " of another type";
   return std::to_string(size.width) + " x " + std::to_string(size.height) + kind;
-}
-
-/// What an arm may reach beside somebody.
-cv::Rect surroundings(const cv::Rect& person) {
-  const int reach = person.height / 4;
-  return (person - cv::Point(reach, reach)) + cv::Size(2 * reach, 2 * reach);
 }
 
 cv::Mat maskOf(const Extraction& found) {
@@ -58,13 +53,19 @@ class SilhouetteExtractor::Impl {
     if (first_background_.valid()) takeFirstBackground();
     if (!subtractor_) return {};
     const Extraction found = subtractor_->extract(image);
-    if (live_ && !live_->isLearning() && !learns_anew_ && hasLeftPlace(found)) learnAnew();
-    const cv::Mat mask = learns_anew_ ? withoutGhost(maskOf(found)) : maskOf(found);
-    const double unknown = double(cv::countNonZero(mask == kUnknownPixel)) / double(mask.total());
-    return {stateAfter(found), enlargedMask(mask, reduction(whole), whole),
-            unknown,           found.changed_fraction,
-            found.light_gain,  double(found.uncovered) / double(image.total()),
-            learns_anew_};
+    if (live_ && !live_->isLearning() && !left_place_.isHidden() && left_place_.isLeft(found))
+      learnAnew();
+    cv::Mat mask = maskOf(found);
+    size_t unknown = found.unknown.count();
+    if (left_place_.isHidden()) {
+      left_place_.removeGhost(mask);
+      unknown = size_t(std::count(mask.begin<uint8_t>(), mask.end<uint8_t>(), kUnknownPixel));
+    }
+    const double pixels = double(image.total());
+    return {stateAfter(found),        enlargedMask(mask, reduction(whole), whole),
+            double(unknown) / pixels, found.changed_fraction,
+            found.light_gain,         double(found.uncovered) / pixels,
+            left_place_.isHidden()};
   }
 
   void change(const SilhouetteOptions& changed) {
@@ -79,8 +80,8 @@ class SilhouetteExtractor::Impl {
     if (learns()) subtractor_.reset();
     first_background_ = {};
     live_.reset();
-    learns_anew_ = false;
-    frames_learned_ = stale_run_ = left_run_ = 0;
+    left_place_.forget();
+    frames_learned_ = stale_run_ = 0;
     size_ = loaded_.size();
     type_ = loaded_.empty() ? -1 : loaded_.type();
   }
@@ -131,14 +132,6 @@ class SilhouetteExtractor::Impl {
  private:
   void checkImage(const cv::Mat& image) const;
   SilhouetteState stateAfter(const Extraction& found);
-
-  /// Somebody kept still while the background was learned, and has moved: their outline was a
-  /// guess, and now the images show more.
-  bool hasLeftPlace(const Extraction& found) {
-    constexpr int kImages = 3;  // in a row
-    left_run_ = found.has_left_place ? left_run_ + 1 : 0;
-    return left_run_ >= kImages;
-  }
 
   /// Whether the model has a background.
   bool learns() const { return options_.model != "network"; }
@@ -200,16 +193,7 @@ class SilhouetteExtractor::Impl {
   /// From the images that follow. The background so far is used until then: masks go on.
   void learnAnew() {
     live_.emplace(options_);
-    learns_anew_ = true;
-    left_place_ = surroundings(cv::boundingRect(subtractor_->background()->person().toMat()));
-    left_run_ = 0;
-  }
-
-  /// Limbs that were not guessed are part of the background, and foreground since they have gone.
-  cv::Mat withoutGhost(cv::Mat mask) const {
-    cv::Mat near = mask(left_place_ & cv::Rect({}, mask.size()));
-    near.setTo(kUnknownPixel, near == kPersonPixel);
-    return mask;
+    left_place_.hide(subtractor_->background()->person());
   }
 
   void addLive(const cv::Mat& image) {
@@ -224,20 +208,18 @@ class SilhouetteExtractor::Impl {
 
   void replaceBackground(const Background& background) {
     subtractor_ = makeSubtractor(options_, background);
-    learns_anew_ = false;
+    left_place_.forget();
   }
 
   SilhouetteOptions options_;
   std::optional<LiveLearner> live_;         ///< as long as the background gets better
   bool beside_ = false;                     ///< it is learned again beside the images
-  bool learns_anew_ = false;                ///< from images that show what the first ones did not
-  cv::Rect left_place_;                     ///< where somebody may have been in the first ones
+  LeftPlace left_place_;                    ///< hidden while the background is learned anew
   std::unique_ptr<Subtractor> subtractor_;  ///< none before the first image and while it is learned
   std::future<std::unique_ptr<Subtractor>> first_background_;  ///< beside the images
   Background loaded_;  ///< background from a file or given; else empty
   int frames_learned_ = 0;
   int stale_run_ = 0;  ///< number of images in a row that differ too much from the background
-  int left_run_ = 0;   ///< the same, in which somebody has left the place where they kept still
   cv::Size size_;
   int type_ = -1;  ///< of the images; -1 before the first
 };

@@ -1,5 +1,6 @@
 #include "contour/contour_tracker.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "contour/fit/view_times.h"
@@ -55,6 +56,7 @@ ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
       proposals_(std::move(make_initializer)),
       learning_(kLearningInterval_ns),
       reconsideration_(kReconsiderInterval_ns),
+      search_in_doubt_(kReconsiderInterval_ns),
       limb_search_(kLimbSearchInterval_ns, kMaxLimbSearchInterval_ns) {
   bodyHasChanged();
 }
@@ -73,6 +75,7 @@ void ContourTracker::reset() {
   starts_ = StartSchedule();
   learning_.dueNow();
   reconsideration_.dueNow();
+  search_in_doubt_.dueNow();
   limb_search_.reset();
   fresh_until_ns_ = 0;
   trust_.endDoubt();
@@ -106,17 +109,22 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
       follows && is_at_person_
           ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
                                 *predicted)
-          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
+          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}, {}};
   wanted_images_ = cleared.doubted;
   still_contours_.watch(now.stamp_ns, now.images, cleared.masks);
-  return updateFrom(
-      {now.stamp_ns, now.products, now.behind, {now.images, cleared.masks}, now.later_s});
+  const bool in_doubt =
+      std::find(cleared.doubted.begin(), cleared.doubted.end(), true) != cleared.doubted.end();
+  return updateFrom({now.stamp_ns,
+                     now.products,
+                     now.behind,
+                     {now.images, cleared.masks},
+                     now.later_s,
+                     in_doubt ? cleared.without_colors : std::vector<cv::Mat>()});
 }
 
 BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
-  if (const auto motion = hypotheses_.motion(now.stamp_ns))
-    shiftViews(person_.body(), *motion, now.later_s, &found.seen);
+  shift(now, found.seen);
   contradicted_.leaveOut(found.seen);
   still_contours_.weigh(found.seen);
   trust_.take(found);
@@ -138,6 +146,11 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   }
   trust_.learnQuality(now.stamp_ns, fit);
   return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
+}
+
+void ContourTracker::shift(const Frame& now, ContourObservation& seen) const {
+  if (const auto motion = hypotheses_.motion(now.stamp_ns))
+    shiftViews(person_.body(), *motion, now.later_s, &seen);
 }
 
 RegionObservation ContourTracker::observe(const Frame& now) const {
@@ -177,6 +190,7 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   trust_.judge(judged(found.seen, active.track.fit));
   if (onlyFollows(now)) return active;
   searchLimbs(now, found, active);
+  searchLimbsInDoubt(now, active);
   reconsider(now, found.seen, active.track);
   return active;
 }
