@@ -148,6 +148,15 @@ TEST_F(ThingsBesideWithColorsTest, AForearmThatIsElsewhereStays) {
   EXPECT_TRUE(changesNothing(predicted));
 }
 
+TEST_F(ThingsBesideWithColorsTest, ShanksThatAreElsewhereAreKnownWithoutColors) {
+  ContourPose predicted = stride();
+  predicted.angles[RevoluteJoint::kLeftKnee] = predicted.angles[RevoluteJoint::kRightKnee] = -2.2;
+  const ClearedMasks out = withoutThingsBeside(masks, images, rig, body, {predicted, seconds});
+  EXPECT_TRUE(out.doubted[0]);
+  EXPECT_GT(cv::countNonZero(out.masks[0] == kUnknownPixel), 50);
+  EXPECT_EQ(out.without_colors[0].data, masks[0].data);
+}
+
 TEST_F(ThingsBesideWithColorsTest, AWrongPredictionTakesNobodyAway) {
   ContourPose predicted = stride();
   predicted.position += Eigen::Vector3d(0.6, 0.6, 0);

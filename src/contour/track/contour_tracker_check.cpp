@@ -1,11 +1,10 @@
 // How ContourTracker checks the pose that it follows.
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "contour/contour_tracker.h"
-#include "contour/fit/body_overlap.h"
 #include "contour/track/exchanged_sides.h"
+#include "contour/track/limbs_in_doubt.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
 
@@ -14,22 +13,6 @@ namespace {
 
 // Of a person whom nothing hides, 95 % of the fits are better.
 constexpr double kUsualQuality = 0.94;
-
-// Masks in doubt that overlap with the body less than what it was fitted to, by this much, may show
-// limbs elsewhere; places of limbs that raise the overlap by the second value are taken.
-constexpr double kOverlapInDoubt = 0.03, kGainInDoubt = 0.02;
-constexpr RobustSchedule kFitInDoubt{12, 0.15, 0.03};
-
-/// Mean overlap of body and masks, see viewOverlap().
-double overlapIn(const ContourObservation& seen, const CameraRig& rig, const ContourBody& body,
-                 const ContourPose& pose) {
-  ContourFrames frames;
-  ContourWorldCones cones;
-  body.place(pose, frames);
-  body.place(frames, cones);
-  const std::vector<double> overlaps = viewOverlaps(seen, rig, cones);
-  return std::accumulate(overlaps.begin(), overlaps.end(), 0.0) / std::max(1, seen.usableViews());
-}
 
 }  // namespace
 
@@ -124,26 +107,15 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
   active = hypotheses_.startFrom(now.stamp_ns, better->fit);
 }
 
-// Where masks are in doubt, a limb that is not where it was predicted is as unknown as the box
-// beside it: nothing would draw the body back to it.
 void ContourTracker::searchLimbsInDoubt(const Frame& now, ActiveTrack& active) {
   if (now.doubted_masks.empty() || !search_in_doubt_.isDue(now.stamp_ns)) return;
   search_in_doubt_.done(now.stamp_ns);
-  const ContourBody& body = person_.body();
   ContourObservation seen = observer_.observe(now.doubted_masks);
   shift(now, seen);
   contradicted_.leaveOut(seen);
-  const auto overlap = [&](const ContourPose& pose) {
-    return overlapIn(seen, still_contours_.rig(), body, pose);
-  };
-  const double before = overlap(active.track.fit.pose);
-  if (before > active.track.fit.overlap - kOverlapInDoubt) return;
-  ContourPose pose = active.track.fit.pose;
-  for (int limb = ContourLimb::kLeftArm; limb < ContourLimb::kCount; ++limb)
-    pose = hypotheses_.searchLimb(seen, body, pose, ContourLimb::Id(limb)).value_or(pose);
-  if (overlap(pose) < before + kGainInDoubt) return;
-  const ContourFit fit = hypotheses_.bestFit(seen, body, {pose}, kFitInDoubt);
-  if (fit.status == ContourFitStatus::kFitted) active = hypotheses_.startFrom(now.stamp_ns, fit);
+  const auto found =
+      findLimbsInDoubt(hypotheses_, seen, still_contours_.rig(), person_.body(), active.track.fit);
+  if (found) active = hypotheses_.startFrom(now.stamp_ns, *found);
 }
 
 // A valid pose tree is nearly always right, so it becomes the alternative if it contradicts a pose
