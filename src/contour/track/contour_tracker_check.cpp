@@ -86,7 +86,7 @@ ActiveTrack ContourTracker::settle(const Frame& now, const ActiveTrack& active,
   observer_.reset();
   trust_.take(found->found);
   const bool is_same = isSameBody(person_.body(), found->fit.pose, active.track.fit.pose);
-  const ActiveTrack replaced = hypotheses_.startFrom(now.stamp_ns, found->fit);
+  ActiveTrack replaced = hypotheses_.startFrom(now.stamp_ns, found->fit);
   if (is_same) hypotheses_.confirm();  // but for a limb
   return replaced;
 }
