@@ -44,9 +44,8 @@ class ContourTracker : public BodyTracker {
     ProductSource& products;
     bool behind;
     RegionFrame regions;
-    std::vector<double> later_s;  ///< by camera, as TrackerInput has it
-    /// ClearedMasks::without_colors; empty if no mask is in doubt.
-    std::vector<cv::Mat> doubted_masks;
+    std::vector<double> later_s;         ///< by camera, as TrackerInput has it
+    std::vector<cv::Mat> doubted_masks;  ///< as they came; empty if none is in doubt
   };
   /// What a search is fitted to, and the poses that it starts from.
   struct Search {

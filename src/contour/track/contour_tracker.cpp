@@ -109,7 +109,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
       follows && is_at_person_
           ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
                                 *predicted)
-          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}, {}};
+          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
   wanted_images_ = cleared.doubted;
   still_contours_.watch(now.stamp_ns, now.images, cleared.masks);
   const bool in_doubt =
@@ -119,7 +119,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
                      now.behind,
                      {now.images, cleared.masks},
                      now.later_s,
-                     in_doubt ? cleared.without_colors : std::vector<cv::Mat>()});
+                     in_doubt ? now.masks : std::vector<cv::Mat>()});
 }
 
 BodyPose ContourTracker::updateFrom(const Frame& now) {

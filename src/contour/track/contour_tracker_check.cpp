@@ -7,12 +7,15 @@
 #include "contour/track/limbs_in_doubt.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
+#include "contour/track/things_beside.h"
 
 namespace markerless_mocap {
 namespace {
 
 // Of a person whom nothing hides, 95 % of the fits are better.
 constexpr double kUsualQuality = 0.94;
+
+constexpr double kJustNow = 1e-3;  // seconds, of a prediction that is a fit to the same frame set
 
 }  // namespace
 
@@ -110,11 +113,14 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
 void ContourTracker::searchLimbsInDoubt(const Frame& now, ActiveTrack& active) {
   if (now.doubted_masks.empty() || !search_in_doubt_.isDue(now.stamp_ns)) return;
   search_in_doubt_.done(now.stamp_ns);
-  ContourObservation seen = observer_.observe(now.doubted_masks);
+  const CameraRig& rig = still_contours_.rig();
+  const ContourBody& body = person_.body();
+  const ContourFit& fit = active.track.fit;
+  ContourObservation seen = observer_.observe(
+      withoutThingsBeside(now.doubted_masks, {}, rig, body, {fit.pose, kJustNow}).masks);
   shift(now, seen);
   contradicted_.leaveOut(seen);
-  const auto found =
-      findLimbsInDoubt(hypotheses_, seen, still_contours_.rig(), person_.body(), active.track.fit);
+  const auto found = findLimbsInDoubt(hypotheses_, seen, rig, body, fit);
   if (found) active = hypotheses_.startFrom(now.stamp_ns, *found);
 }
 

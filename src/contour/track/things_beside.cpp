@@ -157,18 +157,16 @@ ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
   });
   DoubtLimits with_colors = kWithColors;
   if (!isSupported(views)) with_colors.max_missing = 1;
-  ClearedMasks out{masks, {}, masks};
+  ClearedMasks out{masks, {}};
   std::vector<char> doubted(masks.size(), 0);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     ViewCells& view = views[i];
     if (view.near.empty()) return;
     const cv::Mat apart = partsTakenFrom(view);
-    const cv::Mat doubt = doubtful(view, with_colors);
+    cv::Mat doubt = doubtful(view, with_colors);
     doubted[i] = is_fresh && !doubt.empty();
-    const cv::Mat too_large = doubt.empty() ? doubt : doubtful(view, kWithoutColors);
-    out.without_colors[i] = cleaned(masks[i], view.edge, apart, too_large);
-    out.masks[i] =
-        has_colors(i) ? cleaned(masks[i], view.edge, apart, doubt) : out.without_colors[i];
+    if (!doubt.empty() && !has_colors(i)) doubt = doubtful(view, kWithoutColors);
+    out.masks[i] = cleaned(masks[i], view.edge, apart, doubt);
   });
   out.doubted.assign(doubted.begin(), doubted.end());
   return out;

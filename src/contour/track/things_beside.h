@@ -13,9 +13,6 @@ namespace markerless_mocap {
 struct ClearedMasks {
   std::vector<cv::Mat> masks;
   std::vector<bool> doubted;  ///< mask and body differ so much that colours are needed
-  /// The masks without colours: only what is far too large for a limb is unknown in them. Limbs
-  /// that are not where they are predicted are known.
-  std::vector<cv::Mat> without_colors;
 };
 
 /// The masks of a person who is tracked, without what they cannot be. Parts that are beside the
