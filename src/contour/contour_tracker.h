@@ -10,11 +10,11 @@
 #include "contour/track/color_check.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
 #include "contour/track/contradicted_views.h"
+#include "contour/track/moving_contours.h"
 #include "contour/track/pose_trust.h"
 #include "contour/track/search_times.h"
 #include "contour/track/start_proposals.h"
 #include "contour/track/start_schedule.h"
-#include "contour/track/still_contours.h"
 #include "markerless_mocap/tracking/body_tracker.h"
 
 namespace markerless_mocap {
@@ -141,7 +141,7 @@ class ContourTracker : public BodyTracker {
 
   RegionObserver observer_;
   ContourMultiHypothesisTracker hypotheses_;
-  StillContours still_contours_;
+  MovingContours moving_contours_;
   std::vector<bool> wanted_images_;  ///< by camera, of the last masks
   ContradictedViews contradicted_;
   MeasuredPerson person_;

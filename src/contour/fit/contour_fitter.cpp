@@ -43,9 +43,8 @@ std::vector<double> viewRaysExplained(const ContourObservation& seen, const Pose
   std::vector<double> explained(seen.views.size(), 0.0), all(seen.views.size(), 0.0);
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const size_t view = size_t(seen.rays[i].camera);
-    all[view] += seen.rays[i].weight;
-    if (std::abs(double(problem.matches()[i].residual)) < kRayExplained)
-      explained[view] += seen.rays[i].weight;
+    ++all[view];
+    if (std::abs(double(problem.matches()[i].residual)) < kRayExplained) ++explained[view];
   }
   for (size_t v = 0; v < all.size(); ++v) explained[v] = all[v] > 0.0 ? explained[v] / all[v] : 1.0;
   return explained;

@@ -30,7 +30,6 @@ struct RobustSchedule {
 /// Evidence for the position of a limb.
 struct LimbEvidence {
   int rays = 0;               ///< rays that touch it, within kRayExplained
-  int full_rays = 0;          ///< those of them whose weight is not reduced
   double distance = 0.0;      ///< root mean square distance of these rays from its surface, metres
   double outside = 0.0;       ///< mean distance of its spheres outside the masks, metres
   double part_outside = 0.0;  ///< the same of that of its cones that is farthest outside, metres

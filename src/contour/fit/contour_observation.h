@@ -20,7 +20,6 @@ struct ContourRay {
   float normal_of_ray, side_of_ray;  ///< coordinates of the ray itself, metres
   int camera;
   Eigen::Vector2f pixel;  ///< between two pixels
-  float weight = 1.0f;    ///< 0 to 1, less if the contour may not be the person's
 };
 
 /// kContradicted: left out, as it shows something else than most others do.

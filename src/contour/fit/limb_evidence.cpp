@@ -38,19 +38,17 @@ ByLimb tally(const ContourObservation& seen, const ContourOptions& options,
              const PoseProblem& problem, ContourFit& fit) {
   std::array<int, ContourLimb::kCount> rays{}, spheres{};
   ByLimb distances{}, outside{};
-  double explained = 0.0, all = 0.0;
+  int explained = 0;
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const RayMatch& match = problem.matches()[i];
     const size_t l = limbOfCone(match.cone);
     LimbEvidence& limb = fit.limbs[l];
     const double distance = std::abs(double(match.residual));
-    all += seen.rays[i].weight;
     ++rays[l];
     distances[l] += gemanMcClureLoss(distance, options.robust_scale_final);
     if (!(distance < kRayExplained)) continue;
-    explained += seen.rays[i].weight;
+    ++explained;
     ++limb.rays;
-    limb.full_rays += seen.rays[i].weight == 1.0f;
     limb.distance += square(distance);
   }
   for (int c = 0; c < kContourCones; ++c) {
@@ -71,7 +69,7 @@ ByLimb tally(const ContourObservation& seen, const ContourOptions& options,
     limb.outside /= spheres[l];
     disagreement[l] = distances[l] / std::max(1, rays[l]) + outside[l] / spheres[l];
   }
-  fit.rays_explained = all > 0.0 ? explained / all : 0.0;
+  fit.rays_explained = double(explained) / double(std::max<size_t>(1, seen.rays.size()));
   return disagreement;
 }
 
@@ -130,8 +128,7 @@ Square information(const ContourObservation& seen, const ContourOptions& options
   const double one = options.effective_rays / std::max(1.0, double(seen.rays.size()));
   for (size_t i = 0; i < seen.rays.size(); ++i) {
     const RayMatch& match = problem.matches()[i];
-    const double weight =
-        ray_weight[i] * seen.rays[i].weight * one / variance[limbOfCone(match.cone)];
+    const double weight = ray_weight[i] * one / variance[limbOfCone(match.cone)];
     addRay(seen.rays[i], match,
            weight * gemanMcClureWeight(match.residual, options.robust_scale_final), sums);
   }

@@ -50,8 +50,7 @@ void PoseProblem::addRays(const ConesInViews& cones, double outlier, size_t bloc
   const double one = options_.effective_rays / (options_.ray_sigma * options_.ray_sigma) /
                      std::max(1.0, double(seen_.rays.size()));
   for (size_t i = first; i < end; ++i)
-    addRay(seen_.rays[i], matches_[i],
-           one * seen_.rays[i].weight * gemanMcClureWeight(matches_[i].residual, outlier),
+    addRay(seen_.rays[i], matches_[i], one * gemanMcClureWeight(matches_[i].residual, outlier),
            blocks_[block].sums);
 }
 

@@ -22,6 +22,7 @@ class RegionObserver {
  public:
   /// Throws std::invalid_argument as ContourObserver.
   RegionObserver(const CameraRig& rig, const ContourOptions& options);
+  const CameraRig& rig() const { return observer_->rig(); }
 
   /// What the masks show; unknown samples are no evidence.
   RegionObservation observe(const RegionFrame& frame) const;

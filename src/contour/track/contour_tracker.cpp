@@ -51,7 +51,7 @@ ContourTracker::ContourTracker(const CameraRig& rig, PersonResources resources,
                                InitializerFactory make_initializer)
     : observer_(rig, options),
       hypotheses_(rig, options),
-      still_contours_(rig),
+      moving_contours_(rig.size()),
       person_(rig, std::move(resources), person, options),
       proposals_(std::move(make_initializer)),
       learning_(kLearningInterval_ns),
@@ -70,7 +70,7 @@ void ContourTracker::bodyHasChanged() {
 void ContourTracker::reset() {
   hypotheses_.lose();
   color_check_.forget();
-  still_contours_.reset();
+  moving_contours_.reset();
   contradicted_.reset();
   starts_ = StartSchedule();
   learning_.dueNow();
@@ -99,7 +99,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   const std::optional<ContourPrediction> predicted = hypotheses_.predict(now.stamp_ns);
   const bool follows = predicted.has_value();
   if (!follows && (now.images_awaited || restsFromSearching(now))) {
-    still_contours_.watch(now.stamp_ns, now.images, now.masks);
+    moving_contours_.watch(now.stamp_ns, now.images, now.masks);
     return lostBecause(now.images_awaited ? kImagesAwaited : lost_reason_);
   }
   const auto hull = [&]() -> const VisualHull& {
@@ -107,11 +107,10 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   };
   const ClearedMasks cleared =
       follows && is_at_person_
-          ? withoutThingsBeside(now.masks, now.images, still_contours_.rig(), person_.body(),
-                                *predicted)
-          : ClearedMasks{withoutStrayParts(now.masks, hull(), still_contours_.rig()), {}};
+          ? withoutThingsBeside(now.masks, now.images, observer_.rig(), person_.body(), *predicted)
+          : ClearedMasks{withoutStrayParts(now.masks, hull(), observer_.rig()), {}};
   wanted_images_ = cleared.doubted;
-  still_contours_.watch(now.stamp_ns, now.images, cleared.masks);
+  moving_contours_.watch(now.stamp_ns, now.images, cleared.masks);
   const bool in_doubt =
       std::find(cleared.doubted.begin(), cleared.doubted.end(), true) != cleared.doubted.end();
   return updateFrom({now.stamp_ns,
@@ -126,7 +125,6 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   RegionObservation found = observe(now);
   shift(now, found.seen);
   contradicted_.leaveOut(found.seen);
-  still_contours_.weigh(found.seen);
   trust_.take(found);
   if (trust_.isContradicted()) hypotheses_.lose();
   const ActiveTrack active = follow(now, found);
@@ -138,7 +136,6 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
     starts_.searchBegins(now.stamp_ns);
   else
     learn(now, active);
-  still_contours_.compare(found.seen, person_.body(), fit.pose);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
@@ -165,7 +162,7 @@ ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen
   ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
   const auto contradicted = [&] {
     return active.track.status != ContourTrackingStatus::kLost &&
-           contradicted_.judge(still_contours_.rig(), person_.body(), seen, active.track.fit);
+           contradicted_.judge(observer_.rig(), person_.body(), seen, active.track.fit);
   };
   if (!contradicted()) return active;
   contradicted_.leaveOut(seen);
@@ -230,14 +227,14 @@ bool ContourTracker::useMeasuredBody() {
 }
 
 JudgedPose ContourTracker::judged(const ContourObservation& seen, const ContourFit& fit) const {
-  return {fit, seen, hypotheses_, still_contours_, person_.isBeingMeasured()};
+  return {fit, seen, hypotheses_, moving_contours_, person_.isBeingMeasured()};
 }
 
 bool ContourTracker::isReportable(const Frame& now, const ContourObservation& seen) const {
   if (!trust_.isBelieved() || !person_.isBeingMeasured()) return trust_.isBelieved();
   const bool checked = !now.regions.needsColors() || starts_.isConfirmed();
   if (reported_) return hypotheses_.isAhead();
-  return hypotheses_.isUnambiguous() && checked && still_contours_.showLife(seen);
+  return hypotheses_.isUnambiguous() && checked && moving_contours_.showLife(seen);
 }
 
 BodyPose ContourTracker::lost(const ContourObservation& seen, const ContourFit& fit) {
@@ -259,7 +256,7 @@ BodyPose ContourTracker::reported(const ActiveTrack& active) {
   reportEvidence(active.track.fit, trust_.limbAgreement(), pose);
   widenExpectedErrors(*person_.tracked(), person_.options(), pose);
   if (person_.isBeingMeasured()) pose.reason = joined(person_.progress(), pose.reason);
-  pose.reason = joined(pose.reason, contradicted_.described(still_contours_.rig()));
+  pose.reason = joined(pose.reason, contradicted_.described(observer_.rig()));
   return pose;
 }
 

@@ -35,7 +35,6 @@ ActiveTrack ContourTracker::check(const Frame& now, const ActiveTrack& active) {
   Search search{observer_.observe(now.regions), {}};
   search.poses = completeProposals(now, search.found.seen);
   contradicted_.leaveOut(search.found.seen);
-  still_contours_.weigh(search.found.seen);
   ActiveTrack best = hypotheses_.reinitialize(now.stamp_ns, search.found.seen, person_.body(),
                                               search.poses, active);
   if (best.switched) trust_.take(search.found);
@@ -113,7 +112,7 @@ void ContourTracker::searchLimbs(const Frame& now, RegionObservation& found, Act
 void ContourTracker::searchLimbsInDoubt(const Frame& now, ActiveTrack& active) {
   if (now.doubted_masks.empty() || !search_in_doubt_.isDue(now.stamp_ns)) return;
   search_in_doubt_.done(now.stamp_ns);
-  const CameraRig& rig = still_contours_.rig();
+  const CameraRig& rig = observer_.rig();
   const ContourBody& body = person_.body();
   const ContourFit& fit = active.track.fit;
   ContourObservation seen = observer_.observe(

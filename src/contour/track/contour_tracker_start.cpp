@@ -117,7 +117,6 @@ ActiveTrack ContourTracker::start(const Frame& now) {
   search.poses = completeProposals(now, search.found.seen);
   const bool found = by_color && findByColor(now, search);
   if (!by_color) initializeStature(now, search.poses);
-  still_contours_.weigh(search.found.seen);
   trust_.take(search.found);
   if (found) return startFound(now, search);
   return hypotheses_.start(now.stamp_ns, search.found.seen, person_.body(), search.poses);

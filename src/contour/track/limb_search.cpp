@@ -99,8 +99,8 @@ class LimbPoseCost {
     energies.fill(0.5 * outside / variance + postureEnergy(pose) + armRestEnergy(pose));
     for (size_t cost = 0; cost < kCosts; ++cost)
       for (size_t i = 0; i < rays_.size(); ++i)
-        energies[cost] += 0.5 * one / variance * rays_[i].weight *
-                          gemanMcClureLoss(matches[i].residual, kRobustScales[cost]);
+        energies[cost] +=
+            0.5 * one / variance * gemanMcClureLoss(matches[i].residual, kRobustScales[cost]);
     return energies;
   }
 

@@ -6,7 +6,7 @@
 
 #include "contour/regions/region_observer.h"
 #include "contour/track/contour_multi_hypothesis_tracker.h"
-#include "contour/track/still_contours.h"
+#include "contour/track/moving_contours.h"
 #include "contour/track/usual_quality.h"
 
 namespace markerless_mocap {
@@ -16,7 +16,7 @@ struct JudgedPose {
   const ContourFit& fit;
   const ContourObservation& seen;
   const ContourMultiHypothesisTracker& hypotheses;
-  const StillContours& contours;
+  const MovingContours& contours;
   bool of_mean_body;  ///< the person has not been measured
 };
 

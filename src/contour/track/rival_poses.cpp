@@ -23,11 +23,6 @@ constexpr double kGainPerUnexplained = 0.15, kUsuallyUnexplained = 0.1;
 // the contours of something else are.
 constexpr double kMaxOverlapLoss = 0.005;
 
-// While rays on still contours count less, a limb is well supported if so many of its rays count
-// fully, as a fraction of all rays. Another place for it must then be better by this much more: it
-// would leave living contours to explain others, such as those of something that is worn.
-constexpr double kWellSupported = 0.01, kGainOfSupported = 0.05;
-
 // An arm that was lost from the start does not change the usual quality. As long as some rays are
 // not explained, the least certain limb is searched for.
 constexpr double kMaxExplained = 0.985;
@@ -47,14 +42,6 @@ constexpr double kLongStep = 0.15;  // seconds
 constexpr double kExchangeGain = 0.01;
 
 constexpr RobustSchedule kRetry{10, 0.12, 0.03};
-
-/// The gain that another place of a limb must bring.
-double gainFor(ContourLimb::Id limb, const ContourObservation& seen, const ContourFit& fit) {
-  const bool reduced = std::any_of(seen.rays.begin(), seen.rays.end(),
-                                   [](const ContourRay& ray) { return ray.weight < 1.0f; });
-  const bool supported = fit.limbs[limb].full_rays > kWellSupported * double(seen.rays.size());
-  return reduced && supported ? kMinGain + kGainOfSupported : kMinGain;
-}
 
 ContourPrediction loosened(const ContourPrediction& prediction) {
   return {prediction.pose, kSearchDeviationFactor * prediction.seconds};
@@ -172,7 +159,7 @@ bool RivalPoses::tryLimb(const FittedFrame& now, ContourLimb::Id limb, const Con
   return tryPoses(
       now,
       alternativeLimbPoses(now.seen, rig_, fitter_.options(), now.body, fit->pose, expected, limb),
-      prediction, gainFor(limb, now.seen, *fit), fit);
+      prediction, kMinGain, fit);
 }
 
 }  // namespace markerless_mocap

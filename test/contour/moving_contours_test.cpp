@@ -1,7 +1,8 @@
-#include "contour/track/still_contours.h"
+#include "contour/track/moving_contours.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "contour/drawn_body.h"
@@ -13,7 +14,7 @@ constexpr int64_t kFrame_ns = 80'000'000;
 constexpr int kFrames = 24;
 const cv::Rect kBoard(20, 60, 40, 140);  ///< stands beside the person, pixels
 
-class StillContoursTest : public testing::Test {
+class MovingContoursTest : public testing::Test {
  protected:
   /// One who sways by centimetres, beside a board in every view.
   void film(double sway) {
@@ -24,41 +25,30 @@ class StillContoursTest : public testing::Test {
       for (cv::Mat& mask : masks) mask(kBoard) = 255;
       contours.watch((i + 1) * kFrame_ns, {}, masks);
       seen = observer.observe(masks);
-      contours.compare(seen, body, pose);
     }
   }
-  static bool onBoard(const ContourRay& ray) { return ray.pixel.x() < float(kBoard.br().x + 1); }
 
   CameraRig rig = drawnRig(3);
   ContourBody body{ShapeStatistics::handMade().meanShape(1.75)};
   ContourObserver observer{rig, ContourOptions()};
-  StillContours contours{rig};
+  MovingContours contours{rig.size()};
   ContourPose pose;
   std::vector<cv::Mat> masks;
   ContourObservation seen;
 };
 
-TEST_F(StillContoursTest, WhatStandsStillBesideALivingPersonCountsLess) {
+TEST_F(MovingContoursTest, OneWhoSwaysShowsLifeBesideABoard) {
   film(0.03);
   EXPECT_TRUE(contours.showLife(seen));
-  contours.weigh(seen);
-  int board = 0, board_reduced = 0, person = 0, person_reduced = 0;
-  for (const ContourRay& ray : seen.rays) {
-    ++(onBoard(ray) ? board : person);
-    if (ray.weight < 1.0f) ++(onBoard(ray) ? board_reduced : person_reduced);
-  }
-  ASSERT_GT(board, 100);
-  EXPECT_EQ(board_reduced, board);
-  EXPECT_LT(person_reduced, 0.15 * person) << "contours along which the person sways";
 }
 
-TEST_F(StillContoursTest, WhereNothingMovesThereIsNoLife) {
+TEST_F(MovingContoursTest, WhereNothingMovesThereIsNoLife) {
   film(0.0);
   EXPECT_FALSE(contours.showLife(seen));
 }
 
 // A camera's images are read while its background is unknown, and its masks afterwards.
-TEST_F(StillContoursTest, LifeIsSeenWhenMasksFollowImages) {
+TEST_F(MovingContoursTest, LifeIsSeenWhenMasksFollowImages) {
   const auto at = [&](int i) {
     pose = stride();
     pose.position.y() += 0.03 * std::sin(0.4 * i);
@@ -75,24 +65,18 @@ TEST_F(StillContoursTest, LifeIsSeenWhenMasksFollowImages) {
   EXPECT_TRUE(contours.showLife(observer.observe(masks)));
 }
 
-TEST_F(StillContoursTest, ABodyThatRestsKeepsItsWeightIfItExplainsTheContours) {
-  for (int i = 0; i < kFrames; ++i) {
-    pose = stride();
-    masks = drawnMasks(rig, body, pose);
-    contours.watch((i + 1) * kFrame_ns, {}, masks);
-    seen = observer.observe(masks);
-    contours.compare(seen, body, pose);
-  }
-  contours.weigh(seen);
-  for (const ContourRay& ray : seen.rays) EXPECT_EQ(ray.weight, 1.0f);
+TEST_F(MovingContoursTest, TheContoursOfTheBoardAloneShowNone) {
+  film(0.03);
+  const auto beside = [](const ContourRay& ray) { return ray.pixel.x() > float(kBoard.br().x); };
+  seen.rays.erase(std::remove_if(seen.rays.begin(), seen.rays.end(), beside), seen.rays.end());
+  ASSERT_GT(seen.rays.size(), 100u);
+  EXPECT_FALSE(contours.showLife(seen));
 }
 
-TEST_F(StillContoursTest, ResetForgets) {
+TEST_F(MovingContoursTest, ResetForgets) {
   film(0.03);
   contours.reset();
   EXPECT_FALSE(contours.showLife(seen));
-  contours.weigh(seen);
-  for (const ContourRay& ray : seen.rays) EXPECT_EQ(ray.weight, 1.0f);
 }
 
 }  // namespace

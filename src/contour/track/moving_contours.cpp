@@ -1,4 +1,4 @@
-#include "contour/track/still_contours.h"
+#include "contour/track/moving_contours.h"
 
 #include <tbb/parallel_for.h>
 
@@ -6,7 +6,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "contour/fit/ray_match.h"
 #include "contour/track/search_times.h"
 #include "numerics/order_statistics.h"
 
@@ -16,20 +15,14 @@ namespace {
 constexpr int kSamplesAcross = 165;
 constexpr int64_t kInterval_ns = 200000000;  // between two frames that are compared
 constexpr int kFirstFrames = 5;              // the first ones are compared without interval
-constexpr int64_t kHistory_ns = 1000000000;  // before anything is called still
 constexpr double kMemory_s = 2.0;
 
 // A sample moves if its temporal deviation is above this factor of the median over the image, and
-// above this number of grey levels. A contour is still if no sample near it moves.
+// above this number of grey levels. A contour moves if a sample near it does.
 constexpr double kMovingFactor = 4.0, kMinMoving = 1.0;
 constexpr int kNear = 1;  // samples
 
-constexpr float kStillWeight = 0.05f;
 constexpr double kMinLiving = 0.1;  // fraction of the rays
-
-// Furniture is suspected from the first value on and until the second, fractions of all rays.
-constexpr double kSuspicious = 0.06, kUnsuspicious = 0.02;
-constexpr double kRate = 0.1;
 
 cv::Mat brightnessOf(const cv::Mat& image, int step) {
   cv::Mat small, grey;
@@ -55,13 +48,7 @@ float medianOfMost(const cv::Mat& values) {
 
 }  // namespace
 
-void StillContours::reset() {
-  views_.assign(rig_.size(), {});
-  unexplained_ = 0.0;
-  suspected_ = false;
-}
-
-void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) const {
+void MovingContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) {
   if (view.frames > kFirstFrames && stamp_ns < nextInstant(view.last_ns, kInterval_ns)) return;
   view.step = std::max(1, (image.cols + kSamplesAcross - 1) / kSamplesAcross);
   const cv::Mat now = brightnessOf(image, view.step);
@@ -69,7 +56,7 @@ void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) cons
     view.mean = now;
     view.variance = cv::Mat::zeros(now.size(), CV_32F);
     view.frames = 1;
-    view.first_ns = view.last_ns = stamp_ns;
+    view.last_ns = stamp_ns;
     return;
   }
   const double rate = std::max(1.0 / ++view.frames,
@@ -78,14 +65,14 @@ void StillContours::add(int64_t stamp_ns, const cv::Mat& image, View& view) cons
   const cv::Mat off = now - view.mean;
   view.mean += rate * off;
   view.variance = (1.0 - rate) * (view.variance + rate * off.mul(off));
-  const double moving =
+  const double deviation =
       std::max(kMinMoving, kMovingFactor * std::sqrt(double(medianOfMost(view.variance))));
-  cv::Mat still = view.variance < moving * moving;
-  cv::erode(still, view.still, cv::Mat::ones(2 * kNear + 1, 2 * kNear + 1, CV_8U));
+  const cv::Mat moving = view.variance >= deviation * deviation;
+  cv::dilate(moving, view.moving, cv::Mat::ones(2 * kNear + 1, 2 * kNear + 1, CV_8U));
 }
 
-void StillContours::watch(int64_t stamp_ns, const std::vector<cv::Mat>& images,
-                          const std::vector<cv::Mat>& masks) {
+void MovingContours::watch(int64_t stamp_ns, const std::vector<cv::Mat>& images,
+                           const std::vector<cv::Mat>& masks) {
   tbb::parallel_for(size_t(0), views_.size(), [&](size_t i) {
     const bool has_image = i < images.size() && !images[i].empty();
     const cv::Mat image = has_image ? images[i] : masks[i];
@@ -97,51 +84,18 @@ void StillContours::watch(int64_t stamp_ns, const std::vector<cv::Mat>& images,
   });
 }
 
-bool StillContours::moves(const ContourRay& ray) const {
+bool MovingContours::moves(const ContourRay& ray) const {
   const View& view = views_[size_t(ray.camera)];
-  if (view.still.empty()) return false;
-  const int x = std::clamp(int(ray.pixel.x()) / view.step, 0, view.still.cols - 1);
-  const int y = std::clamp(int(ray.pixel.y()) / view.step, 0, view.still.rows - 1);
-  return !view.still.at<uchar>(y, x);
+  if (view.moving.empty()) return false;
+  const int x = std::clamp(int(ray.pixel.x()) / view.step, 0, view.moving.cols - 1);
+  const int y = std::clamp(int(ray.pixel.y()) / view.step, 0, view.moving.rows - 1);
+  return view.moving.at<uchar>(y, x);
 }
 
-bool StillContours::isStill(const ContourRay& ray) const {
-  const View& view = views_[size_t(ray.camera)];
-  return view.last_ns - view.first_ns > kHistory_ns && !moves(ray);
-}
-
-bool StillContours::showLife(const ContourObservation& seen) const {
+bool MovingContours::showLife(const ContourObservation& seen) const {
   const auto living = std::count_if(seen.rays.begin(), seen.rays.end(),
                                     [&](const ContourRay& ray) { return moves(ray); });
   return double(living) > kMinLiving * double(seen.rays.size());
-}
-
-void StillContours::weigh(ContourObservation& seen) const {
-  if (!suspected_) return;
-  for (ContourRay& ray : seen.rays)
-    if (isStill(ray)) ray.weight = kStillWeight;
-}
-
-void StillContours::compare(const ContourObservation& seen, const ContourBody& body,
-                            const ContourPose& pose) {
-  std::vector<ContourRay> still;
-  for (const ContourRay& ray : seen.rays)
-    if (isStill(ray)) still.push_back(ray);
-  double unexplained = 0.0;
-  if (double(still.size()) > kUnsuspicious * double(seen.rays.size())) {
-    ContourFrames frames;
-    ContourWorldCones cones;
-    body.place(pose, frames);
-    body.place(frames, cones);
-    std::vector<RayMatch> matches;
-    matchRays(ConesInViews(seen, cones), still, matches);
-    unexplained = double(std::count_if(
-                      matches.begin(), matches.end(),
-                      [](const RayMatch& m) { return std::abs(m.residual) > kRayExplained; })) /
-                  double(seen.rays.size());
-  }
-  unexplained_ += kRate * (unexplained - unexplained_);
-  suspected_ = unexplained_ > (suspected_ ? kUnsuspicious : kSuspicious);
 }
 
 }  // namespace markerless_mocap
