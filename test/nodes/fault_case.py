@@ -125,11 +125,13 @@ class FaultCase(unittest.TestCase):
         times = [self.start] + [p.sent for p in everything]
         self.silence = max((b - a for a, b in zip(times, times[1:])), default=99.0)
         within = self.count_covered(everything)
-        print('%-24s poses %3d of %3d, false %2d, worst %.2f m, latency %.2f s (before %.2f s), '
-              'silence %.2f s, back after %.2f s, limbs within twice the expected error %s' % (
-                  self.id().split('test_')[-1], len(self.during), RATE * (self.end - self.start),
-                  len(self.false), max((p.error for p in everything), default=0.0), self.latency,
-                  self.usual_latency, self.silence, self.recovery, within), flush=True)
+        self.measured = (
+            '%-24s poses %3d of %3d, false %2d, worst %.2f m, latency %.2f s (before %.2f s), '
+            'silence %.2f s, back after %.2f s, limbs within twice the expected error %s' % (
+                self.id().split('test_')[-1], len(self.during), RATE * (self.end - self.start),
+                len(self.false), max((p.error for p in everything), default=0.0), self.latency,
+                self.usual_latency, self.silence, self.recovery, within))
+        print(self.measured, flush=True)
 
     def count_covered(self, poses):
         """How many limbs are off by at most twice what was expected of them."""
@@ -156,9 +158,10 @@ class FaultCase(unittest.TestCase):
         wait_for(told, 4)
         self.finish()
         self.assertTrue(told(), (sentences, self.messages()))
-        self.assertLessEqual(len(self.false), round(0.2 * RATE))
-        self.assertGreaterEqual(len(self.during), least * RATE * (self.end - self.start))
-        self.assertLess(self.silence, silence)
+        self.assertLessEqual(len(self.false), round(0.2 * RATE), self.measured)
+        self.assertGreaterEqual(len(self.during), least * RATE * (self.end - self.start),
+                                self.measured)
+        self.assertLess(self.silence, silence, self.measured)
 
     def messages(self):
         return sorted({(n, l, m) for at, n, l, m in self.states if at >= self.start and l > 0})
