@@ -129,18 +129,20 @@ Camera::Camera(CameraCalibration calibration) : calibration_(std::move(calibrati
 }
 
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_world) const {
-  const std::optional<Eigen::Vector2d> plane = distortedPoint(lens_, T_camera_world_ * point_world);
+  return projectFromCameraFrame(inCameraFrame(point_world));
+}
+
+std::optional<Eigen::Vector2d> Camera::projectFromCameraFrame(
+    const Eigen::Vector3d& in_camera) const {
+  const std::optional<Eigen::Vector2d> plane = distortedPoint(lens_, in_camera);
   if (!plane) return std::nullopt;
   const Eigen::Vector3d distorted = plane->homogeneous();
   return Eigen::Vector2d(calibration_.K.topRows<2>() * distorted);
 }
 
 std::optional<Eigen::Vector2d> Camera::projectInside(const Eigen::Vector3d& point_world) const {
-  std::optional<Eigen::Vector2d> pixel = project(point_world);
-  if (!pixel || !(pixel->x() >= -0.5 && pixel->x() < width() - 0.5 && pixel->y() >= -0.5 &&
-                  pixel->y() < height() - 0.5))
-    return std::nullopt;
-  return pixel;
+  const std::optional<Eigen::Vector2d> pixel = project(point_world);
+  return pixel && isInImage(*pixel) ? pixel : std::nullopt;
 }
 
 Eigen::Vector3d Camera::rayDirection(const Eigen::Vector2d& pixel) const {
@@ -153,12 +155,18 @@ LocalView Camera::localView(const Eigen::Vector3d& point_world) const {
   const Eigen::Matrix3d& K = calibration_.K;
   LocalView view{calibration_.T_world_camera.linear(), K(0, 0), K(1, 1)};
   if (lens_.type == LensType::kPolynomial) return view;
-  const Eigen::Vector3d in_camera = T_camera_world_ * point_world;
+  const Eigen::Vector3d in_camera = inCameraFrame(point_world);
   view.R_world_view = view.R_world_view * shortestRotation(Eigen::Vector3d::UnitZ(), in_camera);
   const double scale = fisheyeScale(lens_, in_camera);
   view.fx *= scale;
   view.fy *= scale;
   return view;
+}
+
+double Camera::pixelsPerMetre(const Eigen::Vector3d& in_camera) const {
+  const double f = 0.5 * (calibration_.K(0, 0) + calibration_.K(1, 1));
+  if (lens_.type == LensType::kPolynomial) return f / in_camera.z();
+  return f * fisheyeScale(lens_, in_camera) / in_camera.norm();
 }
 
 CameraCalibration decomposeProjection(const Eigen::Matrix<double, 3, 4>& P) {

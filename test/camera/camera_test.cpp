@@ -130,6 +130,7 @@ TEST(Camera, LocalViewShowsSizesAsTheFisheyeDoes) {
     const Eigen::Vector2d v = *camera.project(point + down) - *camera.project(point - down);
     const double area = u.x() * v.y() - u.y() * v.x();
     EXPECT_NEAR(area / (1e-8 * view.fx * view.fy), 1.0, 1e-3) << angle;
+    EXPECT_NEAR(camera.pixelsPerMetre(in_camera), 0.25 * (view.fx + view.fy), 1e-9) << angle;
   }
 }
 

@@ -100,6 +100,45 @@ TEST_F(ContourFitterTest, RayDerivativesAreThoseOfDifferences) {
   }
 }
 
+TEST_F(ContourFitterTest, RaysMeetACappedConeWhereItIsNearest) {
+  // One cone from the origin up, 0.1 m thick at its lower end and 0.3 m at its upper one; all
+  // others are far away. Rays run along x, and their contours look to the left.
+  ContourWorldCones cones;
+  for (ContourWorldCone& cone : cones) cone = {{0, -1e3, 0}, {0, -1e3, 0}, 0.1, 0.1};
+  cones[7] = {{0, 0, 0}, {0, 0, 1}, 0.1, 0.3};
+  const auto matchAt = [&](double y, double z) {
+    seen.rays = {{{0, 1, 0}, {0, 0, 1}, float(y), float(z), 0, {0, 0}}};
+    std::vector<RayMatch> matches;
+    matchRays(ConesInViews(seen, cones), seen.rays, matches);
+    return matches.front();
+  };
+  // The outline leans outward by asin(0.2).
+  const double cosine = std::sqrt(1 - 0.2 * 0.2);
+  const RayMatch beside = matchAt(0.5, 0.4);
+  EXPECT_EQ(beside.cone, 7);
+  EXPECT_NEAR(beside.residual, 0.5 * cosine - 0.4 * 0.2 - 0.1, 1e-5);
+  EXPECT_NEAR(beside.s, 0.4 + 0.5 * 0.2 / cosine, 1e-5);
+  const RayMatch below = matchAt(0.3, -0.4);
+  EXPECT_EQ(below.s, 0);
+  EXPECT_NEAR(below.residual, 0.5 - 0.1, 1e-5);
+  EXPECT_NEAR(below.along_normal, -0.6, 1e-5);
+  EXPECT_NEAR(below.along_side, 0.8, 1e-5);
+}
+
+// A fit that diverges places it there.
+TEST_F(ContourFitterTest, RaysAreMatchedToBodiesOutOfAllRange) {
+  for (const double place : {1e3, 1e15, 1e25, 1e300}) {
+    ContourPose pose = stride();
+    pose.position.setConstant(place);
+    PoseProblem problem(seen, rig, options);
+    problem.evaluate(body, pose, 0.1);
+    for (const RayMatch& match : problem.matches()) {
+      ASSERT_GE(match.cone, 0) << place;
+      ASSERT_LT(match.cone, kContourCones) << place;
+    }
+  }
+}
+
 TEST_F(ContourFitterTest, PriorDerivativesAreThoseOfDifferences) {
   ContourPose pose = disturbed(stride(), 0.3, 0.1, 5);
   pose.angles[RevoluteJoint::kLeftKnee] = 0.4;                          // beyond its limit

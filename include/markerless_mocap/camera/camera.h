@@ -69,6 +69,18 @@ class Camera {
   /// As project(), but also empty if the nearest pixel is not in the image.
   std::optional<Eigen::Vector2d> projectInside(const Eigen::Vector3d& point_world) const;
 
+  /// A world point in the optical frame, metres.
+  Eigen::Vector3d inCameraFrame(const Eigen::Vector3d& point_world) const {
+    return T_camera_world_ * point_world;
+  }
+  /// As project(), of a point in the optical frame.
+  std::optional<Eigen::Vector2d> projectFromCameraFrame(const Eigen::Vector3d& in_camera) const;
+  /// Whether the nearest pixel is in the image.
+  bool isInImage(const Eigen::Vector2d& pixel) const {
+    return pixel.x() >= -0.5 && pixel.x() < width() - 0.5 && pixel.y() >= -0.5 &&
+           pixel.y() < height() - 0.5;
+  }
+
   /// Unit direction in the world of the viewing ray through a pixel, with distortion removed.
   Eigen::Vector3d rayDirection(const Eigen::Vector2d& pixel) const;
 
@@ -76,6 +88,10 @@ class Camera {
   /// everywhere; for a fisheye the view looks at the point. \param point_world not the camera's own
   /// position
   LocalView localView(const Eigen::Vector3d& point_world) const;
+
+  /// How large a metre across the line of sight is shown, pixels. \param in_camera a point that the
+  /// camera sees, in the optical frame
+  double pixelsPerMetre(const Eigen::Vector3d& in_camera) const;
 
  private:
   CameraCalibration calibration_;

@@ -31,12 +31,10 @@ struct Disk {
 
 std::optional<Disk> diskOf(const Camera& camera, int step, const Eigen::Vector3d& middle,
                            double radius) {
-  const auto pixel = camera.project(middle);
+  const Eigen::Vector3d in_camera = camera.inCameraFrame(middle);
+  const auto pixel = camera.projectFromCameraFrame(in_camera);
   if (!pixel) return std::nullopt;
-  const LocalView view = camera.localView(middle);
-  const double depth = view.R_world_view.col(2).dot(middle - camera.position());
-  const double f = 0.5 * (view.fx + view.fy);
-  const Disk disk{*pixel / step, f * radius / depth / step};
+  const Disk disk{*pixel / step, radius * camera.pixelsPerMetre(in_camera) / step};
   const double reach = disk.middle.cwiseAbs().maxCoeff() + disk.radius;
   if (!(reach < kMaxReach)) return std::nullopt;
   return disk;

@@ -52,12 +52,15 @@ Eigen::Vector2d outwardNormal(const cv::Mat& mask, const Crack& crack, int radiu
   Eigen::Vector2d inward = Eigen::Vector2d::Zero();
   for (int y = y0; y <= y1; ++y) {
     const uchar* row = mask.ptr<uchar>(std::clamp(y, 0, mask.rows - 1));
-    const double dy = y - cy;
+    const double dy = y - cy, rest = reach - dy * dy;
+    double sum = 0.0, sum_x = 0.0;
     for (int x = x0; x <= x1; ++x) {
-      const double dx = x - cx, weight = reach - dx * dx - dy * dy;
-      if (weight > 0 && row[std::clamp(x, 0, mask.cols - 1)])
-        inward += weight * Eigen::Vector2d(dx, dy);
+      const double dx = x - cx, weight = std::max(0.0, rest - dx * dx);
+      const double here = row[std::clamp(x, 0, mask.cols - 1)] ? weight : 0.0;
+      sum += here;
+      sum_x += here * dx;
     }
+    inward += Eigen::Vector2d(sum_x, sum * dy);
   }
   return -inward;
 }

@@ -8,11 +8,13 @@
 
 namespace markerless_mocap {
 
-/// Cones as structure of arrays, padded to whole SIMD vectors with cones far from all rays.
+/// Cones as structure of arrays, padded to whole SIMD vectors with the first cone, which comes
+/// before its copies wherever they are as near.
 struct PackedContourCones {
   static constexpr int kLanes = 24;
-  float ax[kLanes], ay[kLanes], az[kLanes], ra[kLanes];
-  float bx[kLanes], by[kLanes], bz[kLanes], rb[kLanes];
+  float ax[kLanes], ay[kLanes], az[kLanes];  ///< a
+  float ux[kLanes], uy[kLanes], uz[kLanes];  ///< from a to b
+  float radius[kLanes], taper[kLanes];       ///< at a; at b minus at a
 
   explicit PackedContourCones(const ContourWorldCones& cones);
 };

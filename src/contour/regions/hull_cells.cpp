@@ -28,10 +28,12 @@ cv::Mat hullCells(const VisualHull& hull, const Camera& camera, int cell) {
 
 cv::Mat maskCells(const cv::Mat& mask, int cell) {
   cv::Mat cells((mask.rows - 1) / cell + 1, (mask.cols - 1) / cell + 1, CV_8UC1);
+  const int whole = mask.cols / cell;  // cells that are not cut off by the border
   for (int y = 0; y < cells.rows; ++y) {
     const uchar* row = mask.ptr<uchar>(std::min(y * cell + cell / 2, mask.rows - 1));
     uchar* to = cells.ptr<uchar>(y);
-    for (int x = 0; x < cells.cols; ++x) to[x] = row[std::min(x * cell + cell / 2, mask.cols - 1)];
+    for (int x = 0; x < whole; ++x) to[x] = row[x * cell + cell / 2];
+    if (whole < cells.cols) to[whole] = row[std::min(whole * cell + cell / 2, mask.cols - 1)];
   }
   return cells;
 }

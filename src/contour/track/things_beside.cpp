@@ -40,32 +40,60 @@ constexpr double kLongestPrediction = 0.12;
 // that is wrong.
 constexpr double kMinSupported = 0.75;
 
-/// A mask and the predicted body by cells, each CV_8UC1 0 | 255.
+/// Numbers of cells of a mask and a predicted body.
+struct CellCounts {
+  int body = 0;
+  int body_shown = 0, body_person = 0, body_known = 0;  ///< by what the mask says there
+  int around = 0, around_shown = 0;                     ///< within reach, without the body
+  int excess = 0;                                       ///< those of them that are person
+};
+
+/// A mask and the predicted body by cells.
 struct ViewCells {
   int edge = 1;               ///< of a cell, pixels
   float cells_per_metre = 0;  ///< at the body
-  cv::Mat mask;               ///< 0 | 128 unknown | 255
-  cv::Mat body;               ///< the predicted body
-  cv::Mat near;               ///< what is within reach of it, itself included
+  float reach = 0;            ///< cells
+  cv::Mat mask;               ///< CV_8UC1, 0 | 128 unknown | 255
+  BodyDrawing drawing;        ///< of the predicted body; its box is empty if that is outside
+  CellCounts counts;
+
+  bool hasBody() const { return drawing.box.area() > 0; }
+  /// What is at most that far from the body, cells: CV_8UC1, 0 | 255. 0: the body itself.
+  cv::Mat within(float distance) const {
+    cv::Mat near = cv::Mat::zeros(mask.size(), CV_8UC1);
+    cv::Mat(drawing.distance <= distance).copyTo(near(drawing.box));
+    return near;
+  }
+  /// Which fraction of the body the mask shows.
+  double shown() const { return double(counts.body_shown) / std::max(1, counts.body); }
 };
 
-/// Cells that are nearer to the body than that, in cells.
-cv::Mat cellsNear(const BodyDrawing& drawing, float distance, const cv::Size& size) {
-  cv::Mat near = cv::Mat::zeros(size, CV_8UC1);
-  cv::Mat(drawing.distance <= distance).copyTo(near(drawing.box));
-  return near;
-}
-
-/// Which fraction of the cells the mask shows.
-double shownOf(const cv::Mat& cells, const cv::Mat& mask) {
-  return double(cv::countNonZero((mask != 0) & cells)) / std::max(1, cv::countNonZero(cells));
+CellCounts countsOf(const ViewCells& view) {
+  CellCounts counts;
+  for (int y = 0; y < view.drawing.box.height; ++y) {
+    const uchar* mask = view.mask.ptr<uchar>(view.drawing.box.y + y) + view.drawing.box.x;
+    const float* distance = view.drawing.distance.ptr<float>(y);
+    for (int x = 0; x < view.drawing.box.width; ++x) {
+      const bool body = distance[x] <= 0, around = !body && distance[x] <= view.reach;
+      const bool shown = mask[x] != kBackgroundPixel, person = mask[x] == kPersonPixel;
+      counts.body += body;
+      counts.body_shown += body && shown;
+      counts.body_person += body && person;
+      counts.body_known += body && mask[x] != kUnknownPixel;
+      counts.around += around;
+      counts.around_shown += around && shown;
+      counts.excess += around && person;
+    }
+  }
+  return counts;
 }
 
 /// The cells outside all parts of the mask that come near the body; empty if the mask shows nothing
 /// there.
 cv::Mat partsApart(const ViewCells& view) {
-  if (cv::countNonZero((view.mask == kPersonPixel) & ~view.near) == 0) return {};
-  const cv::Mat apart = ~partsThatMeet(view.mask, view.near);
+  const int person = cv::countNonZero(view.mask == kPersonPixel);
+  if (person == view.counts.body_person + view.counts.excess) return {};
+  const cv::Mat apart = ~partsThatMeet(view.mask, view.within(view.reach));
   return cv::countNonZero(view.mask & apart) > 0 ? apart : cv::Mat();
 }
 
@@ -77,55 +105,58 @@ cv::Mat disk(int radius) {
 /// Where the mask cannot be the person's, if the body is about where it is predicted; empty if
 /// there is too little of it.
 cv::Mat doubtful(const ViewCells& view, const DoubtLimits& limits) {
-  if (shownOf(view.body, view.mask) < limits.min_shown ||
-      shownOf(view.near & ~view.body, view.mask) >= kMaxAround)
+  const CellCounts& counts = view.counts;
+  if (view.shown() < limits.min_shown ||
+      counts.around_shown >= kMaxAround * std::max(1, counts.around))
+    return {};
+  const bool may_miss = limits.max_missing < 1;
+  const double max_excess = limits.max_excess * counts.body,
+               max_missing = limits.max_missing * counts.body;
+  // What is thick is a part of it, and mostly there is too little.
+  if (counts.excess <= max_excess && (!may_miss || counts.body - counts.body_shown <= max_missing))
     return {};
   const int thick = std::max(1, int(std::lround(float(kThick_m) * view.cells_per_metre)));
-  const cv::Mat excess = (view.mask == kPersonPixel) & ~view.body;
-  cv::Mat missing = view.body & (view.mask == kBackgroundPixel);
-  if (limits.max_missing >= 1) missing.setTo(0);
+  const cv::Mat body = view.within(0.f);
+  const cv::Mat excess = (view.mask == kPersonPixel) & ~body;
+  cv::Mat missing = body & (view.mask == kBackgroundPixel);
+  if (!may_miss) missing.setTo(0);
   cv::Mat thick_excess, thick_missing, around;
   cv::morphologyEx(excess, thick_excess, cv::MORPH_OPEN, disk(thick));
   cv::morphologyEx(missing, thick_missing, cv::MORPH_OPEN, disk(1));
-  const int whole = cv::countNonZero(view.body);
-  if (cv::countNonZero(thick_excess & view.near) <= limits.max_excess * whole &&
-      cv::countNonZero(thick_missing) <= limits.max_missing * whole)
+  if (cv::countNonZero(thick_excess & view.within(view.reach)) <= max_excess &&
+      cv::countNonZero(thick_missing) <= max_missing)
     return {};
   cv::dilate(thick_excess, around, disk(thick));
   return (excess & around) | missing;
 }
 
-/// `near` is empty if the body is outside the image. \param edge of a cell, pixels
+/// \param edge of a cell, pixels
 ViewCells cellsOf(const cv::Mat& mask, int edge, const Camera& camera, const ContourBody& body,
                   const ContourPose& predicted) {
   ViewCells view;
   view.edge = edge;
   view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted);
   view.mask = maskCells(mask, view.edge);
-  const float reach = float(kReach_m) * view.cells_per_metre;
-  const cv::Size size = view.mask.size();
-  const BodyDrawing drawing = drawBody(projectedBody(camera, view.edge, body, predicted, 0.0),
-                                       int(ContourSegment::kCount), size, reach + 1);
-  if (drawing.box.area() == 0) return view;
-  view.body = cellsNear(drawing, 0.f, size);
-  view.near = cellsNear(drawing, reach, size);
+  view.reach = float(kReach_m) * view.cells_per_metre;
+  view.drawing = drawBody(projectedBody(camera, view.edge, body, predicted, 0.0),
+                          int(ContourSegment::kCount), view.mask.size(), view.reach + 1);
+  view.counts = countsOf(view);
   return view;
 }
 
 bool isSupported(const std::vector<ViewCells>& views) {
-  double shown = 0, known = 0;
+  double person = 0, known = 0;
   for (const ViewCells& view : views) {
-    if (view.near.empty()) continue;
-    shown += cv::countNonZero(view.body & (view.mask == kPersonPixel));
-    known += cv::countNonZero(view.body & (view.mask != kUnknownPixel));
+    person += view.counts.body_person;
+    known += view.counts.body_known;
   }
-  return shown >= kMinSupported * known;
+  return person >= kMinSupported * known;
 }
 
 /// Parts that are apart are taken from the cells, too.
 cv::Mat partsTakenFrom(ViewCells& view) {
   cv::Mat apart;
-  if (shownOf(view.body, view.mask) >= kMinShownApart) apart = partsApart(view);
+  if (view.shown() >= kMinShownApart) apart = partsApart(view);
   if (!apart.empty()) view.mask.setTo(kBackgroundPixel, apart);
   return apart;
 }
@@ -161,7 +192,7 @@ ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
   std::vector<char> doubted(masks.size(), 0);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     ViewCells& view = views[i];
-    if (view.near.empty()) return;
+    if (!view.hasBody()) return;
     const cv::Mat apart = partsTakenFrom(view);
     cv::Mat doubt = doubtful(view, with_colors);
     doubted[i] = is_fresh && !doubt.empty();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/simd_clones.h"
+
 namespace markerless_mocap {
 namespace {
 
@@ -23,39 +25,47 @@ cv::Rect boxOf(const ProjectedCone& cone, float margin, const cv::Size& size) {
   return {from, to};
 }
 
-/// Distance to the convex hull of two disks. Along the axis a point is nearest to one of the disks
-/// or to the tangent between them.
-class ConeDistance {
- public:
-  explicit ConeDistance(const ProjectedCone& cone)
-      : a_(cone.a), radius_a_(cone.radius_a), radius_b_(cone.radius_b) {
-    const Eigen::Vector2f way = cone.b - cone.a;
-    length_ = way.norm();
-    sine_ = length_ > 0 ? (radius_a_ - radius_b_) / length_ : 2.f;
-    along_ = length_ > 0 ? Eigen::Vector2f(way / length_) : Eigen::Vector2f::UnitX();
-    is_disk_ = std::abs(sine_) >= 1;  // one disk contains the other
-    cosine_ = is_disk_ ? 0.f : std::sqrt(1 - sine_ * sine_);
-    if (is_disk_ && radius_b_ > radius_a_) {
-      a_ = cone.b;
-      radius_a_ = radius_b_;
-    }
-  }
-  float operator()(float x, float y) const {
-    const float dx = x - a_.x(), dy = y - a_.y();
-    const float v = along_.x() * dx + along_.y() * dy;
-    const float u = std::abs(along_.x() * dy - along_.y() * dx);
-    if (is_disk_) return std::sqrt(u * u + v * v) - radius_a_;
-    const float k = cosine_ * v - sine_ * u;
-    if (k < 0) return std::sqrt(u * u + v * v) - radius_a_;
-    if (k > cosine_ * length_) return std::sqrt(u * u + (v - length_) * (v - length_)) - radius_b_;
-    return cosine_ * u + sine_ * v - radius_a_;
-  }
-
- private:
-  Eigen::Vector2f a_, along_;
-  float radius_a_, radius_b_, length_, sine_, cosine_;
-  bool is_disk_;
+/// The convex hull of two disks in plain numbers.
+struct PlainCone {
+  float x, y, along_x, along_y;  ///< middle of the first disk, and the direction to the other one
+  float radius_a, radius_b, length, sine, cosine;  ///< of the tangent to the axis
 };
+
+PlainCone plain(const ProjectedCone& cone) {
+  const Eigen::Vector2f way = cone.b - cone.a;
+  const float length = way.norm(), taper = cone.radius_a - cone.radius_b;
+  if (!(std::abs(taper) < length)) {  // one disk contains the other
+    const Eigen::Vector2f& middle = taper < 0 ? cone.b : cone.a;
+    const float radius = std::max(cone.radius_a, cone.radius_b);
+    return {middle.x(), middle.y(), 1, 0, radius, radius, 0, 1, 0};
+  }
+  const float sine = taper / length;
+  return {cone.a.x(),       cone.a.y(),    way.x() / length,
+          way.y() / length, cone.radius_a, cone.radius_b,
+          length,           sine,          std::sqrt(1 - sine * sine)};
+}
+
+/// Distances from the outline in a row, negative inside. Along the axis a point is nearest to one
+/// of the disks or to the tangent between them.
+MOCAP_VECTORISED void measureRow(const PlainCone& cone, int y, int first, int count,
+                                 float* __restrict distances) {
+  const float dy = float(y) - cone.y, end = cone.cosine * cone.length;
+  for (int i = 0; i < count; ++i) {
+    const float dx = float(first + i) - cone.x;
+    const float v = cone.along_x * dx + cone.along_y * dy, w = v - cone.length;
+    const float u = __builtin_fabsf(cone.along_x * dy - cone.along_y * dx);
+    const float from_a = __builtin_sqrtf(u * u + v * v) - cone.radius_a;
+    const float from_b = __builtin_sqrtf(u * u + w * w) - cone.radius_b;
+    const float between = cone.cosine * u + cone.sine * v - cone.radius_a;
+    const float k = cone.cosine * v - cone.sine * u;
+    const float past_a = k > end ? from_b : between;
+    distances[i] = k <= 0 ? from_a : past_a;
+  }
+}
+
+MOCAP_VECTORISED void takeLess(const float* __restrict values, int count, float* __restrict least) {
+  for (int i = 0; i < count; ++i) least[i] = values[i] < least[i] ? values[i] : least[i];
+}
 
 void grow(const cv::Rect& box, cv::Rect& all) {
   if (box.area() > 0) all = all.area() > 0 ? (all | box) : box;
@@ -63,20 +73,21 @@ void grow(const cv::Rect& box, cv::Rect& all) {
 
 void drawCone(const ProjectedCone& cone, const cv::Rect& box, BodyDrawing& drawing,
               cv::Mat& depth) {
-  const ConeDistance distance(cone);
+  const PlainCone outline = plain(cone);
   PartDistance& part = drawing.parts[size_t(cone.part)];
   const float front = std::min(cone.depth_a, cone.depth_b);
-  for (int y = box.y; y < box.br().y; ++y) {
-    float* own = part.distance.ptr<float>(y - part.box.y) - part.box.x;
-    float* nearest = drawing.distance.ptr<float>(y - drawing.box.y) - drawing.box.x;
-    uchar* label = drawing.part.ptr<uchar>(y - drawing.box.y) - drawing.box.x;
-    float* z = depth.ptr<float>(y - drawing.box.y) - drawing.box.x;
-    for (int x = box.x; x < box.br().x; ++x) {
-      const float d = distance(float(x), float(y));
-      own[x] = std::min(own[x], d);
-      nearest[x] = std::min(nearest[x], d);
-      part.depth_inside = std::max(part.depth_inside, -d);
-      if (d <= 0 && front < z[x]) {
+  const cv::Point at = box.tl() - drawing.box.tl(), at_part = box.tl() - part.box.tl();
+  std::vector<float> distances(size_t(box.width));
+  for (int y = 0; y < box.height; ++y) {
+    measureRow(outline, box.y + y, box.x, box.width, distances.data());
+    takeLess(distances.data(), box.width, part.distance.ptr<float>(at_part.y + y) + at_part.x);
+    takeLess(distances.data(), box.width, drawing.distance.ptr<float>(at.y + y) + at.x);
+    uchar* label = drawing.part.ptr<uchar>(at.y + y) + at.x;
+    float* z = depth.ptr<float>(at.y + y) + at.x;
+    for (int x = 0; x < box.width; ++x) {
+      if (distances[size_t(x)] > 0) continue;
+      part.depth_inside = std::max(part.depth_inside, -distances[size_t(x)]);
+      if (front < z[x]) {
         z[x] = front;
         label[x] = uchar(cone.part);
       }
