@@ -33,6 +33,7 @@ class ContourTracker : public BodyTracker {
   void prepare(size_t camera, const cv::Mat& mask) const override {
     observer_.prepare(camera, mask);
   }
+  std::vector<BodyPose> followBack(const std::vector<TrackerInput>& earlier) override;
   void estimateShapeNow() override;
   void reset() override;
   const std::shared_ptr<const TrackedBody>& body() const override { return person_.tracked(); }
@@ -90,6 +91,11 @@ class ContourTracker : public BodyTracker {
   BodyPose lost(const ContourObservation& seen, const ContourFit& fit);
   BodyPose unaccepted(const ContourFit& fit) const;
   BodyPose reported(const ActiveTrack& active);
+
+  // Back in time (contour_tracker_back.cpp).
+
+  /// Whatever an update() changes while time goes back.
+  auto state();
 
   // A start (contour_tracker_start.cpp).
 
@@ -152,6 +158,8 @@ class ContourTracker : public BodyTracker {
   SearchTimer learning_, reconsideration_, search_in_doubt_;
   PatientSearchTimer limb_search_;
   int64_t fresh_until_ns_ = 0;
+  /// In time: nobody is searched for, neither colours nor motion are learned.
+  bool goes_back_ = false;
   bool reported_ = false;         ///< a pose of this body has been reported since the last start
   bool is_at_person_ = false;     ///< a pose has been reported since then, perhaps of another body
   std::string lost_reason_;       ///< of the last start

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "pipeline/lost_frame_sets.h"
 
 namespace markerless_mocap {
 namespace {
@@ -29,12 +30,6 @@ std::vector<HullView> viewsOf(const std::vector<CameraFrame>& frames,
   for (size_t i = 0; i < frames.size(); ++i)
     if (!masks[i].empty()) views[i] = {masks[i], frames[i].image};
   return views;
-}
-
-std::vector<cv::Mat> imagesOf(const std::vector<CameraFrame>& frames) {
-  std::vector<cv::Mat> images;
-  for (const CameraFrame& frame : frames) images.push_back(frame.image);
-  return images;
 }
 
 /// The masks without those that the hull found to be wrong. Where it left out one because too
@@ -75,6 +70,12 @@ Pipeline::Pipeline(CameraRig rig, const PersonResources& resources, const Pipeli
       tree_builder_(options.pose_tree),
       tracker_(makeBodyTracker(carver_.rig(), resources, options.fitting)) {
   for (size_t i = 0; i < carver_.rig().size(); ++i) silhouettes_.emplace_back(options.silhouette);
+}
+
+Pipeline::~Pipeline() = default;
+
+void Pipeline::followBack() {
+  lost_ = std::make_unique<LostFrameSets>();
 }
 
 struct Pipeline::Stage {
@@ -201,11 +202,14 @@ void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
   const std::vector<cv::Mat> masks = trustedMasks(rig(), *result);
   const std::vector<cv::Mat> images = imagesOf(frame_set.frames);
   Products products(this, frame_set, result);
-  std::vector<double> later_s;
-  for (const CameraFrame& frame : frame_set.frames) later_s.push_back(frame.later_s);
-  result->pose =
-      tracker_->update({frame_set.stamp_ns, masks, images, products, false, false, later_s});
+  result->pose = tracker_->update(
+      {frame_set.stamp_ns, masks, images, products, false, false, latenessOf(frame_set.frames)});
   result->body = tracker_->body();
+  if (!lost_) return;
+  if (result->pose.status == PoseStatus::kLost)
+    lost_->add(frame_set, masks, *result);
+  else
+    result->earlier_poses = lost_->followedBackBy(*tracker_);
 }
 
 }  // namespace markerless_mocap

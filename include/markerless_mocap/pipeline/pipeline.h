@@ -57,6 +57,12 @@ struct FrameSet {
   std::any owner;  ///< keeps the pixels alive if the mats of `frames` only refer to them
 };
 
+/// The pose of an earlier frame set.
+struct EarlierPose {
+  int64_t stamp_ns;  ///< capture time
+  BodyPose pose;
+};
+
 /// The results of all stages for one frame set.
 struct PipelineResult : FrameProducts {
   bool learning = false;  ///< too few cameras have learned their background; all other members are
@@ -64,8 +70,13 @@ struct PipelineResult : FrameProducts {
   std::vector<cv::Mat>
       masks;  ///< one per camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   BodyPose pose;
-  std::shared_ptr<const TrackedBody> body;  ///< the body that `pose` refers to
+  std::shared_ptr<const TrackedBody> body;  ///< the body that the poses refer to
+  /// Poses of frame sets right before, in the order of time; their own results were lost. See
+  /// Pipeline::followBack().
+  std::vector<EarlierPose> earlier_poses;
 };
+
+class LostFrameSets;
 
 /// All stages in one process, with the same code as the nodes. The result depends neither on the
 /// number of threads nor on whether frame sets are processed one by one or in a stream.
@@ -80,6 +91,7 @@ class Pipeline {
 
   /// Throws std::invalid_argument if a stage rejects its options or the rig.
   Pipeline(CameraRig rig, const PersonResources& resources, const PipelineOptions& options);
+  ~Pipeline();
 
   /// \param stamp_ns capture time, nanoseconds
   /// \param frames one per camera, in the order of the rig. Throws std::invalid_argument if their
@@ -112,6 +124,11 @@ class Pipeline {
   /// From now on, parts and tree are made only of frame sets where the tracker asks for them; they
   /// are empty in the results of the others. The poses are the same. Hulls are always made.
   void makePartsOnDemand() { parts_on_demand_ = true; }
+  /// From now on, once the person has been found, it is followed back through the frame sets
+  /// without a pose right before, at most kMostEarlierPoses, as far as it can be: earlier_poses.
+  /// They are kept in memory with their images.
+  void followBack();
+  static constexpr size_t kMostEarlierPoses = 30;
 
  private:
   struct Work {
@@ -139,6 +156,7 @@ class Pipeline {
   PartTracker part_tracker_;
   PoseTreeBuilder tree_builder_;
   std::unique_ptr<BodyTracker> tracker_;
+  std::unique_ptr<LostFrameSets> lost_;  ///< null: they are not wanted
   StageWatch watch_ = [](const char*, const std::function<void()>& work) { work(); };
 };
 

@@ -45,6 +45,14 @@ class BodyTracker {
   /// By camera: whether its images would help, though its masks have no unknown background, as the
   /// last masks were in doubt; empty: none would.
   virtual std::vector<bool> wantedImages() const { return {}; }
+  /// Follows the person from the pose of the last update() back in time until it is lost. Later
+  /// poses are as if this had not been called.
+  /// \param earlier frame sets before that of the last update(), the latest first
+  /// \return poses of the first of them; none from methods that cannot do so, or while the body is
+  ///   being measured
+  virtual std::vector<BodyPose> followBack(const std::vector<TrackerInput>& /*earlier*/) {
+    return {};
+  }
   /// Restarts the tracking: poses of earlier frames have no influence. The body stays, and so do
   /// the frames collected for the estimate of its shape.
   virtual void reset() = 0;

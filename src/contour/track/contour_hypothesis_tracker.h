@@ -64,6 +64,7 @@ class ContourHypothesisTracker {
   /// See PoseHistory::motion().
   std::optional<ContourMotion> motion(int64_t stamp_ns) const { return history_.motion(stamp_ns); }
   void lose() { history_.forget(); }
+  void turnBack() { history_.turnBack(); }
   /// Lets the next frame search for limbs, however short ago that was done.
   void searchSoon();
   bool tracking() const { return !history_.empty(); }

@@ -41,6 +41,11 @@ void ContourMultiHypothesisTracker::lose() {
   confirmed_ = false;
 }
 
+void ContourMultiHypothesisTracker::turnBack() {
+  active_.turnBack();
+  alternative_.reset();
+}
+
 std::vector<ContourFit> ContourMultiHypothesisTracker::fitsFrom(
     const ContourObservation& seen, const ContourBody& body, const std::vector<ContourPose>& poses,
     const RobustSchedule& schedule) const {

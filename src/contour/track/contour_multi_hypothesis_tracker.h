@@ -63,6 +63,8 @@ class ContourMultiHypothesisTracker {
   /// True if a start on a later frame has led to the same body.
   bool isConfirmed() const { return confirmed_; }
   void lose();
+  /// From now on time goes backwards; an alternative is forgotten.
+  void turnBack();
   /// See ContourHypothesisTracker::searchSoon().
   void searchSoon() { active_.searchSoon(); }
   /// The best of the fits that start at several poses, best first; at most kMaxFinalFits.

@@ -110,7 +110,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
           ? withoutThingsBeside(now.masks, now.images, observer_.rig(), person_.body(), *predicted)
           : ClearedMasks{withoutStrayParts(now.masks, hull(), observer_.rig()), {}};
   wanted_images_ = cleared.doubted;
-  moving_contours_.watch(now.stamp_ns, now.images, cleared.masks);
+  if (!goes_back_) moving_contours_.watch(now.stamp_ns, now.images, cleared.masks);
   const bool in_doubt =
       std::find(cleared.doubted.begin(), cleared.doubted.end(), true) != cleared.doubted.end();
   return updateFrom({now.stamp_ns,
@@ -175,6 +175,7 @@ ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen
 ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   ActiveTrack active = continued(now, found.seen);
   if (active.track.status == ContourTrackingStatus::kLost) {
+    if (goes_back_) return active;
     doubt(now.stamp_ns);
     contradicted_.reset();
     active = start(now);
@@ -203,7 +204,7 @@ void ContourTracker::doubt(int64_t stamp_ns) {
 }
 
 void ContourTracker::learn(const Frame& now, const ActiveTrack& active) {
-  if (!learning_.isDue(now.stamp_ns) && !active.switched) return;
+  if (goes_back_ || (!learning_.isDue(now.stamp_ns) && !active.switched)) return;
   learning_.done(now.stamp_ns);
   observer_.learn(now.regions, person_.body(), active.track.fit.pose);
 }

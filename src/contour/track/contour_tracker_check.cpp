@@ -20,6 +20,7 @@ constexpr double kJustNow = 1e-3;  // seconds, of a prediction that is a fit to 
 }  // namespace
 
 bool ContourTracker::needsCheck(const Frame& now, const ContourFit& fit) const {
+  if (goes_back_) return false;
   // Colours are asked in another thread, and asked first until a pose has been reported.
   const bool by_color = now.regions.needsColors();
   if ((now.behind && !by_color) || !starts_.isCheckDue(now.stamp_ns) || color_check_.isBusy())

@@ -43,6 +43,11 @@ void PoseHistory::add(int64_t stamp_ns, const ContourFit& fit) {
   last_ = past;
 }
 
+void PoseHistory::turnBack() {
+  if (last_ && last_->before)
+    last_->before = predictConstantVelocity(*last_->before, last_->pose, 1.0);
+}
+
 std::optional<ContourPrediction> PoseHistory::predict(int64_t stamp_ns) const {
   const int64_t gap = last_ ? stamp_ns - last_->stamp_ns : 0;
   if (!last_ || gap <= 0 || gap > kMaxGap_ns) return std::nullopt;

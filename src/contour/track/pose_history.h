@@ -20,6 +20,8 @@ class PoseHistory {
   void forget() { last_.reset(); }
   /// Adds the fit of the next frame.
   void add(int64_t stamp_ns, const ContourFit& fit);
+  /// From now on the body moves in the opposite direction.
+  void turnBack();
 
   /// The last pose; valid only if there is one.
   const ContourPose& last() const { return last_->pose; }

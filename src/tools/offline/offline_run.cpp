@@ -12,6 +12,7 @@
 #include "tools/common/progress.h"
 #include "tools/common/result_figures.h"
 #include "tools/offline/calibration_check.h"
+#include "tools/offline/held_results.h"
 #include "tools/offline/preparation.h"
 #include "tools/offline/result_writer.h"
 #include "tools/offline/run_report.h"
@@ -118,6 +119,7 @@ class OfflineRun {
     if (!options_.prepared.empty() && options_.recording.start > 0.0)
       settleBackgrounds(options_, prepared_, &*pipeline_);
     if (options_.poses_only) pipeline_->makePartsOnDemand();
+    pipeline_->followBack();
     body_ = pipeline_->body();
     writer_.emplace(&bag_, *body_->model, options_.recording.world_frame, makeFilter());
     if (!options_.report_folder.empty())
@@ -164,6 +166,9 @@ class OfflineRun {
     Progress progress("mocap_offline", notes_, terminal_);
     pipeline_->setStageWatch(
         [this](const char* stage, const auto& work) { summary_.timed(stage, work); });
+    HeldResults results([this](const FrameSet& frame_set, const PipelineResult& result) {
+      write(frame_set, result);
+    });
     pipeline_->processStream(
         [&] {
           std::optional<FrameSet> frame_set;
@@ -172,9 +177,10 @@ class OfflineRun {
           progress.update(recording_.fractionRead());
           return frame_set;
         },
-        [this](const FrameSet& frame_set, const PipelineResult& result) {
-          summary_.timed(RunSummary::kWriting, [&] { write(frame_set, result); });
+        [&](const FrameSet& frame_set, const PipelineResult& result) {
+          summary_.timed(RunSummary::kWriting, [&] { results.add(frame_set, result); });
         });
+    results.passOn();
     progress.finish();
   }
 
