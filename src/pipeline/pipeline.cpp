@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "pipeline/held_results.h"
 #include "pipeline/lost_frame_sets.h"
 
 namespace markerless_mocap {
@@ -122,10 +123,13 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
       tbb::this_task_arena::isolate([&] { run(stage, *item); });
       return item;
     });
+  HeldResults held(sink);
   tbb::parallel_pipeline(kMaxFramesInFlight,
                          chain & tbb::make_filter<Item, void>(kInOrder, [&](const Item& item) {
-                           sink(item->frame_set, item->result);
+                           if (!lost_) return sink(item->frame_set, item->result);
+                           held.add(item->frame_set, std::move(item->result));
                          }));
+  held.passOn();
 }
 
 void Pipeline::useBackgrounds(const std::vector<SharedBackground>& backgrounds) {

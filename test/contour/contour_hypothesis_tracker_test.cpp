@@ -63,6 +63,16 @@ TEST_F(ContourTrackerTest, FollowsAWalk) {
   }
 }
 
+TEST_F(ContourTrackerTest, TurnedBackItExpectsTheOppositeMotion) {
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kFrame_ns, see(at(1)), body);
+  const double now = tracker.pose().position.x();
+  const double step = tracker.predict(2 * kFrame_ns)->pose.position.x() - now;
+  EXPECT_GT(step, 0.01);
+  tracker.turnBack();
+  EXPECT_NEAR(tracker.predict(2 * kFrame_ns)->pose.position.x() - now, -step, 1e-9);
+}
+
 TEST_F(ContourTrackerTest, FollowsThroughCamerasThatTakeTurns) {
   const auto punch = [](double frame) {
     ContourPose pose = at(0);

@@ -54,6 +54,15 @@ TEST(Seam, NobodyInBothPartsIsAgreement) {
   EXPECT_EQ(seam.largest_distance_m, 0.0);
 }
 
+TEST(Seam, WhoIsFoundAfterTheEndOfTheEarlierPartMayHaveEarlierPosesInTheLaterOne) {
+  const auto leaves = [](int i) -> std::optional<double> {
+    return i < 30 ? std::optional<double>(0.0) : std::nullopt;
+  };
+  const auto comes_again = [&](int i) { return i < 50 ? leaves(i) : 0.0; };
+  const Seam seam = findSeam(record(1, 60, leaves), record(20, 90, comes_again), 0.005);
+  EXPECT_EQ(seam.stamp_ns, 49 * kFrame);
+}
+
 TEST(Seam, DistantJointsAreTold) {
   EXPECT_EQ(refusal(record(1, 60, at(0)), record(40, 90, at(0.006))),
             "0.00 s before the end of their overlap, their joints are 6.0 mm apart");

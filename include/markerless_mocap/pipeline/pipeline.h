@@ -71,7 +71,7 @@ struct PipelineResult : FrameProducts {
       masks;  ///< one per camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   BodyPose pose;
   std::shared_ptr<const TrackedBody> body;  ///< the body that the poses refer to
-  /// Poses of frame sets right before, in the order of time; their own results were lost. See
+  /// Poses of frame sets right before that had none, in the order of time; see
   /// Pipeline::followBack().
   std::vector<EarlierPose> earlier_poses;
 };
@@ -125,8 +125,10 @@ class Pipeline {
   /// are empty in the results of the others. The poses are the same. Hulls are always made.
   void makePartsOnDemand() { parts_on_demand_ = true; }
   /// From now on, once the person has been found, it is followed back through the frame sets
-  /// without a pose right before, at most kMostEarlierPoses, as far as it can be: earlier_poses.
-  /// They are kept in memory with their images.
+  /// without a pose right before, as far as it can be: PipelineResult::earlier_poses. The poses of
+  /// a stream then begin with the person, not with the time that it takes to find it: its sink gets
+  /// results with these poses, and those without a pose later. At most kMostEarlierPoses frame sets
+  /// are kept in memory for it, with their images.
   void followBack();
   static constexpr size_t kMostEarlierPoses = 30;
 

@@ -69,6 +69,9 @@ CommonFrames commonFrames(const ResultRecord& earlier, const ResultRecord& later
     if (b == later.frames.end() || a.stamp_ns > end_ns) break;
     if (b->stamp_ns == a.stamp_ns) common.emplace_back(&a, &*b);
   }
+  // Who is found after the end of the earlier part has been followed back into it.
+  while (!common.empty() && !hasPose(*common.back().first) && hasPose(*common.back().second))
+    common.pop_back();
   return common;
 }
 

@@ -12,7 +12,6 @@
 #include "tools/common/progress.h"
 #include "tools/common/result_figures.h"
 #include "tools/offline/calibration_check.h"
-#include "tools/offline/held_results.h"
 #include "tools/offline/preparation.h"
 #include "tools/offline/result_writer.h"
 #include "tools/offline/run_report.h"
@@ -166,9 +165,6 @@ class OfflineRun {
     Progress progress("mocap_offline", notes_, terminal_);
     pipeline_->setStageWatch(
         [this](const char* stage, const auto& work) { summary_.timed(stage, work); });
-    HeldResults results([this](const FrameSet& frame_set, const PipelineResult& result) {
-      write(frame_set, result);
-    });
     pipeline_->processStream(
         [&] {
           std::optional<FrameSet> frame_set;
@@ -177,10 +173,9 @@ class OfflineRun {
           progress.update(recording_.fractionRead());
           return frame_set;
         },
-        [&](const FrameSet& frame_set, const PipelineResult& result) {
-          summary_.timed(RunSummary::kWriting, [&] { results.add(frame_set, result); });
+        [this](const FrameSet& frame_set, const PipelineResult& result) {
+          summary_.timed(RunSummary::kWriting, [&] { write(frame_set, result); });
         });
-    results.passOn();
     progress.finish();
   }
 

@@ -1,4 +1,4 @@
-#include "tools/offline/held_results.h"
+#include "pipeline/held_results.h"
 
 namespace markerless_mocap {
 
