@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +44,7 @@ class ContourTracker : public BodyTracker {
   struct Frame {
     int64_t stamp_ns;
     ProductSource& products;
-    bool behind;
+    const std::function<bool()>& behind;
     RegionFrame regions;
     std::vector<double> later_s;         ///< by camera, as TrackerInput has it
     std::vector<cv::Mat> doubted_masks;  ///< as they came; empty if none is in doubt
@@ -69,7 +70,7 @@ class ContourTracker : public BodyTracker {
   /// Continues the pose of the last frame, without views that contradict most others. \param seen
   /// their views are removed
   ActiveTrack continued(const Frame& now, ContourObservation& seen);
-  /// True if nothing but the last pose may take time: newer frame sets wait, or a check that
+  /// True if by now nothing but the last pose may take time: newer frame sets wait, or a check that
   /// decides if anything is reported.
   bool onlyFollows(const Frame& now) const;
   /// For some time after a gap or a new start, a pose is reported only if it fits as well as usual.

@@ -28,7 +28,7 @@ std::vector<EarlierPose> LostFrameSets::followedBackBy(BodyTracker& tracker) {
   std::vector<TrackerInput> earlier;
   for (auto lost = lost_.rbegin(); lost != lost_.rend(); ++lost)
     earlier.push_back(
-        {lost->stamp_ns, lost->masks, lost->images, lost->products, false, false, lost->later_s});
+        {lost->stamp_ns, lost->masks, lost->images, lost->products, {}, false, lost->later_s});
   std::vector<BodyPose> poses = tracker.followBack(earlier);
   std::vector<EarlierPose> found;
   for (size_t i = 0; i < poses.size(); ++i)

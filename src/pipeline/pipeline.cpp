@@ -207,7 +207,7 @@ void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
   const std::vector<cv::Mat> images = imagesOf(frame_set.frames);
   Products products(this, frame_set, result);
   result->pose = tracker_->update(
-      {frame_set.stamp_ns, masks, images, products, false, false, latenessOf(frame_set.frames)});
+      {frame_set.stamp_ns, masks, images, products, {}, false, latenessOf(frame_set.frames)});
   result->body = tracker_->body();
   if (!lost_) return;
   if (result->pose.status == PoseStatus::kLost)

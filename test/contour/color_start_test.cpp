@@ -29,7 +29,8 @@ class ColorStartTest : public testing::Test, protected UnknownRoom {
     for (int64_t frame = 0; frame < frames; ++frame) {
       std::vector<cv::Mat> now;
       for (const cv::Mat& image : images) now.push_back(image + cv::Scalar::all(frame % 2 * 15));
-      found = tracker.update({1 + frame * 33333333, masks, now, products, behind});
+      found =
+          tracker.update({1 + frame * 33333333, masks, now, products, [this] { return behind; }});
     }
     return found;
   }

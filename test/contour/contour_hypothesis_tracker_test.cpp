@@ -12,7 +12,7 @@ namespace markerless_mocap {
 namespace {
 
 constexpr int64_t kFrame_ns = 33333333;
-constexpr Eigen::Index kLeftWrist = 5;  // of contourPointNames()
+constexpr Eigen::Index kLeftWrist = 5, kRightWrist = 8;  // of contourPointNames()
 
 class ContourTrackerTest : public ::testing::Test {
  protected:
@@ -127,12 +127,30 @@ TEST_F(ContourTrackerTest, AnArmThatIsNotSearchedForIsSaidToBeLostUntilItIs) {
   tracker.update(kFrame_ns, see(at(0)), body);
   const ContourPose jumped = withArmElsewhere(at(0));
   const ContourObservation seen = see(jumped);
-  ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body, Effort::kFollow);
+  ContourTrackingResult track = tracker.update(2 * kFrame_ns, seen, body, [] { return false; });
   EXPECT_EQ(track.status, ContourTrackingStatus::kLimbLost);
-  track = tracker.update(3 * kFrame_ns, seen, body, Effort::kSearch);
+  track = tracker.update(3 * kFrame_ns, seen, body);
   EXPECT_EQ(track.status, ContourTrackingStatus::kLimbRecovered)
       << "at once, nothing was tried yet";
   EXPECT_LT((body.points(track.fit.pose) - body.points(jumped)).col(kLeftWrist).norm(), 0.05);
+}
+
+TEST_F(ContourTrackerTest, OfTwoLostArmsOneIsSearchedForInAFrameIfThereIsNoMoreTime) {
+  tracker.start(0, see(at(0)), body, at(0));
+  tracker.update(kFrame_ns, see(at(0)), body);
+  ContourPose jumped = withArmElsewhere(at(0));
+  jumped.rotations[SphericalJoint::kRightShoulder] = expSO3({-2.2, 0.3, 0});
+  jumped.angles[RevoluteJoint::kRightElbow] = 0.3;
+  const ContourObservation seen = see(jumped);
+  const auto foundArms = [&](int frame) {
+    int searches = 1;
+    const ContourTrackingResult track =
+        tracker.update(frame * kFrame_ns, seen, body, [&] { return searches-- > 0; });
+    const Eigen::Matrix3Xd off = body.points(track.fit.pose) - body.points(jumped);
+    return (off.col(kLeftWrist).norm() < 0.05) + (off.col(kRightWrist).norm() < 0.05);
+  };
+  EXPECT_EQ(foundArms(2), 1);
+  EXPECT_EQ(foundArms(3), 2) << "it goes on with the other one";
 }
 
 TEST_F(ContourTrackerTest, LegsThatHavePassedEachOtherInALongStepAreNotExchanged) {

@@ -61,7 +61,8 @@ class ContourStartTest : public testing::Test {
   void make() { tracker = makeBodyTracker(drawnRig(5), resources, options); }
   BodyPose show(int frame, const std::vector<cv::Mat>& masks, const PoseTree& tree) {
     ReadyProducts products({hull, parts, tree});
-    return tracker->update({(frame + 1) * kFrame_ns, masks, {}, products, behind, images_awaited});
+    return tracker->update(
+        {(frame + 1) * kFrame_ns, masks, {}, products, [this] { return behind; }, images_awaited});
   }
   double error(const BodyPose& pose, int frame) const {
     return errorOf(*tracker->body()->model, pose, frame);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <vector>
@@ -22,7 +23,9 @@ struct TrackerInput {
       masks;  ///< by camera, CV_8UC1 0 | 128 unknown | 255; empty where missing
   const std::vector<cv::Mat>& images;  ///< by camera, grey or BGR; empty where missing
   ProductSource& products;
-  bool behind = false;  ///< newer frames wait: what is not needed to follow the person is put off
+  /// Whether newer frame sets wait by now: then what is not needed to follow the person is put off.
+  /// It is asked again in between, as a search takes as long as many frames. Empty: none ever wait.
+  std::function<bool()> behind = {};
   bool images_awaited = false;  ///< images that are missing here will come with later frames
   /// By camera, s: how much later than stamp_ns its image was taken; empty: all were taken then.
   std::vector<double> later_s = {};

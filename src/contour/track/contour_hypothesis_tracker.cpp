@@ -10,6 +10,9 @@ constexpr int64_t kSuspiciousInterval_ns = 150000000;  // after a search without
 constexpr int64_t kLeastCertainInterval_ns = 500000000;
 constexpr int64_t kUntwistInterval_ns = 60000000;
 
+constexpr std::array kSearchedLimbs{ContourLimb::kLeftArm, ContourLimb::kRightArm,
+                                    ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
+
 }  // namespace
 
 const char* toString(ContourTrackingStatus status) {
@@ -56,24 +59,41 @@ ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, cons
 
 ContourTrackingStatus ContourHypothesisTracker::repair(int64_t stamp_ns, const FittedFrame& now,
                                                        const ContourPrediction& prediction,
-                                                       Effort effort, ContourFit* fit) {
+                                                       const MaySearch& may_search,
+                                                       ContourFit* fit) {
   bool better = false;
   if (suspicious_.isDue(stamp_ns)) {
     better = rivals_.tryLastPose(now, history_, prediction, fit);
-    if (effort == Effort::kSearch) {
-      better = rivals_.searchSuspiciousLimbs(now, history_, prediction, better, fit);
-      if (!better) suspicious_.done(stamp_ns);
-    }
+    better = searchSuspiciousLimbs(stamp_ns, now, prediction, may_search, better, fit);
   }
   if (any(history_.suspicious(*fit))) return ContourTrackingStatus::kLimbLost;
   return better ? ContourTrackingStatus::kLimbRecovered : ContourTrackingStatus::kTracked;
 }
 
+// One limb after the other while there is time, until none is suspicious. What is left then is
+// searched in the next frame.
+bool ContourHypothesisTracker::searchSuspiciousLimbs(int64_t stamp_ns, const FittedFrame& now,
+                                                     const ContourPrediction& prediction,
+                                                     const MaySearch& may_search, bool better,
+                                                     ContourFit* fit) {
+  for (; next_limb_ < kSearchedLimbs.size(); ++next_limb_) {
+    const LimbFlags suspicious = history_.suspicious(*fit);
+    if (better && !any(suspicious)) break;
+    const ContourLimb::Id limb = kSearchedLimbs[next_limb_];
+    if (!suspicious[limb]) continue;
+    if (may_search && !may_search()) return better;
+    better |= rivals_.searchLimbNear(now, limb, prediction, fit);
+  }
+  next_limb_ = 0;
+  if (!better) suspicious_.done(stamp_ns);
+  return better;
+}
+
 bool ContourHypothesisTracker::improve(int64_t stamp_ns, const FittedFrame& now,
-                                       const ContourPrediction& prediction, Effort effort,
-                                       ContourFit* fit) {
+                                       const ContourPrediction& prediction,
+                                       const MaySearch& may_search, ContourFit* fit) {
   bool better = false;
-  if (effort == Effort::kSearch && least_certain_.isDue(stamp_ns)) {
+  if (least_certain_.isDue(stamp_ns) && (!may_search || may_search())) {
     least_certain_.done(stamp_ns);
     better = rivals_.searchLeastCertainLimb(now, prediction, fit);
   }
@@ -86,7 +106,8 @@ bool ContourHypothesisTracker::improve(int64_t stamp_ns, const FittedFrame& now,
 
 ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
                                                        const ContourObservation& seen,
-                                                       const ContourBody& body, Effort effort) {
+                                                       const ContourBody& body,
+                                                       const MaySearch& may_search) {
   const std::optional<ContourPrediction> predicted = predict(stamp_ns);
   if (!predicted) {
     history_.forget();
@@ -97,8 +118,11 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
       fitter().fit(seen, body, predicted->pose, predicted, fitter().schedule(predicted->seconds));
   ContourTrackingStatus status = ContourTrackingStatus::kTracked;
   if (fit.status == ContourFitStatus::kFitted) {
-    if (any(history_.suspicious(fit))) status = repair(stamp_ns, now, *predicted, effort, &fit);
-    if (improve(stamp_ns, now, *predicted, effort, &fit))
+    if (any(history_.suspicious(fit)))
+      status = repair(stamp_ns, now, *predicted, may_search, &fit);
+    else
+      next_limb_ = 0;
+    if (improve(stamp_ns, now, *predicted, may_search, &fit))
       status = ContourTrackingStatus::kLimbRecovered;
   }
   return keep(stamp_ns, fit, status);

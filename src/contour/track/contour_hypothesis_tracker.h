@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "contour/track/pose_history.h"
@@ -21,11 +22,9 @@ struct ContourTrackingResult {
   ContourFit fit;  ///< valid unless lost
 };
 
-/// A search for limbs takes as long as following the person over many frames.
-enum class Effort {
-  kFollow,  ///< limbs that are lost stay so
-  kSearch,
-};
+/// Whether there is time for a search of a limb, which takes as long as following the person over
+/// some frames; without it limbs that are lost stay so. Empty: always.
+using MaySearch = std::function<bool()>;
 
 /// Tracks one hypothesis of the pose: predicts and fits. If the fit becomes worse than usual or a
 /// limb leaves the masks, it also tries the last pose and other positions of limbs. At intervals it
@@ -56,7 +55,7 @@ class ContourHypothesisTracker {
   /// Tracks to the next frame. The track is lost if the stamp is not later than the last one, or
   /// more than half a second later. The shape of the body may change between frames.
   ContourTrackingResult update(int64_t stamp_ns, const ContourObservation& seen,
-                               const ContourBody& body, Effort effort = Effort::kSearch);
+                               const ContourBody& body, const MaySearch& may_search = {});
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
     return history_.predict(stamp_ns);
@@ -78,14 +77,21 @@ class ContourHypothesisTracker {
   ContourTrackingResult keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackingStatus status);
   /// Replaces a suspicious fit if a better one is found.
   ContourTrackingStatus repair(int64_t stamp_ns, const FittedFrame& now,
-                               const ContourPrediction& prediction, Effort effort, ContourFit* fit);
+                               const ContourPrediction& prediction, const MaySearch& may_search,
+                               ContourFit* fit);
+  /// Tries other places of the suspicious limbs; returns whether the fit has been replaced, here or
+  /// before (`better`).
+  bool searchSuspiciousLimbs(int64_t stamp_ns, const FittedFrame& now,
+                             const ContourPrediction& prediction, const MaySearch& may_search,
+                             bool better, ContourFit* fit);
   /// Looks for better fits at intervals, whether or not the fit is suspicious. Returns true if it
   /// has replaced the fit.
   bool improve(int64_t stamp_ns, const FittedFrame& now, const ContourPrediction& prediction,
-               Effort effort, ContourFit* fit);
+               const MaySearch& may_search, ContourFit* fit);
 
   RivalPoses rivals_;
   PoseHistory history_;
+  size_t next_limb_ = 0;  ///< where a search of suspicious limbs goes on
   SearchTimer suspicious_, least_certain_, untwist_;  ///< which rivals are tried when
 };
 

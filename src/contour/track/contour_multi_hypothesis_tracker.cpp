@@ -106,10 +106,11 @@ ActiveTrack ContourMultiHypothesisTracker::startFrom(int64_t stamp_ns, const Con
 }
 
 ActiveTrack ContourMultiHypothesisTracker::update(int64_t stamp_ns, const ContourObservation& seen,
-                                                  const ContourBody& body, Effort effort) {
-  ActiveTrack active{active_.update(stamp_ns, seen, body, effort), false};
+                                                  const ContourBody& body,
+                                                  const MaySearch& may_search) {
+  ActiveTrack active{active_.update(stamp_ns, seen, body, may_search), false};
   if (!alternative_) return active;
-  const ContourTrackingResult other = alternative_->update(stamp_ns, seen, body, effort);
+  const ContourTrackingResult other = alternative_->update(stamp_ns, seen, body, may_search);
   const bool both = !isLost(active.track) && !isLost(other);
   if (both) alternative_gain_ += qualityOf(other.fit) - qualityOf(active.track.fit);
   active.switched = !isLost(other) && (isLost(active.track) || alternative_gain_ > kDecisionGain);

@@ -29,7 +29,7 @@ class ContourMultiHypothesisTracker {
   ActiveTrack start(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                     const std::vector<ContourPose>& poses);
   ActiveTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
-                     Effort effort = Effort::kSearch);
+                     const MaySearch& may_search = {});
   /// Starts a second time, on a frame after its update(). If the result is the same body, it
   /// confirms the active hypothesis. If the result is clearly better, it replaces it. \param active
   /// result of update()

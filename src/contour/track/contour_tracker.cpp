@@ -111,8 +111,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
           : ClearedMasks{withoutStrayParts(now.masks, hull(), observer_.rig()), {}};
   wanted_images_ = cleared.doubted;
   if (!goes_back_) moving_contours_.watch(now.stamp_ns, now.images, cleared.masks);
-  const bool in_doubt =
-      std::find(cleared.doubted.begin(), cleared.doubted.end(), true) != cleared.doubted.end();
+  const bool in_doubt = contradicted_.leaveAnyOf(cleared.doubted);
   return updateFrom({now.stamp_ns,
                      now.products,
                      now.behind,
@@ -157,9 +156,9 @@ RegionObservation ContourTracker::observe(const Frame& now) const {
 }
 
 ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen) {
-  const Effort effort = onlyFollows(now) ? Effort::kFollow : Effort::kSearch;
+  const auto may_search = [&] { return !onlyFollows(now); };
   const ContourMultiHypothesisTracker before = hypotheses_;
-  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  ActiveTrack active = hypotheses_.update(now.stamp_ns, seen, person_.body(), may_search);
   const auto contradicted = [&] {
     return active.track.status != ContourTrackingStatus::kLost &&
            contradicted_.judge(observer_.rig(), person_.body(), seen, active.track.fit);
@@ -167,7 +166,7 @@ ActiveTrack ContourTracker::continued(const Frame& now, ContourObservation& seen
   if (!contradicted()) return active;
   contradicted_.leaveOut(seen);
   hypotheses_ = before;
-  active = hypotheses_.update(now.stamp_ns, seen, person_.body(), effort);
+  active = hypotheses_.update(now.stamp_ns, seen, person_.body(), may_search);
   contradicted();
   return active;
 }
@@ -186,15 +185,14 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
   active = takeCheck(now, active);
   if (needsCheck(now, active.track.fit)) active = check(now, active);
   trust_.judge(judged(found.seen, active.track.fit));
-  if (onlyFollows(now)) return active;
-  searchLimbs(now, found, active);
-  searchLimbsInDoubt(now, active);
-  reconsider(now, found.seen, active.track);
+  if (!onlyFollows(now)) searchLimbs(now, found, active);
+  if (!onlyFollows(now)) searchLimbsInDoubt(now, active);
+  if (!onlyFollows(now)) reconsider(now, found.seen, active.track);
   return active;
 }
 
 bool ContourTracker::onlyFollows(const Frame& now) const {
-  return now.behind || (color_check_.isBusy() && !reported_);
+  return (now.behind && now.behind()) || (color_check_.isBusy() && !reported_);
 }
 
 void ContourTracker::doubt(int64_t stamp_ns) {

@@ -34,8 +34,13 @@ std::vector<BodyPose> ContourTracker::followBack(const std::vector<TrackerInput>
   hypotheses_.turnBack();
   goes_back_ = true;
   for (const TrackerInput& now : earlier) {
-    BodyPose pose = update({2 * turned_at_ns - now.stamp_ns, now.masks, now.images, now.products,
-                            false, false, negative(now.later_s)});
+    BodyPose pose = update({2 * turned_at_ns - now.stamp_ns,
+                            now.masks,
+                            now.images,
+                            now.products,
+                            {},
+                            false,
+                            negative(now.later_s)});
     if (pose.status == PoseStatus::kLost) break;
     poses.push_back(std::move(pose));
   }

@@ -23,7 +23,8 @@ bool ContourTracker::needsCheck(const Frame& now, const ContourFit& fit) const {
   if (goes_back_) return false;
   // Colours are asked in another thread, and asked first until a pose has been reported.
   const bool by_color = now.regions.needsColors();
-  if ((now.behind && !by_color) || !starts_.isCheckDue(now.stamp_ns) || color_check_.isBusy())
+  if ((!by_color && now.behind && now.behind()) || !starts_.isCheckDue(now.stamp_ns) ||
+      color_check_.isBusy())
     return false;
   return !trust_.isAccepted() || trust_.isDoubted(now.stamp_ns, fit) ||
          (by_color && starts_.wantsColorChecks());

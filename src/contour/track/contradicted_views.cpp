@@ -29,6 +29,12 @@ void ContradictedViews::leaveOut(ContourObservation& seen) const {
   }
 }
 
+bool ContradictedViews::leaveAnyOf(std::vector<bool> views) const {
+  for (const size_t camera : cameras_)
+    if (camera < views.size()) views[camera] = false;
+  return std::find(views.begin(), views.end(), true) != views.end();
+}
+
 bool ContradictedViews::judge(const CameraRig& rig, const ContourBody& body,
                               const ContourObservation& seen, const ContourFit& fit) {
   if (cameras_.empty() && fit.worst_quality >= fit.majority_quality - kFar) return false;

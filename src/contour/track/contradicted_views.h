@@ -16,6 +16,8 @@ class ContradictedViews {
   std::string described(const CameraRig& rig) const;
   /// Leaves out the views that judge() has found: ViewStatus::kContradicted, without rays.
   void leaveOut(ContourObservation& seen) const;
+  /// True if one of the views, by camera, is not left out.
+  bool leaveAnyOf(std::vector<bool> views) const;
   /// Finds the views that the body of a fit covers far worse than most; at least three and more
   /// than half stay. \param seen what the body was fitted to. Returns whether there are such views
   /// that were not left out.

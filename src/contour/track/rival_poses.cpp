@@ -108,15 +108,9 @@ bool RivalPoses::tryLastPose(const FittedFrame& now, const PoseHistory& history,
   return better;
 }
 
-bool RivalPoses::searchSuspiciousLimbs(const FittedFrame& now, const PoseHistory& history,
-                                       const ContourPrediction& prediction, bool better,
-                                       ContourFit* fit) const {
-  for (size_t i = ContourLimb::kLeftArm; i < ContourLimb::kCount; ++i) {
-    if (better && !any(history.suspicious(*fit))) break;
-    if (history.suspicious(*fit)[i])
-      better |= tryLimb(now, ContourLimb::Id(i), prediction.pose, loosened(prediction), fit);
-  }
-  return better;
+bool RivalPoses::searchLimbNear(const FittedFrame& now, ContourLimb::Id limb,
+                                const ContourPrediction& prediction, ContourFit* fit) const {
+  return tryLimb(now, limb, prediction.pose, loosened(prediction), fit);
 }
 
 bool RivalPoses::searchLeastCertainLimb(const FittedFrame& now, const ContourPrediction& prediction,
@@ -124,7 +118,7 @@ bool RivalPoses::searchLeastCertainLimb(const FittedFrame& now, const ContourPre
   const ContourLimb::Id limb = leastCertainLimb(now.seen, *fit);
   if (fit->rays_explained > kMaxExplained && fit->limbs[limb].deviation < kMaxCertainDeviation)
     return false;
-  return tryLimb(now, limb, prediction.pose, loosened(prediction), fit);
+  return searchLimbNear(now, limb, prediction, fit);
 }
 
 bool RivalPoses::untwist(const FittedFrame& now, const ContourPrediction& prediction,

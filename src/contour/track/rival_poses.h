@@ -32,11 +32,9 @@ class RivalPoses {
   /// Tries the last pose and, after a long step, exchanged legs.
   bool tryLastPose(const FittedFrame& now, const PoseHistory& history,
                    const ContourPrediction& prediction, ContourFit* fit) const;
-  /// Searches the limbs that the history finds suspicious, until none is.
-  /// \param better a rival has replaced the fit already
-  bool searchSuspiciousLimbs(const FittedFrame& now, const PoseHistory& history,
-                             const ContourPrediction& prediction, bool better,
-                             ContourFit* fit) const;
+  /// Searches one limb around its predicted place.
+  bool searchLimbNear(const FittedFrame& now, ContourLimb::Id limb,
+                      const ContourPrediction& prediction, ContourFit* fit) const;
   /// Searches the limb that contours determine least, unless they determine all.
   bool searchLeastCertainLimb(const FittedFrame& now, const ContourPrediction& prediction,
                               ContourFit* fit) const;

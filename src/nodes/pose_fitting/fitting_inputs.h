@@ -33,7 +33,7 @@ struct FittingMessages {
   std::vector<cv::Mat> pixels;      ///< by camera, of the masks; empty: they have to be read, still
   std::vector<CameraImage> images;  ///< by camera, with the stamps of the masks; or none at all
   std::vector<double> later_s;      ///< by camera, as of TrackerInput
-  bool behind = false;              ///< newer frame sets wait
+  std::function<bool()> behind;     ///< whether newer frame sets wait by now
   bool images_awaited = false;      ///< images that it lacks will come with later frame sets
 };
 

@@ -19,6 +19,7 @@
 #include "nodes/common/stage_services.h"
 #include "nodes/common/stage_status.h"
 #include "nodes/pose_fitting/answers.h"
+#include "nodes/pose_fitting/backlog.h"
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
@@ -120,6 +121,7 @@ class FittingStage {
   std::atomic<bool> searches_{false};  ///< frame sets may wait behind a search
   LatencyMeter fitting_times_;
   CatchUpQueue<FittingMessages> queue_;
+  Backlog backlog_;
   std::optional<Overlays> overlays_;
   std::unique_ptr<FittingInputs> inputs_;
   TrackerSuccessor successor_;

@@ -24,7 +24,8 @@ void FittingStage::work() {
       answers_.take(input->header);
       continue;
     }
-    input->behind = queue_.waitingCount() > kNewest;
+    backlog_.begin(queue_.waitingCount(), ros::SteadyTime::now().toSec());
+    input->behind = [this] { return backlog_.isBehind(queue_.waitingCount()); };
     const ros::WallTime start = ros::WallTime::now();
     const BodyPose pose = fit(*input);
     const double fitting = (ros::WallTime::now() - start).toSec();

@@ -1,0 +1,40 @@
+#include "nodes/pose_fitting/backlog.h"
+
+#include <gtest/gtest.h>
+
+namespace markerless_mocap {
+namespace {
+
+TEST(Backlog, AsSoonAsSomethingWaitsNothingIsSearched) {
+  Backlog backlog;
+  backlog.begin(0, 100.0);
+  EXPECT_FALSE(backlog.isBehind(0));
+  EXPECT_TRUE(backlog.isBehind(1)) << "it has come meanwhile";
+  EXPECT_FALSE(backlog.isBehind(0));
+}
+
+TEST(Backlog, AfterASearchItCatchesUpFirst) {
+  Backlog backlog;
+  backlog.begin(0, 100.0);
+  for (const int waiting : {3, 2, 1}) {
+    backlog.begin(size_t(waiting), 100.4);
+    EXPECT_TRUE(backlog.isBehind(size_t(waiting))) << waiting;
+  }
+  backlog.begin(0, 100.4);
+  EXPECT_FALSE(backlog.isBehind(0));
+}
+
+TEST(Backlog, WhoNeverCatchesUpSearchesNowAndThen) {
+  Backlog backlog;
+  backlog.begin(0, 100.0);
+  int searches = 0;
+  for (int item = 1; item <= 100; ++item) {
+    backlog.begin(5, 100.0 + 0.1 * item);
+    searches += !backlog.isBehind(5);
+  }
+  EXPECT_GE(searches, 10) << "in ten seconds";
+  EXPECT_LE(searches, 20);
+}
+
+}  // namespace
+}  // namespace markerless_mocap
