@@ -117,13 +117,14 @@ class Times {
 
   void print(double period) const {
     const std::lock_guard lock(mutex_);
-    std::vector<double> settled, all;
+    std::vector<double> settled, started, all;
     size_t without_tf = 0, without_pose = 0, total = 0, learning = 0;
     for (const auto& [stamp, one] : frame_sets_) {
       if (one.sent > ros::WallTime::now() - ros::WallDuration(1.5)) continue;
       ++total;
       if (one.settled && one.tf.isZero()) ++without_tf;
-      if (one.settled && !one.tf.isZero()) settled.push_back((one.tf - one.sent).toSec());
+      if (!one.tf.isZero())
+        (one.settled ? settled : started).push_back((one.tf - one.sent).toSec());
       if (one.pose.isZero()) ++(one.sent < first_pose_ ? learning : without_pose);
       if (!one.pose.isZero()) all.push_back((one.pose - one.sent).toSec());
     }
@@ -134,6 +135,7 @@ class Times {
     if (!first_of_all_.isZero())
       std::printf("first tf %.2f s after the first image\n", (first_of_all_ - begun_).toSec());
     printLine("last image to tf, settled", settled, period);
+    printLine("last image to tf, at starts", started, period);
     printLine("last image to pose, all", all, period);
     std::fflush(stdout);
   }
