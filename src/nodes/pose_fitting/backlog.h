@@ -7,23 +7,28 @@ namespace markerless_mocap {
 
 /// Decides when a worker that is late does only what it must. Whatever may be put off is done while
 /// nothing waits: a long search makes it late, then it catches up before the next one. Where the
-/// least that it can do is too slow for that, it searches all the same now and then.
+/// least that it can do is too slow for that, it searches all the same now and then, while few
+/// items wait.
 class Backlog {
  public:
+  /// \param few so many items may wait when it searches all the same
+  explicit Backlog(size_t few) : few_(few) {}
+
   /// The next item is taken up.
   /// \param waiting items behind it
   /// \param now_s time of a steady clock, s
   void begin(size_t waiting, double now_s) {
     if (waiting == 0) caught_up_s_ = now_s;
-    searches_all_the_same_ = now_s - caught_up_s_ > kPatience_s;
+    searches_all_the_same_ = waiting <= few_ && now_s - caught_up_s_ > kPatience_s;
     if (searches_all_the_same_) caught_up_s_ = now_s;
   }
   /// Whether only what the item needs may be done now. \param waiting items behind it by now
   bool isBehind(size_t waiting) const { return waiting > 0 && !searches_all_the_same_; }
 
  private:
-  static constexpr double kPatience_s = 0.5;
+  static constexpr double kPatience_s = 1.0;
 
+  const size_t few_;
   std::atomic<bool> searches_all_the_same_{false};
   double caught_up_s_ = 0.0;  ///< when nothing waited, or a search was allowed all the same
 };

@@ -121,7 +121,7 @@ class FittingStage {
   std::atomic<bool> searches_{false};  ///< frame sets may wait behind a search
   LatencyMeter fitting_times_;
   CatchUpQueue<FittingMessages> queue_;
-  Backlog backlog_;
+  Backlog backlog_{kNewest};
   std::optional<Overlays> overlays_;
   std::unique_ptr<FittingInputs> inputs_;
   TrackerSuccessor successor_;
