@@ -25,6 +25,7 @@ void LostFrameSets::add(const FrameSet& frame_set, std::vector<cv::Mat> masks,
 }
 
 std::vector<EarlierPose> LostFrameSets::followedBackBy(BodyTracker& tracker) {
+  if (lost_.empty()) return {};  // as nearly always
   std::vector<TrackerInput> earlier;
   for (auto lost = lost_.rbegin(); lost != lost_.rend(); ++lost)
     earlier.push_back(

@@ -55,6 +55,8 @@ TEST_F(ContradictedViewsTest, OneOfFourIsLeftOutAsLongAsItIsWrong) {
   const std::vector<bool> one{false, false, true, false};
   EXPECT_EQ(leftOut(), one);
   EXPECT_EQ(leftOut(), one) << "all that is left fits, but not that one";
+  EXPECT_FALSE(views.leaveAnyOf(one));
+  EXPECT_TRUE(views.leaveAnyOf({false, true, true, false}));
   masks[2] = right;
   EXPECT_EQ(leftOut(), kNone);
 }

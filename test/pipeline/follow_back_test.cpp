@@ -1,6 +1,4 @@
 // The person is followed back through frame sets without a pose.
-#include <algorithm>
-
 #include "markerless_mocap/pipeline/pipeline.h"
 #include "pipeline/contour_method.h"
 #include "pipeline/lost_frame_sets.h"

@@ -1,5 +1,7 @@
 #include "contour/track/contour_hypothesis_tracker.h"
 
+#include <array>
+
 namespace markerless_mocap {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "contour/contour_tracker.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "contour/fit/view_times.h"
