@@ -27,7 +27,8 @@ mocap_room(segmentation DEPENDS numerics options products LIBRARIES TBB::tbb TES
 mocap_room(optimisation DEPENDS numerics LIBRARIES Eigen3::Eigen TBB::tbb)
 
 mocap_room(tracking DEPENDS body camera files options products resources LIBRARIES opencv_core opencv_imgproc)
-mocap_room(region DEPENDS products LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc)
+mocap_room(region DEPENDS tracking body camera numerics products
+  LIBRARIES Eigen3::Eigen opencv_core opencv_imgproc TBB::tbb TESTS_USE evaluation)
 mocap_room(contour DEPENDS tracking numerics region LIBRARIES opencv_core opencv_imgproc TBB::tbb
   TESTS_USE capture)
 # Square roots and divisions in vectors; no value changes.

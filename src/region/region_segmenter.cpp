@@ -177,7 +177,8 @@ class RegionSegmenter::Impl {
     has_colors_ = true;
   }
 
-  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const {
+  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known,
+                     Limbs limbs) const {
     RegionMask out;
     out.mask = cv::Mat::zeros(image.size(), CV_8UC1);
     const BodyDrawing drawing = draw(image, body);
@@ -194,7 +195,7 @@ class RegionSegmenter::Impl {
     fillHoles(mask);
     if (!known.empty()) {
       compare(drawing, known, mask, out);
-      addAttached(known(drawing.box), mask);
+      if (limbs == Limbs::kElsewhere) addAttached(known(drawing.box), mask);
     }
     mask.copyTo(out.mask(drawing.box));
     return out;
@@ -256,8 +257,8 @@ cv::Mat RegionSegmenter::candidates(const cv::Mat& image, const ProjectedBody& b
   return impl_->candidates(image, body, known, reach);
 }
 RegionMask RegionSegmenter::segment(const cv::Mat& image, const ProjectedBody& body,
-                                    const cv::Mat& known) const {
-  return impl_->segment(image, body, known);
+                                    const cv::Mat& known, Limbs limbs) const {
+  return impl_->segment(image, body, known, limbs);
 }
 
 }  // namespace markerless_mocap

@@ -23,9 +23,7 @@ struct ProjectedBody {
 
 /// The person as found in a view.
 struct RegionMask {
-  /// CV_8UC1, 0 | 255: what colours show as person, and what background subtraction does where it
-  /// is attached to that: limbs may be elsewhere than predicted.
-  cv::Mat mask;
+  cv::Mat mask;  ///< CV_8UC1, 0 | 255
   /// By part of the body: samples that colours show as person, those of them whose background was
   /// known, and those of these that background subtraction sees as person, too.
   std::vector<int> colored, known, agreeing;
@@ -58,12 +56,17 @@ class RegionSegmenter {
   /// \param image CV_8UC3 BGR, samples of the whole image
   void learn(const cv::Mat& image, const ProjectedBody& body);
 
+  /// kElsewhere: limbs may be elsewhere than in the pose. What background subtraction sees as
+  /// person is then taken, too, where it is attached to what colours show.
+  enum class Limbs { kElsewhere, kWhereTheyAre };
+
   /// Finds the person near the projected body. Colours that were never learned are taken from the
   /// image itself, inside and outside the projected body.
   /// \param image CV_8UC3 BGR, samples of the whole image
   /// \param known CV_8UC1 of the same size: 0 background, 255 person, 128 unknown; or empty
   /// \return a mask of the same size; all 0 if the body is outside the image
-  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known) const;
+  RegionMask segment(const cv::Mat& image, const ProjectedBody& body, const cv::Mat& known,
+                     Limbs limbs = Limbs::kElsewhere) const;
 
   /// Where else the person may be: samples near the body that background subtraction sees as
   /// person, or that have colours of the person where the background is not known.

@@ -7,6 +7,7 @@
 
 #include "ros/pose_conversions.h"
 #include "text/joined.h"
+#include "tracking/part_of_joint.h"
 
 namespace markerless_mocap {
 namespace {
@@ -78,12 +79,6 @@ std_msgs::ColorRGBA colorOfDeviation(double deviation_m) {
   color.g = 0.8f - 0.6f * std::max(0.0f, 2.0f * badness - 1.0f);
   color.b = 0.25f;
   return color;
-}
-
-PartLabel partOfLink(const BodyModel& model, int link) {
-  if (link == 0) return PartLabel::kTorso;
-  const std::string& joint = model.joints()[size_t(link - 1)].name;
-  return partOfJoint(joint.substr(0, joint.size() - model.id().size() - 1));
 }
 
 visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPose& pose,

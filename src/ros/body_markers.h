@@ -18,8 +18,6 @@ visualization_msgs::MarkerArray bodyMarkers(const BodyModel& model, const BodyPo
 
 /// The colour of a part in bodyMarkers(). \param deviation_m NaN: unknown
 std_msgs::ColorRGBA colorOfDeviation(double deviation_m);
-/// The part that a link of the body belongs to.
-PartLabel partOfLink(const BodyModel& model, int link);
 
 /// How it stands with a pose, in a line or two: "tracked, 93 % overlap, error 14 mm", "not seen:
 /// arm 1", "lost: ...".

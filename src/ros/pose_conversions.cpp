@@ -5,20 +5,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tracking/part_of_joint.h"
+
 namespace markerless_mocap {
 namespace {
 
-bool contains(const std::string& text, const char* word) {
-  return text.find(word) != std::string::npos;
-}
-
-std::string baseName(const BodyModel& model, const std::string& name) {
-  const size_t suffix = model.id().size() + 1;
-  return name.size() > suffix ? name.substr(0, name.size() - suffix) : name;
-}
-
 bool isSeen(const BodyModel& model, const BodyPose& pose, const BodyJoint& joint) {
-  return pose.part_seen[static_cast<size_t>(partOfJoint(baseName(model, joint.name)))];
+  return pose.part_seen[static_cast<size_t>(partOfLink(model, joint.child_link))];
 }
 
 /// Per link: true if its part or that of a descendant is seen.
@@ -61,16 +54,6 @@ geometry_msgs::TransformStamped stamped(const Eigen::Isometry3d& T_parent_child,
 }
 
 }  // namespace
-
-PartLabel partOfJoint(const std::string& base_name) {
-  if (contains(base_name, "head")) return PartLabel::kHead;
-  const bool left = base_name.rfind("l_", 0) == 0;
-  for (const char* word : {"clavicle", "shoulder", "elbow", "wrist", "hand"})
-    if (contains(base_name, word)) return left ? PartLabel::kArm1 : PartLabel::kArm2;
-  for (const char* word : {"hip", "knee", "ankle", "foot"})
-    if (contains(base_name, word)) return left ? PartLabel::kLeg1 : PartLabel::kLeg2;
-  return PartLabel::kTorso;
-}
 
 const char* sidedPartName(PartLabel label) {
   constexpr const char* kNames[kPartCount] = {"torso", "head", "l_arm", "r_arm", "l_leg", "r_leg"};

@@ -12,10 +12,6 @@
 
 namespace markerless_mocap {
 
-/// Part of the body that a joint moves, from the joint's name without the id ("l_y_shoulder"). Limb
-/// number 1 is the left one. A joint of no limb and not of the head belongs to the torso.
-PartLabel partOfJoint(const std::string& base_name);
-
 /// Names for users: torso, head, l_arm, r_arm, l_leg, r_leg.
 const char* sidedPartName(PartLabel label);
 

@@ -1,10 +1,11 @@
-#include "contour/track/things_beside.h"
+#include "region/things_beside.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include "contour/drawn_body.h"
+#include "contour/regions/placed_contour_body.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 
 namespace markerless_mocap {
@@ -15,10 +16,10 @@ class ThingsBesideTest : public ::testing::Test {
   ThingsBesideTest() { masks = drawnMasks(rig, body, stride()); }
 
   std::vector<cv::Mat> cleaned(const ContourPose& predicted = stride()) const {
-    return withoutThingsBeside(masks, images, rig, body, {predicted, seconds}).masks;
+    return withoutThingsBeside(masks, has_colors, rig, placedBody(body, predicted), seconds).masks;
   }
   std::vector<bool> doubted() const {
-    return withoutThingsBeside(masks, images, rig, body, {stride(), seconds}).doubted;
+    return withoutThingsBeside(masks, has_colors, rig, placedBody(body, stride()), seconds).doubted;
   }
   bool changesNothing(const ContourPose& predicted = stride()) const {
     const std::vector<cv::Mat> out = cleaned(predicted);
@@ -34,20 +35,19 @@ class ThingsBesideTest : public ::testing::Test {
 
   CameraRig rig = drawnRig(2);
   ContourBody body{ShapeStatistics::handMade().meanShape(1.75)};
-  std::vector<cv::Mat> masks, images;
+  std::vector<cv::Mat> masks;
+  std::vector<bool> has_colors;
   double seconds = 1.0 / 30;  ///< of the prediction
 };
 
 class ThingsBesideWithColorsTest : public ThingsBesideTest {
  protected:
-  ThingsBesideWithColorsTest() {
-    for (const cv::Mat& mask : masks) images.emplace_back(mask.size(), CV_8UC3);
-  }
+  ThingsBesideWithColorsTest() { has_colors.assign(masks.size(), true); }
   /// Also without images, but not of an old prediction.
   void expectFirstViewInDoubt() {
     const std::vector<bool> first_only{true, false};
     EXPECT_EQ(doubted(), first_only);
-    images.clear();
+    has_colors.clear();
     EXPECT_TRUE(changesNothing());
     EXPECT_EQ(doubted(), first_only) << "the images should be asked for";
     seconds = 0.3;
@@ -152,7 +152,7 @@ TEST_F(ThingsBesideWithColorsTest, ShanksThatAreElsewhereAreInDoubtButStayWithou
   ContourPose predicted = stride();
   predicted.angles[RevoluteJoint::kLeftKnee] = predicted.angles[RevoluteJoint::kRightKnee] = -2.2;
   EXPECT_GT(cv::countNonZero(cleaned(predicted)[0] == kUnknownPixel), 50);
-  images.clear();
+  has_colors.clear();
   EXPECT_TRUE(changesNothing(predicted));
 }
 

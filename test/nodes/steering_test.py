@@ -232,6 +232,21 @@ class Steering(unittest.TestCase):
         cameras = self.wait_for(lambda: self.used_cameras() == 8, 'green frustums')
         self.assertTrue(cameras)
 
+    def test_who_asks_for_it_gets_the_mask_of_the_person(self):
+        persons = Recorder('cam0/person', Image)
+
+        def pair():
+            masks = {m.header.stamp: m for m in self.masks[0].messages}
+            return next(((p, masks[p.header.stamp]) for p in persons.messages
+                         if p.header.stamp in masks), None)
+        person, mask = self.wait_for(pair, 'a mask of the person and its silhouette')
+        self.assertEqual((mask.width, mask.height, 'mono8', mask.header.frame_id),
+                         (person.width, person.height, person.encoding, person.header.frame_id))
+        both = sum(a == b == 255 for a, b in zip(person.data, mask.data))
+        either = sum(a == 255 or b == 255 for a, b in zip(person.data, mask.data))
+        self.assertGreater(either, 200)
+        self.assertGreater(both / either, 0.9, 'the person is alone in the room')
+
     @staticmethod
     def used_cameras():
         shown = rospy.wait_for_message('hull/cameras', MarkerArray, PATIENCE)

@@ -39,15 +39,6 @@ bool anyContains(const std::vector<std::string>& names, const std::string& word)
                      [&](const std::string& n) { return n.find(word) != std::string::npos; });
 }
 
-TEST(PoseConversions, JointsBelongToParts) {
-  EXPECT_EQ(partOfJoint("r_head"), PartLabel::kHead);  // the head's roll, not a right limb
-  EXPECT_EQ(partOfJoint("l_r_shoulder"), PartLabel::kArm1);
-  EXPECT_EQ(partOfJoint("r_y_shoulder"), PartLabel::kArm2);
-  EXPECT_EQ(partOfJoint("l_p_hip"), PartLabel::kLeg1);
-  EXPECT_EQ(partOfJoint("r_knee"), PartLabel::kLeg2);
-  EXPECT_EQ(partOfJoint("r_waist"), PartLabel::kTorso);
-}
-
 TEST(PoseConversions, TrackedPoseCarriesEveryJoint) {
   const BodyPoseMsg message = messageFromPose(person(), samplePose(), worldHeader());
   EXPECT_EQ(message.status, BodyPoseMsg::TRACKED);

@@ -124,6 +124,7 @@ TEST_F(OfflineRun, MasksAreWrittenOnRequest) {
   options_.masks_out = true;
   runOffline(options_, nullptr, false);
   EXPECT_EQ(countsByTopic()["/cam0/silhouette"], 3);
+  EXPECT_EQ(countsByTopic().count("/cam0/person"), 0u) << "a box is nobody's pose";
 }
 
 TEST_F(OfflineRun, BoxIsNoPersonAndTheSummarySaysWhy) {

@@ -8,16 +8,9 @@
 #include "contour/model/contour_body.h"
 #include "markerless_mocap/camera/camera.h"
 #include "markerless_mocap/products/visual_hull.h"
-#include "region/region_segmenter.h"
+#include "region/region_view.h"
 
 namespace markerless_mocap {
-
-/// What one camera shows, sampled for the search by colour.
-struct RegionView {
-  int step = 1;    ///< pixels between samples
-  cv::Mat colors;  ///< CV_8UC3 BGR, samples; empty: colours need not decide here
-  cv::Mat known;   ///< the mask at the samples; empty as `colors`
-};
 
 /// The masks of one frame set, and colours where masks alone do not tell: where the background is
 /// not known where it matters, and there is a colour image.

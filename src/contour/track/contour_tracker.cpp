@@ -3,10 +3,11 @@
 #include <utility>
 
 #include "contour/fit/view_times.h"
+#include "contour/regions/placed_contour_body.h"
 #include "contour/track/expected_error.h"
 #include "contour/track/pose_report.h"
 #include "contour/track/stray_parts.h"
-#include "contour/track/things_beside.h"
+#include "region/things_beside.h"
 
 namespace markerless_mocap {
 namespace {
@@ -35,6 +36,12 @@ constexpr double kPredictionError_m = 0.04;
 
 std::string joined(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : "; ") + second;
+}
+
+std::vector<bool> colored(const std::vector<cv::Mat>& images) {
+  std::vector<bool> colored;
+  for (const cv::Mat& image : images) colored.push_back(image.type() == CV_8UC3);
+  return colored;
 }
 
 BodyPose lostBecause(std::string reason) {
@@ -106,7 +113,8 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   };
   const ClearedMasks cleared =
       follows && is_at_person_
-          ? withoutThingsBeside(now.masks, now.images, observer_.rig(), person_.body(), *predicted)
+          ? withoutThingsBeside(now.masks, colored(now.images), observer_.rig(),
+                                placedBody(person_.body(), predicted->pose), predicted->seconds)
           : ClearedMasks{withoutStrayParts(now.masks, hull(), observer_.rig()), {}};
   wanted_images_ = cleared.doubted;
   if (!goes_back_) moving_contours_.watch(now.stamp_ns, now.images, cleared.masks);

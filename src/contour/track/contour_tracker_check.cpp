@@ -3,11 +3,12 @@
 #include <utility>
 
 #include "contour/contour_tracker.h"
+#include "contour/regions/placed_contour_body.h"
 #include "contour/track/exchanged_sides.h"
 #include "contour/track/limbs_in_doubt.h"
 #include "contour/track/pose_from_pose_tree.h"
 #include "contour/track/pose_report.h"
-#include "contour/track/things_beside.h"
+#include "region/things_beside.h"
 
 namespace markerless_mocap {
 namespace {
@@ -118,7 +119,7 @@ void ContourTracker::searchLimbsInDoubt(const Frame& now, ActiveTrack& active) {
   const ContourBody& body = person_.body();
   const ContourFit& fit = active.track.fit;
   ContourObservation seen = observer_.observe(
-      withoutThingsBeside(now.doubted_masks, {}, rig, body, {fit.pose, kJustNow}).masks);
+      withoutThingsBeside(now.doubted_masks, {}, rig, placedBody(body, fit.pose), kJustNow).masks);
   shift(now, seen);
   contradicted_.leaveOut(seen);
   const auto found = findLimbsInDoubt(hypotheses_, seen, rig, body, fit);

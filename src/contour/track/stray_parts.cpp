@@ -6,6 +6,7 @@
 
 #include "contour/regions/hull_cells.h"
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "region/mask_cells.h"
 
 namespace markerless_mocap {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kMinStray = 0.03;
 constexpr double kMinAttached = 0.35;
 
 cv::Mat withoutStrayParts(const cv::Mat& mask, const VisualHull& hull, const Camera& camera) {
-  const int edge = hullCellEdge(mask.cols);
+  const int edge = maskCellEdge(mask.cols);
   const cv::Mat shown = maskCells(mask, edge), inside = hullCells(hull, camera, edge);
   const cv::Mat reached = partsThatMeet(shown, inside);
   const int kept = cv::countNonZero((shown != 0) & reached);

@@ -8,6 +8,7 @@
 
 #include "nodes/common/low_latency_transport.h"
 #include "nodes/common/publish_shared.h"
+#include "nodes/pose_fitting/body_pictures.h"
 #include "ros/body_markers.h"
 #include "ros/camera_conversions.h"
 #include "ros/package_files.h"
@@ -67,8 +68,7 @@ FittingStage::FittingStage(ros::NodeHandle& handle, const ros::NodeHandle& priva
   pose_ = handle.advertise<BodyPoseMsg>("pose", kPublisherQueue);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("pose/body", 4);
   text_ = handle.advertise<visualization_msgs::Marker>("pose/text", 4);
-  if (needs_.masks && !node_options_.privacy)
-    overlays_.emplace(handle, node_options_.cameras, node_options_.image_transport, &status_);
+  if (needs_.masks) advertisePictures(handle);
   inputs_ = std::make_unique<FittingInputs>(
       handle, node_options_, needs_, &status_,
       [this](FittingMessages input) { enqueue(std::move(input)); },
@@ -119,12 +119,23 @@ void FittingStage::answerLate(const std_msgs::Header& newest) {
     publish(lost, *late);
 }
 
+void FittingStage::advertisePictures(ros::NodeHandle& handle) {
+  const CameraPictures::Source source{node_options_.cameras, node_options_.image_transport,
+                                      !node_options_.privacy};
+  if (source.reads_images)
+    pictures_.push_back(
+        std::make_unique<CameraPictures>(handle, "overlay", source, &status_, overlayOf));
+  pictures_.push_back(
+      std::make_unique<CameraPictures>(handle, "person", source, &status_, personMaskOf));
+}
+
 void FittingStage::display(const BodyPose& pose, const FittingMessages& input) {
   const BodyModel& model = *body_->model;
   if (markers_.getNumSubscribers() > 0) markers_.publish(bodyMarkers(model, pose, input.header));
   if (text_.getNumSubscribers() > 0)
     text_.publish(poseTextMarker(model, pose, input.header, &last_head_));
-  if (overlays_ && overlays_->isWanted()) overlays_->show({body_, pose, input.rig, input.masks});
+  for (const auto& pictures : pictures_)
+    if (pictures->isWanted()) pictures->show({body_, pose, input.rig, input.masks});
 }
 
 bool FittingStage::answer(const BodyPose& raw, const FittingMessages& input) {

@@ -22,8 +22,8 @@
 #include "nodes/pose_fitting/backlog.h"
 #include "nodes/pose_fitting/body_announcer.h"
 #include "nodes/pose_fitting/body_description.h"
+#include "nodes/pose_fitting/camera_pictures.h"
 #include "nodes/pose_fitting/fitting_inputs.h"
-#include "nodes/pose_fitting/overlays.h"
 #include "nodes/pose_fitting/steady_time.h"
 #include "nodes/pose_fitting/tracker_successor.h"
 #include "ros/node_options.h"
@@ -67,6 +67,7 @@ class FittingStage {
   /// Starts again with this body.
   void restartWith(const std::shared_ptr<const TrackedBody>& body);
   void advertiseServices();
+  void advertisePictures(ros::NodeHandle& handle);
   void apply(const TrackerOptions& options);
   /// What the services do; they return what was done, or throw why it cannot be done.
   std::string resetTracking();
@@ -122,7 +123,7 @@ class FittingStage {
   LatencyMeter fitting_times_;
   CatchUpQueue<FittingMessages> queue_;
   Backlog backlog_{kNewest};
-  std::optional<Overlays> overlays_;
+  std::vector<std::unique_ptr<CameraPictures>> pictures_;
   std::unique_ptr<FittingInputs> inputs_;
   TrackerSuccessor successor_;
   std::thread worker_;

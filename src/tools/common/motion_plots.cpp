@@ -7,6 +7,7 @@
 #include "ros/pose_conversions.h"
 #include "tools/common/description_text.h"
 #include "tools/common/player.h"
+#include "tracking/part_of_joint.h"
 
 namespace markerless_mocap {
 namespace {

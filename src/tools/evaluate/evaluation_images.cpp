@@ -21,9 +21,10 @@ namespace {
 /// Maximum difference between record time and stamp of an image that is searched for an overlay.
 constexpr int64_t kRecordedEarlier_ns = 100000000, kRecordedLater_ns = 1000000000;
 
-std::vector<std::string> topicsOf(const CameraRig& rig, const std::string& before) {
+std::vector<std::string> topicsOf(const CameraRig& rig, const std::string& before,
+                                  const std::string& name) {
   std::vector<std::string> topics;
-  for (const Camera& camera : rig) topics.push_back(before + "/" + camera.name() + "/silhouette");
+  for (const Camera& camera : rig) topics.push_back(before + "/" + camera.name() + "/" + name);
   return topics;
 }
 
@@ -103,8 +104,10 @@ ImageEvaluator::ImageEvaluator(const std::string& truth, const std::string& rig,
       stamps_ns_(std::move(stamps_ns)),
       tolerance_ns_(tolerance_ns),
       recording_(truth, inWorld(record.world_frame, rig)),
-      true_masks_(truth, topicsOf(recording_.rig(), "/ground_truth"), stamps_ns_, tolerance_ns),
-      found_masks_(results, topicsOf(recording_.rig(), ""), stamps_ns_, tolerance_ns) {}
+      true_masks_(truth, topicsOf(recording_.rig(), "/ground_truth", "silhouette"), stamps_ns_,
+                  tolerance_ns),
+      found_masks_(results, topicsOf(recording_.rig(), "", "silhouette"), stamps_ns_, tolerance_ns),
+      person_masks_(results, topicsOf(recording_.rig(), "", "person"), stamps_ns_, tolerance_ns) {}
 
 const ResultFrame* ImageEvaluator::frameAt(int64_t stamp_ns) const {
   const ResultFrame* best = nullptr;
@@ -139,20 +142,24 @@ ImageMetrics ImageEvaluator::measure(const HullOptions& rules,
   ImageMetrics measures;
   const size_t cameras = recording_.rig().size();
   for (const Camera& camera : recording_.rig()) measures.cameras.push_back(camera.name());
-  std::vector<std::vector<double>> mask(cameras), body(cameras);
+  std::vector<std::vector<double>> mask(cameras), person(cameras), body(cameras);
   for (const int64_t stamp : stamps_ns_) {
     const std::vector<cv::Mat> real = trueMasksAt(stamp), bodies = bodiesAt(stamp);
-    std::vector<double> mask_now, body_now;
+    std::vector<double> mask_now, person_now, body_now;
     for (size_t c = 0; c < cameras; ++c) {
       mask_now.push_back(overlapOf(found_masks_.at(stamp, c), real[c]));
+      person_now.push_back(overlapOf(person_masks_.at(stamp, c), real[c]));
       body_now.push_back(bodies.empty() ? NAN : overlapOf(bodies[c], real[c]));
       mask[c].push_back(mask_now.back());
+      person[c].push_back(person_now.back());
       body[c].push_back(body_now.back());
     }
-    measures.frame_sets.push_back({stamp, meanOf(mask_now), meanOf(body_now), NAN});
+    measures.frame_sets.push_back(
+        {stamp, meanOf(mask_now), meanOf(person_now), meanOf(body_now), NAN});
     progress(double(measures.frame_sets.size()) / double(stamps_ns_.size()));
   }
   for (const auto& values : mask) measures.mask_iou.push_back(summaryStatistics(values));
+  for (const auto& values : person) measures.person_iou.push_back(summaryStatistics(values));
   for (const auto& values : body) measures.body_iou.push_back(summaryStatistics(values));
   measureHulls(rules, &measures);
   return measures;

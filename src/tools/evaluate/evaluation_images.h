@@ -19,15 +19,16 @@ namespace markerless_mocap {
 /// Overlaps of one frame set; NaN if there is nothing to compare.
 struct FrameSetOverlap {
   int64_t stamp_ns = 0;
-  double mask = NAN;  ///< silhouettes and exact masks, mean over the cameras
-  double body = NAN;  ///< fitted body and exact masks, mean over the cameras
-  double hull = NAN;  ///< hull and the hull carved from the exact masks
+  double mask = NAN;    ///< silhouettes and exact masks, mean over the cameras
+  double person = NAN;  ///< masks of the person and exact masks, mean over the cameras
+  double body = NAN;    ///< fitted body and exact masks, mean over the cameras
+  double hull = NAN;    ///< hull and the hull carved from the exact masks
 };
 
 /// Intersection over union with the exact masks, 0 to 1.
 struct ImageMetrics {
   std::vector<std::string> cameras;
-  std::vector<SummaryStatistics> mask_iou, body_iou;  ///< per camera
+  std::vector<SummaryStatistics> mask_iou, person_iou, body_iou;  ///< per camera
   SummaryStatistics hull_iou{0, NAN, NAN, NAN, NAN, NAN};
   std::vector<FrameSetOverlap> frame_sets;
 };
@@ -44,7 +45,7 @@ struct ShownImages {
 PlayerHulls readHulls(const std::string& results, const std::vector<int64_t>& stamps_ns,
                       int64_t tolerance_ns);
 
-/// Compares silhouettes, body and hull of a result with the exact masks at given stamps.
+/// Compares silhouettes, masks of the person, body and hull of a result with the exact masks at given stamps.
 class ImageEvaluator {
  public:
   /// Reads the masks of both bags. Throws as Recording if the ground truth has no cameras.
@@ -73,7 +74,7 @@ class ImageEvaluator {
   std::vector<int64_t> stamps_ns_;
   int64_t tolerance_ns_;
   Recording recording_;
-  MaskStore true_masks_, found_masks_;
+  MaskStore true_masks_, found_masks_, person_masks_;
 };
 
 }  // namespace markerless_mocap

@@ -68,12 +68,14 @@ Json extremitiesJson(const std::vector<ExtremityError>& extremities) {
 }
 
 Json overlapJson(const ImageMetrics& images) {
-  Json mask = Json::object(), body = Json::object();
+  Json mask = Json::object(), person = Json::object(), body = Json::object();
   for (size_t c = 0; c < images.mask_iou.size(); ++c) {
     mask[images.cameras[c]] = images.mask_iou[c].mean;
+    person[images.cameras[c]] = images.person_iou[c].mean;
     body[images.cameras[c]] = images.body_iou[c].mean;
   }
   return {{"silhouette", mask},
+          {"person", person},
           {"body", body},
           {"hull", images.hull_iou.mean},
           {"frame_sets", images.frame_sets.size()}};

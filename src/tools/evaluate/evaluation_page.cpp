@@ -14,7 +14,8 @@
 namespace markerless_mocap {
 namespace {
 
-constexpr const char *kBlue = "#1f5fa8", *kOrange = "#e08a2c", *kGreen = "#2a9d5c";
+constexpr const char *kBlue = "#1f5fa8", *kOrange = "#e08a2c", *kGreen = "#2a9d5c",
+                     *kRed = "#b8383d";
 
 void addCards(const Evaluation& evaluation, Page* page) {
   const JointErrors& joints = evaluation.joints;
@@ -135,22 +136,25 @@ void addOverlaps(const Evaluation& evaluation, Page* page) {
   std::vector<double> seconds;
   std::vector<PlotLine> lines{
       {"silhouettes " + formatNumber("%.3f", meanOfMeans(images.mask_iou)), {}, kOrange},
+      {"masks of the person " + formatNumber("%.3f", meanOfMeans(images.person_iou)), {}, kRed},
       {"fitted body " + formatNumber("%.3f", meanOfMeans(images.body_iou)), {}, kBlue},
       {"hull " + formatNumber("%.3f", images.hull_iou.mean), {}, kGreen}};
   for (const FrameSetOverlap& frame_set : images.frame_sets) {
     seconds.push_back(double(frame_set.stamp_ns - evaluation.stamps_ns.front()) * 1e-9);
     lines[0].values.push_back(frame_set.mask);
-    lines[1].values.push_back(frame_set.body);
-    lines[2].values.push_back(frame_set.hull);
+    lines[1].values.push_back(frame_set.person);
+    lines[2].values.push_back(frame_set.body);
+    lines[3].values.push_back(frame_set.hull);
   }
   std::vector<std::vector<std::string>> rows;
   for (size_t c = 0; c < images.cameras.size(); ++c)
     rows.push_back({images.cameras[c], formatNumber("%.3f", images.mask_iou[c].mean),
+                    formatNumber("%.3f", images.person_iou[c].mean),
                     formatNumber("%.3f", images.body_iou[c].mean)});
   page->heading("Overlap with the exact masks");
   page->text("intersection over union; the hull against the one carved from the exact masks");
   page->lines(seconds, "s", lines, "", 1.0);
-  page->table({"camera", "#silhouette", "#body"}, rows);
+  page->table({"camera", "#silhouette", "#person", "#body"}, rows);
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ void printRest(const Evaluation& evaluation, std::ostream& out) {
   if (images.frame_sets.empty()) return;
   out << "Overlap with the exact masks, IoU over " << images.frame_sets.size() << " frame sets\n";
   printRow(out, "silhouettes", formatNumber("%.3f", meanOfMeans(images.mask_iou)));
+  printRow(out, "the person", formatNumber("%.3f", meanOfMeans(images.person_iou)));
   printRow(out, "fitted body", formatNumber("%.3f", meanOfMeans(images.body_iou)));
   printRow(out, "hull", formatNumber("%.3f", images.hull_iou.mean));
 }

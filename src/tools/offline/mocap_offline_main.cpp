@@ -72,7 +72,8 @@ void describe(CLI::App& app, Arguments* arguments) {
       "the images");
   app.add_flag("!--report-without-images", run.report_images,
                "no images of the person in the report, only outlines");
-  app.add_flag("--masks-out", run.masks_out, "also write the silhouettes");
+  app.add_flag("--masks-out", run.masks_out,
+               "also write the silhouettes, and masks of the person alone");
   app.add_flag("--poses-only", run.poses_only,
                "do not write hull, body parts and pose tree; parts and tree are then made only "
                "where the fit needs them, which is faster");

@@ -1,5 +1,7 @@
 #include "tools/offline/offline_run.h"
 
+#include <tbb/parallel_for.h>
+
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -7,6 +9,7 @@
 #include <stdexcept>
 
 #include "files/whole_file.h"
+#include "markerless_mocap/region/person_mask.h"
 #include "markerless_mocap/tracking/shape_file.h"
 #include "ros/package_files.h"
 #include "tools/common/progress.h"
@@ -186,7 +189,7 @@ class OfflineRun {
       writer_->writeDescription(stamp_ns, body_->urdf);
     }
     summary_.add(result);
-    if (options_.masks_out) writer_->writeMasks(stamp_ns, recording_.cameras(), result.masks);
+    if (options_.masks_out) writeMasks(frame_set, result);
     if (result.learning) return;
     figures_.add(stamp_ns, result.pose.status, result.pose.silhouette_overlap,
                  result.pose.part_sigma_m);
@@ -196,6 +199,19 @@ class OfflineRun {
       writer_->write(stamp_ns, result);
     if (calibration_) calibration_->add(frame_set, result);
     if (report_) summary_.addOverlaps(report_->add(frame_set, result));
+  }
+
+  void writeMasks(const FrameSet& frame_set, const PipelineResult& result) {
+    const std::vector<RecordedCamera>& cameras = recording_.cameras();
+    writer_->writeMasks(frame_set.stamp_ns, cameras, result.masks, "silhouette");
+    if (result.learning || result.pose.status == PoseStatus::kLost) return;
+    std::vector<cv::Mat> person(cameras.size());
+    tbb::parallel_for(size_t(0), person.size(), [&](size_t i) {
+      if (!result.masks[i].empty())
+        person[i] = personMask(pipeline_->rig()[i], *result.body->model, result.pose,
+                               result.masks[i], frame_set.frames[i].image);
+    });
+    writer_->writeMasks(frame_set.stamp_ns, cameras, person, "person");
   }
 
   void writeReport() {

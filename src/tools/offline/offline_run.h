@@ -25,7 +25,7 @@ struct OfflineOptions {
   std::string report_folder;         ///< empty: no report
   bool report_images = true;         ///< the report has pictures of the cameras
   std::vector<std::string> remarks;  ///< lines at the top of the report
-  bool masks_out = false;            ///< also write the silhouettes
+  bool masks_out = false;            ///< also write silhouettes and masks of the person
   bool poses_only = false;           ///< do not write hull, parts and tree
   bool check_calibration = true;     ///< say if the calibration looks wrong
   std::function<bool()> interrupted = [] { return false; };  ///< called for every frame set

@@ -45,12 +45,12 @@ void ResultWriter::write(int64_t stamp_ns, const PipelineResult& result) {
 }
 
 void ResultWriter::writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
-                              const std::vector<cv::Mat>& masks) {
+                              const std::vector<cv::Mat>& masks, const std::string& topic) {
   std_msgs::Header header = headerAt(stamp_ns);
   for (size_t i = 0; i < masks.size(); ++i) {
     if (masks[i].empty()) continue;
     header.frame_id = cameras[i].frame;
-    bag_->write("/" + cameras[i].name + "/silhouette", header.stamp,
+    bag_->write("/" + cameras[i].name + "/" + topic, header.stamp,
                 messageFromMat(masks[i], header));
   }
 }

@@ -28,8 +28,9 @@ class ResultWriter {
   void write(int64_t stamp_ns, const PipelineResult& result);
   void writePose(int64_t stamp_ns, const BodyPose& raw);
   /// \param masks one per camera; empty ones are skipped
+  /// \param topic under the camera's name
   void writeMasks(int64_t stamp_ns, const std::vector<RecordedCamera>& cameras,
-                  const std::vector<cv::Mat>& masks);
+                  const std::vector<cv::Mat>& masks, const std::string& topic);
 
  private:
   std_msgs::Header headerAt(int64_t stamp_ns) const;

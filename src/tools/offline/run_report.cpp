@@ -16,17 +16,16 @@
 #include "markerless_mocap/silhouette/background_picture.h"
 #include "ros/pose_conversions.h"
 #include "tools/common/overlay.h"
+#include "tracking/part_of_joint.h"
 
 namespace markerless_mocap {
 namespace {
 
 /// Links of parts that are not seen are not drawn.
 std::vector<bool> seenLinks(const BodyModel& model, const BodyPose& pose) {
-  std::vector<bool> seen(model.links().size(), true);
-  for (const BodyJoint& joint : model.joints()) {
-    const std::string base = joint.name.substr(0, joint.name.size() - model.id().size() - 1);
-    seen[joint.child_link] = pose.part_seen[size_t(partOfJoint(base))];
-  }
+  std::vector<bool> seen(model.links().size());
+  for (size_t link = 0; link < seen.size(); ++link)
+    seen[link] = pose.part_seen[size_t(partOfLink(model, int(link)))];
   return seen;
 }
 

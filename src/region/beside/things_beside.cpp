@@ -1,4 +1,4 @@
-#include "contour/track/things_beside.h"
+#include "region/things_beside.h"
 
 #include <tbb/parallel_for.h>
 
@@ -6,10 +6,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "contour/regions/hull_cells.h"
-#include "contour/regions/projected_body.h"
 #include "markerless_mocap/products/silhouette_mask.h"
 #include "region/body_drawing.h"
+#include "region/mask_cells.h"
 
 namespace markerless_mocap {
 namespace {
@@ -131,15 +130,15 @@ cv::Mat doubtful(const ViewCells& view, const DoubtLimits& limits) {
 }
 
 /// \param edge of a cell, pixels
-ViewCells cellsOf(const cv::Mat& mask, int edge, const Camera& camera, const ContourBody& body,
-                  const ContourPose& predicted) {
+ViewCells cellsOf(const cv::Mat& mask, int edge, const Camera& camera,
+                  const PlacedBody& predicted) {
   ViewCells view;
   view.edge = edge;
-  view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted);
+  view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted.pelvis);
   view.mask = maskCells(mask, view.edge);
   view.reach = float(kReach_m) * view.cells_per_metre;
-  view.drawing = drawBody(projectedBody(camera, view.edge, body, predicted, 0.0),
-                          int(ContourSegment::kCount), view.mask.size(), view.reach + 1);
+  view.drawing = drawBody(projectedBody(camera, view.edge, predicted, 0.0), predicted.parts,
+                          view.mask.size(), view.reach + 1);
   view.counts = countsOf(view);
   return view;
 }
@@ -172,22 +171,21 @@ cv::Mat cleaned(const cv::Mat& mask, int edge, const cv::Mat& apart, const cv::M
 }  // namespace
 
 ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
-                                 const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                 const ContourBody& body, const ContourPrediction& predicted) {
+                                 const std::vector<bool>& has_colors, const CameraRig& rig,
+                                 const PlacedBody& predicted, double seconds) {
   const size_t count = std::min(masks.size(), rig.size());
-  const bool is_fresh = predicted.seconds <= kLongestPrediction;
-  const auto has_colors = [&](size_t i) {
-    return is_fresh && i < images.size() && images[i].type() == CV_8UC3;
+  const bool is_fresh = seconds <= kLongestPrediction;
+  const auto by_color = [&](size_t i) {
+    return is_fresh && i < has_colors.size() && has_colors[i];
   };
   std::vector<ViewCells> views(count);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
     if (masks[i].empty()) return;
-    const int edge = hullCellEdge(masks[i].cols);
-    views[i] = cellsOf(masks[i], has_colors(i) ? std::max(1, edge / 2) : edge, rig[i], body,
-                       predicted.pose);
+    const int edge = maskCellEdge(masks[i].cols);
+    views[i] = cellsOf(masks[i], by_color(i) ? std::max(1, edge / 2) : edge, rig[i], predicted);
   });
   DoubtLimits with_colors = kWithColors;
-  if (!isSupported(views)) with_colors.max_missing = 1;
+  if (seconds > 0.0 && !isSupported(views)) with_colors.max_missing = 1;
   ClearedMasks out{masks, {}};
   std::vector<char> doubted(masks.size(), 0);
   tbb::parallel_for(size_t(0), count, [&](size_t i) {
@@ -196,7 +194,7 @@ ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
     const cv::Mat apart = partsTakenFrom(view);
     cv::Mat doubt = doubtful(view, with_colors);
     doubted[i] = is_fresh && !doubt.empty();
-    if (!doubt.empty() && !has_colors(i)) doubt = doubtful(view, kWithoutColors);
+    if (!doubt.empty() && !by_color(i)) doubt = doubtful(view, kWithoutColors);
     out.masks[i] = cleaned(masks[i], view.edge, apart, doubt);
   });
   out.doubted.assign(doubted.begin(), doubted.end());

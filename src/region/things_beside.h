@@ -3,9 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "contour/fit/contour_fitter.h"
-#include "contour/model/contour_body.h"
 #include "markerless_mocap/camera/camera.h"
+#include "region/placed_body.h"
 
 namespace markerless_mocap {
 
@@ -23,12 +22,13 @@ struct ClearedMasks {
 /// the predicted body, so that a wrong prediction takes no person away.
 /// The masks that are returned are the same objects where nothing is changed.
 /// \param masks by camera, CV_8UC1 0 | 128 unknown | 255, empty where missing
-/// \param images by camera; missing ones may be empty or left out at the end: without colours
+/// \param has_colors by camera; false ones may be left out at the end: where no colours can decide
 /// little is made unknown, only what is far too large for a limb
-/// \param predicted after more than 0.12 s it may be wrong by more than what is beside the person:
-/// then masks are treated as without colours, and none is in doubt
+/// \param seconds how far ahead the body is predicted; 0: it is fitted to these masks, and believed
+/// even if they show little of it. After more than 0.12 s it may be wrong by more than what is
+/// beside the person: then masks are treated as without colours, and none is in doubt
 ClearedMasks withoutThingsBeside(const std::vector<cv::Mat>& masks,
-                                 const std::vector<cv::Mat>& images, const CameraRig& rig,
-                                 const ContourBody& body, const ContourPrediction& predicted);
+                                 const std::vector<bool>& has_colors, const CameraRig& rig,
+                                 const PlacedBody& predicted, double seconds);
 
 }  // namespace markerless_mocap

@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/Image.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,42 +19,54 @@
 
 namespace markerless_mocap {
 
-/// What is drawn into the images of one time.
-struct OverlayScene {
+/// The pose of one time, and what it was fitted to.
+struct FittedScene {
   std::shared_ptr<const TrackedBody> body;
   BodyPose pose;
   std::shared_ptr<const CameraRig> rig;
   std::vector<sensor_msgs::ImageConstPtr> masks;  ///< by camera; null where missing
 };
 
-/// The images of the cameras with the body in them, on <camera>/overlay. Images are subscribed and
-/// drawn only for cameras whose overlay has a subscriber, in a thread of their own.
-class Overlays {
+/// One picture for each camera and time, on <camera>/<name>. They are made only for cameras whose
+/// topic has a subscriber, in a thread of their own; the newest ones if there is no time for all.
+class CameraPictures {
  public:
+  /// Makes a picture of a camera that has a mask. \param image empty if it is not there
+  /// \return CV_8UC1 or CV_8UC3 BGR; empty: there is none
+  using Make =
+      std::function<cv::Mat(const FittedScene& scene, size_t camera, const cv::Mat& image)>;
+
+  struct Source {
+    std::vector<std::string> cameras;
+    std::string transport;     ///< of the images
+    bool reads_images = true;  ///< while a picture is wanted
+  };
+
   /// \param status must outlive this object
-  Overlays(ros::NodeHandle& handle, std::vector<std::string> cameras, std::string transport,
-           StageStatus* status);
-  ~Overlays();
-  Overlays(const Overlays&) = delete;
-  Overlays& operator=(const Overlays&) = delete;
+  CameraPictures(ros::NodeHandle& handle, std::string name, Source source, StageStatus* status,
+                 Make make);
+  ~CameraPictures();
+  CameraPictures(const CameraPictures&) = delete;
+  CameraPictures& operator=(const CameraPictures&) = delete;
 
   /// Follows who looks on; to be called for every frame set. Returns whether anybody does.
   bool isWanted();
   /// Returns at once.
-  void show(OverlayScene scene) { queue_.push(std::move(scene)); }
+  void show(FittedScene scene) { queue_.push(std::move(scene)); }
 
  private:
   void work();
-  void draw(size_t camera, const OverlayScene& scene);
+  void publish(size_t camera, const FittedScene& scene);
   CameraImage imageOf(size_t camera, const sensor_msgs::Image& mask);
 
-  std::vector<std::string> cameras_;
-  std::string transport_;
+  const std::string name_;
+  const Source source_;
+  const Make make_;
   std::vector<ros::Publisher> publishers_;    ///< by camera
   std::vector<ros::Subscriber> subscribers_;  ///< by camera; none: nobody looks on
   std::mutex mutex_;                          ///< of images_
   StampCache<CameraImage> images_;
-  CatchUpQueue<OverlayScene> queue_;
+  CatchUpQueue<FittedScene> queue_;
   StageInputs inputs_;
   std::thread worker_;
 };
