@@ -47,23 +47,29 @@ std::vector<RegionFit> ContourTracker::fitsByColor(const Frame& now, const Searc
       search.found.seen, search.poses);
 }
 
-// Masks do not tell the stature of somebody who sits: their furniture belongs to them.
+// Masks do not tell the stature of somebody who sits: their furniture belongs to them. The best
+// pose tells which stature is better; its limbs are searched once, as that takes longest.
 bool ContourTracker::findOtherStature(const Frame& now, std::vector<RegionFit>& fits) {
   if (!person_.isBeingMeasured() || qualityOf(fits.front().fit) >= kPoorQuality) return false;
+  RegionFit best = fits.front();
+  const auto search = [&](const ContourBody& body, size_t limb_searches) {
+    return searchByColor(
+        {observer_, hypotheses_, now.regions, now.products.ofThisFrame().hull, body},
+        {best.fit.pose}, nullptr, limb_searches);
+  };
   const auto score_of = [&](double stature) {
-    const ContourBody body = person_.meanBody(stature);
-    std::vector<RegionFit> others =
-        searchByColor({observer_, hypotheses_, now.regions, now.products.ofThisFrame().hull, body},
-                      posesOf(fits));
+    std::vector<RegionFit> others = search(person_.meanBody(stature), 0);
     const double score = others.empty() ? 0.0 : others.front().score();
-    if (score > fits.front().score()) fits = std::move(others);
+    if (score > best.score()) best = std::move(others.front());
     return score;
   };
   const double before = person_.stature();
-  const double stature = betterStature({before, fits.front().score()}, score_of).stature;
+  const double stature = betterStature({before, best.score()}, score_of).stature;
   if (stature == before) return false;
   person_.setStature(stature);
   bodyHasChanged();
+  fits = search(person_.body(), 1);
+  if (fits.empty()) fits = {std::move(best)};
   return true;
 }
 
