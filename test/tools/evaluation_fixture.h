@@ -68,6 +68,16 @@ class EvaluationTest : public ToolTest {
     return masks;
   }
 
+  /// Which fraction of a camera's masks is in those of personsIn(), mean over the frames.
+  double shareOfPersons(size_t camera) const {
+    double sum = 0;
+    for (int f = 0; f < kFrames; ++f) {
+      const std::vector<cv::Mat> masks = masksOf(poseOf(f));
+      sum += double(cv::countNonZero(personsIn(masks)[camera])) / cv::countNonZero(masks[camera]);
+    }
+    return sum / kFrames;
+  }
+
   /// A capture with ground truth.
   void writeTruth(const std::string& world = "world", bool masks = true) const {
     BagWriter bag(request_.truth);
