@@ -11,8 +11,14 @@ namespace {
 
 constexpr double kSilence = 5.0;  // seconds
 
+/// What pose_fitting draws is nobody's input.
+bool isPicture(const std::string& topic) {
+  const std::string name = topic.substr(topic.rfind('/') + 1);
+  return name == "overlay" || name == "person";
+}
+
 /// Message for a topic without messages: its name, the type of what is sent on it if that is
-/// another one, and all topics of its type.
+/// another one, and the topics of its type that may be meant.
 std::string silentTopic(const std::string& topic, const std::string& type) {
   const std::string sentence = "no messages on " + topic + " (" + type + "); topics of that type ";
   const auto advertised = advertisedTopics();
@@ -20,7 +26,7 @@ std::string silentTopic(const std::string& topic, const std::string& type) {
   std::string others, sent;
   for (const auto& [name, datatype] : *advertised) {
     if (name == topic) sent = datatype;
-    if (datatype == type && name != topic) addWord(&others, name);
+    if (datatype == type && name != topic && !isPicture(name)) addWord(&others, name);
   }
   return (sent.empty() || sent == type ? "" : "what is sent on " + topic + " is " + sent + "; ") +
          sentence + "are " + (others.empty() ? "none" : others);
