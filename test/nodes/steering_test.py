@@ -235,17 +235,19 @@ class Steering(unittest.TestCase):
     def test_who_asks_for_it_gets_the_mask_of_the_person(self):
         persons = Recorder('cam0/person', Image)
 
-        def pair():
+        def pairs():
             masks = {m.header.stamp: m for m in self.masks[0].messages}
-            return next(((p, masks[p.header.stamp]) for p in persons.messages
-                         if p.header.stamp in masks), None)
-        person, mask = self.wait_for(pair, 'a mask of the person and its silhouette')
-        self.assertEqual((mask.width, mask.height, 'mono8', mask.header.frame_id),
-                         (person.width, person.height, person.encoding, person.header.frame_id))
-        both = sum(a == b == 255 for a, b in zip(person.data, mask.data))
-        either = sum(a == 255 or b == 255 for a, b in zip(person.data, mask.data))
-        self.assertGreater(either, 200)
-        self.assertGreater(both / either, 0.9, 'the person is alone in the room')
+            found = [(p, masks[p.header.stamp]) for p in persons.messages if p.header.stamp in masks]
+            return found if len(found) >= 9 else None
+        overlaps = []
+        for person, mask in self.wait_for(pairs, 'masks of the person and their silhouettes')[:9]:
+            self.assertEqual((mask.width, mask.height, 'mono8', mask.header.frame_id),
+                             (person.width, person.height, person.encoding, person.header.frame_id))
+            both = sum(a == b == 255 for a, b in zip(person.data, mask.data))
+            either = sum(a == 255 or b == 255 for a, b in zip(person.data, mask.data))
+            self.assertGreater(either, 200)
+            overlaps.append(both / either)
+        self.assertGreater(sorted(overlaps)[4], 0.95, 'the person is alone in the room')
 
     @staticmethod
     def used_cameras():
