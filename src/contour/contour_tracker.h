@@ -109,8 +109,8 @@ class ContourTracker : public BodyTracker {
   std::vector<ContourPose> completeProposals(const Frame& now, const ContourObservation& seen);
   /// Where the background is not known: the most promising poses, fitted to colours; best first.
   std::vector<RegionFit> fitsByColor(const Frame& now, const Search& search) const;
-  /// Looks for bodies of other statures around poses that fit poorly. \param fits replaced by
-  /// better ones. Returns whether the stature has changed.
+  /// Looks for bodies of other statures around the best pose, if it fits poorly. \param fits
+  /// replaced by a better one. Returns whether the stature has changed.
   bool findOtherStature(const Frame& now, std::vector<RegionFit>& fits);
   /// Replaces the poses by the most promising one that colours show. Returns false if there is
   /// none.

@@ -126,8 +126,10 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
   HeldResults held(sink);
   tbb::parallel_pipeline(kMaxFramesInFlight,
                          chain & tbb::make_filter<Item, void>(kInOrder, [&](const Item& item) {
-                           if (!lost_) return sink(item->frame_set, item->result);
-                           held.add(item->frame_set, std::move(item->result));
+                           tbb::this_task_arena::isolate([&] {
+                             if (!lost_) return sink(item->frame_set, item->result);
+                             held.add(item->frame_set, std::move(item->result));
+                           });
                          }));
   held.passOn();
 }

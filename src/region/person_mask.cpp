@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kOutlineError_m = 0.03;  // of a fitted body
 constexpr double kReach_m = 0.1;          // from its outline, for clothes and hair
-// Of a part of the body. Of one that is shown less, the silhouette is right: a table hides it.
+// Of a link, by the silhouette; one that is shown less may be hidden.
 constexpr double kMinShown = 0.5;
 
 /// The body with its links as parts, as colours differ along a limb. Those without a shape are
@@ -32,7 +32,7 @@ PlacedBody placedBody(const BodyModel& model, const BodyPose& pose) {
   return out;
 }
 
-/// The samples of those parts of the body that a mask hardly shows: CV_8UC1 in drawing.box, 0 |
+/// The samples of those links of which a mask shows less than half: CV_8UC1 in drawing.box, 0 or
 /// 255. \param mask in drawing.box
 cv::Mat hardlyShown(const BodyDrawing& drawing, const cv::Mat& mask) {
   std::array<int, BodyDrawing::kNoPart + 1> all{}, shown{};
@@ -51,7 +51,7 @@ cv::Mat hardlyShown(const BodyDrawing& drawing, const cv::Mat& mask) {
   return hidden;
 }
 
-/// The samples of limbs that no view shows well: CV_8UC1 in drawing.box, 0 | 255.
+/// The samples of limbs that no view shows well: CV_8UC1 in drawing.box, 0 or 255.
 cv::Mat unseenLimbs(const BodyDrawing& drawing, const BodyModel& model, const BodyPose& pose) {
   cv::Mat unseen = cv::Mat::zeros(drawing.part.size(), CV_8UC1);
   for (int link = 0; link < int(model.links().size()); ++link)

@@ -6,11 +6,12 @@
 
 namespace markerless_mocap {
 
-/// What one camera shows, sampled for the search by colour.
+/// What one camera shows, sampled for the search by colour. Both are empty where colours need not
+/// decide.
 struct RegionView {
   int step = 1;    ///< pixels between samples
-  cv::Mat colors;  ///< CV_8UC3 BGR, samples; empty: colours need not decide here
-  cv::Mat known;   ///< the mask at the samples; empty as `colors`
+  cv::Mat colors;  ///< CV_8UC3 BGR, samples; empty without colours
+  cv::Mat known;   ///< the mask at the samples
 };
 
 /// Every second pixel up to VGA, fewer of larger images.

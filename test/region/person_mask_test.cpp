@@ -42,7 +42,7 @@ class PersonMaskTest : public ::testing::Test {
     shape = cv::boundingRect(person);
   }
 
-  /// Something that differs from the background. \param behind the person, in the image
+  /// Something behind the person that differs from the background.
   void put(const cv::Rect& thing, const cv::Scalar& color) {
     silhouette(thing).setTo(kPersonPixel);
     cv::Mat shown = image(thing);

@@ -11,11 +11,12 @@ namespace markerless_mocap {
 /// The person alone in one view. A silhouette shows all that differs from the background; this mask
 /// lacks what is beside the fitted body, such as bystanders, boxes and patches of sun. Colours
 /// decide where the silhouette is unknown or differs much from the body. What a silhouette lacks in
-/// the middle of the body is filled in, but not in parts of the body of which it shows less than
-/// half: they may be hidden. \param pose fitted to this view; throws std::invalid_argument if it is
-/// lost \param silhouette CV_8UC1 of the camera's size, 0 | 128 unknown | 255; throws
-///   std::invalid_argument if its size or type is another
-/// \param image CV_8UC3 BGR of the same size; any other is as good as none: what only colours could
+/// the middle of the body is filled in, but not in parts of which it shows less than half. Of limbs
+/// that the pose says are not seen, such parts are as in the silhouette: a table may hide them.
+/// Throws std::invalid_argument if the pose is lost, or the silhouette of another size or type.
+/// \param pose fitted to this view
+/// \param silhouette CV_8UC1 of the camera's size, 0 | 128 unknown | 255
+/// \param image CV_8UC3 BGR of that size; any other is as good as none: what only colours could
 ///   decide stays unknown
 /// \return CV_8UC1 of the camera's size, 0 | 128 unknown | 255
 cv::Mat personMask(const Camera& camera, const BodyModel& model, const BodyPose& pose,

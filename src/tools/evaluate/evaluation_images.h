@@ -45,7 +45,8 @@ struct ShownImages {
 PlayerHulls readHulls(const std::string& results, const std::vector<int64_t>& stamps_ns,
                       int64_t tolerance_ns);
 
-/// Compares silhouettes, masks of the person, body and hull of a result with the exact masks at given stamps.
+/// Compares silhouettes, masks of the person, body and hull of a result with the exact masks at
+/// given stamps.
 class ImageEvaluator {
  public:
   /// Reads the masks of both bags. Throws as Recording if the ground truth has no cameras.
