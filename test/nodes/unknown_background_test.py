@@ -96,11 +96,12 @@ class UnknownBackground(unittest.TestCase):
         before = self.counts
         start = rospy.Time.now()
         self.wait_for(lambda: len(self.whole(start)) >= POSES_WANTED, 60)
-        rospy.sleep(1.5)  # diagnostics come once a second
+        poses = self.whole(start)
+        rospy.sleep(1.5)  # diagnostics come once a second, and frames after their pose
         for camera in POORLY_KNOWN:
             lack = 'frame sets without the colours of ' + camera
             self.assertEqual(before.get(lack, 0), self.counts.get(lack, 0))
-        distances = self.distances(self.whole(start))
+        distances = self.distances(poses)
         shown = ' '.join('%.0f' % (1e3 * d) for d in distances) + ' mm'
         self.assertLess(statistics.median(distances), JOINT_BOUNDS[0], shown)
         self.assertLess(distances[int(0.9 * len(distances))], JOINT_BOUNDS[1], shown)
