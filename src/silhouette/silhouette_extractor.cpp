@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "markerless_mocap/products/silhouette_mask.h"
-#include "numerics/low_priority.h"
 #include "options/settings.h"
 #include "silhouette/background/light_gain.h"
 #include "silhouette/background/subtractor.h"
@@ -176,10 +175,8 @@ class SilhouetteExtractor::Impl {
     } else {
       first_background_ =
           std::async(std::launch::async, [learning = std::move(subtractor_)]() mutable {
-            return unobtrusively([&] {
-              learning->finishLearning();
-              return std::move(learning);
-            });
+            learning->finishLearning();
+            return std::move(learning);
           });
     }
   }
