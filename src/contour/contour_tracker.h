@@ -40,11 +40,13 @@ class ContourTracker : public BodyTracker {
   const std::shared_ptr<const TrackedBody>& body() const override { return person_.tracked(); }
 
  private:
+  using Report = std::function<void(const BodyPose&)>;
   /// A frame set; its masks show those parts only that are the person's.
   struct Frame {
     int64_t stamp_ns;
     ProductSource& products;
     const std::function<bool()>& behind;
+    Report report;  ///< empty as well until the first pose: better ones make it sure
     RegionFrame regions;
     std::vector<double> later_s;         ///< by camera, as TrackerInput has it
     std::vector<cv::Mat> doubted_masks;  ///< as they came; empty if none is in doubt
@@ -70,6 +72,11 @@ class ContourTracker : public BodyTracker {
   /// Continues the pose of the last frame, without views that contradict most others. \param seen
   /// their views are removed
   ActiveTrack continued(const Frame& now, ContourObservation& seen);
+  /// What is reported of this frame. \param is_far_worse the pose fits far worse than usual
+  BodyPose judgedPose(const Frame& now, const ContourObservation& seen, const ActiveTrack& active,
+                      bool is_far_worse);
+  /// Looks for a better pose: after this one has been reported if somebody waits for it.
+  void improve(const Frame& now, RegionObservation& found, ActiveTrack& active);
   /// True if by now nothing but the last pose may take time: newer frame sets wait, or a check that
   /// decides if anything is reported.
   bool onlyFollows(const Frame& now) const;

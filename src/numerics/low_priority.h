@@ -1,18 +1,36 @@
 #pragma once
 
-#include <sched.h>
+#include <sys/syscall.h>
 #include <tbb/task_arena.h>
+#include <unistd.h>
+
+#include <cstdint>
 
 namespace markerless_mocap {
 
-/// Runs a function in this thread, which from then on works only while its core has nothing else to
-/// do, and on no other core: what has to keep up with cameras goes first. A mere niceness is not
-/// enough, a thread that is woken may wait for milliseconds then. Where all cores are always busy
-/// it hardly gets on, so nothing that frame sets wait for may be run in this way.
+/// Makes this thread one of low priority that gives way soon, as far as the kernel allows it. From
+/// Linux 6.12 on niceness alone is not enough: whoever is woken waits until the slice of time ends,
+/// which is some milliseconds by default.
+inline void takeLowPriority() {
+  // As sched_setattr(2) has it; Debian 12's C library does not.
+  struct {
+    uint32_t size, policy;
+    uint64_t flags;
+    int32_t nice;
+    uint32_t priority;
+    uint64_t slice_ns, deadline, period;
+  } attributes{};
+  attributes.size = sizeof attributes;
+  attributes.nice = 10;
+  attributes.slice_ns = 100000;  // the shortest
+  syscall(SYS_sched_setattr, 0, &attributes, 0);
+}
+
+/// Runs a function in this thread, which keeps a low priority from then on, and on no other core:
+/// what has to keep up with cameras goes first.
 template <class Function>
 auto unobtrusively(const Function& function) {
-  const sched_param none{};
-  sched_setscheduler(0, SCHED_IDLE, &none);  // this thread only
+  takeLowPriority();
   return tbb::task_arena(1).execute(function);
 }
 

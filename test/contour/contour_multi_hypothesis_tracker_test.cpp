@@ -41,7 +41,12 @@ class ContourHypothesesTest : public ::testing::Test {
     return pose;
   }
   ActiveTrack start(const ContourPose& pose) { return held.start(0, see(at(0)), body, {pose}); }
-  ActiveTrack update(int frame) { return held.update(frame * kFrame_ns, see(at(frame)), body); }
+  ActiveTrack update(int frame) {
+    const ContourObservation seen = see(at(frame));
+    const ActiveTrack now = held.update(frame * kFrame_ns, seen, body);
+    held.improve(seen, body);
+    return now;
+  }
   ActiveTrack reinitialize(int frame, const ContourPose& pose, const ActiveTrack& now) {
     return held.reinitialize(frame * kFrame_ns, see(at(frame)), body, {pose}, now);
   }

@@ -45,6 +45,27 @@ TEST_F(ContourMethodTest, ReportsTheMeanBodyWithItsUncertaintyUntilThePersonIsMe
   }
 }
 
+TEST_F(ContourMethodTest, ThePoseIsReportedBeforeABetterOneIsLookedFor) {
+  makeMeasured();
+  for (int frame = 0; frame < 3; ++frame) show(frame);
+  std::vector<BodyPose> reported;
+  int asked_after = 0;  // whether there is time for a search
+  ReadyProducts products({hull, parts, PoseTree{}});
+  const std::vector<cv::Mat> masks = masksAt(3);
+  const auto behind = [&] {
+    asked_after += !reported.empty();
+    return false;
+  };
+  const auto report = [&](const BodyPose& pose) { reported.push_back(pose); };
+  const BodyPose pose =
+      tracker->update({stamp_ns += kFrame_ns, masks, {}, products, behind, false, {}, report});
+  ASSERT_EQ(reported.size(), 1u);
+  EXPECT_EQ(reported[0].status, PoseStatus::kTracked);
+  EXPECT_EQ(reported[0].angles, pose.angles);
+  EXPECT_TRUE(reported[0].T_world_body.matrix() == pose.T_world_body.matrix());
+  EXPECT_GT(asked_after, 0);
+}
+
 TEST_F(ContourMethodTest, MeasuringBeginsWithTheStatureThatExplainsTheMasksBest) {
   options.person.stature = 1.9;
   make();

@@ -29,6 +29,10 @@ struct TrackerInput {
   bool images_awaited = false;  ///< images that are missing here will come with later frames
   /// By camera, s: how much later than stamp_ns its image was taken; empty: all were taken then.
   std::vector<double> later_s = {};
+  /// Called with the pose that update() will return, once at most and as soon as it is known. What
+  /// takes long and seldom finds a better pose is done afterwards, for later frames. Empty: nobody
+  /// is in a hurry, and the pose is the better one already.
+  std::function<void(const BodyPose&)> report = {};
 };
 
 /// Tracks the pose of one person over time. Every tracking method implements this interface. Not

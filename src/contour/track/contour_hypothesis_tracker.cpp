@@ -1,6 +1,7 @@
 #include "contour/track/contour_hypothesis_tracker.h"
 
 #include <array>
+#include <utility>
 
 namespace markerless_mocap {
 namespace {
@@ -52,7 +53,7 @@ ContourTrackingResult ContourHypothesisTracker::start(int64_t stamp_ns,
 }
 
 ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, const ContourFit& fit) {
-  history_.forget();
+  lose();
   suspicious_.dueAt(stamp_ns);
   least_certain_.done(stamp_ns);  // a start searches all limbs
   untwist_.dueAt(stamp_ns);
@@ -91,19 +92,25 @@ bool ContourHypothesisTracker::searchSuspiciousLimbs(int64_t stamp_ns, const Fit
   return better;
 }
 
-bool ContourHypothesisTracker::improve(int64_t stamp_ns, const FittedFrame& now,
-                                       const ContourPrediction& prediction,
-                                       const MaySearch& may_search, ContourFit* fit) {
+std::optional<ContourFit> ContourHypothesisTracker::improve(const ContourObservation& seen,
+                                                            const ContourBody& body) {
+  if (!updated_) return std::nullopt;
+  const auto [stamp_ns, before, prediction, fitted] = *std::exchange(updated_, std::nullopt);
+  const FittedFrame now{seen, body};
+  ContourFit fit = fitted;
   bool better = false;
-  if (least_certain_.isDue(stamp_ns) && (!may_search || may_search())) {
+  if (least_certain_.isDue(stamp_ns)) {
     least_certain_.done(stamp_ns);
-    better = rivals_.searchLeastCertainLimb(now, prediction, fit);
+    better = rivals_.searchLeastCertainLimb(now, prediction, &fit);
   }
   if (untwist_.isDue(stamp_ns)) {
     untwist_.done(stamp_ns);
-    better |= rivals_.untwist(now, prediction, fit);
+    better |= rivals_.untwist(now, prediction, &fit);
   }
-  return better;
+  if (!better) return std::nullopt;
+  history_ = before;
+  history_.add(stamp_ns, fit);
+  return fit;
 }
 
 ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
@@ -111,6 +118,7 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
                                                        const ContourBody& body,
                                                        const MaySearch& may_search) {
   const std::optional<ContourPrediction> predicted = predict(stamp_ns);
+  updated_.reset();
   if (!predicted) {
     history_.forget();
     return {};
@@ -124,10 +132,11 @@ ContourTrackingResult ContourHypothesisTracker::update(int64_t stamp_ns,
       status = repair(stamp_ns, now, *predicted, may_search, &fit);
     else
       next_limb_ = 0;
-    if (improve(stamp_ns, now, *predicted, may_search, &fit))
-      status = ContourTrackingStatus::kLimbRecovered;
   }
-  return keep(stamp_ns, fit, status);
+  Updated updated{stamp_ns, history_, *predicted, fit};
+  const ContourTrackingResult result = keep(stamp_ns, fit, status);
+  if (result.status != ContourTrackingStatus::kLost) updated_ = std::move(updated);
+  return result;
 }
 
 }  // namespace markerless_mocap

@@ -27,9 +27,9 @@ struct ContourTrackingResult {
 using MaySearch = std::function<bool()>;
 
 /// Tracks one hypothesis of the pose: predicts and fits. If the fit becomes worse than usual or a
-/// limb leaves the masks, it also tries the last pose and other positions of limbs. At intervals it
-/// also searches the least certain limb and, if the trunk is twisted, fits without the twist. It
-/// keeps the pose with the best quality. Not thread-safe.
+/// limb leaves the masks, it also tries the last pose and other positions of limbs. At intervals
+/// improve() searches the least certain limb and, if the trunk is twisted, fits without the twist.
+/// It keeps the pose with the best quality. Not thread-safe.
 class ContourHypothesisTracker {
  public:
   /// Throws std::invalid_argument if an option is out of range.
@@ -56,13 +56,19 @@ class ContourHypothesisTracker {
   /// more than half a second later. The shape of the body may change between frames.
   ContourTrackingResult update(int64_t stamp_ns, const ContourObservation& seen,
                                const ContourBody& body, const MaySearch& may_search = {});
+  /// Looks for a better fit to the frame of the last update() at intervals, whether or not its
+  /// result is suspicious, for the sake of later frames. Returns it if there is one.
+  std::optional<ContourFit> improve(const ContourObservation& seen, const ContourBody& body);
   /// The pose that update() would start from; empty while lost.
   std::optional<ContourPrediction> predict(int64_t stamp_ns) const {
     return history_.predict(stamp_ns);
   }
   /// See PoseHistory::motion().
   std::optional<ContourMotion> motion(int64_t stamp_ns) const { return history_.motion(stamp_ns); }
-  void lose() { history_.forget(); }
+  void lose() {
+    history_.forget();
+    updated_.reset();
+  }
   void turnBack() { history_.turnBack(); }
   /// Lets the next frame search for limbs, however short ago that was done.
   void searchSoon();
@@ -74,6 +80,14 @@ class ContourHypothesisTracker {
   const ContourFitter& fitter() const { return rivals_.fitter(); }
 
  private:
+  /// An update(), for improve().
+  struct Updated {
+    int64_t stamp_ns;
+    PoseHistory before;
+    ContourPrediction prediction;
+    ContourFit fit;
+  };
+
   ContourTrackingResult keep(int64_t stamp_ns, const ContourFit& fit, ContourTrackingStatus status);
   /// Replaces a suspicious fit if a better one is found.
   ContourTrackingStatus repair(int64_t stamp_ns, const FittedFrame& now,
@@ -84,14 +98,11 @@ class ContourHypothesisTracker {
   bool searchSuspiciousLimbs(int64_t stamp_ns, const FittedFrame& now,
                              const ContourPrediction& prediction, const MaySearch& may_search,
                              bool better, ContourFit* fit);
-  /// Looks for better fits at intervals, whether or not the fit is suspicious. Returns true if it
-  /// has replaced the fit.
-  bool improve(int64_t stamp_ns, const FittedFrame& now, const ContourPrediction& prediction,
-               const MaySearch& may_search, ContourFit* fit);
 
   RivalPoses rivals_;
   PoseHistory history_;
-  size_t next_limb_ = 0;  ///< where a search of suspicious limbs goes on
+  std::optional<Updated> updated_;  ///< empty after a start, and while lost
+  size_t next_limb_ = 0;            ///< where a search of suspicious limbs goes on
   SearchTimer suspicious_, least_certain_, untwist_;  ///< which rivals are tried when
 };
 

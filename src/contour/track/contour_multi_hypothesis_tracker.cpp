@@ -126,6 +126,12 @@ ActiveTrack ContourMultiHypothesisTracker::update(int64_t stamp_ns, const Contou
   return active;
 }
 
+std::optional<ContourFit> ContourMultiHypothesisTracker::improve(const ContourObservation& seen,
+                                                                 const ContourBody& body) {
+  if (alternative_) alternative_->improve(seen, body);
+  return active_.improve(seen, body);
+}
+
 ActiveTrack ContourMultiHypothesisTracker::reinitialize(int64_t stamp_ns,
                                                         const ContourObservation& seen,
                                                         const ContourBody& body,

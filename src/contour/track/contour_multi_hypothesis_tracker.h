@@ -16,6 +16,8 @@ struct ActiveTrack {
   bool switched = false;
   /// Another start in this frame has led to the same pose, limbs and all.
   bool agreed = false;
+  /// The pose has been found by a search in this frame.
+  bool started = false;
 };
 
 /// Tracks the active hypothesis and, until it is decided, one alternative: front and back
@@ -30,6 +32,8 @@ class ContourMultiHypothesisTracker {
                     const std::vector<ContourPose>& poses);
   ActiveTrack update(int64_t stamp_ns, const ContourObservation& seen, const ContourBody& body,
                      const MaySearch& may_search = {});
+  /// See ContourHypothesisTracker::improve(). \return a better fit of the active hypothesis
+  std::optional<ContourFit> improve(const ContourObservation& seen, const ContourBody& body);
   /// Starts a second time, on a frame after its update(). If the result is the same body, it
   /// confirms the active hypothesis. If the result is clearly better, it replaces it. \param active
   /// result of update()

@@ -122,6 +122,7 @@ BodyPose ContourTracker::update(const TrackerInput& now) {
   return updateFrom({now.stamp_ns,
                      now.products,
                      now.behind,
+                     reported_ ? now.report : Report(),
                      {now.images, cleared.masks},
                      now.later_s,
                      in_doubt ? now.masks : std::vector<cv::Mat>()});
@@ -133,22 +134,31 @@ BodyPose ContourTracker::updateFrom(const Frame& now) {
   contradicted_.leaveOut(found.seen);
   trust_.take(found);
   if (trust_.isContradicted()) hypotheses_.lose();
-  const ActiveTrack active = follow(now, found);
+  ActiveTrack active = follow(now, found);
   if (active.switched) fresh_until_ns_ = now.stamp_ns + kFresh_ns;
   const ContourFit& fit = active.track.fit;
   if (active.track.status == ContourTrackingStatus::kLost) return lost(found.seen, fit);
   const bool is_far_worse = trust_.doubtIfFarWorse(now.stamp_ns, fit);
-  if (is_far_worse)
-    starts_.searchBegins(now.stamp_ns);
-  else
-    learn(now, active);
+  if (is_far_worse) starts_.searchBegins(now.stamp_ns);
   if (measure(now.stamp_ns, found.seen, fit)) return lostBecause("the body has just been measured");
+  BodyPose pose = judgedPose(now, found.seen, active, is_far_worse);
+  if (now.report) {
+    now.report(pose);
+    improve(now, found, active);
+  }
+  if (!is_far_worse) learn(now, active);
+  return pose;
+}
+
+BodyPose ContourTracker::judgedPose(const Frame& now, const ContourObservation& seen,
+                                    const ActiveTrack& active, bool is_far_worse) {
+  const ContourFit& fit = active.track.fit;
   if (trust_.isDoubted(now.stamp_ns, fit)) {
     hypotheses_.searchSoon();
     return lostBecause(is_far_worse ? kFarWorse : kDoubtful);
   }
   trust_.learnQuality(now.stamp_ns, fit);
-  return isReportable(now, found.seen) ? reported(active) : unaccepted(fit);
+  return isReportable(now, seen) ? reported(active) : unaccepted(fit);
 }
 
 void ContourTracker::shift(const Frame& now, ContourObservation& seen) const {
@@ -185,17 +195,25 @@ ActiveTrack ContourTracker::follow(const Frame& now, RegionObservation& found) {
     doubt(now.stamp_ns);
     contradicted_.reset();
     active = start(now);
+    active.started = true;
     trust_.judgeStart(judged(found.seen, active.track.fit));
     reported_ = is_at_person_ = false;
     return active;
   }
+  if (!now.report) improve(now, found, active);
   active = takeCheck(now, active);
   if (needsCheck(now, active.track.fit)) active = check(now, active);
   trust_.judge(judged(found.seen, active.track.fit));
+  return active;
+}
+
+void ContourTracker::improve(const Frame& now, RegionObservation& found, ActiveTrack& active) {
+  if (active.started || onlyFollows(now)) return;
+  if (const auto better = hypotheses_.improve(found.seen, person_.body()))
+    active.track.fit = *better;
   if (!onlyFollows(now)) searchLimbs(now, found, active);
   if (!onlyFollows(now)) searchLimbsInDoubt(now, active);
   if (!onlyFollows(now)) reconsider(now, found.seen, active.track);
-  return active;
 }
 
 bool ContourTracker::onlyFollows(const Frame& now) const {

@@ -49,7 +49,8 @@ class FittingStage {
   /// While the person is searched for, answers the frame sets that have waited too long.
   void answerLate(const std_msgs::Header& newest);
   void work();
-  BodyPose fit(const FittingMessages& message);
+  /// Fits the body to a frame set and answers it.
+  void fit(const FittingMessages& message);
   /// The messages with the rig that is believed, without those of cameras that are not.
   FittingMessages believed(const FittingMessages& input);
   /// The tracker's time of a frame set.

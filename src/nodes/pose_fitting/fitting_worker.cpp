@@ -26,32 +26,33 @@ void FittingStage::work() {
     }
     backlog_.begin(queue_.waitingCount(), ros::SteadyTime::now().toSec());
     input->behind = [this] { return backlog_.isBehind(queue_.waitingCount()); };
-    const ros::WallTime start = ros::WallTime::now();
-    const BodyPose pose = fit(*input);
-    const double fitting = (ros::WallTime::now() - start).toSec();
-    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
-    if (answer(pose, *input)) reportTimes(fitting);
+    fit(*input);
     if (queue_.waitingCount() <= kNewest) searches_ = false;
   }
 }
 
-BodyPose FittingStage::fit(const FittingMessages& message) {
+void FittingStage::fit(const FittingMessages& message) {
+  const ros::WallTime start = ros::WallTime::now();
+  const auto report = [&](const BodyPose& pose) {
+    const double fitting = (ros::WallTime::now() - start).toSec();
+    if (tracker_ && tracker_->body() != body_) takeOver(tracker_->body());
+    if (answer(pose, message)) reportTimes(fitting);
+  };
   try {
     if (!message.error.empty()) throw std::invalid_argument(message.error);
     const int64_t stamp_ns = steadyStamp(message);
     const FittingMessages input = believed(message);
     prepareTracker(input, stamp_ns);
     const BodyPose pose = updated(*tracker_, withoutChangedCameras(input, *rig_),
-                                  inputs_->products(), stamp_ns, needsOf(options_.method).images);
+                                  inputs_->products(), stamp_ns, needs_.images, report);
     inputs_->wantColors(tracker_->wantedImages());
     follows_ = pose.status != PoseStatus::kLost;
     if (follows_) last_fitted_ = pose;
-    return pose;
   } catch (const std::exception& error) {
     follows_ = false;
     BodyPose lost;
     lost.reason = error.what();
-    return lost;
+    report(lost);
   }
 }
 

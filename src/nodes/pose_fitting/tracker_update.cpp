@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 #include "camera/camera_difference.h"
 #include "nodes/common/camera_pixels.h"
@@ -78,13 +79,21 @@ FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& ri
 }
 
 BodyPose updated(BodyTracker& tracker, const FittingMessages& input, LiveProducts& products,
-                 int64_t stamp_ns, bool images_required) {
+                 int64_t stamp_ns, bool images_required,
+                 const std::function<void(const BodyPose&)>& report) {
   const std::vector<cv::Mat> masks = masksOf(input, *input.rig);
   const std::vector<cv::Mat> images = imagesOf(input, images_required);
   LiveProducts::Source source = products.at(input.header.stamp);
-  BodyPose pose = tracker.update(
-      {stamp_ns, masks, images, source, input.behind, input.images_awaited, input.later_s});
-  if (pose.status == PoseStatus::kLost) pose.reason += source.lack();
+  BodyPose pose;
+  bool is_reported = false;
+  const auto take = [&](const BodyPose& found) {
+    if (std::exchange(is_reported, true)) return;
+    pose = found;
+    if (pose.status == PoseStatus::kLost) pose.reason += source.lack();
+    if (report) report(pose);
+  };
+  take(tracker.update(
+      {stamp_ns, masks, images, source, input.behind, input.images_awaited, input.later_s, take}));
   return pose;
 }
 

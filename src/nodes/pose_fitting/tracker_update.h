@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -20,8 +21,10 @@ FittingMessages withoutChangedCameras(FittingMessages input, const CameraRig& ri
 
 /// Updates a tracker with messages. A mask that cannot be used is left out; if none can, or if
 /// another message cannot be used, this throws std::invalid_argument. \param stamp_ns the tracker's
-/// time \param images_required if not, images that cannot be read are left out
+/// time \param images_required if not, images that cannot be read are left out \param report called
+/// with the pose as soon as it is known, unless it is empty
 BodyPose updated(BodyTracker& tracker, const FittingMessages& input, LiveProducts& products,
-                 int64_t stamp_ns, bool images_required);
+                 int64_t stamp_ns, bool images_required,
+                 const std::function<void(const BodyPose&)>& report = {});
 
 }  // namespace markerless_mocap
