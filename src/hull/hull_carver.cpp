@@ -76,6 +76,13 @@ void checkViews(const CameraRig& rig, const std::vector<HullView>& views) {
 
 }  // namespace
 
+/// The person among the voxels, and who has voted on them.
+struct HullDraft::Found {
+  VoxelComponent person;
+  CameraSet voters;
+  std::vector<HullView> views;  ///< without those of which too little is known
+};
+
 class HullCarver::State {
  public:
   State(CameraRig rig, const HullOptions& options)
@@ -87,17 +94,17 @@ class HullCarver::State {
         coloring_(rig_, voting_.table(), options_.color_vote_distance,
                   options_.color_voters == "all") {}
 
-  VisualHull carve(const std::vector<HullView>& views);
+  HullDraft draft(const std::vector<HullView>& views);
+  /// Fills the hull's voxels: indices, views, colours and colour votes. Uses nothing that draft()
+  /// changes.
+  VisualHull complete(HullDraft draft);
 
   const CameraRig& rig() const { return rig_; }
   const VoxelLattice& lattice() const { return lattice_; }
 
  private:
-  VisualHull carveIn(const VoxelBox& window, const std::vector<HullView>& views);
+  HullDraft draftIn(const VoxelBox& window, const std::vector<HullView>& views);
   FaultyCameraFinder::Result carveComponents(const MaskSummary& masks, const VoxelBox& window);
-  /// Fills the hull's voxels: indices, views, colours and colour votes.
-  void describe(const VoxelComponent& person, CameraSet voters, const std::vector<HullView>& views,
-                VisualHull* hull);
   /// Number of cameras that see all of a cell, and the cameras that see a part of it.
   struct CellViews {
     uint8_t whole;
@@ -110,26 +117,27 @@ class HullCarver::State {
   VoxelLattice lattice_;
   VoxelVoting voting_;
   FaultyCameraFinder faults_;
-  VoxelColoring coloring_;
+  VoxelColoring coloring_;            ///< used by complete() alone
   std::optional<VoxelBox> followed_;  ///< box around the last person
   std::optional<VoxelComponent> last_person_;
 };
 
-VisualHull HullCarver::State::carve(const std::vector<HullView>& all_views) {
+HullDraft HullCarver::State::draft(const std::vector<HullView>& all_views) {
   checkViews(rig_, all_views);
   std::vector<LeftOutCamera> unknown;
   const std::vector<HullView> views = withoutUnknownViews(all_views, rig_, &unknown);
   voting_.setMasks(views);
-  VisualHull hull;
-  if (followed_) hull = carveIn(*followed_, views);
-  if (!followed_ || hull.status != HullStatus::kOk) {
+  HullDraft draft;
+  if (followed_) draft = draftIn(*followed_, views);
+  if (!followed_ || draft.hull.status != HullStatus::kOk) {
     followed_.reset();
-    hull = carveIn(voting_.bounds(), views);
+    draft = draftIn(voting_.bounds(), views);
   }
+  VisualHull& hull = draft.hull;
   if (hull.status == HullStatus::kNobody || hull.status == HullStatus::kEmptyMasks)
     last_person_.reset();
   hull.cameras_left_out.insert(hull.cameras_left_out.begin(), unknown.begin(), unknown.end());
-  return hull;
+  return draft;
 }
 
 FaultyCameraFinder::Result HullCarver::State::carveComponents(const MaskSummary& masks,
@@ -138,15 +146,16 @@ FaultyCameraFinder::Result HullCarver::State::carveComponents(const MaskSummary&
   return {voting_.carve(masks.present, window), masks.present, {}};
 }
 
-VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<HullView>& views) {
-  VisualHull hull;
+HullDraft HullCarver::State::draftIn(const VoxelBox& window, const std::vector<HullView>& views) {
+  HullDraft draft;
+  VisualHull& hull = draft.hull;
   hull.lattice = lattice_;
   const MaskSummary masks = summariseMasks(rig_, voting_);
   FaultyCameraFinder::Result found;
   found.voters = masks.present;
   if (masks.count() >= options_.min_views && masks.empty != masks.present)
     found = carveComponents(masks, window);
-  if (rejectMasks(masks, found.voters, rig_, options_.min_views, &hull)) return hull;
+  if (rejectMasks(masks, found.voters, rig_, options_.min_views, &hull)) return draft;
   for (const CameraFault& fault : found.faults)
     hull.cameras_left_out.push_back({rig_[fault.camera].name(), fault.reason});
 
@@ -158,25 +167,28 @@ VisualHull HullCarver::State::carveIn(const VoxelBox& window, const std::vector<
   left.empty &= found.voters;
   const VoxelComponent* person = selectPerson(components, options_.min_component_litres, left, rig_,
                                               last_person_ ? &*last_person_ : nullptr, &hull);
-  if (person == nullptr) return hull;
+  if (person == nullptr) return draft;
   last_person_ = *person;
-  describe(*person, found.voters, views, &hull);
+  draft.found = std::make_shared<HullDraft::Found>(HullDraft::Found{*person, found.voters, views});
   if (options_.follow) {
     const int margin = int(std::ceil(options_.follow_margin / lattice_.pitch));
     followed_ = boxOf(*person, lattice_);
     followed_->low.array() -= margin;
     followed_->high.array() += margin;
   }
-  return hull;
+  return draft;
 }
 
-void HullCarver::State::describe(const VoxelComponent& person, CameraSet voters,
-                                 const std::vector<HullView>& views, VisualHull* hull) {
-  const std::vector<CellViews> cell_views = viewsOf(person, voters);
+VisualHull HullCarver::State::complete(HullDraft draft) {
+  VisualHull hull = std::move(draft.hull);
+  if (!draft.found) return hull;
+  const VoxelComponent& person = draft.found->person;
+  const std::vector<HullView>& views = draft.found->views;
+  const std::vector<CellViews> cell_views = viewsOf(person, draft.found->voters);
   HullVoxel unpainted;
   unpainted.rgb = {128, 128, 128};
-  hull->voxels.assign(person.voxels, unpainted);
-  HullVoxel* next = hull->voxels.data();
+  hull.voxels.assign(person.voxels, unpainted);
+  HullVoxel* next = hull.voxels.data();
   forEachInLatticeOrder(person, lattice_, [&](uint32_t index, uint32_t slot) {
     const size_t cell = slot / 64;
     HullVoxel& voxel = *next++;
@@ -195,7 +207,8 @@ void HullCarver::State::describe(const VoxelComponent& person, CameraSet voters,
       images[c] = views[c].image;
       any = true;
     }
-  if (any) coloring_.paint(person, inLatticeOrder(person, lattice_), images, &hull->voxels);
+  if (any) coloring_.paint(person, inLatticeOrder(person, lattice_), images, &hull.voxels);
+  return hull;
 }
 
 std::vector<HullCarver::State::CellViews> HullCarver::State::viewsOf(const VoxelComponent& person,
@@ -218,7 +231,15 @@ HullCarver::HullCarver(HullCarver&&) noexcept = default;
 HullCarver& HullCarver::operator=(HullCarver&&) noexcept = default;
 
 VisualHull HullCarver::carve(const std::vector<HullView>& views) {
-  return state_->carve(views);
+  return complete(draft(views));
+}
+
+HullDraft HullCarver::draft(const std::vector<HullView>& views) {
+  return state_->draft(views);
+}
+
+VisualHull HullCarver::complete(HullDraft draft) {
+  return state_->complete(std::move(draft));
 }
 
 const CameraRig& HullCarver::rig() const {

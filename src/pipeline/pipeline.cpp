@@ -45,22 +45,24 @@ std::vector<cv::Mat> trustedMasks(const CameraRig& rig, const PipelineResult& re
 
 }  // namespace
 
-/// The products of one frame set; parts and tree are made now if they have not been yet.
+/// The products of one frame set; they are made now if they have not been yet.
 class Pipeline::Products : public ProductSource {
  public:
-  Products(Pipeline* pipeline, const FrameSet& frame_set, PipelineResult* result)
-      : pipeline_(*pipeline), frame_set_(frame_set), result_(*result) {}
+  Products(Pipeline* pipeline, Work* work) : pipeline_(*pipeline), work_(*work) {}
   const FrameProducts& ofThisFrame() override {
-    if (pipeline_.parts_on_demand_ && !made_) pipeline_.makeParts(frame_set_, &result_);
+    newestHull();
+    if (pipeline_.on_demand_ != OnDemand::kNothing && !made_) pipeline_.makeParts(work_);
     made_ = true;
-    return result_;
+    return work_.result;
   }
-  const VisualHull& newestHull() override { return result_.hull; }
+  const VisualHull& newestHull() override {
+    if (work_.draft.found) pipeline_.completeHull(work_);
+    return work_.result.hull;
+  }
 
  private:
   Pipeline& pipeline_;
-  const FrameSet& frame_set_;
-  PipelineResult& result_;
+  Work& work_;
   bool made_ = false;
 };
 
@@ -81,7 +83,7 @@ void Pipeline::followBack() {
 
 struct Pipeline::Stage {
   const char* name;
-  void (Pipeline::*work)(const FrameSet&, PipelineResult*);
+  void (Pipeline::*make)(Work&);
   bool may_wait;  ///< until the tracker asks for its product
 };
 
@@ -96,12 +98,12 @@ const std::vector<Pipeline::Stage>& Pipeline::stages() {
 }
 
 void Pipeline::run(const Stage& stage, Work& work) {
-  if (work.result.learning || (stage.may_wait && parts_on_demand_)) return;
-  watch_(stage.name, [&] { (this->*stage.work)(work.frame_set, &work.result); });
+  if (work.result.learning || (stage.may_wait && on_demand_ != OnDemand::kNothing)) return;
+  watch_(stage.name, [&] { (this->*stage.make)(work); });
 }
 
 PipelineResult Pipeline::process(int64_t stamp_ns, const std::vector<CameraFrame>& frames) {
-  Work work{{stamp_ns, frames, {}}, {}};
+  Work work{{stamp_ns, frames, {}}, {}, {}};
   for (const Stage& stage : stages()) run(stage, work);
   return std::move(work.result);
 }
@@ -112,7 +114,7 @@ void Pipeline::processStream(const Source& source, const Sink& sink) {
   tbb::filter<void, Item> chain =
       tbb::make_filter<void, Item>(kInOrder, [&](tbb::flow_control& control) -> Item {
         std::optional<FrameSet> frame_set = source();
-        if (frame_set) return std::make_shared<Work>(Work{std::move(*frame_set), {}});
+        if (frame_set) return std::make_shared<Work>(Work{std::move(*frame_set), {}, {}});
         control.stop();
         return nullptr;
       });
@@ -144,8 +146,8 @@ void Pipeline::useBackgrounds(const std::vector<SharedBackground>& backgrounds) 
 }
 
 void Pipeline::followLight(const FrameSet& frame_set) {
-  PipelineResult ignored;
-  extractSilhouettes(frame_set, &ignored);
+  Work ignored{frame_set, {}, {}};
+  extractSilhouettes(ignored);
 }
 
 std::vector<SharedBackground> Pipeline::backgrounds() const {
@@ -166,8 +168,8 @@ void Pipeline::checkFrames(const std::vector<CameraFrame>& frames) const {
   }
 }
 
-void Pipeline::extractSilhouettes(const FrameSet& frame_set, PipelineResult* result) {
-  const std::vector<CameraFrame>& frames = frame_set.frames;
+void Pipeline::extractSilhouettes(Work& work) {
+  const std::vector<CameraFrame>& frames = work.frame_set.frames;
   checkFrames(frames);
   std::vector<cv::Mat> found(frames.size());
   std::vector<char> learning(frames.size(), false);
@@ -183,39 +185,54 @@ void Pipeline::extractSilhouettes(const FrameSet& frame_set, PipelineResult* res
   const auto ready =
       std::count_if(found.begin(), found.end(), [](const cv::Mat& mask) { return !mask.empty(); });
   const bool any_learning = std::count(learning.begin(), learning.end(), true) > 0;
-  result->learning = any_learning && ready < min_views_;
-  if (!result->learning) result->masks = std::move(found);
+  work.result.learning = any_learning && ready < min_views_;
+  if (!work.result.learning) work.result.masks = std::move(found);
 }
 
-void Pipeline::carve(const FrameSet& frame_set, PipelineResult* result) {
-  result->hull = carver_.carve(viewsOf(frame_set.frames, result->masks));
+void Pipeline::carve(Work& work) {
+  const std::vector<HullView> views = viewsOf(work.frame_set.frames, work.result.masks);
+  if (on_demand_ != OnDemand::kPartsAndVoxels) {
+    work.result.hull = carver_.carve(views);
+    return;
+  }
+  work.draft = carver_.draft(views);
+  work.result.hull = work.draft.hull;
 }
 
-void Pipeline::segment(const FrameSet& frame_set, PipelineResult* result) {
-  result->parts = segmenter_.segment(result->hull, frame_set.stamp_ns, &part_tracker_);
+void Pipeline::completeHull(Work& work) {
+  watch_(HullOptions::kStage,
+         [&] { work.result.hull = carver_.complete(std::exchange(work.draft, {})); });
 }
 
-void Pipeline::buildTree(const FrameSet&, PipelineResult* result) {
-  result->tree = tree_builder_.build(result->hull);
+void Pipeline::segment(Work& work) {
+  work.result.parts = segmenter_.segment(work.result.hull, work.frame_set.stamp_ns, &part_tracker_);
 }
 
-void Pipeline::makeParts(const FrameSet& frame_set, PipelineResult* result) {
+void Pipeline::buildTree(Work& work) {
+  work.result.tree = tree_builder_.build(work.result.hull);
+}
+
+void Pipeline::makeParts(Work& work) {
   for (const Stage& stage : stages())
-    if (stage.may_wait) watch_(stage.name, [&] { (this->*stage.work)(frame_set, result); });
+    if (stage.may_wait) watch_(stage.name, [&] { (this->*stage.make)(work); });
 }
 
-void Pipeline::track(const FrameSet& frame_set, PipelineResult* result) {
-  const std::vector<cv::Mat> masks = trustedMasks(rig(), *result);
+void Pipeline::track(Work& work) {
+  const FrameSet& frame_set = work.frame_set;
+  const std::vector<cv::Mat> masks = trustedMasks(rig(), work.result);
   const std::vector<cv::Mat> images = imagesOf(frame_set.frames);
-  Products products(this, frame_set, result);
-  result->pose = tracker_->update(
+  Products products(this, &work);
+  BodyPose& pose = work.result.pose;
+  pose = tracker_->update(
       {frame_set.stamp_ns, masks, images, products, {}, false, latenessOf(frame_set.frames)});
-  result->body = tracker_->body();
+  work.result.body = tracker_->body();
   if (!lost_) return;
-  if (result->pose.status == PoseStatus::kLost)
-    lost_->add(frame_set, masks, *result);
-  else
-    result->earlier_poses = lost_->followedBackBy(*tracker_);
+  if (pose.status == PoseStatus::kLost) {
+    products.newestHull();  // who follows the person back may ask for it
+    lost_->add(frame_set, masks, work.result);
+  } else {
+    work.result.earlier_poses = lost_->followedBackBy(*tracker_);
+  }
 }
 
 }  // namespace markerless_mocap

@@ -23,7 +23,14 @@ struct BodyDrawing {
   cv::Mat distance;  ///< CV_32FC1 in `box`: to the nearest part, samples, negative inside
 };
 
+/// The projected body without its parts.
+struct BodyDistance {
+  cv::Rect box;      ///< around all parts and their margin; empty if outside
+  cv::Mat distance;  ///< CV_32FC1 in `box`: to the nearest part, samples, negative inside
+};
+
 /// \param margin samples around each part
+BodyDistance distanceFrom(const ProjectedBody& body, const cv::Size& size, float margin);
 BodyDrawing drawBody(const ProjectedBody& body, int parts, const cv::Size& size, float margin);
 
 }  // namespace markerless_mocap

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -46,6 +47,36 @@ TEST(Outline, NormalsPointOutOfADisk) {
     const Eigen::Vector2d out = (crack.pixel() - Eigen::Vector2d(160, 120)).normalized();
     EXPECT_GT(outwardNormal(mask, crack, 4).normalized().dot(out), 0.97);
   }
+}
+
+/// By the definition: weights that fall to 0 at the border of the disk.
+Eigen::Vector2d normalByDefinition(const cv::Mat& mask, const Crack& crack, int radius) {
+  Eigen::Vector2d inward = Eigen::Vector2d::Zero();
+  for (int y = -20; y < mask.rows + 20; ++y)
+    for (int x = -20; x < mask.cols + 20; ++x) {
+      const Eigen::Vector2d off = Eigen::Vector2d(x, y) - crack.pixel();
+      const double weight = (radius + 0.5) * (radius + 0.5) - off.squaredNorm();
+      if (weight > 0 &&
+          mask.at<uchar>(std::clamp(y, 0, mask.rows - 1), std::clamp(x, 0, mask.cols - 1)))
+        inward += weight * off;
+    }
+  return -inward;
+}
+
+TEST(Outline, NormalsAreThoseOfTheDefinitionAlsoAtTheImagesEdge) {
+  cv::Mat mask(24, 31, CV_8UC1);
+  cv::RNG random(3);
+  random.fill(mask, cv::RNG::UNIFORM, 0, 3);
+  mask *= 128;  // 0, 128 and 255
+  std::vector<Crack> cracks;
+  findCracks(mask, {0, 0, mask.cols, mask.rows}, cracks);
+  ASSERT_GT(cracks.size(), 100u);
+  for (const int radius : {2, 4, kMaxNormalRadius})
+    for (const Crack& crack : cracks) {
+      const Eigen::Vector2d expected = normalByDefinition(mask, crack, radius);
+      const Eigen::Vector2d found = outwardNormal(mask, crack, radius);
+      EXPECT_LT((found.stableNormalized() - expected.stableNormalized()).norm(), 1e-12);
+    }
 }
 
 TEST(ContourObserver, RaysTouchABallFromOutside) {

@@ -207,6 +207,21 @@ TEST(HullCarver, NothingDependsOnTheNumberOfThreads) {
   EXPECT_EQ(carved(4), one);
 }
 
+TEST(HullCarver, DraftThatIsCompletedLateIsTheHullOfItsFrameSet) {
+  const CameraRig rig = makeRig(7);
+  HullCarver whole(rig, makeOptions()), in_parts(rig, makeOptions());
+  std::vector<HullView> moved = troubledViews(rig);
+  for (HullView& view : moved) view.image = 255 - view.image;
+  const std::vector<double> first = everythingOf(whole.carve(troubledViews(rig)));
+  const std::vector<double> second = everythingOf(whole.carve(moved));
+  ASSERT_NE(first, second);
+  const HullDraft draft = in_parts.draft(troubledViews(rig));
+  EXPECT_TRUE(draft.hull.voxels.empty());
+  const HullDraft next = in_parts.draft(moved);
+  EXPECT_EQ(everythingOf(in_parts.complete(draft)), first);
+  EXPECT_EQ(everythingOf(in_parts.complete(next)), second);
+}
+
 TEST(HullCarver, NothingDependsOnTheOrderOfCameras) {
   CameraRig rig = makeRig(7);
   std::vector<HullView> views = troubledViews(rig);

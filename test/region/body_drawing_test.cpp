@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
 
 namespace markerless_mocap {
 namespace {
@@ -50,6 +51,16 @@ TEST(BodyDrawing, ShowsThePartInFront) {
     EXPECT_EQ(drawing.part.at<uchar>(0, 0), BodyDrawing::kNoPart);
     EXPECT_NEAR(drawing.parts[1].depth_inside, 4, 1e-4);
   }
+}
+
+TEST(BodyDrawing, DistanceWithoutPartsIsTheSame) {
+  const std::vector<ProjectedCone> cones{{{30, 40}, {60, 44}, 10, 4, 2, 2, 0},
+                                         {{95, 70}, {80, 60}, 3, 9, 2, 2, 1}};
+  const BodyDrawing drawing = drawn(cones, 2);
+  const BodyDistance body = distanceFrom({cones, 2.f}, kSize, 5);
+  EXPECT_EQ(body.box, drawing.box);
+  EXPECT_EQ(cv::norm(body.distance, drawing.distance, cv::NORM_INF), 0.0);
+  EXPECT_EQ(distanceFrom({}, kSize, 5).box.area(), 0);
 }
 
 TEST(BodyDrawing, IsEmptyForABodyOutsideTheImage) {

@@ -75,6 +75,13 @@ struct HullView {
   cv::Mat image;  ///< CV_8UC3 BGR or CV_8UC1, may be empty: no colour from this camera
 };
 
+/// A hull whose voxels have been found, but not been listed: that takes longer than to find them.
+struct HullDraft {
+  struct Found;
+  VisualHull hull;                     ///< without voxels
+  std::shared_ptr<const Found> found;  ///< what HullCarver::complete() lists; null: there are none
+};
+
 /// Carves the visual hull of one rig in one volume by voxel voting (Hsiao 2008, 3.1.3; Bakken &
 /// Hilton 2012, 3.2).
 ///
@@ -105,6 +112,12 @@ class HullCarver {
   /// \param views one per camera of the rig, in the rig's order; throws std::invalid_argument on a
   ///   wrong count, size or type
   VisualHull carve(const std::vector<HullView>& views);
+
+  /// carve() in two parts, where the voxels of most frame sets are not needed: draft() for each
+  /// frame set, as carve(), and complete() for some of them, at any time. One thread may complete
+  /// while another one drafts.
+  HullDraft draft(const std::vector<HullView>& views);
+  VisualHull complete(HullDraft draft);
 
   const CameraRig& rig() const;
   const VoxelLattice& lattice() const;

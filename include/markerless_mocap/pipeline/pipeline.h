@@ -121,9 +121,14 @@ class Pipeline {
   /// As BodyTracker::estimateShapeNow().
   void estimateShapeNow() { tracker_->estimateShapeNow(); }
   void setStageWatch(StageWatch watch) { watch_ = std::move(watch); }
-  /// From now on, parts and tree are made only of frame sets where the tracker asks for them; they
-  /// are empty in the results of the others. The poses are the same. Hulls are always made.
-  void makePartsOnDemand() { parts_on_demand_ = true; }
+  /// What is made only of frame sets where the tracker asks for it, and is empty in the results of
+  /// the others. The poses are the same.
+  enum class OnDemand {
+    kNothing,
+    kParts,           ///< parts and tree
+    kPartsAndVoxels,  ///< the hull's voxels, too; its status and its cameras are always there
+  };
+  void setOnDemand(OnDemand products) { on_demand_ = products; }
   /// From now on, once the person has been found, it is followed back through the frame sets
   /// without a pose right before, as far as it can be: PipelineResult::earlier_poses. The poses of
   /// a stream then begin with the person, not with the time that it takes to find it: its sink gets
@@ -136,6 +141,7 @@ class Pipeline {
   struct Work {
     FrameSet frame_set;
     PipelineResult result;
+    HullDraft draft;  ///< as long as the result's hull lacks its voxels
   };
   struct Stage;
   class Products;
@@ -143,15 +149,16 @@ class Pipeline {
 
   void run(const Stage& stage, Work& work);
   void checkFrames(const std::vector<CameraFrame>& frames) const;
-  void extractSilhouettes(const FrameSet& frame_set, PipelineResult* result);
-  void carve(const FrameSet& frame_set, PipelineResult* result);
-  void segment(const FrameSet& frame_set, PipelineResult* result);
-  void buildTree(const FrameSet& frame_set, PipelineResult* result);
-  void makeParts(const FrameSet& frame_set, PipelineResult* result);
-  void track(const FrameSet& frame_set, PipelineResult* result);
+  void extractSilhouettes(Work& work);
+  void carve(Work& work);
+  void completeHull(Work& work);
+  void segment(Work& work);
+  void buildTree(Work& work);
+  void makeParts(Work& work);
+  void track(Work& work);
 
   int min_views_;
-  bool parts_on_demand_ = false;
+  OnDemand on_demand_ = OnDemand::kNothing;
   std::vector<SilhouetteExtractor> silhouettes_;
   HullCarver carver_;
   BodySegmenter segmenter_;

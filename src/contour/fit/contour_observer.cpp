@@ -86,7 +86,7 @@ void findUnknown(const cv::Mat& mask, ContourView& view) {
 OutlinedView viewOf(const cv::Mat& mask) {
   OutlinedView out;
   if (mask.empty()) return out;
-  const cv::Rect box = cv::boundingRect(mask);
+  const cv::Rect box = shownBox(mask);
   out.view.status = ViewStatus::kEmpty;
   if (box.area() == 0) return out;
   findCracks(mask, box, out.cracks);
@@ -101,7 +101,7 @@ OutlinedView viewOf(const cv::Mat& mask) {
 /// Returns false where the contour has no direction.
 bool castRay(const cv::Mat& mask, const Camera& camera, const RayTable& rays, const Crack& crack,
              ContourRay& ray) {
-  const int radius = std::clamp(mask.cols / kWidthPerNormalRadius, 2, 6);
+  const int radius = std::clamp(mask.cols / kWidthPerNormalRadius, 2, kMaxNormalRadius);
   const Vector2d out = outwardNormal(mask, crack, radius);
   if (!(out.squaredNorm() > 0)) return false;
   const Vector2d pixel = crack.pixel(), along = 0.5 * Vector2d(-out.y(), out.x()).normalized();

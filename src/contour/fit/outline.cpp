@@ -1,9 +1,11 @@
 #include "contour/fit/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "markerless_mocap/products/silhouette_mask.h"
+#include "numerics/simd_clones.h"
 
 namespace markerless_mocap {
 namespace {
@@ -32,6 +34,69 @@ void compareRows(const uchar* row, const uchar* other, int first, int last, int 
   }
 }
 
+// Pixels along an edge of a square that holds each disk. Its first pixel is the disk's first.
+constexpr int kDiskSide = 16;
+static_assert(2 * kMaxNormalRadius + 2 <= kDiskSide);
+
+/// Weights of a square's pixels, and their offsets from a crack in half pixels.
+struct Disk {
+  int16_t weights[kDiskSide][kDiskSide] = {};
+  int16_t dx[kDiskSide] = {}, dy[kDiskSide] = {};  ///< of columns and rows
+};
+
+/// \param odd_x whether the crack lies between two columns, else between two rows
+constexpr Disk diskOf(int radius, bool odd_x) {
+  Disk disk;
+  for (int i = 0; i < kDiskSide; ++i) {
+    disk.dx[i] = int16_t(2 * (i - radius) - (odd_x ? 1 : 0));
+    disk.dy[i] = int16_t(2 * (i - radius) - (odd_x ? 0 : 1));
+  }
+  const int reach = 2 * radius + 1;
+  for (int y = 0; y < kDiskSide; ++y)
+    for (int x = 0; x < kDiskSide; ++x) {
+      const int weight = reach * reach - disk.dx[x] * disk.dx[x] - disk.dy[y] * disk.dy[y];
+      disk.weights[y][x] = int16_t(weight > 0 ? weight : 0);
+    }
+  return disk;
+}
+
+using Disks = std::array<Disk, kMaxNormalRadius + 1>;  // by radius
+
+constexpr Disks disks(bool odd_x) {
+  Disks all;
+  for (int radius = 0; radius <= kMaxNormalRadius; ++radius)
+    all[size_t(radius)] = diskOf(radius, odd_x);
+  return all;
+}
+
+constexpr std::array<Disks, 2> kDisks{disks(false), disks(true)};
+
+/// The square whose first pixel is x, y, also beyond the image.
+void copyPatch(const cv::Mat& mask, int x, int y, uchar* patch) {
+  for (int v = 0; v < kDiskSide; ++v) {
+    const uchar* row = mask.ptr<uchar>(std::clamp(y + v, 0, mask.rows - 1));
+    for (int u = 0; u < kDiskSide; ++u) *patch++ = row[std::clamp(x + u, 0, mask.cols - 1)];
+  }
+}
+
+/// Adds up offsets of the person's pixels by their weights, along x and y. Everything fits into 16
+/// bits. \param side kDiskSide; the compiler makes vectors only of loops whose length it does not
+/// know
+MOCAP_VECTORISED void sumDisk(const uchar* __restrict first, size_t step, const Disk& disk,
+                              int side, int* __restrict sums) {
+  int16_t all[kDiskSide] = {}, along_y[kDiskSide] = {};
+  for (int y = 0; y < side; ++y, first += step)
+    for (int x = 0; x < side; ++x) {
+      const auto here = int16_t(disk.weights[y][x] & -int16_t(first[x] != kBackgroundPixel));
+      all[x] = int16_t(all[x] + here);
+      along_y[x] = int16_t(along_y[x] + here * disk.dy[y]);
+    }
+  for (int x = 0; x < side; ++x) {
+    sums[0] += all[x] * disk.dx[x];
+    sums[1] += along_y[x];
+  }
+}
+
 }  // namespace
 
 void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cracks) {
@@ -46,23 +111,20 @@ void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cr
 }
 
 Eigen::Vector2d outwardNormal(const cv::Mat& mask, const Crack& crack, int radius) {
-  const double cx = 0.5 * crack.x2, cy = 0.5 * crack.y2, reach = (radius + 0.5) * (radius + 0.5);
-  const int x0 = (crack.x2 >> 1) - radius, x1 = ((crack.x2 + 1) >> 1) + radius;
-  const int y0 = (crack.y2 >> 1) - radius, y1 = ((crack.y2 + 1) >> 1) + radius;
-  Eigen::Vector2d inward = Eigen::Vector2d::Zero();
-  for (int y = y0; y <= y1; ++y) {
-    const uchar* row = mask.ptr<uchar>(std::clamp(y, 0, mask.rows - 1));
-    const double dy = y - cy, rest = reach - dy * dy;
-    double sum = 0.0, sum_x = 0.0;
-    for (int x = x0; x <= x1; ++x) {
-      const double dx = x - cx, weight = std::max(0.0, rest - dx * dx);
-      const double here = row[std::clamp(x, 0, mask.cols - 1)] ? weight : 0.0;
-      sum += here;
-      sum_x += here * dx;
-    }
-    inward += Eigen::Vector2d(sum_x, sum * dy);
+  const Disk& disk = kDisks[size_t(crack.x2 & 1)].at(size_t(radius));
+  const int x = (crack.x2 >> 1) - radius, y = (crack.y2 >> 1) - radius;
+  std::array<uchar, kDiskSide * kDiskSide> patch;
+  const uchar* first = patch.data();
+  size_t step = kDiskSide;
+  if (x < 0 || y < 0 || x + kDiskSide > mask.cols || y + kDiskSide > mask.rows) {
+    copyPatch(mask, x, y, patch.data());
+  } else {
+    first = mask.ptr<uchar>(y, x);
+    step = mask.step;
   }
-  return -inward;
+  std::array<int, 2> inward{};
+  sumDisk(first, step, disk, kDiskSide, inward.data());
+  return {-inward[0], -inward[1]};
 }
 
 }  // namespace markerless_mocap

@@ -19,8 +19,12 @@ struct Crack {
 /// \param mask CV_8UC1, 0 background, 128 unknown, other values person
 void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cracks);
 
-/// Outward normal of the contour at a crack, pixels: it points away from the centroid of the
-/// person's pixels in a small disk. Zero if the disk is mirror-symmetric (a line one pixel wide).
+constexpr int kMaxNormalRadius = 6;  // pixels
+
+/// Outward normal of the contour at a crack; its length means nothing. It points away from the
+/// centroid of the person's pixels in a small disk. Zero if the disk is mirror-symmetric (a line
+/// one pixel wide). Beyond the image its border pixels go on. \param radius pixels, at most
+/// kMaxNormalRadius
 Eigen::Vector2d outwardNormal(const cv::Mat& mask, const Crack& crack, int radius);
 
 }  // namespace markerless_mocap

@@ -89,10 +89,13 @@ void measureAgreement(const std::vector<RegionMask>& found, RegionMasks& out) {
 
 RegionFrame::RegionFrame(const std::vector<cv::Mat>& images, const std::vector<cv::Mat>& masks)
     : masks(masks), views(masks.size()) {
-  tbb::parallel_for(size_t(0), std::min(images.size(), masks.size()), [&](size_t i) {
-    if (images[i].empty() || images[i].type() != CV_8UC3 || !hasUnknownBackground(masks[i])) return;
-    views[i] = regionView(images[i], masks[i]);
+  std::vector<char> known(masks.size());
+  tbb::parallel_for(size_t(0), masks.size(), [&](size_t i) {
+    known[i] = !masks[i].empty() && !hasUnknownBackground(masks[i]);
+    const bool has_colors = i < images.size() && images[i].type() == CV_8UC3 && !images[i].empty();
+    if (has_colors && !masks[i].empty() && !known[i]) views[i] = regionView(images[i], masks[i]);
   });
+  tells.assign(known.begin(), known.end());
 }
 
 RegionFrame RegionFrame::coarser() const {
@@ -135,7 +138,7 @@ RegionMasks BodyRegions::segment(const RegionFrame& frame, const ContourBody& bo
   tbb::parallel_for(size_t(0), rig_.size(), [&](size_t i) {
     const RegionView& view = frame.views[i];
     if (view.colors.empty()) {
-      masks_tell += !frame.masks[i].empty() && !hasUnknownBackground(frame.masks[i]);
+      masks_tell += frame.tells[i];
       return;
     }
     const ProjectedBody at = projectedBody(rig_[i], view.step, placed, error_m);

@@ -17,6 +17,7 @@ namespace markerless_mocap {
 struct RegionFrame {
   std::vector<cv::Mat> masks;     ///< by camera, CV_8UC1 0 | 128 unknown | 255, or empty
   std::vector<RegionView> views;  ///< by camera
+  std::vector<bool> tells;        ///< by camera: the mask alone shows the person
   bool is_coarse = false;
 
   RegionFrame() = default;

@@ -53,14 +53,14 @@ struct ViewCells {
   float cells_per_metre = 0;  ///< at the body
   float reach = 0;            ///< cells
   cv::Mat mask;               ///< CV_8UC1, 0 | 128 unknown | 255
-  BodyDrawing drawing;        ///< of the predicted body; its box is empty if that is outside
+  BodyDistance body;          ///< of the predicted body; its box is empty if that is outside
   CellCounts counts;
 
-  bool hasBody() const { return drawing.box.area() > 0; }
+  bool hasBody() const { return body.box.area() > 0; }
   /// What is at most that far from the body, cells: CV_8UC1, 0 | 255. 0: the body itself.
   cv::Mat within(float distance) const {
     cv::Mat near = cv::Mat::zeros(mask.size(), CV_8UC1);
-    cv::Mat(drawing.distance <= distance).copyTo(near(drawing.box));
+    cv::Mat(body.distance <= distance).copyTo(near(body.box));
     return near;
   }
   /// Which fraction of the body the mask shows.
@@ -69,10 +69,10 @@ struct ViewCells {
 
 CellCounts countsOf(const ViewCells& view) {
   CellCounts counts;
-  for (int y = 0; y < view.drawing.box.height; ++y) {
-    const uchar* mask = view.mask.ptr<uchar>(view.drawing.box.y + y) + view.drawing.box.x;
-    const float* distance = view.drawing.distance.ptr<float>(y);
-    for (int x = 0; x < view.drawing.box.width; ++x) {
+  for (int y = 0; y < view.body.box.height; ++y) {
+    const uchar* mask = view.mask.ptr<uchar>(view.body.box.y + y) + view.body.box.x;
+    const float* distance = view.body.distance.ptr<float>(y);
+    for (int x = 0; x < view.body.box.width; ++x) {
       const bool body = distance[x] <= 0, around = !body && distance[x] <= view.reach;
       const bool shown = mask[x] != kBackgroundPixel, person = mask[x] == kPersonPixel;
       counts.body += body;
@@ -137,8 +137,8 @@ ViewCells cellsOf(const cv::Mat& mask, int edge, const Camera& camera,
   view.cells_per_metre = samplesPerMetre(camera, view.edge, predicted.pelvis);
   view.mask = maskCells(mask, view.edge);
   view.reach = float(kReach_m) * view.cells_per_metre;
-  view.drawing = drawBody(projectedBody(camera, view.edge, predicted, 0.0), predicted.parts,
-                          view.mask.size(), view.reach + 1);
+  view.body = distanceFrom(projectedBody(camera, view.edge, predicted, 0.0), view.mask.size(),
+                           view.reach + 1);
   view.counts = countsOf(view);
   return view;
 }

@@ -71,15 +71,21 @@ void grow(const cv::Rect& box, cv::Rect& all) {
   if (box.area() > 0) all = all.area() > 0 ? (all | box) : box;
 }
 
+/// One row of a cone's box.
+void measureRow(const PlainCone& cone, const cv::Rect& box, int y, std::vector<float>& distances) {
+  distances.resize(size_t(box.width));
+  measureRow(cone, box.y + y, box.x, box.width, distances.data());
+}
+
 void drawCone(const ProjectedCone& cone, const cv::Rect& box, BodyDrawing& drawing,
               cv::Mat& depth) {
   const PlainCone outline = plain(cone);
   PartDistance& part = drawing.parts[size_t(cone.part)];
   const float front = std::min(cone.depth_a, cone.depth_b);
   const cv::Point at = box.tl() - drawing.box.tl(), at_part = box.tl() - part.box.tl();
-  std::vector<float> distances(size_t(box.width));
+  std::vector<float> distances;
   for (int y = 0; y < box.height; ++y) {
-    measureRow(outline, box.y + y, box.x, box.width, distances.data());
+    measureRow(outline, box, y, distances);
     takeLess(distances.data(), box.width, part.distance.ptr<float>(at_part.y + y) + at_part.x);
     takeLess(distances.data(), box.width, drawing.distance.ptr<float>(at.y + y) + at.x);
     uchar* label = drawing.part.ptr<uchar>(at.y + y) + at.x;
@@ -96,6 +102,23 @@ void drawCone(const ProjectedCone& cone, const cv::Rect& box, BodyDrawing& drawi
 }
 
 }  // namespace
+
+BodyDistance distanceFrom(const ProjectedBody& body, const cv::Size& size, float margin) {
+  BodyDistance all;
+  for (const ProjectedCone& cone : body.cones) grow(boxOf(cone, margin, size), all.box);
+  all.distance = cv::Mat(all.box.size(), CV_32FC1, cv::Scalar(kFar));
+  std::vector<float> distances;
+  for (const ProjectedCone& cone : body.cones) {
+    const PlainCone outline = plain(cone);
+    const cv::Rect box = boxOf(cone, margin, size);
+    const cv::Point at = box.tl() - all.box.tl();
+    for (int y = 0; y < box.height; ++y) {
+      measureRow(outline, box, y, distances);
+      takeLess(distances.data(), box.width, all.distance.ptr<float>(at.y + y) + at.x);
+    }
+  }
+  return all;
+}
 
 BodyDrawing drawBody(const ProjectedBody& body, int parts, const cv::Size& size, float margin) {
   BodyDrawing drawing;

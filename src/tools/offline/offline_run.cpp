@@ -79,7 +79,7 @@ void measureBody(const OfflineOptions& options, const std::vector<SharedBackgrou
   stages.fitting.method = "contour";  // the only method that estimates the shape
   Pipeline pipeline(recording.rig(), *resources, stages);
   pipeline.useBackgrounds(backgrounds);
-  pipeline.makePartsOnDemand();
+  pipeline.setOnDemand(Pipeline::OnDemand::kPartsAndVoxels);
   std::atomic<bool> measured = false;
   Progress progress("measuring the person", notes, terminal);
   pipeline.processStream(
@@ -120,7 +120,9 @@ class OfflineRun {
     pipeline_->useBackgrounds(prepared_.backgrounds);
     if (!options_.prepared.empty() && options_.recording.start > 0.0)
       settleBackgrounds(options_, prepared_, &*pipeline_);
-    if (options_.poses_only) pipeline_->makePartsOnDemand();
+    if (options_.poses_only)  // a report shows hulls
+      pipeline_->setOnDemand(options_.report_folder.empty() ? Pipeline::OnDemand::kPartsAndVoxels
+                                                            : Pipeline::OnDemand::kParts);
     pipeline_->followBack();
     body_ = pipeline_->body();
     writer_.emplace(&bag_, *body_->model, options_.recording.world_frame, makeFilter());

@@ -42,7 +42,7 @@ void RunSummary::add(const PipelineResult& result) {
     ++learning_;
     return;
   }
-  empty_hulls_ += result.hull.voxels.empty();
+  empty_hulls_ += result.hull.status != HullStatus::kOk;
   valid_trees_ += result.tree.valid();
   switch (result.pose.status) {
     case PoseStatus::kTracked:

@@ -30,7 +30,7 @@ OrientationRefinement selfCalibrate(const OfflineOptions& run, const std::string
   Recording recording(run.input, beginning);
   Pipeline pipeline(recording.rig(), resources, stages);
   pipeline.useBackgrounds(backgrounds);
-  pipeline.makePartsOnDemand();
+  pipeline.setOnDemand(Pipeline::OnDemand::kPartsAndVoxels);
   const ShapeParameters shape = pipeline.body()->shape;
   OrientationSampler sampler(pipeline.rig(), stages.fitting.contour, *pipeline.body());
   pipeline.processStream([&] { return nextFrameSet(run, &recording); },
