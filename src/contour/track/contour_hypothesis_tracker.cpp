@@ -11,7 +11,7 @@ constexpr double kLostOverlap = 0.65;
 
 constexpr int64_t kSuspiciousInterval_ns = 150000000;  // after a search without success
 constexpr int64_t kLeastCertainInterval_ns = 500000000;
-constexpr int64_t kUntwistInterval_ns = 60000000, kMaxUntwistInterval_ns = 480000000;
+constexpr int64_t kUntwistInterval_ns = 60000000;
 
 constexpr std::array kSearchedLimbs{ContourLimb::kLeftArm, ContourLimb::kRightArm,
                                     ContourLimb::kLeftLeg, ContourLimb::kRightLeg};
@@ -28,7 +28,7 @@ ContourHypothesisTracker::ContourHypothesisTracker(const CameraRig& rig,
     : rivals_(rig, options),
       suspicious_(kSuspiciousInterval_ns),
       least_certain_(kLeastCertainInterval_ns),
-      untwist_(kUntwistInterval_ns, kMaxUntwistInterval_ns) {}
+      untwist_(kUntwistInterval_ns) {}
 
 void ContourHypothesisTracker::searchSoon() {
   suspicious_.dueNow();
@@ -56,7 +56,7 @@ ContourTrackingResult ContourHypothesisTracker::startFrom(int64_t stamp_ns, cons
   lose();
   suspicious_.dueAt(stamp_ns);
   least_certain_.done(stamp_ns);  // a start searches all limbs
-  untwist_.reset();
+  untwist_.dueAt(stamp_ns);
   return keep(stamp_ns, fit, ContourTrackingStatus::kTracked);
 }
 
@@ -103,12 +103,9 @@ std::optional<ContourFit> ContourHypothesisTracker::improve(const ContourObserva
     least_certain_.done(stamp_ns);
     better = rivals_.searchLeastCertainLimb(now, prediction, &fit);
   }
-  if (!isTwisted(fit.pose)) {
-    untwist_.beImpatient();
-  } else if (untwist_.isDue(stamp_ns)) {
-    const bool is_better = rivals_.untwist(now, prediction, &fit);
-    untwist_.done(stamp_ns, is_better);
-    better |= is_better;
+  if (untwist_.isDue(stamp_ns)) {
+    untwist_.done(stamp_ns);
+    better |= rivals_.untwist(now, prediction, &fit);
   }
   if (!better) return std::nullopt;
   history_ = before;

@@ -101,10 +101,9 @@ class ContourHypothesisTracker {
 
   RivalPoses rivals_;
   PoseHistory history_;
-  std::optional<Updated> updated_;          ///< empty after a start, and while lost
-  size_t next_limb_ = 0;                    ///< where a search of suspicious limbs goes on
-  SearchTimer suspicious_, least_certain_;  ///< which rivals are tried when
-  PatientSearchTimer untwist_;
+  std::optional<Updated> updated_;  ///< empty after a start, and while lost
+  size_t next_limb_ = 0;            ///< where a search of suspicious limbs goes on
+  SearchTimer suspicious_, least_certain_, untwist_;  ///< which rivals are tried when
 };
 
 }  // namespace markerless_mocap

@@ -123,11 +123,8 @@ bool RivalPoses::searchLeastCertainLimb(const FittedFrame& now, const ContourPre
 
 bool RivalPoses::untwist(const FittedFrame& now, const ContourPrediction& prediction,
                          ContourFit* fit) const {
+  if (std::abs(shoulderTurn(fit->pose)) < kMaxTwist) return false;
   return tryPoses(now, untwisted(fit->pose), loosened(prediction), kUntwistGain, fit);
-}
-
-bool isTwisted(const ContourPose& pose) {
-  return !(std::abs(shoulderTurn(pose)) < kMaxTwist);
 }
 
 bool RivalPoses::tryPoses(const FittedFrame& now, const std::vector<ContourPose>& starts,

@@ -38,7 +38,7 @@ class RivalPoses {
   /// Searches the limb that contours determine least, unless they determine all.
   bool searchLeastCertainLimb(const FittedFrame& now, const ContourPrediction& prediction,
                               ContourFit* fit) const;
-  /// Of a pose that isTwisted(), tries the one without the twist.
+  /// If the trunk is twisted, tries the pose without the twist.
   bool untwist(const FittedFrame& now, const ContourPrediction& prediction, ContourFit* fit) const;
 
  private:
@@ -52,8 +52,5 @@ class RivalPoses {
   CameraRig rig_;
   ContourFitter fitter_;
 };
-
-/// Whether the trunk is twisted so far that the twist may be wrong.
-bool isTwisted(const ContourPose& pose);
 
 }  // namespace markerless_mocap
