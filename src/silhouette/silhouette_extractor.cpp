@@ -153,7 +153,6 @@ class SilhouetteExtractor::Impl {
     subtractor_->learn(image);
     if (live_) live_->add(image);
     if (++frames_learned_ < options_.background_frames) return;
-    if (live_ && !live_->isOccupied()) live_.reset();
     if (beside_)
       learnFirstBeside();
     else
@@ -161,6 +160,7 @@ class SilhouetteExtractor::Impl {
   }
 
   void learnFirst() {
+    if (live_ && !live_->isOccupied()) live_.reset();
     if (live_)
       subtractor_ = makeSubtractor(options_, live_->learn());
     else
@@ -169,21 +169,21 @@ class SilhouetteExtractor::Impl {
 
   /// There is no subtractor until this has ended.
   void learnFirstBeside() {
-    if (live_) {
-      live_->learnBeside(true);
-      subtractor_.reset();
-    } else {
-      first_background_ =
-          std::async(std::launch::async, [learning = std::move(subtractor_)]() mutable {
-            learning->finishLearning();
-            return std::move(learning);
-          });
-    }
+    const auto nobody = [] { return false; };
+    first_background_ =
+        std::async(std::launch::async, [is_occupied = live_ ? live_->occupancy() : nobody,
+                                        learning = std::move(subtractor_)]() mutable {
+          if (is_occupied()) return std::unique_ptr<Subtractor>();
+          learning->finishLearning();
+          return std::move(learning);
+        });
   }
 
   void takeFirstBackground() {
     if (first_background_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     subtractor_ = first_background_.get();
+    if (!subtractor_) return live_->learnBeside(true);
+    live_.reset();
     subtractor_->change(options_);  // they may have changed
   }
 
@@ -195,6 +195,7 @@ class SilhouetteExtractor::Impl {
 
   void addLive(const cv::Mat& image) {
     live_->add(image);
+    if (first_background_.valid()) return;
     if (live_->isDue() && beside_)
       live_->learnBeside(!subtractor_);
     else if (live_->isDue())
@@ -213,7 +214,8 @@ class SilhouetteExtractor::Impl {
   bool beside_ = false;                     ///< it is learned again beside the images
   LeftPlace left_place_;                    ///< hidden while the background is learned anew
   std::unique_ptr<Subtractor> subtractor_;  ///< none before the first image and while it is learned
-  std::future<std::unique_ptr<Subtractor>> first_background_;  ///< beside the images
+  /// Beside the images; nullptr where somebody is in them.
+  std::future<std::unique_ptr<Subtractor>> first_background_;
   Background loaded_;  ///< background from a file or given; else empty
   int frames_learned_ = 0;
   int stale_run_ = 0;  ///< number of images in a row that differ too much from the background

@@ -31,9 +31,10 @@ bool LiveLearner::startsStill() {
   return *starts_still_;
 }
 
-bool LiveLearner::isOccupied() {
+std::function<bool()> LiveLearner::occupancy() {
   const bool is_still = startsStill();
-  return options_.background == "recording" || !is_still || showsPerson(sampler_.last());
+  if (options_.background == "recording" || !is_still) return [] { return true; };
+  return [last = sampler_.last().clone()] { return showsPerson(last); };
 }
 
 void LiveLearner::schedule(const Background& background) {

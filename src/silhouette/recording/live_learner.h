@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <future>
 #include <optional>
 
@@ -20,9 +21,11 @@ class LiveLearner {
   void add(const cv::Mat& image);
   /// Whether something moves in the images so far or somebody is seen in the last one, or option
   /// `background` is `recording`. To be asked once, after the first images.
-  bool isOccupied();
+  bool isOccupied() { return occupancy()(); }
+  /// The same for another thread, as it takes as long as some images.
+  std::function<bool()> occupancy();
   /// Whether the background should be learned again now.
-  bool isDue() const { return sampler_.seen() == next_; }
+  bool isDue() const { return sampler_.seen() >= next_; }
   /// Whether it need not be learned again.
   bool isDone() const { return next_ > last_ && !learning_.valid(); }
   Background learn();
