@@ -3,37 +3,18 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "hull/voting/brick_projection.h"
 
 namespace markerless_mocap {
 namespace {
 
-struct Pixel {
-  int voxel, x, y;
-};
-
-/// The pixels of the brick's voxels that the camera sees.
-int projectBrick(const Camera& camera, const VoxelLattice& lattice, const Eigen::Vector3i& corner,
-                 Pixel (&pixels)[64]) {
-  int count = 0;
-  const Eigen::Vector3i end = (corner.array() + kBrickSide).min(lattice.size.array());
-  for (int z = corner.z(); z < end.z(); ++z)
-    for (int y = corner.y(); y < end.y(); ++y)
-      for (int x = corner.x(); x < end.x(); ++x) {
-        const auto pixel = camera.projectInside(lattice.center(lattice.index(x, y, z)));
-        if (!pixel) continue;
-        pixels[count++] = {x - corner.x() + kBrickSide * (y - corner.y()) + 16 * (z - corner.z()),
-                           int(std::floor(pixel->x() + 0.5)), int(std::floor(pixel->y() + 0.5))};
-      }
-  return count;
-}
-
 /// Adds the windows that hold pixels, of a raster of 16 x 16 pixels that starts at (x0, y0).
-void addWindows(const Pixel* pixels, int count, int x0, int y0, std::vector<PixelWindow>* windows,
-                uint8_t* codes) {
+void addWindows(const VoxelPixel* pixels, int count, int x0, int y0,
+                std::vector<PixelWindow>* windows, uint8_t* codes) {
   const size_t first = windows->size();
   for (int i = 0; i < count; ++i) {
-    const Pixel& p = pixels[i];
+    const VoxelPixel& p = pixels[i];
     const uint16_t x = uint16_t(x0 + (p.x - x0) / 16 * 16), y = uint16_t(y0 + (p.y - y0) / 16 * 16);
     auto window = std::find_if(windows->begin() + first, windows->end(),
                                [&](const PixelWindow& w) { return w.x == x && w.y == y; });
@@ -48,9 +29,11 @@ void addWindows(const Pixel* pixels, int count, int x0, int y0, std::vector<Pixe
 ProjectionTable::ProjectionTable(const CameraRig& rig, const VoxelLattice& lattice)
     : lattice_(lattice), cameras_(rig.size()) {
   resize();
+  std::vector<BrickProjection> projections;
+  for (const Camera& camera : rig) projections.emplace_back(camera, lattice_);
   std::vector<Layer> layers(levels_[0].size.z());
   tbb::parallel_for(size_t(0), layers.size(),
-                    [&](size_t z) { fillLayer(rig, int(z), &layers[z]); });
+                    [&](size_t z) { fillLayer(projections, int(z), &layers[z]); });
   first_window_.reserve(size_t(levels_[0].size.prod()) * cameras_ + 1);
   first_window_.push_back(0);
   size_t windows = 0;
@@ -78,20 +61,22 @@ void ProjectionTable::resize() {
   }
 }
 
-void ProjectionTable::fillLayer(const CameraRig& rig, int z, Layer* layer) {
+void ProjectionTable::fillLayer(const std::vector<BrickProjection>& projections, int z,
+                                Layer* layer) {
   BlockLevel& bricks = levels_[0];
   for (int y = 0; y < bricks.size.y(); ++y)
     for (int x = 0; x < bricks.size.x(); ++x) {
       const size_t brick = bricks.blockAt(x, y, z);
       for (size_t c = 0; c < cameras_; ++c)
-        fillBrick(rig[c], brick * cameras_ + c, kBrickSide * Eigen::Vector3i(x, y, z), layer);
+        fillBrick(projections[c], brick * cameras_ + c, kBrickSide * Eigen::Vector3i(x, y, z),
+                  layer);
     }
 }
 
-void ProjectionTable::fillBrick(const Camera& camera, size_t index, const Eigen::Vector3i& corner,
-                                Layer* layer) {
-  Pixel pixels[64];
-  const int count = projectBrick(camera, lattice_, corner, pixels);
+void ProjectionTable::fillBrick(const BrickProjection& projection, size_t index,
+                                const Eigen::Vector3i& corner, Layer* layer) {
+  VoxelPixel pixels[BrickProjection::kVoxels];
+  const int count = projection.project(corner, pixels);
   const size_t before = layer->windows.size();
   if (count > 0) {
     int x0 = pixels[0].x, x1 = x0, y0 = pixels[0].y, y1 = y0;

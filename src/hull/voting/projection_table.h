@@ -9,6 +9,8 @@
 
 namespace markerless_mocap {
 
+class BrickProjection;
+
 /// A set of cameras; bit c is camera c.
 using CameraSet = uint32_t;
 
@@ -65,8 +67,9 @@ class ProjectionTable {
   };
 
   void resize();
-  void fillLayer(const CameraRig& rig, int z, Layer* layer);
-  void fillBrick(const Camera& camera, size_t index, const Eigen::Vector3i& corner, Layer* layer);
+  void fillLayer(const std::vector<BrickProjection>& projections, int z, Layer* layer);
+  void fillBrick(const BrickProjection& projection, size_t index, const Eigen::Vector3i& corner,
+                 Layer* layer);
   void fillLevel(const BlockLevel& below, BlockLevel* level) const;
 
   VoxelLattice lattice_;
