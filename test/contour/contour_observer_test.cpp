@@ -49,6 +49,23 @@ TEST(Outline, NormalsPointOutOfADisk) {
   }
 }
 
+TEST(Outline, ShownBoxHoldsAllThatIsNotBackground) {
+  EXPECT_EQ(shownBox(cv::Mat()), cv::Rect());
+  EXPECT_EQ(shownBox(blank()), cv::Rect());
+  cv::RNG random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    cv::Mat all = cv::Mat::zeros(60, 90, CV_8UC1);
+    for (int pixel = random.uniform(1, 5); pixel > 0; --pixel)
+      all.at<uchar>(random.uniform(0, 60), random.uniform(0, 90)) = pixel % 2 ? 255 : 128;
+    const cv::Mat part = all(cv::Rect(7, 3, random.uniform(1, 80), random.uniform(1, 50)));
+    cv::Rect expected;
+    for (int y = 0; y < part.rows; ++y)
+      for (int x = 0; x < part.cols; ++x)
+        if (part.at<uchar>(y, x)) expected |= cv::Rect(x, y, 1, 1);
+    EXPECT_EQ(shownBox(part), expected);
+  }
+}
+
 /// By the definition: weights that fall to 0 at the border of the disk.
 Eigen::Vector2d normalByDefinition(const cv::Mat& mask, const Crack& crack, int radius) {
   Eigen::Vector2d inward = Eigen::Vector2d::Zero();

@@ -33,23 +33,6 @@ TEST(SilhouetteMask, UnknownPixelsAreNotThePersons) {
   EXPECT_TRUE(areEqual(personPixels(row({0, 1, 128, 255})), row({0, 255, 0, 255})));
 }
 
-TEST(SilhouetteMask, ShownBoxHoldsAllThatIsNotBackground) {
-  EXPECT_EQ(shownBox(cv::Mat()), cv::Rect());
-  EXPECT_EQ(shownBox(cv::Mat::zeros(20, 30, CV_8UC1)), cv::Rect());
-  cv::RNG random(5);
-  for (int trial = 0; trial < 200; ++trial) {
-    cv::Mat all = cv::Mat::zeros(60, 90, CV_8UC1);
-    for (int pixel = random.uniform(1, 5); pixel > 0; --pixel)
-      all.at<uchar>(random.uniform(0, 60), random.uniform(0, 90)) = pixel % 2 ? 255 : 128;
-    const cv::Mat part = all(cv::Rect(7, 3, random.uniform(1, 80), random.uniform(1, 50)));
-    cv::Rect expected;
-    for (int y = 0; y < part.rows; ++y)
-      for (int x = 0; x < part.cols; ++x)
-        if (part.at<uchar>(y, x)) expected |= cv::Rect(x, y, 1, 1);
-    EXPECT_EQ(shownBox(part), expected);
-  }
-}
-
 TEST(SilhouetteMask, UnknownPixelsAreFoundInTheLastRowOfAPart) {
   cv::Mat mask(20, 30, CV_8UC1, cv::Scalar(0));
   EXPECT_FALSE(hasUnknownPixels(mask));

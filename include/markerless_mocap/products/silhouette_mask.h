@@ -12,10 +12,6 @@ constexpr uint8_t kBackgroundPixel = 0, kUnknownPixel = 128, kPersonPixel = 255;
 /// \param mask CV_8UC1; an empty one gives false
 bool hasUnknownPixels(const cv::Mat& mask);
 
-/// The smallest box around all pixels that are not background; empty if there are none. \param mask
-/// CV_8UC1, may be empty
-cv::Rect shownBox(const cv::Mat& mask);
-
 /// The pixels that are neither background nor unknown: CV_8UC1, 0 | 255. \param mask CV_8UC1
 cv::Mat personPixels(const cv::Mat& mask);
 

@@ -97,7 +97,32 @@ MOCAP_VECTORISED void sumDisk(const uchar* __restrict first, size_t step, const 
   }
 }
 
+/// Adds the row's bits to those of all rows. Returns whether it has any.
+MOCAP_VECTORISED bool addRow(const uchar* __restrict row, int count, uchar* __restrict all) {
+  uchar any = 0;
+  for (int i = 0; i < count; ++i) {
+    any |= row[i];
+    all[i] |= row[i];
+  }
+  return any != 0;
+}
+
 }  // namespace
+
+cv::Rect shownBox(const cv::Mat& mask) {
+  std::vector<uchar> columns(size_t(mask.cols), 0);
+  int top = -1, bottom = -1;
+  for (int y = 0; y < mask.rows; ++y) {
+    if (!addRow(mask.ptr(y), mask.cols, columns.data())) continue;
+    if (top < 0) top = y;
+    bottom = y;
+  }
+  if (top < 0) return {};
+  const auto shown = [](uchar column) { return column != kBackgroundPixel; };
+  const auto left = std::find_if(columns.begin(), columns.end(), shown);
+  const auto right = std::find_if(columns.rbegin(), columns.rend(), shown).base();
+  return {int(left - columns.begin()), top, int(right - left), bottom - top + 1};
+}
 
 void findCracks(const cv::Mat& mask, const cv::Rect& box, std::vector<Crack>& cracks) {
   // The box grows by one pixel on every side, but not to the border of the image.

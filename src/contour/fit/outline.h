@@ -7,6 +7,10 @@
 
 namespace markerless_mocap {
 
+/// The smallest box around all pixels that are not background; empty if there are none. \param mask
+/// CV_8UC1, may be empty
+cv::Rect shownBox(const cv::Mat& mask);
+
 /// Boundary between a pixel of the person and one of the background, in half pixels. One coordinate
 /// is odd; it gives the direction in which the two pixels are neighbours.
 struct Crack {
