@@ -74,9 +74,10 @@ void describe(CLI::App& app, Arguments* arguments) {
                "no images of the person in the report, only outlines");
   app.add_flag("--masks-out", run.masks_out,
                "also write the silhouettes, and masks of the person alone");
-  app.add_flag("--poses-only", run.poses_only,
-               "do not write hull, body parts and pose tree, and make them only where the fit needs "
-               "them, which is faster");
+  app.add_flag(
+      "--poses-only", run.poses_only,
+      "do not write hull, body parts and pose tree, and make them only where the fit needs "
+      "them, which is faster");
   app.add_flag("--quiet", arguments->quiet, "no progress and no summary");
 }
 
