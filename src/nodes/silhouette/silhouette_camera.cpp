@@ -37,10 +37,13 @@ std::string seconds(double value) {
 
 SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                    size_t camera, const SilhouetteOptions& options,
-                                   const SilhouetteNodeOptions& node_options, Settings* settings)
+                                   const SilhouetteNodeOptions& node_options, Settings* settings,
+                                   FirstMasks* first_masks)
     : number_(camera),
       camera_(node_options.cameras.at(camera)),
       settings_(settings),
+      first_masks_(first_masks),
+      background_frames_(options.background_frames),
       node_options_(node_options),
       extractor_(options),
       status_(handle, private_handle, "silhouette of " + camera_),
@@ -147,12 +150,19 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   }
   const std::optional<SilhouetteResult> silhouette = background_.update(pixels, whole);
   if (!silhouette) return status_.waiting("learning the background anew");
-  if (silhouette->state == SilhouetteState::kLearning) {
-    has_seen_somebody_ = false;
+  const CameraPhase phase = phaseAfter(*silhouette);
+  if (phase != CameraPhase::kReady) has_seen_somebody_ = false;
+  if (!first_masks_->mayPublish(number_, nanosecondsOf(image.header().stamp), phase,
+                                ros::SteadyTime::now().toSec()))
     return reportLearning();
-  }
   publish(silhouette->mask, image.header());
   reportSilhouette(*silhouette);
+}
+
+CameraPhase SilhouetteCamera::phaseAfter(const SilhouetteResult& silhouette) const {
+  if (silhouette.state != SilhouetteState::kLearning) return CameraPhase::kReady;
+  return extractor_.framesLearned() < background_frames_ ? CameraPhase::kCollecting
+                                                         : CameraPhase::kLearning;
 }
 
 void SilhouetteCamera::publish(const cv::Mat& mask, const std_msgs::Header& header) {

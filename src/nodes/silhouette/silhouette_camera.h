@@ -10,6 +10,7 @@
 #include "nodes/common/stage_inputs.h"
 #include "nodes/common/stamp_order.h"
 #include "nodes/common/sudden_change.h"
+#include "nodes/silhouette/first_masks.h"
 #include "nodes/silhouette/kept_background.h"
 #include "nodes/silhouette/timed_settings.h"
 #include "ros/node_options.h"
@@ -21,10 +22,11 @@ class SilhouetteCamera {
  public:
   using Settings = TimedSettings<SilhouetteOptions>;
 
-  /// \param camera number in node_options.cameras \param settings must outlive this object
+  /// \param camera number in node_options.cameras \param settings \param first_masks must outlive
+  /// this object
   SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, size_t camera,
                    const SilhouetteOptions& options, const SilhouetteNodeOptions& node_options,
-                   Settings* settings);
+                   Settings* settings, FirstMasks* first_masks);
 
   /// Both throw std::invalid_argument with the reason if they fail.
   void learnBackground();
@@ -42,6 +44,7 @@ class SilhouetteCamera {
   void process(const CameraImage& image);
   void publishMask(const cv::Mat& mask, const CameraImage& image);
   void publishSilhouette(const CameraImage& image);
+  CameraPhase phaseAfter(const SilhouetteResult& silhouette) const;
   /// As image, and as PNG while somebody subscribes to it.
   void publish(const cv::Mat& mask, const std_msgs::Header& header);
   void reportLearning();
@@ -51,6 +54,8 @@ class SilhouetteCamera {
   size_t number_;
   std::string camera_;
   Settings* settings_;
+  FirstMasks* first_masks_;
+  int background_frames_;
   Settings::Pointer used_;  ///< null: those of the start
   SilhouetteNodeOptions node_options_;
   std::mutex mutex_;  ///< protects the extractor: services run in parallel with images

@@ -33,9 +33,11 @@ class SilhouetteNodelet : public nodelet::Nodelet {
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
     ros::NodeHandle handle = queue_.served(getNodeHandle());
     settings_ = std::make_unique<Settings>(node_options.cameras.size(), options);
+    first_masks_.emplace(node_options.cameras.size());
     for (size_t i = 0; i < node_options.cameras.size(); ++i)
-      cameras_.push_back(std::make_unique<SilhouetteCamera>(
-          handle, getMTPrivateNodeHandle(), i, options, node_options, settings_.get()));
+      cameras_.push_back(std::make_unique<SilhouetteCamera>(handle, getMTPrivateNodeHandle(), i,
+                                                            options, node_options, settings_.get(),
+                                                            &*first_masks_));
     live_.emplace(getMTPrivateNodeHandle(), options, SilhouetteOptions::fixedKeys(),
                   [this](const SilhouetteOptions& changed) { settings_->change(changed); });
     services_.emplace(getMTPrivateNodeHandle());
@@ -55,6 +57,7 @@ class SilhouetteNodelet : public nodelet::Nodelet {
 
   StageQueue queue_{std::max(std::thread::hardware_concurrency(), 1u)};
   std::unique_ptr<Settings> settings_;
+  std::optional<FirstMasks> first_masks_;
   std::vector<std::unique_ptr<SilhouetteCamera>> cameras_;
   std::optional<LiveOptions<SilhouetteOptions>> live_;
   std::optional<StageServices> services_;
