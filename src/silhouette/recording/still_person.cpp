@@ -17,8 +17,9 @@ constexpr size_t kLooks = 3, kFirstLooks = 1, kFirstSamples = 12;
 // How far arms and feet may reach beyond the detector's window, and how far around that the colours
 // of the background are learned; in widths and heights of the window.
 constexpr double kBeside = 0.5, kAbove = 0.05, kBelow = 0.25, kAround = 0.3;
-constexpr double kWindowWidth = 160;  ///< px; larger windows are reduced to it
-constexpr int kRounds = 4;
+// Live, everything waits for the first outlines. At 160 px and 4 rounds they are no better.
+constexpr double kWindowWidth = 100;  ///< px; larger windows are reduced to it
+constexpr int kRounds = 3;
 constexpr int kGap = 1;  ///< px; parts of a body that are so near each other are connected
 constexpr int kFewestPixels = 50;  ///< of each kind, to learn colours from
 
