@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -18,19 +19,24 @@ class Backlog {
   /// \param waiting items behind it
   /// \param now_s time of a steady clock, s
   void begin(size_t waiting, double now_s) {
-    if (waiting == 0) caught_up_s_ = now_s;
-    searches_all_the_same_ = waiting <= few_ && now_s - caught_up_s_ > kPatience_s;
-    if (searches_all_the_same_) caught_up_s_ = now_s;
+    catching_up_s_ += std::min(now_s - last_begin_s_, kSearch_s);
+    last_begin_s_ = now_s;
+    if (waiting == 0) catching_up_s_ = 0.0;
+    searches_all_the_same_ = waiting <= few_ && catching_up_s_ > kPatience_s;
+    if (searches_all_the_same_) catching_up_s_ = 0.0;
   }
   /// Whether only what the item needs may be done now. \param waiting items behind it by now
   bool isBehind(size_t waiting) const { return waiting > 0 && !searches_all_the_same_; }
 
  private:
-  static constexpr double kPatience_s = 1.0;
+  static constexpr double kPatience_s = 2.0;
+  static constexpr double kSearch_s = 0.2;  ///< an item that takes longer was searched for
 
   const size_t few_;
   std::atomic<bool> searches_all_the_same_{false};
-  double caught_up_s_ = 0.0;  ///< when nothing waited, or a search was allowed all the same
+  double last_begin_s_ = 0.0;
+  /// Since nothing waited, or a search was allowed all the same; without the time of searches.
+  double catching_up_s_ = 0.0;
 };
 
 }  // namespace markerless_mocap
