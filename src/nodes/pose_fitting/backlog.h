@@ -30,12 +30,12 @@ class Backlog {
 
  private:
   static constexpr double kPatience_s = 2.0;
-  static constexpr double kSearch_s = 0.2;  ///< an item that takes longer was searched for
+  static constexpr double kSearch_s = 0.2;  ///< as long counts an item that was searched for
 
   const size_t few_;
   std::atomic<bool> searches_all_the_same_{false};
   double last_begin_s_ = 0.0;
-  /// Since nothing waited, or a search was allowed all the same; without the time of searches.
+  /// Since nothing waited, or a search was allowed all the same.
   double catching_up_s_ = 0.0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -40,7 +39,7 @@ class FirstMasks {
  private:
   struct Camera {
     CameraPhase phase = CameraPhase::kCollecting;
-    double last_image_s = -std::numeric_limits<double>::infinity();
+    double last_image_s = 0.0;
     bool publishes = false;
   };
   static constexpr double kSilence = 0.5;  // s; nobody waits for a camera that has stopped
