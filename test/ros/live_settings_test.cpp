@@ -46,6 +46,28 @@ TEST(TimedSettings, BeforeTheFirstImageAndAfterAStepBackTheLastOnesHold) {
   EXPECT_EQ(*settings.at(0, kPeriod), 3);  // the bag begins again
 }
 
+// Free-running cameras: their stamps lie all over a period.
+TEST(TimedSettings, CamerasOutOfStepChangeOncePerPeriod) {
+  Settings settings(3, 0);
+  for (int64_t t = 0; t <= 10; ++t) {
+    settings.change(int(t));
+    for (size_t camera = 0; camera < 3; ++camera) {
+      const int64_t stamp_ns = t * kPeriod + int64_t(camera) * kPeriod / 3;
+      EXPECT_EQ(*settings.at(camera, stamp_ns), int(t)) << camera;
+    }
+  }
+}
+
+TEST(TimedSettings, ACameraThatLostAnImageDoesNotStayBehind) {
+  Settings settings(2, 1);
+  for (int64_t t = 0; t <= 2; ++t)
+    for (size_t camera = 0; camera < 2; ++camera) settings.at(camera, t * kPeriod);
+  settings.at(0, 3 * kPeriod);  // the other one has lost its image
+  settings.change(2);
+  EXPECT_EQ(*settings.at(1, 4 * kPeriod), 2);
+  EXPECT_EQ(*settings.at(0, 4 * kPeriod), 2);
+}
+
 TEST(SettingsMessages, DescribeTypeRangeAndWords) {
   const auto description = messageFromSettings(settingsOf(HullOptions(), {}));
   ASSERT_EQ(description.groups.size(), 1u);
@@ -54,11 +76,10 @@ TEST(SettingsMessages, DescribeTypeRangeAndWords) {
   EXPECT_EQ(parameters[0].type, "double");
   EXPECT_EQ(parameters[6].name, "volume");
   EXPECT_EQ(parameters[6].type, "str");
-  EXPECT_EQ(
-      parameters[6].edit_method,
-      "{'enum': [{'name': 'auto', 'value': 'auto', 'type': 'str', 'description': ''}, "
-      "{'name': 'explicit', 'value': 'explicit', 'type': 'str', 'description': ''}], "
-      "'enum_description': ''}");
+  EXPECT_EQ(parameters[6].edit_method,
+            "{'enum': [{'name': 'auto', 'value': 'auto', 'type': 'str', 'description': ''}, "
+            "{'name': 'explicit', 'value': 'explicit', 'type': 'str', 'description': ''}], "
+            "'enum_description': ''}");
   const auto at = [](const auto& values, const std::string& name) {
     for (const auto& v : values)
       if (v.name == name) return v.value;

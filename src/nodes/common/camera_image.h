@@ -13,6 +13,7 @@ namespace markerless_mocap {
 struct CameraImage {
   sensor_msgs::ImageConstPtr raw;
   sensor_msgs::CompressedImageConstPtr compressed;
+  ros::Time received{};  ///< when it was put in the queue of its subscriber
 
   explicit operator bool() const { return raw || compressed; }
   const std_msgs::Header& header() const { return raw ? raw->header : compressed->header; }

@@ -37,17 +37,17 @@ std::string silentTopic(const std::string& topic, const std::string& type) {
 ros::Subscriber StageInputs::subscribeToImages(
     const std::string& camera, const std::string& transport, uint32_t queue, Need need,
     const std::function<void(const CameraImage&)>& callback) {
-  using sensor_msgs::CompressedImage;
+  using Raw = ros::MessageEvent<const sensor_msgs::Image>;
+  using Compressed = ros::MessageEvent<const sensor_msgs::CompressedImage>;
   const std::string topic = camera + "/image_raw";
   if (transport == "compressed")
-    return subscribe<CompressedImage>(topic + "/compressed", queue, need,
-                                      [callback](const CompressedImage::ConstPtr& image) {
-                                        callback({nullptr, image});
-                                      });
-  return subscribe<sensor_msgs::Image>(topic, queue, need,
-                                       [callback](const sensor_msgs::ImageConstPtr& image) {
-                                         callback({image, nullptr});
-                                       });
+    return subscribe<sensor_msgs::CompressedImage>(
+        topic + "/compressed", queue, need, [callback](const Compressed& event) {
+          callback({nullptr, event.getConstMessage(), event.getReceiptTime()});
+        });
+  return subscribe<sensor_msgs::Image>(topic, queue, need, [callback](const Raw& event) {
+    callback({event.getConstMessage(), nullptr, event.getReceiptTime()});
+  });
 }
 
 void StageInputs::listenToMasks(

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "nodes/common/callback_gate.h"
@@ -36,7 +37,7 @@ class StageInputs {
   StageInputs(const ros::NodeHandle& handle, StageStatus* status)
       : handle_(handle), status_(status) {}
 
-  /// \param callback takes a shared pointer to the message
+  /// \param callback takes a shared pointer to the message, or a ros::MessageEvent
   template <class MessageT, class CallbackT>
   void listen(const std::string& topic, uint32_t queue, Need need, CallbackT callback) {
     subscribers_.push_back(subscribe<MessageT>(topic, queue, need, callback));
@@ -78,7 +79,10 @@ class StageInputs {
           if (latched) tellIfAnother(name, *senders);
           silent_.erase(name);
           if (watched) status_->arrived(*watched);
-          callback(event.getConstMessage());
+          if constexpr (std::is_invocable_v<CallbackT, const Event&>)
+            callback(event);
+          else
+            callback(event.getConstMessage());
         }),
         [pool = std::make_shared<MessagePool<MessageT>>()] { return pool->take(); });
     options.transport_hints = lowLatencyTransport();

@@ -18,7 +18,7 @@ namespace {
 /// Fraction of an image that has changed when somebody is there.
 constexpr double kSomebody = 0.005;
 constexpr int kDuplicatesTold = 5;  // images in a row
-constexpr uint32_t kQueue = 16;     // images that wait while all cameras compute their backgrounds
+constexpr uint32_t kQueue = 16;     // images; see LoadShedding for how long they wait
 
 bool isSame(const CameraImage& a, const CameraImage& b) {
   if (a.raw && b.raw)
@@ -37,12 +37,10 @@ std::string seconds(double value) {
 
 SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                    size_t camera, const SilhouetteOptions& options,
-                                   const SilhouetteNodeOptions& node_options, Settings* settings,
-                                   FirstMasks* first_masks)
+                                   const SilhouetteNodeOptions& node_options, Shared* shared)
     : number_(camera),
       camera_(node_options.cameras.at(camera)),
-      settings_(settings),
-      first_masks_(first_masks),
+      shared_(shared),
       background_frames_(options.background_frames),
       node_options_(node_options),
       extractor_(options),
@@ -60,13 +58,22 @@ SilhouetteCamera::SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandl
 
 void SilhouetteCamera::receive(const CameraImage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isUsable(image)) return;
+  if (!isUsable(image) || isLeftOut(image)) return;
   followSettings(image.header().stamp);
   process(image);
 }
 
+bool SilhouetteCamera::isLeftOut(const CameraImage& image) {
+  const double waited_s = ros::Time::now().toSec() - image.received.toSec();
+  const bool admitted = shared_->load.admits(number_, nanosecondsOf(image.header().stamp), waited_s,
+                                             ros::SteadyTime::now().toSec());
+  if (admitted || needs_each_image_) return false;
+  status_.count("images left out, as others waited");
+  return true;
+}
+
 void SilhouetteCamera::followSettings(const ros::Time& stamp) {
-  const Settings::Pointer settings = settings_->at(number_, nanosecondsOf(stamp));
+  const Settings::Pointer settings = shared_->settings.at(number_, nanosecondsOf(stamp));
   if (settings == used_) return;
   extractor_.change(*settings);
   used_ = settings;
@@ -151,9 +158,10 @@ void SilhouetteCamera::publishSilhouette(const CameraImage& image) {
   const std::optional<SilhouetteResult> silhouette = background_.update(pixels, whole);
   if (!silhouette) return status_.waiting("learning the background anew");
   const CameraPhase phase = phaseAfter(*silhouette);
+  needs_each_image_ = phase == CameraPhase::kCollecting;
   if (phase != CameraPhase::kReady) has_seen_somebody_ = false;
-  if (!first_masks_->mayPublish(number_, nanosecondsOf(image.header().stamp), phase,
-                                ros::SteadyTime::now().toSec()))
+  if (!shared_->first_masks.mayPublish(number_, nanosecondsOf(image.header().stamp), phase,
+                                       ros::SteadyTime::now().toSec()))
     return reportLearning();
   publish(silhouette->mask, image.header());
   reportSilhouette(*silhouette);

@@ -12,6 +12,7 @@
 #include "nodes/common/sudden_change.h"
 #include "nodes/silhouette/first_masks.h"
 #include "nodes/silhouette/kept_background.h"
+#include "nodes/silhouette/load_shedding.h"
 #include "nodes/silhouette/timed_settings.h"
 #include "ros/node_options.h"
 
@@ -22,11 +23,20 @@ class SilhouetteCamera {
  public:
   using Settings = TimedSettings<SilhouetteOptions>;
 
-  /// \param camera number in node_options.cameras \param settings \param first_masks must outlive
-  /// this object
+  /// What the cameras of a stage share; it must outlive them.
+  struct Shared {
+    Settings settings;
+    FirstMasks first_masks;
+    LoadShedding load;
+
+    Shared(size_t cameras, const SilhouetteOptions& options)
+        : settings(cameras, options), first_masks(cameras), load(cameras) {}
+  };
+
+  /// \param camera number in node_options.cameras
   SilhouetteCamera(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, size_t camera,
                    const SilhouetteOptions& options, const SilhouetteNodeOptions& node_options,
-                   Settings* settings, FirstMasks* first_masks);
+                   Shared* shared);
 
   /// Both throw std::invalid_argument with the reason if they fail.
   void learnBackground();
@@ -39,6 +49,8 @@ class SilhouetteCamera {
   bool isInOrder(const ros::Time& stamp);
   void reportDuplicate();
   bool isFrozen(const CameraImage& image);
+  /// Whether there are too many images for each to be processed.
+  bool isLeftOut(const CameraImage& image);
   /// Takes over settings that have changed.
   void followSettings(const ros::Time& stamp);
   void process(const CameraImage& image);
@@ -53,8 +65,7 @@ class SilhouetteCamera {
 
   size_t number_;
   std::string camera_;
-  Settings* settings_;
-  FirstMasks* first_masks_;
+  Shared* shared_;
   int background_frames_;
   Settings::Pointer used_;  ///< null: those of the start
   SilhouetteNodeOptions node_options_;
@@ -66,6 +77,7 @@ class SilhouetteCamera {
   FrozenImages frozen_;
   SuddenChange change_;
   CameraImage last_image_;
+  bool needs_each_image_ = false;   ///< of the few that the background is learned from
   bool has_been_ready_ = false;     ///< masks have been published
   bool has_seen_somebody_ = false;  ///< since the background was learned
   ros::Publisher publisher_, compressed_publisher_;

@@ -21,8 +21,6 @@ namespace markerless_mocap {
 /// parallel. Services for all its cameras: `~learn_background`, `~save_background`.
 class SilhouetteNodelet : public nodelet::Nodelet {
  private:
-  using Settings = SilhouetteCamera::Settings;
-
   void onInit() override {
     guardedStart(getName(), [this] { start(); });
   }
@@ -32,14 +30,12 @@ class SilhouetteNodelet : public nodelet::Nodelet {
     SilhouetteNodeOptions node_options;
     loadOptionsTogether(parametersOf(getPrivateNodeHandle()), getName(), options, node_options);
     ros::NodeHandle handle = queue_.served(getNodeHandle());
-    settings_ = std::make_unique<Settings>(node_options.cameras.size(), options);
-    first_masks_.emplace(node_options.cameras.size());
+    shared_.emplace(node_options.cameras.size(), options);
     for (size_t i = 0; i < node_options.cameras.size(); ++i)
       cameras_.push_back(std::make_unique<SilhouetteCamera>(handle, getMTPrivateNodeHandle(), i,
-                                                            options, node_options, settings_.get(),
-                                                            &*first_masks_));
+                                                            options, node_options, &*shared_));
     live_.emplace(getMTPrivateNodeHandle(), options, SilhouetteOptions::fixedKeys(),
-                  [this](const SilhouetteOptions& changed) { settings_->change(changed); });
+                  [this](const SilhouetteOptions& changed) { shared_->settings.change(changed); });
     services_.emplace(getMTPrivateNodeHandle());
     const std::string learning = "learning from the next " +
                                  std::to_string(options.background_frames) +
@@ -56,8 +52,7 @@ class SilhouetteNodelet : public nodelet::Nodelet {
   }
 
   StageQueue queue_{std::max(std::thread::hardware_concurrency(), 1u)};
-  std::unique_ptr<Settings> settings_;
-  std::optional<FirstMasks> first_masks_;
+  std::optional<SilhouetteCamera::Shared> shared_;
   std::vector<std::unique_ptr<SilhouetteCamera>> cameras_;
   std::optional<LiveOptions<SilhouetteOptions>> live_;
   std::optional<StageServices> services_;
